@@ -208,7 +208,7 @@ def test_several_strengths_are_told_without_what_is_edited_and_not_drawn(window,
 
 def test_a_scene_that_was_changed_is_not_called_what_it_was(tones, settle):
     title = "Fig. 2B: Low frequencies reach farther"
-    heading = tones.panel("frequency_and_amplitude")._words
+    heading = tones.panel("frequency_and_amplitude")._heading
     tones.docks["frequency_and_amplitude"].bring_forward()
     tones.document.look(replace(tones.document.view, selected_inputs=tones.document.design.ids))
     settle()

@@ -1,4 +1,4 @@
-"""The curve of a clip and its spectrum, below each other or side by side."""
+"""The panel of the selected clip, large, with its tools and its spectrum."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -46,13 +46,13 @@ from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.state.panel import Panel
 
 _CANVAS_PART, _SPECTRUM_PART = 3, 1
-# A panel that is lower than this, and this many times as wide, has more room beside the curve.
+# In a panel that is lower, and so many times wider than high, the spectrum is at the right.
 _LOW_PX = 300
 _WIDE = 3
 
 
 class EditorBody(QWidget):
-    """Canvas and spectrum: where a panel is low and wide, the spectrum stands at the right."""
+    """Canvas and spectrum: where the panel is low and wide, the spectrum is at the right."""
 
     def __init__(self, canvas: QWidget, spectrum: QWidget, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -70,68 +70,80 @@ class EditorBody(QWidget):
         self._layout.activate()
 
 
-# What there was before a drag, so that it can be given up.
-
-
 class DragStart:
-    """Remembers the design and the view that the first edit of a drag was made of."""
+    """Remembers the design and the view before a drag, so that it can be given up."""
 
     def __init__(self) -> None:
         self._gesture: int | None = None
         self._before: Edit | None = None
 
     def note(self, gesture: int | None, design: Design, view: View) -> None:
-        """An edit of these is made; ``gesture`` is the number of its drag, None without one."""
+        """Remember these, if they are edited first by the drag with this number; None: no drag."""
         if gesture is not None and gesture != self._gesture:
             self._gesture, self._before = gesture, Edit(label="", design=design, view=view)
 
-    def way_back(self, gesture: int) -> Edit | None:
-        """The edit that gives up a drag; None where it has changed nothing."""
+    def undo(self, gesture: int) -> Edit | None:
+        """Return the edit that gives up a drag; None where it has changed nothing."""
         return self._before if gesture == self._gesture else None
 
 
-# What the pen does to the clip in the editor.
+class ToolEdits(QObject):
+    """Turns what a tool does into edits of the clip in the editor.
 
-
-class Drawing(QWidget):
-    """Turns strokes into edits; a clip that is not drawn asks once whether it may become samples.
-
-    Attributes
+    Parameters
     ----------
-    pen
-        The tool.
+    tool
+        The tool, which emits ``given_up`` with the number of a drag.
+    parent
+        The panel.
     """
 
     edited = Signal(object, object)
 
-    def __init__(self, parent: QWidget) -> None:
+    def __init__(self, tool: Pen | EnvelopeTool | GlideTool, parent: QWidget) -> None:
         super().__init__(parent)
-        self.hide()
-        self.pen = Pen(self)
         self._design, self._view = Design(limb=""), View()
         self._clip: Clip | None = None
-        self._rate_hz = 1.0
-        # By identity: another design has clips of the same numbers.
-        self._allowed: Waveform | None = None
+        self._rate_hz = facts_of("").sample_rate_hz
         self._start = DragStart()
-        self.pen.drawn.connect(self._draw)
-        self.pen.given_up.connect(self._give_up)
-        self.pen.refused.connect(self._refuse)
+        tool.given_up.connect(self._give_up)
 
     def show_state(self, design: Design, view: View, clip: Clip | None, rate_hz: float) -> None:
-        """Take over what there is to draw on."""
+        """Take over the clip in the editor, and the sample rate of what it plays."""
         self._design, self._view, self._clip, self._rate_hz = design, view, clip, rate_hz
 
+    def _is_other(self, clip: Clip | None) -> bool:
+        """Return whether this is another clip than the one in the editor."""
+        return clip is None or self._clip is None or clip.id != self._clip.id
+
+    def _give_up(self, gesture: int) -> None:
+        before = self._start.undo(gesture)
+        if before is not None:
+            self.edited.emit(before, gesture)
+
+
+class PenEdits(ToolEdits):
+    """Turns strokes into edits; asks once before a clip of another kind becomes samples."""
+
+    def __init__(self, parent: QWidget) -> None:
+        self.pen = Pen(parent)
+        super().__init__(self.pen, parent)
+        self._panel = parent
+        # By identity: another design has clips of the same numbers.
+        self._allowed: Waveform | None = None
+        self.pen.drawn.connect(self._draw)
+        self.pen.refused.connect(self._show_refusal)
+
     def may_draw(self, clip: Clip) -> bool:
-        """Whether nothing need be asked before a clip is drawn on."""
+        """Return whether a clip can be drawn on without a question."""
         return isinstance(clip.waveform, Drawn) or self._allowed is clip.waveform
 
     def is_allowed(self, clip: Clip) -> bool:
-        """Whether a clip may become samples; asks, unless it is drawn or was asked before."""
+        """Return whether a clip may become samples; ask, unless it is drawn or was asked before."""
         if self.may_draw(clip):
             return True
         answer = QMessageBox.question(
-            self.parentWidget(),
+            self._panel,
             "Draw over the waveform?",
             f"The clip plays {figure_text(clip.waveform)}. What you draw turns it into samples: "
             "its numbers can then no longer be changed. Undo brings them back.",
@@ -142,7 +154,7 @@ class Drawing(QWidget):
         return self._allowed is clip.waveform
 
     def bound(self) -> None:
-        """Take away what lies outside the measured band."""
+        """Remove what lies outside the measured band."""
         if self._clip is not None:
             outcome = edits.bound_clip(self._design, self._view, self._clip.id, self._rate_hz)
             self.edited.emit(outcome, None)
@@ -155,16 +167,9 @@ class Drawing(QWidget):
         outcome = edits.draw_clip(self._design, self._view, id, samples, self._rate_hz)
         self.edited.emit(outcome, stroke)
 
-    def _give_up(self, stroke: int) -> None:
-        back = self._start.way_back(stroke)
-        if back is not None:
-            self.edited.emit(back, stroke)
-
-    def _refuse(self, why: str) -> None:
+    def _show_refusal(self, why: str) -> None:
         self.edited.emit(Refusal(sentence=sentence(why)), None)
 
-
-# Tools of the editor, and words about its clip.
 
 _PLACE = "clip_editor"
 _TOOLS = (
@@ -188,7 +193,7 @@ _TOOLS = (
 
 
 class EditorToolbar(QWidget):
-    """Look, draw, envelope; bound to the band; see everything."""
+    """Buttons of the tools, of the band and of the zoom, and a text about the clip."""
 
     tool_wanted = Signal(str)
     bound_wanted = Signal()
@@ -217,42 +222,42 @@ class EditorToolbar(QWidget):
         self._fit = self._button("Fit", f"See all of the clip ({key_text(_PLACE, 'whole')})")
         self._fit.clicked.connect(lambda: self.everything_wanted.emit())
         row.addWidget(self._fit)
-        self._words = FittingLabel()
-        self._words.setObjectName("clip_words")
-        set_tone(self._words, "dim")
-        self._words.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        self._words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        row.addWidget(self._words, 1)
+        self._description = FittingLabel()
+        self._description.setObjectName("clip_words")
+        set_tone(self._description, "dim")
+        self._description.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        self._description.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        row.addWidget(self._description, 1)
 
     def show_tool(self, name: str) -> None:
-        """Which tool is taken."""
+        """Show which tool is used."""
         self._tools[name].setChecked(True)
 
-    def show_words(self, words: str, *, enabled: bool, hint: str = "") -> None:
-        """Words about the clip, and how to begin; whether there is one to edit."""
-        whole = f"{words} · {hint}" if hint else words
-        self._words.show_phrases((whole, hint or words, words))
-        show_tooltip(self._words, whole)
+    def show_text(self, text: str, *, enabled: bool, hint: str = "") -> None:
+        """Show a text about the clip, and how to begin; ``enabled``: there is a clip to edit."""
+        whole = f"{text} · {hint}" if hint else text
+        self._description.show_phrases((whole, hint or text, text))
+        show_tooltip(self._description, whole)
         for button in (*self._tools.values(), self._fit):
             button.setEnabled(enabled)
         self._bound.setEnabled(enabled and self._band_known)
 
     def show_band(self, band_hz: tuple[float, float] | None) -> None:
-        """In which band the limb was measured; None: not known, and nothing can be bound to it.
+        """Take over the band in which the limb was measured; None: it is not known.
 
-        It counts from the next words on.
+        The buttons follow with the next text.
         """
-        words = "In which band this limb was measured is not known"
+        text = "In which band this limb was measured is not known"
         if band_hz is not None:
-            words = (
+            text = (
                 f"Take away what lies outside {band_hz[0]:g} to {band_hz[1]:g} Hz, where nothing "
                 "was measured; the waveform becomes samples"
             )
-        show_tooltip(self._bound, words)
+        show_tooltip(self._bound, text)
         self._band_known = band_hz is not None
 
     def offer_glide(self, offered: bool) -> None:
-        """Whether the clip plays a glide, whose curves can be shaped."""
+        """Show the tool for glides only where the clip plays one."""
         self._tools["glide"].setVisible(offered)
 
     def _button(self, text: str, hint: str) -> QToolButton:
@@ -265,85 +270,79 @@ class EditorToolbar(QWidget):
         return button
 
 
-# A point that a key adds to a curve.
-
-
-def add_point(tool: EnvelopeTool, points: Points, end_s: float) -> None:
-    """Add a point on the curve, halfway from the chosen one to the next, or to ``end_s``.
-
-    It is chosen then, so that the arrow keys move it.
-    """
-    chosen = tool.chosen[-1] if tool.chosen else 0
-    added, number = with_point_after(points, chosen, end_s)
-    tool.chosen = (number,)
-    tool.changed.emit(added, None)
-
-
-# What the glide tool does to the clip in the editor.
-
 _LEAP = 10
 _Key = Qt.Key
-_TIMES = {_Key.Key_Left: -0.001, _Key.Key_Right: 0.001}
-_VALUES = {_Key.Key_Up: 1.0, _Key.Key_Down: -1.0}
+#: One step of an arrow key to the side; with Shift ten.
+STEP_S = 0.001
+_ALONG = {_Key.Key_Left: -1.0, _Key.Key_Right: 1.0}
+_UP = {_Key.Key_Up: 1.0, _Key.Key_Down: -1.0}
 #: One step of an arrow key up; with Shift ten.
 STEPS: dict[Column, float] = {"frequency": 1.0, "amplitude": 0.01}
 
 
-class Gliding(QObject):
-    """Turns what the tool does to the curves into edits of the glide that a clip plays.
+class PointEdits(ToolEdits):
+    """Turns what a tool and keys do to points of a curve into edits of the clip."""
 
-    Attributes
-    ----------
-    tool
-        The tool.
-    """
-
-    edited = Signal(object, object)
-
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self._design, self._view = Design(limb=""), View()
-        self._clip: Clip | None = None
-        self._rate_hz = facts_of("").sample_rate_hz
-        # What was drawn: points that bend nothing yet are not part of a glide.
-        self._drawn: dict[Column, Points] = {}
+    def __init__(self, tool: EnvelopeTool | GlideTool, parent: QWidget) -> None:
+        super().__init__(tool, parent)
         self._burst = Burst(self)
-        self.tool = GlideTool(self._points, self)
-        self._start = DragStart()
-        self.tool.changed.connect(self._change)
-        self.tool.given_up.connect(self._give_up)
 
-    def show_state(self, design: Design, view: View, clip: Clip | None, rate_hz: float) -> None:
-        """Take over what there is to shape."""
-        if clip is None or self._clip is None or clip.id != self._clip.id:
-            self.tool.forget()
-            self._drawn = {}
-        self._design, self._view, self._clip, self._rate_hz = design, view, clip, rate_hz
-
-    def can_edit(self, clip: Clip | None) -> bool:
-        """Whether a clip plays a glide."""
-        return clip is not None and isinstance(clip.waveform, Glide)
-
-    def press(self, wanted: str, event: QKeyEvent) -> bool:
-        """Do what a key means to the points; whether it means anything."""
-        tool = self.tool.tools[self.tool.active]
-        if wanted == "remove":
+    def _press(
+        self,
+        tool: EnvelopeTool,
+        command: str,
+        event: QKeyEvent,
+        points: Points,
+        end_s: float,
+        step: float,
+    ) -> None:
+        """Do what a command does to the points of a tool, which end at ``end_s``."""
+        if command == "remove":
             tool.remove_chosen()
-        elif wanted == "add" and self._clip is not None:
-            end_s = self._clip.waveform.duration_s
-            add_point(tool, self._points(self.tool.active), end_s)
-        elif wanted == "flip":
-            self.tool.flip()
-        elif wanted in ("next_point", "point_before"):
-            tool.choose_next(1 if wanted == "next_point" else -1)
-        elif wanted == "nudge":
+        elif command == "add":
+            # Halfway from the chosen point to the next; arrow keys move the new one.
+            chosen = tool.chosen[-1] if tool.chosen else 0
+            added, number = with_point_after(points, chosen, end_s)
+            tool.chosen = (number,)
+            tool.changed.emit(added, None)
+        elif command in ("next_point", "point_before"):
+            tool.choose_next(1 if command == "next_point" else -1)
+        elif command == "nudge":
             far = _LEAP if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
             key = _Key(event.key())
-            by_value = far * STEPS[self.tool.active] * _VALUES.get(key, 0.0)
-            tool.nudge(far * _TIMES.get(key, 0.0), by_value, self._burst.gesture())
-        else:
-            return False
-        return True
+            by_s, by_value = STEP_S * _ALONG.get(key, 0.0), step * _UP.get(key, 0.0)
+            tool.nudge(far * by_s, far * by_value, self._burst.gesture())
+
+
+class GlideEdits(PointEdits):
+    """Turns changes of the two curves into edits of the glide that a clip plays."""
+
+    def __init__(self, parent: QWidget) -> None:
+        self.tool = GlideTool(self._points, parent)
+        super().__init__(self.tool, parent)
+        # What was drawn: points that bend nothing yet are not part of a glide.
+        self._drawn: dict[Column, Points] = {}
+        self.tool.changed.connect(self._change)
+
+    def show_state(self, design: Design, view: View, clip: Clip | None, rate_hz: float) -> None:
+        if self._is_other(clip):
+            self.tool.forget()
+            self._drawn = {}
+        super().show_state(design, view, clip, rate_hz)
+
+    def can_edit(self, clip: Clip | None) -> bool:
+        """Return whether a clip plays a glide."""
+        return clip is not None and isinstance(clip.waveform, Glide)
+
+    def press(self, command: str, event: QKeyEvent) -> None:
+        """Do what a command does to the points."""
+        active = self.tool.active
+        if command == "flip":
+            self.tool.flip()
+        elif self._clip is not None:
+            end_s = self._clip.waveform.duration_s
+            tool, points = self.tool.tools[active], self._points(active)
+            self._press(tool, command, event, points, end_s, STEPS[active])
 
     def _points(self, column: Column) -> Points:
         waveform = None if self._clip is None else self._clip.waveform
@@ -360,84 +359,47 @@ class Gliding(QObject):
         self._start.note(gesture, self._design, self._view)
         # Half the sample rate itself cannot be played.
         most = 1.0 if column == "amplitude" else 0.4999 * self._rate_hz
-        kept: Points = tuple((round(x, 12), round(min(y, most), 12), kind) for x, y, kind in points)
-        self._drawn[column] = kept
+        rounded: Points = tuple(
+            (round(x, 12), round(min(y, most), 12), kind) for x, y, kind in points
+        )
+        self._drawn[column] = rounded
         outcome = edits.set_glide_curve(
-            self._design, self._view, self._clip.id, column, _curve(kept)
+            self._design, self._view, self._clip.id, column, _curve(rounded)
         )
         self.edited.emit(outcome, gesture)
 
     def _give_up(self, gesture: int) -> None:
-        back = self._start.way_back(gesture)
-        if back is not None:
+        if self._start.undo(gesture) is not None:
             self._drawn = {}
-            self.edited.emit(back, gesture)
+        super()._give_up(gesture)
 
 
 def _curve(points: Points) -> Curve:
     return tuple((x, y) for x, y, _ in points)
 
 
-# What the envelope tool does to the clip in the editor.
+class EnvelopeEdits(PointEdits):
+    """Turns changes of the points into edits of the clip's envelope."""
 
-#: One step of an arrow key; with Shift ten.
-STEP_S, STEP = 0.001, 0.01
-
-
-_STEPS = {
-    _Key.Key_Left: (-STEP_S, 0.0),
-    _Key.Key_Right: (STEP_S, 0.0),
-    _Key.Key_Up: (0.0, STEP),
-    _Key.Key_Down: (0.0, -STEP),
-}
-
-
-class Shaping(QObject):
-    """Turns what the tool does to the points into edits of the clip's envelope.
-
-    Attributes
-    ----------
-    tool
-        The tool.
-    """
-
-    edited = Signal(object, object)
-
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self._design, self._view = Design(limb=""), View()
-        self._clip: Clip | None = None
-        self._burst = Burst(self)
-        self.tool = EnvelopeTool(self._points, self)
-        self._start = DragStart()
+    def __init__(self, parent: QWidget) -> None:
+        self.tool = EnvelopeTool(self._points, parent)
+        super().__init__(self.tool, parent)
         self.tool.changed.connect(self._change)
-        self.tool.given_up.connect(self._give_up)
 
-    def show_state(self, design: Design, view: View, clip: Clip | None) -> None:
-        """Take over what there is to shape."""
-        if clip is None or self._clip is None or clip.id != self._clip.id:
+    def show_state(self, design: Design, view: View, clip: Clip | None, rate_hz: float) -> None:
+        if self._is_other(clip):
             self.tool.chosen = ()
-        self._design, self._view, self._clip = design, view, clip
+        super().show_state(design, view, clip, rate_hz)
 
-    def press(self, wanted: str, event: QKeyEvent) -> bool:
-        """Do what a key means to the points; whether it means anything."""
-        if wanted == "remove":
-            self.tool.remove_chosen()
-        elif wanted == "add" and self._clip is not None:
-            add_point(self.tool, self._points(), self._clip.duration_s)
-        elif wanted in ("next_point", "point_before"):
-            self.tool.choose_next(1 if wanted == "next_point" else -1)
-        elif wanted == "nudge":
-            by_s, by_value = _STEPS[_Key(event.key())]
-            leap = _LEAP if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
-            self.tool.nudge(by_s * leap, by_value * leap, self._burst.gesture())
-        else:
-            return False
-        return True
+    def press(self, command: str, event: QKeyEvent) -> None:
+        """Do what a command does to the points."""
+        if self._clip is not None:
+            end_s = self._clip.duration_s
+            self._press(self.tool, command, event, self._points(), end_s, STEPS["amplitude"])
 
     def _points(self) -> Points:
         effects = () if self._clip is None else self._clip.effects
-        envelopes = [one for one in effects if isinstance(one, Envelope)]
+        envelopes = [effect for effect in effects if isinstance(effect, Envelope)]
         return envelopes[-1].points if envelopes else UNCHANGED
 
     def _change(self, points: Points, gesture: int | None) -> None:
@@ -446,13 +408,6 @@ class Shaping(QObject):
             outcome = edits.set_envelope(self._design, self._view, self._clip.id, points)
             self.edited.emit(outcome, gesture)
 
-    def _give_up(self, gesture: int) -> None:
-        back = self._start.way_back(gesture)
-        if back is not None:
-            self.edited.emit(back, gesture)
-
-
-# The selected clip, large: looked at, drawn, shaped.
 
 _NO_GLIDE = Refusal(sentence="The clip does not play a glide; choose that waveform first.")
 _ZOOM = 1.5
@@ -470,18 +425,18 @@ class ClipEditorPanel(Panel):
         self._rate_hz = facts_of("").sample_rate_hz
         self._waveforms: Mapping[int, Floats] = {}
         self._raw: tuple[Any, float, Floats | None] = (None, 0.0, None)
-        self._said: tuple[Clip | None, Design | None, str] = (None, None, "")
+        self._described: tuple[Clip | None, Design | None, str] = (None, None, "")
         self._unplayable: frozenset[int] = frozenset()
-        self._drawing, self._shaping = Drawing(self), Shaping(self)
-        self._look, self._pen = ViewTool(self), self._drawing.pen
-        self._gliding = Gliding(self)
+        self._pen_edits, self._envelope = PenEdits(self), EnvelopeEdits(self)
+        self._view_tool, self._pen = ViewTool(self), self._pen_edits.pen
+        self._glide = GlideEdits(self)
         self._tools: dict[str, Tool] = {
-            "look": self._look,
+            "look": self._view_tool,
             "pen": self._pen,
-            "envelope": self._shaping.tool,
-            "glide": self._gliding.tool,
+            "envelope": self._envelope.tool,
+            "glide": self._glide.tool,
         }
-        self._canvas = EditorView(self._look)
+        self._canvas = EditorView(self._view_tool)
         self._toolbar, self._spectrum = EditorToolbar(), SpectrumStrip()
         self._empty = QLabel()
         set_tone(self._empty, "dim")
@@ -509,7 +464,7 @@ class ClipEditorPanel(Panel):
     def clip(self) -> Clip | None:
         """The clip that was selected last, or the first one of the selected track."""
         selected = self._view.selected_input
-        track = next((one for one in self._design.inputs if one.id == selected), None)
+        track = next((track for track in self._design.inputs if track.id == selected), None)
         return None if track is None else clip_of(track, self._view)
 
     def show_state(self, design: Design, view: View) -> None:
@@ -527,64 +482,62 @@ class ClipEditorPanel(Panel):
         self._show()
 
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
-        self._unplayable = frozenset(one.id for one in unplayable)
+        self._unplayable = frozenset(track.id for track in unplayable)
         if self.clip is not None:
-            self._say(self.clip)
+            self._show_text(self.clip)
 
-    def show_late(self, late: bool) -> None:
-        self._canvas.item.show_late(late)
+    def show_late(self, stale: bool) -> None:
+        self._canvas.item.show_late(stale)
 
     def show_problem(self, reason: str) -> None:
         self._waveforms = {}
         self._show()
-        self._toolbar.show_words(reason, enabled=self.clip is not None)
+        self._toolbar.show_text(reason, enabled=self.clip is not None)
 
     def use(self, tool: str) -> None:
-        """Take a tool; a clip that is not drawn asks once whether it may become samples."""
+        """Use a tool; ask once whether a clip of another kind may become samples."""
         clip = self.clip
-        if tool == "pen" and clip is not None and not self._drawing.may_draw(clip):
-            # While it is asked nothing of another tool is seen, or can be done.
-            self._take("look")
-            tool = "pen" if self._drawing.is_allowed(clip) else "look"
-        if tool == "glide" and not self._gliding.can_edit(clip):
+        if tool == "pen" and clip is not None and not self._pen_edits.may_draw(clip):
+            # During the question no other tool is active.
+            self._switch_to("look")
+            tool = "pen" if self._pen_edits.is_allowed(clip) else "look"
+        if tool == "glide" and not self._glide.can_edit(clip):
             self.edited.emit(_NO_GLIDE, None)
             tool = "look"
-        self._take(tool)
-        # A question may have taken the keyboard away.
+        self._switch_to(tool)
+        # After a question the keyboard may be elsewhere.
         self._canvas.setFocus(Qt.FocusReason.OtherFocusReason)
 
-    def _take(self, tool: str) -> None:
+    def _switch_to(self, tool: str) -> None:
         self._canvas.use(self._tools[tool])
         self._toolbar.show_tool(tool)
         if self.clip is not None:
-            self._say(self.clip)
+            self._show_text(self.clip)
 
     def _connect(self) -> None:
         self._toolbar.tool_wanted.connect(self.use)
-        self._toolbar.bound_wanted.connect(self._drawing.bound)
-        self._toolbar.everything_wanted.connect(self._canvas.seen.show_everything)
+        self._toolbar.bound_wanted.connect(self._pen_edits.bound)
+        self._toolbar.everything_wanted.connect(self._canvas.visible_clip.show_everything)
         self._canvas.key_pressed.connect(self._press)
-        self._look.pan_wanted.connect(self._canvas.seen.pan)
-        self._drawing.edited.connect(self.edited)
-        self._shaping.edited.connect(self.edited)
-        self._gliding.edited.connect(self.edited)
+        self._view_tool.pan_wanted.connect(self._canvas.visible_clip.pan)
+        for tool_edits in (self._pen_edits, self._envelope, self._glide):
+            tool_edits.edited.connect(self.edited)
 
     def _show(self) -> None:
         clip = self.clip
-        self._drawing.show_state(self._design, self._view, clip, self._rate_hz)
-        self._shaping.show_state(self._design, self._view, clip)
-        self._gliding.show_state(self._design, self._view, clip, self._rate_hz)
+        for tool_edits in (self._pen_edits, self._envelope, self._glide):
+            tool_edits.show_state(self._design, self._view, clip, self._rate_hz)
         self._stack.setCurrentIndex(0 if clip is None else 1)
         if clip is None:
             inputs = bool(self._design and self._design.inputs)
             self._empty.setText(how_to_select_clip(self.in_sight, inputs=inputs))
             self._canvas.show_clip(None, None, None, self._rate_hz)
             return
-        gone = self._canvas.tool is self._gliding.tool and not self._gliding.can_edit(clip)
-        if gone or (self._canvas.tool is self._pen and not self._drawing.may_draw(clip)):
-            # Another clip than the one that was asked about, or another waveform.
+        lost_glide = self._canvas.tool is self._glide.tool and not self._glide.can_edit(clip)
+        if lost_glide or (self._canvas.tool is self._pen and not self._pen_edits.may_draw(clip)):
+            # The question was about another clip, or another waveform.
             self.use("look")
-        self._toolbar.offer_glide(self._gliding.can_edit(clip))
+        self._toolbar.offer_glide(self._glide.can_edit(clip))
         raw = self._sampled(clip)
         played = self._waveforms.get(clip.id)
         if not clip.effects and raw is not None:
@@ -593,49 +546,49 @@ class ClipEditorPanel(Panel):
         band_hz = facts_of(self._design.limb).band_hz
         self._spectrum.show_samples(played, self._rate_hz, band_hz)
         self._toolbar.show_band(band_hz)
-        self._say(clip)
+        self._show_text(clip)
 
-    def _say(self, clip: Clip) -> None:
-        said_of, design, words = self._said
-        if said_of is not clip or design is not self._design:
-            words = _words(clip, self._design)
-            self._said = clip, self._design, words
+    def _show_text(self, clip: Clip) -> None:
+        described, design, text = self._described
+        if described is not clip or design is not self._design:
+            text = _description(clip, self._design)
+            self._described = clip, self._design, text
         if self._view.selected_input in self._unplayable and not clip.muted:
-            words = f"{words} · cannot be played"
-        self._toolbar.show_words(words, enabled=True, hint=self._canvas.tool.hint)
+            text = f"{text} · cannot be played"
+        self._toolbar.show_text(text, enabled=True, hint=self._canvas.tool.hint)
 
     def _sampled(self, clip: Clip) -> Floats | None:
-        """What the clip plays before its effects; it is drawn once for each waveform."""
+        """Return what the clip plays before its effects; it is sampled once for each waveform."""
         waveform, rate_hz, samples = self._raw
         if waveform is not clip.waveform or rate_hz != self._rate_hz:
             try:
                 samples = clip.waveform.samples(self._rate_hz)
             except InvalidInputError:
-                # The other panels say why.
+                # Other panels show the reason.
                 samples = None
             self._raw = (clip.waveform, self._rate_hz, samples)
         return samples
 
     def _press(self, event: QKeyEvent) -> None:
-        wanted = meaning_of("clip_editor", event)
-        if wanted in self._tools:
-            self.use(wanted)
-        elif wanted in ("zoom_in", "zoom_out"):
-            self._canvas.seen.zoom(_ZOOM if wanted == "zoom_in" else 1 / _ZOOM)
-        elif wanted == "whole":
-            self._canvas.seen.show_everything()
-        elif wanted == "give_up":
+        command = meaning_of("clip_editor", event)
+        if command in self._tools:
+            self.use(command)
+        elif command in ("zoom_in", "zoom_out"):
+            self._canvas.visible_clip.zoom(_ZOOM if command == "zoom_in" else 1 / _ZOOM)
+        elif command == "whole":
+            self._canvas.visible_clip.show_everything()
+        elif command == "give_up":
             self.use("look")
         else:
-            # Points that are not seen are not changed.
-            for one in (self._gliding, self._shaping):
-                if self._canvas.tool is one.tool:
-                    one.press(wanted, event)
+            # Keys change only points that are visible.
+            for shaper in (self._glide, self._envelope):
+                if self._canvas.tool is shaper.tool:
+                    shaper.press(command, event)
             self._canvas.lay_out()
 
 
-def _words(clip: Clip, design: Design) -> str:
-    """Where a clip plays, and what."""
+def _description(clip: Clip, design: Design) -> str:
+    """Return where a clip plays, and what."""
     place = input_name(design.track_of(clip.id).location, design.limb)
     label = f"{clip.label} · " if clip.label else ""
     figure = f"{clip_text(clip)} · {duration_text(clip.duration_s)}"

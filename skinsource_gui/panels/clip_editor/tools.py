@@ -1,4 +1,4 @@
-"""How a curve of breakpoints looks in the clip editor."""
+"""The tools of the clip editor: a pointer that reads values, a pen, and curves of breakpoints."""
 
 from collections.abc import Callable, Collection
 from dataclasses import dataclass, fields
@@ -22,29 +22,29 @@ from skinsource.specs.breakpoints import SEGMENTS, Breakpoint, Segment
 from skinsource_gui.fields.curve_field import fill_ground_menu, fill_point_menu
 from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.units import value_text
-from skinsource_gui.panels.clip_editor.view import REACH, Button, EditorContent, Held
+from skinsource_gui.panels.clip_editor.view import REACH, Button, EditorContent, Modifier, Tool
 from skinsource_gui.plots.ranges import linear_ticks, number_text
 from skinsource_gui.qt.theme import Theme
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CurveLook:
+class CurveStyle:
     """How a curve is painted and named.
 
     Attributes
     ----------
     colour
-        Name of its colour in a theme.
+        Name of a colour in a theme.
     mirrored
         Whether it is painted upside down too, as an envelope is around a waveform.
     label, unit
-        What its values are.
+        Label and unit of the values.
     highest
-        No point goes higher.
+        The largest value.
     bends
         Whether a segment may be smooth, or held.
     how
-        What is said while there is nothing but its start.
+        How to begin, while there is only the first point.
     """
 
     colour: str = "warning"
@@ -56,8 +56,6 @@ class CurveLook:
     how: str = ""
 
 
-# The points of a curve, and what is written beside the chosen one.
-
 _POINT_PX, _HOVERED_PX = 3.5, 5.0
 # Room for a point and its line.
 _DOT_PX = 10
@@ -68,18 +66,18 @@ def paint_points(
     places: tuple[Floats, Floats],
     chosen: Collection[int],
     hovered: int | None,
-    look: CurveLook,
+    style: CurveStyle,
     theme: Theme,
 ) -> None:
     """Paint points at places in px, (n_points,) each; the chosen ones are filled."""
     x, y = places
-    colour = getattr(theme, look.colour)
+    colour = getattr(theme, style.colour)
     painter.setPen(QPen(QColor(colour), 1.5))
     painter.setBrush(QColor(theme.base))
     dot = _dot(colour, theme.base, painter.device().devicePixelRatioF())
     for place in map(QPointF, (x - _DOT_PX / 2).tolist(), (y - _DOT_PX / 2).tolist()):
         painter.drawPixmap(place, dot)
-    # The others are painted again, over those beside them.
+    # These are painted again, over their neighbours.
     for index in {*chosen, *(() if hovered is None else (hovered,))}:
         if index < len(x):
             radius = _HOVERED_PX if index == hovered else _POINT_PX
@@ -88,32 +86,36 @@ def paint_points(
 
 
 def write_point(
-    painter: QPainter, content: EditorContent, point: Breakpoint, look: CurveLook, theme: Theme
+    painter: QPainter, content: EditorContent, point: Breakpoint, style: CurveStyle, theme: Theme
 ) -> None:
     """Write where a point is, above it, on ground of its own."""
     time_s, value, kind = point
     when = value_text(time_s, "s", digits=5)
-    if look.bends:
-        words = f"{when} · {number_text(value, 3)} · {kind}"
+    if style.bends:
+        text = f"{when} · {number_text(value, 3)} · {kind}"
     else:
-        words = f"{look.label} · {when} · {value:.5g} {look.unit}".rstrip()
+        text = f"{style.label} · {when} · {value:.5g} {style.unit}".rstrip()
     at, area = content.at(time_s, value), content.area
     line = QFontMetricsF(painter.font())
-    width, height = line.horizontalAdvance(words) + 12, line.height() + 4
+    width, height = line.horizontalAdvance(text) + 12, line.height() + 4
     left = min(max(at.x() - width / 2, area.left() + 2), area.right() - width - 2)
     # Below the point where there is no room above it.
     top = at.y() - height - 10 if at.y() - height - 10 > area.top() else at.y() + 10
     room = QRectF(left, top, width, height)
+    _write_in_box(painter, room, text, theme)
+
+
+def _write_in_box(painter: QPainter, room: QRectF, text: str, theme: Theme) -> None:
     painter.setBrush(QColor(theme.raised))
     painter.setPen(QPen(QColor(theme.border), 1))
     painter.drawRect(room)
     painter.setPen(QColor(theme.text))
-    painter.drawText(room, Qt.AlignmentFlag.AlignCenter, words)
+    painter.drawText(room, Qt.AlignmentFlag.AlignCenter, text)
 
 
 @lru_cache(maxsize=8)
 def _dot(line: str, ground: str, ratio: float) -> QPixmap:
-    """Picture of a point, painted once."""
+    """Return the picture of a point, which is painted once."""
     dot = QPixmap(round(_DOT_PX * ratio), round(_DOT_PX * ratio))
     dot.setDevicePixelRatio(ratio)
     dot.fill(Qt.GlobalColor.transparent)
@@ -126,12 +128,10 @@ def _dot(line: str, ground: str, ratio: float) -> QPixmap:
     return dot
 
 
-# The box around chosen points: its handles scale them.
-
-#: How near the pointer takes hold of a handle, px.
+#: Distance within which the pointer catches a handle, px.
 CATCH_PX = 6.0
 # Between the outermost points and the box, so that points and handles do not cover each other.
-_BESIDE_PX = 14.0
+_BOX_GAP_PX = 14.0
 _HANDLE_PX = 6.0
 _SIDES = ((-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (-1, 1), (1, -1), (1, 1))
 
@@ -147,7 +147,7 @@ class Handle:
 def handle_at(
     content: EditorContent, points: Points, chosen: tuple[int, ...], at: QPointF
 ) -> Handle | None:
-    """The handle that is within reach."""
+    """Return the handle within reach."""
     for handle, place in _handles(content, points, chosen):
         if hypot(place.x() - at.x(), place.y() - at.y()) <= CATCH_PX:
             return handle
@@ -157,14 +157,14 @@ def handle_at(
 def scaled_by(
     points: Points, chosen: tuple[int, ...], handle: Handle, by_s: float, by_value: float
 ) -> Points:
-    """The points when a handle went so far: what is opposite to it stays where it is.
+    """Return the points after a handle was dragged; what is opposite to it stays.
 
-    Where all have the same value they are scaled about 0.
+    Points of the same value are scaled about 0.
     """
     times, values = _places(points, chosen)
-    from_s, factor_s = _about(min(times), max(times), handle.along, by_s)
+    from_s, factor_s = _fixed_and_factor(min(times), max(times), handle.along, by_s)
     low, high = min(values), max(values)
-    from_value, factor = _about(0.0 if low == high else low, high, handle.up, by_value)
+    from_value, factor = _fixed_and_factor(0.0 if low == high else low, high, handle.up, by_value)
     return algebra.scaled(points, chosen, (from_s, from_value), factor_s, factor)
 
 
@@ -190,8 +190,8 @@ def paint_box(
         painter.drawRect(square)
 
 
-def _about(low: float, high: float, side: int, by: float) -> tuple[float, float]:
-    """What stays, and the factor, when one side of a range goes so far."""
+def _fixed_and_factor(low: float, high: float, side: int, by: float) -> tuple[float, float]:
+    """Return what stays, and the factor, when one side of a range is dragged."""
     if side == 0 or low == high:
         return low, 1.0
     stays = low if side > 0 else high
@@ -199,9 +199,9 @@ def _about(low: float, high: float, side: int, by: float) -> tuple[float, float]
 
 
 def _places(points: Points, chosen: tuple[int, ...]) -> tuple[list[float], list[float]]:
-    """Times and values of the chosen points."""
-    there = [points[k] for k in chosen if k < len(points)]
-    return [one[0] for one in there], [one[1] for one in there]
+    """Return times and values of the chosen points."""
+    places = [points[k] for k in chosen if k < len(points)]
+    return [point[0] for point in places], [point[1] for point in places]
 
 
 def _box(content: EditorContent, points: Points, chosen: tuple[int, ...]) -> QRectF | None:
@@ -209,10 +209,10 @@ def _box(content: EditorContent, points: Points, chosen: tuple[int, ...]) -> QRe
     if len(times) < 2:
         return None
     places = list(map(content.at, times, values))
-    x, y = [one.x() for one in places], [one.y() for one in places]
+    x, y = [place.x() for place in places], [place.y() for place in places]
     tight = QRectF(QPointF(min(x), min(y)), QPointF(max(x), max(y)))
-    box = tight.adjusted(-_BESIDE_PX, -_BESIDE_PX, _BESIDE_PX, _BESIDE_PX)
-    # No handle lies where it could not be seen.
+    box = tight.adjusted(-_BOX_GAP_PX, -_BOX_GAP_PX, _BOX_GAP_PX, _BOX_GAP_PX)
+    # All handles stay visible.
     return box.intersected(content.area.adjusted(3, 3, -3, -3))
 
 
@@ -223,60 +223,51 @@ def _handles(
     if box is None or box.isEmpty():
         return []
     times, values = map(set, _places(points, chosen))
-    found = []
+    handles = []
     for along, up in _SIDES:
-        # Points of the same time cannot be drawn apart, those of the same value upwards alone.
+        # Points of the same time have no width to scale, those of the same value only upwards.
         if (along and len(times) == 1) or (up < 0 and len(values) == 1):
             continue
         if up and values == {0.0}:
             continue
         x = box.center().x() + along * box.width() / 2
         y = box.center().y() - up * box.height() / 2
-        found.append((Handle(along, up), QPointF(x, y)))
-    return found
-
-
-# A drag of breakpoints in the clip editor.
+        handles.append((Handle(along, up), QPointF(x, y)))
+    return handles
 
 
 @dataclass(slots=True)
 class Drag:
-    """Points as they were when the button went down, and which of them move."""
+    """A drag: the points when the button went down, and which of them move."""
 
     points: Points
     chosen: tuple[int, ...]
     start: tuple[float, float]
     number: int
-    upright: bool = False
+    vertical: bool = False
     added: bool = False
     box: QPointF | None = None
     handle: Handle | None = None
     moved: bool = False
-    # The points without the one that the press added.
+    # The points before the press added one.
     before: Points = ()
 
 
-# A pointer that reads values.
+class ViewTool(Tool):
+    """Shows time and value under the pointer; a drag pans."""
 
-
-class ViewTool(QObject):
-    """Shows time and value under the pointer; a drag moves what is seen."""
-
-    #: What is seen is to move by so many seconds.
+    #: The visible part moves by so many seconds.
     pan_wanted = Signal(float)
-
-    cursor = Qt.CursorShape.ArrowCursor
-    hint = ""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._from: QPointF | None = None
         self._at: QPointF | None = None
 
-    def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
+    def press(self, content: EditorContent, at: QPointF, button: Button, held: Modifier) -> None:
         self._from = at
 
-    def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
+    def move(self, content: EditorContent, at: QPointF, held: Modifier) -> None:
         self._at = at
         if self._from is not None:
             self.pan_wanted.emit((self._from.x() - at.x()) / content.scale.px_per_s)
@@ -284,12 +275,6 @@ class ViewTool(QObject):
 
     def release(self, content: EditorContent) -> None:
         self._from = None
-
-    def double_click(self, content: EditorContent, at: QPointF) -> None:
-        """Nothing more than a click."""
-
-    def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
-        """Nothing to offer: it only reads."""
 
     def cancel(self) -> bool:
         had, self._from = self._from is not None, None
@@ -308,27 +293,21 @@ class ViewTool(QObject):
         painter.setPen(QPen(QColor(theme.dim), 1, Qt.PenStyle.DotLine))
         area = content.area
         painter.drawLine(QPointF(here.x(), area.top()), QPointF(here.x(), area.bottom()))
-        words = f"{value_text(time_s, 's', digits=5)}   {number_text(value, 4)}"
+        text = f"{value_text(time_s, 's', digits=5)}   {number_text(value, 4)}"
         metrics = QFontMetricsF(painter.font())
-        width = metrics.horizontalAdvance(words) + 10
+        width = metrics.horizontalAdvance(text) + 10
         left = min(here.x() + 6, area.right() - width)
         room = QRectF(left, area.top() + 2, width, metrics.height() + 2)
-        painter.setPen(QPen(QColor(theme.border), 1))
-        painter.setBrush(QColor(theme.raised))
-        painter.drawRect(room)
-        painter.setPen(QColor(theme.text))
-        painter.drawText(room, Qt.AlignmentFlag.AlignCenter, words)
+        _write_in_box(painter, room, text, theme)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(theme.accent))
         painter.drawEllipse(here, 3, 3)
 
 
-# A pen that draws samples.
-
 _FULL = 1.0
 
 
-class Pen(QObject):
+class Pen(Tool):
     """Draws freehand; with Shift a straight line; with the right button back to zero.
 
     One stroke is one step of the history: all its edits share a number.
@@ -342,7 +321,6 @@ class Pen(QObject):
     refused = Signal(str)
 
     cursor = Qt.CursorShape.CrossCursor
-    hint = ""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -354,7 +332,7 @@ class Pen(QObject):
         self._number = 0
         self._changed = False
 
-    def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
+    def press(self, content: EditorContent, at: QPointF, button: Button, held: Modifier) -> None:
         if content.drawn is None or self._first is not None:
             return
         self._zeroes = button == Button.RightButton
@@ -365,34 +343,28 @@ class Pen(QObject):
         self._last_s, self._stroke = self._first[0], Stroke()
         self.move(content, at, held)
 
-    def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
+    def move(self, content: EditorContent, at: QPointF, held: Modifier) -> None:
         if self._first is None or self._before is None:
             return
         time_s, value = self._place(content, at)
         rate_hz = content.sample_rate_hz
         try:
             if self._zeroes:
-                found = zeroed(self._before, self._first[0], time_s, rate_hz)
+                samples = zeroed(self._before, self._first[0], time_s, rate_hz)
             else:
-                if held & Held.ShiftModifier:
+                if held & Modifier.ShiftModifier:
                     self._stroke = Stroke.through((self._first, (time_s, value)))
                 else:
                     self._stroke = self._stroke.to(time_s, value, self._last_s)
-                found = drawn_over(self._before, self._stroke, rate_hz)
+                samples = drawn_over(self._before, self._stroke, rate_hz)
         except InvalidInputError as error:
             self.refused.emit(str(error))
             return
         self._last_s, self._changed = time_s, True
-        self.drawn.emit(found, self._number)
+        self.drawn.emit(samples, self._number)
 
     def release(self, content: EditorContent) -> None:
         self._first = None
-
-    def double_click(self, content: EditorContent, at: QPointF) -> None:
-        """Nothing more than a click."""
-
-    def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
-        """The right button draws."""
 
     def cancel(self) -> bool:
         if self._first is None:
@@ -412,33 +384,31 @@ class Pen(QObject):
 
     def _place(self, content: EditorContent, at: QPointF) -> tuple[float, float]:
         time_s, value = content.place(at)
-        # As far as 1, or as far as is seen of what is louder.
+        # Up to 1, or up to the largest visible value of a louder clip.
         full = max(_FULL, content.reach) if content.reach > REACH else _FULL
         return max(time_s, 0.0), min(max(value, -full), full)
 
 
-# Breakpoints over the waveform.
-
-#: How near the pointer takes hold of a point, or of the curve, px.
+#: Distance within which the pointer catches a point, or the curve, px.
 ENVELOPE_CATCH_PX = 9.0
 _FINE = 0.1
 _HOW = "Click the line, or double-click beside it: a new point. Drag points to shape it"
 
-_ENVELOPE = CurveLook(how=_HOW)
+_ENVELOPE = CurveStyle(how=_HOW)
 
 
-class EnvelopeTool(QObject):
-    """Click on the curve: a new point.  Drag: points, a segment up and down, a box around points.
+class EnvelopeTool(Tool):
+    """Edits the points of a curve.
 
-    The handles of the box around several chosen points scale them.  Ctrl: finely.  Shift: up and
-    down or along alone.  Alt and click on a segment: its next kind.
-    Right button: what can be done to the point, or a new one.
+    A click on the curve adds a point; with Alt it changes the kind of the segment. A drag moves
+    points, or a segment up and down, or draws a box that chooses points; the handles around several
+    chosen points scale them. Ctrl: finely. Shift: only up and down, or only along the time.
 
     Parameters
     ----------
     points
-        Returns the points that there are now.
-    look
+        Returns the points as they are now.
+    style
         How the curve is painted, and what its values are.
     """
 
@@ -447,29 +417,27 @@ class EnvelopeTool(QObject):
     #: The drag of this number is given up: all is as it was before.
     given_up = Signal(int)
 
-    cursor = Qt.CursorShape.ArrowCursor
-
     def __init__(
-        self, points: Callable[[], Points], parent: QObject, look: CurveLook = _ENVELOPE
+        self, points: Callable[[], Points], parent: QObject, style: CurveStyle = _ENVELOPE
     ) -> None:
         super().__init__(parent)
-        self._points, self._look = points, look
+        self._points, self._style = points, style
         self.chosen: tuple[int, ...] = ()
         self._drag: Drag | None = None
         self._pointer = QPointF(-1, -1)
 
     @property
     def hint(self) -> str:
-        return self._look.how if len(self._points()) == 1 and not self.chosen else ""
+        return self._style.how if len(self._points()) == 1 and not self.chosen else ""
 
-    def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
+    def press(self, content: EditorContent, at: QPointF, button: Button, held: Modifier) -> None:
         if button != Button.LeftButton or self._drag is not None:
             return
         points = self._points()
         index = _point_at(content, points, at)
         start, number = content.place(at), new_gesture()
         if index is not None:
-            if held & Held.ShiftModifier:
+            if held & Modifier.ShiftModifier:
                 self.chosen = tuple(sorted(set(self.chosen) ^ {index}))
             elif index not in self.chosen:
                 self.chosen = (index,)
@@ -482,20 +450,20 @@ class EnvelopeTool(QObject):
         segment = _segment_at(content, points, at)
         if segment is None:
             self._drag = Drag(points, (), start, number, box=at)
-        elif held & Held.AltModifier and self._look.bends:
+        elif held & Modifier.AltModifier and self._style.bends:
             here = SEGMENTS.index(points[segment][2])
             self._bend(segment, SEGMENTS[(here + 1) % len(SEGMENTS)])
         else:
             # A click adds a point on the curve; a drag moves the segment up and down, or, where the
             # curve is level before the first or after the last point, the new point alone.
             if 0 <= segment < len(points) - 1:
-                self._drag = Drag(points, (segment, segment + 1), start, number, upright=True)
+                self._drag = Drag(points, (segment, segment + 1), start, number, vertical=True)
             else:
                 added = algebra.with_point(points, max(start[0], 0.0))
                 index = 0 if segment < 0 else len(added) - 1
                 self._drag = Drag(added, (index,), start, number, added=True, before=points)
 
-    def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
+    def move(self, content: EditorContent, at: QPointF, held: Modifier) -> None:
         self._pointer = at
         drag = self._drag
         if drag is None:
@@ -509,14 +477,14 @@ class EnvelopeTool(QObject):
         if drag.box is not None:
             covered = QRectF(drag.box, at).normalized()
             self.chosen = tuple(
-                k for k, one in enumerate(drag.points) if covered.contains(content.at(*one[:2]))
+                k for k, point in enumerate(drag.points) if covered.contains(content.at(*point[:2]))
             )
             return
-        if held & Held.ControlModifier:
+        if held & Modifier.ControlModifier:
             by_s, by_value = by_s * _FINE, by_value * _FINE
-        if drag.upright or (held & Held.ShiftModifier and abs(away.y()) > abs(away.x())):
+        if drag.vertical or (held & Modifier.ShiftModifier and abs(away.y()) > abs(away.x())):
             by_s = 0.0
-        elif held & Held.ShiftModifier:
+        elif held & Modifier.ShiftModifier:
             by_value = 0.0
         if drag.handle is not None:
             scaled = scaled_by(drag.points, drag.chosen, drag.handle, by_s, by_value)
@@ -531,7 +499,7 @@ class EnvelopeTool(QObject):
         if drag.added:
             self.chosen = drag.chosen
             self.changed.emit(drag.points, None)
-        elif drag.upright:
+        elif drag.vertical:
             points = algebra.with_point(drag.points, drag.start[0])
             self.chosen = (algebra.place_of(drag.points, drag.start[0]),)
             self.changed.emit(points, None)
@@ -548,11 +516,11 @@ class EnvelopeTool(QObject):
         if at is not None:
             index = _point_at(content, points, at)
         else:
-            index = next((one for one in self.chosen if one < len(points)), None)
+            index = next((number for number in self.chosen if number < len(points)), None)
         if index is not None:
             if index not in self.chosen:
                 self.chosen = (index,)
-            bend = partial(self._bend, index) if self._look.bends else None
+            bend = partial(self._bend, index) if self._style.bends else None
             n = len(self.chosen)
             fill_point_menu(menu, self.remove_chosen, bend=bend, n_chosen=n, n_points=len(points))
         elif at is not None and content.area.contains(at):
@@ -577,7 +545,7 @@ class EnvelopeTool(QObject):
         self.chosen = (min(max(number, 0), last),)
 
     def is_near(self, content: EditorContent, at: QPointF) -> bool:
-        """Whether a point, or the curve, is within reach."""
+        """Return whether a point, or the curve, is within reach."""
         points = self._points()
         near = _point_at(content, points, at) is not None
         return near or _segment_at(content, points, at) is not None
@@ -593,7 +561,7 @@ class EnvelopeTool(QObject):
         """Paint curve, points and box."""
         points = self._points()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        colour = QColor(getattr(theme, self._look.colour))
+        colour = QColor(getattr(theme, self._style.colour))
         shown = np.linspace(content.area.left(), content.area.right(), 400)
         times = content.scale.shown_s[0] + (shown - content.scale.left_px) / content.scale.px_per_s
         values = algebra.curve_at(points, times)
@@ -601,15 +569,15 @@ class EnvelopeTool(QObject):
         x, y = content.curve(times, values)
         curve = arrayToQPath(x, y, finiteCheck=False)
         painter.setPen(QPen(colour, 1))
-        # Four thin lines are painted in a sixth of the time of one that is two px wide.
-        for aside, down in product((-0.5, 0.5), repeat=2):
-            painter.drawPath(curve.translated(aside, down))
-        if self._look.mirrored:
+        # Qt paints four thin lines in a sixth of the time of one line of 2 px.
+        for right, down in product((-0.5, 0.5), repeat=2):
+            painter.drawPath(curve.translated(right, down))
+        if self._style.mirrored:
             painter.setPen(QPen(colour, 1, Qt.PenStyle.DotLine))
             painter.drawPath(arrayToQPath(x, content.curve(times, -values)[1], finiteCheck=False))
         near = _point_at(content, points, self._pointer)
         places = _envelope_places(content, points)
-        paint_points(painter, places, self.chosen, near, self._look, theme)
+        paint_points(painter, places, self.chosen, near, self._style, theme)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if self._drag is not None and self._drag.box is not None:
             painter.setPen(QPen(QColor(theme.accent), 1))
@@ -617,10 +585,10 @@ class EnvelopeTool(QObject):
         else:
             paint_box(painter, content, points, self.chosen, theme)
         if len(self.chosen) == 1 and self.chosen[0] < len(points):
-            write_point(painter, content, points[self.chosen[0]], self._look, theme)
+            write_point(painter, content, points[self.chosen[0]], self._style, theme)
 
     def _put(self, place: tuple[float, float]) -> None:
-        added, index = algebra.with_point_put(self._points(), *place, self._look.highest)
+        added, index = algebra.with_point_put(self._points(), *place, self._style.highest)
         self.chosen = (index,)
         self.changed.emit(added, None)
 
@@ -629,8 +597,8 @@ class EnvelopeTool(QObject):
 
 
 def _envelope_places(content: EditorContent, points: Points) -> tuple[Floats, Floats]:
-    """Where points lie, (n,) each, px."""
-    times_s, values = np.array([one[:2] for one in points]).reshape(-1, 2).T
+    """Return the places of points, (n,) each, px."""
+    times_s, values = np.array([point[:2] for point in points]).reshape(-1, 2).T
     return content.curve(times_s, values)
 
 
@@ -644,30 +612,28 @@ def _point_at(content: EditorContent, points: Points, at: QPointF) -> int | None
 
 
 def _segment_at(content: EditorContent, points: Points, at: QPointF) -> int | None:
-    """The point after which the curve passes here; -1 before the first."""
+    """Return the point after which the curve passes here; -1 before the first."""
     time_s, _ = content.place(at)
     value = float(algebra.curve_at(points, np.array([time_s]))[0])
     if abs(content.y(value) - at.y()) > ENVELOPE_CATCH_PX:
         return None
-    return sum(one[0] <= time_s for one in points) - 1
+    return sum(point[0] <= time_s for point in points) - 1
 
-
-# Frequency and amplitude of a glide, as two curves over its waveform.
 
 _GLIDE_HOW = (
     "Drag the points of frequency and amplitude; a click on a line, or a double click, adds one"
 )
-LOOKS: dict[Column, CurveLook] = {
-    "frequency": CurveLook(
+STYLES: dict[Column, CurveStyle] = {
+    "frequency": CurveStyle(
         colour="error", mirrored=False, unit="Hz", label="Frequency", bends=False, how=_GLIDE_HOW
     ),
-    "amplitude": CurveLook(label="Amplitude", highest=1.0, bends=False, how=_GLIDE_HOW),
+    "amplitude": CurveStyle(label="Amplitude", highest=1.0, bends=False, how=_GLIDE_HOW),
 }
 _ROW_PX = 34.0
 
 
 class FrequencyContent(EditorContent):
-    """The same clip, with frequencies upright: 0 at the foot, half the sample rate at the top."""
+    """A clip with frequency as vertical axis: 0 at the foot, half the sample rate at the top."""
 
     def y(self, value: float) -> float:
         return self.area.bottom() - value / self.top_hz * self.area.height()
@@ -685,20 +651,20 @@ class FrequencyContent(EditorContent):
         return self.sample_rate_hz / 2.0
 
 
-class GlideTool(QObject):
-    """Edits both curves of a glide; the one that was touched last has the keys.
+class GlideTool(Tool):
+    """Edits both curves of a glide; keys go to the one that was touched last.
 
     Parameters
     ----------
     points
-        Returns the points of one of them that there are now.
+        Returns the points of a curve as they are now.
 
     Attributes
     ----------
     active
         The curve that was touched last.
     tools
-        What is done to each.
+        The tool of each curve.
     """
 
     #: Which curve, its points, and the number of the gesture or None.
@@ -706,14 +672,12 @@ class GlideTool(QObject):
     #: The drag of this number is given up: all is as it was before.
     given_up = Signal(int)
 
-    cursor = Qt.CursorShape.ArrowCursor
-
     def __init__(self, points: Callable[[Column], Points], parent: QObject) -> None:
         super().__init__(parent)
         self.active: Column = "frequency"
         self.tools: dict[Column, EnvelopeTool] = {}
-        for column, look in LOOKS.items():
-            tool = EnvelopeTool(partial(points, column), self, look)
+        for column, style in STYLES.items():
+            tool = EnvelopeTool(partial(points, column), self, style)
             tool.changed.connect(partial(self.changed.emit, column))
             tool.given_up.connect(self.given_up)
             self.tools[column] = tool
@@ -732,11 +696,11 @@ class GlideTool(QObject):
         self.cancel()
         self.active = self.other
 
-    def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
+    def press(self, content: EditorContent, at: QPointF, button: Button, held: Modifier) -> None:
         self._touch(content, at)
         self.tools[self.active].press(of_column(content, self.active), at, button, held)
 
-    def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
+    def move(self, content: EditorContent, at: QPointF, held: Modifier) -> None:
         for column, tool in self.tools.items():
             tool.move(of_column(content, column), at, held)
 
@@ -759,7 +723,7 @@ class GlideTool(QObject):
         return given_up
 
     def forget(self) -> None:
-        """Let no point be chosen."""
+        """Choose no point."""
         for tool in self.tools.values():
             tool.chosen = ()
 
@@ -773,7 +737,7 @@ class GlideTool(QObject):
         painter.setOpacity(1.0)
 
     def _touch(self, content: EditorContent, at: QPointF) -> None:
-        """Take the curve that passes here, if one does; of two, the one that was touched last."""
+        """Choose the curve that passes here, if one does; of two, the one that was touched last."""
         for column in (self.active, self.other):
             if self.tools[column].is_near(of_column(content, column), at):
                 if column != self.active:
@@ -787,15 +751,17 @@ class GlideTool(QObject):
         top_hz = content.sample_rate_hz / 2.0
         for tick in linear_ticks(0.0, top_hz, max(area.height() / _ROW_PX, 2)):
             y = content.y(tick.value)
-            words = f"{tick.label} Hz"
-            width, height = metrics.horizontalAdvance(words), metrics.height()
+            text = f"{tick.label} Hz"
+            width, height = metrics.horizontalAdvance(text), metrics.height()
             room = QRectF(area.right() - width - 4, y - height / 2, width, height)
             if room.top() >= area.top() and room.bottom() <= area.bottom():
-                painter.drawText(room, Qt.AlignmentFlag.AlignCenter, words)
+                painter.drawText(room, Qt.AlignmentFlag.AlignCenter, text)
 
 
 def of_column(content: EditorContent, column: Column) -> EditorContent:
-    """The content with the values of a curve upright."""
+    """Return the content whose vertical axis is that of a curve."""
     if column == "amplitude":
         return content
-    return FrequencyContent(**{one.name: getattr(content, one.name) for one in fields(content)})
+    return FrequencyContent(
+        **{field.name: getattr(content, field.name) for field in fields(content)}
+    )

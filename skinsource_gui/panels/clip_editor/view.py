@@ -1,8 +1,8 @@
-"""What the editor shows."""
+"""The canvas of the clip editor: one clip with its axes, and the spectrum below it."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 import pyqtgraph
@@ -44,7 +44,7 @@ from skinsource_gui.qt.theme import (
 )
 from skinsource_gui.qt.tooltips import show_tooltip
 
-#: Values that can be seen at least, so that there is room to draw.
+#: Values up to this are always visible, so that there is room to draw.
 REACH = 1.1
 
 
@@ -54,12 +54,10 @@ class EditorContent:
 
     Attributes
     ----------
-    clip
-        The clip.
     drawn : (n_times,)
-        Its waveform before any effect, or None while it is not known.
+        The waveform before any effect, or None while it is not known.
     played : (n_times,)
-        What it plays after its effects, or None.
+        What the clip plays after its effects, or None.
     sample_rate_hz
         Rate of both.
     scale
@@ -67,7 +65,7 @@ class EditorContent:
     area
         Where the curve is, px.
     reach
-        The largest value that can be seen.
+        The largest visible value.
     """
 
     clip: Clip
@@ -79,31 +77,33 @@ class EditorContent:
     reach: float = REACH
 
     def y(self, value: float) -> float:
-        """Where a value lies, px."""
+        """Return the height of a value, px."""
         return self.area.center().y() - value / self.reach * self.area.height() / 2
 
     def value(self, y_px: float) -> float:
-        """Value at a height."""
+        """Return the value at a height."""
         return (self.area.center().y() - y_px) * 2 / self.area.height() * self.reach
 
     def at(self, time_s: float, value: float) -> QPointF:
-        """Where a value at a time lies, px."""
+        """Return the place of a value at a time, px."""
         return QPointF(self.scale.x(time_s), self.y(value))
 
     def curve(self, times_s: Floats, values: Floats) -> tuple[Floats, Floats]:
-        """Where values at times lie, (n,) each, px."""
+        """Return the places of values at times, (n,) each, px."""
         scale, area = self.scale, self.area
         x = scale.left_px + (times_s - scale.shown_s[0]) * scale.px_per_s
         return x, area.center().y() - values / self.reach * (area.height() / 2)
 
     def place(self, at: QPointF) -> tuple[float, float]:
-        """Time and value at a place."""
+        """Return time and value at a place."""
         return self.scale.time(at.x()), self.value(at.y())
 
 
 def reach_of(*signals: Floats | None) -> float:
-    """The largest value that is to be seen: round, and never less than a peak of 1 needs."""
-    peaks = [float(np.abs(one).max()) for one in signals if one is not None and one.size]
+    """Return the largest value to show: round, and never less than a peak of 1 needs."""
+    peaks = [
+        float(np.abs(signal).max()) for signal in signals if signal is not None and signal.size
+    ]
     peak = max(peaks, default=0.0)
     if peak <= 1.0:
         return REACH
@@ -111,32 +111,37 @@ def reach_of(*signals: Floats | None) -> float:
     return float(np.ceil(peak * 1.02 / step) * step)
 
 
-# What every tool is.
-
-Held = Qt.KeyboardModifier
+Modifier = Qt.KeyboardModifier
 Button = Qt.MouseButton
 
 
-class Tool(Protocol):
-    """Something that the pointer does."""
+class Tool(QObject):
+    """What the pointer does in the editor; this one does nothing.
 
-    cursor: Qt.CursorShape
+    Attributes
+    ----------
+    cursor
+        Shape of the pointer.
+    """
+
+    cursor = Qt.CursorShape.ArrowCursor
 
     @property
     def hint(self) -> str:
-        """How to begin, while nothing has begun; empty where that is clear."""
+        """Return how to begin, while nothing has begun; empty where that is clear."""
+        return ""
 
-    def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
-        """A button went down."""
+    def press(self, content: EditorContent, at: QPointF, button: Button, held: Modifier) -> None:
+        """Begin what a button does that goes down."""
 
-    def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
-        """The pointer moved, with a button down or without."""
+    def move(self, content: EditorContent, at: QPointF, held: Modifier) -> None:
+        """Follow the pointer, with a button down or without."""
 
     def release(self, content: EditorContent) -> None:
-        """The button went up."""
+        """End what the button did."""
 
     def double_click(self, content: EditorContent, at: QPointF) -> None:
-        """The left button was pressed twice."""
+        """Do what a double click with the left button does."""
 
     def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
         """Fill the menu of the right button there, or that of what the keys are about.
@@ -145,13 +150,12 @@ class Tool(Protocol):
         """
 
     def cancel(self) -> bool:
-        """Give up what has begun; whether anything had."""
+        """Give up what has begun; return whether anything had."""
+        return False
 
     def paint(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
         """Paint what belongs to the tool over the curve."""
 
-
-# The curve of one clip, with its axes.
 
 _TICK_PX, _ROW_PX = 64.0, 28.0
 _PALE = 0.4
@@ -161,7 +165,7 @@ _DOTS_PX = 6.0
 
 
 class EditorItem(pyqtgraph.GraphicsObject):
-    """Paints a clip and what its tool shows; knows nothing of the mouse."""
+    """Paints a clip and what its tool shows."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -169,9 +173,9 @@ class EditorItem(pyqtgraph.GraphicsObject):
         self._tool: Tool | None = None
         self._font = QFont()
         self._rect = QRectF(0, 0, 1, 1)
-        self._late = False
+        self._stale = False
         # What the drag of a point leaves as it is: axes, the waveform, and what it plays.
-        self._still, self._course = CachedPicture(), CachedPicture()
+        self._background, self._course = CachedPicture(), CachedPicture()
 
     def show_content(self, content: EditorContent | None, tool: Tool, rect: QRectF) -> None:
         """Paint something else, in this rectangle."""
@@ -186,10 +190,10 @@ class EditorItem(pyqtgraph.GraphicsObject):
         self._font = font
         self.update()
 
-    def show_late(self, late: bool) -> None:
-        """Whether the curve belongs to an older design."""
-        if late != self._late:
-            self._late = late
+    def show_late(self, stale: bool) -> None:
+        """Show whether the curve belongs to an older design."""
+        if stale != self._stale:
+            self._stale = stale
             self.update()
 
     def boundingRect(self) -> QRectF:
@@ -215,11 +219,11 @@ class EditorItem(pyqtgraph.GraphicsObject):
         drawn = content.drawn
         n_played = None if played is None else played.size
         place = (current_theme().name, content.scale, content.area, content.reach)
-        # Samples by identity: an array that is kept here cannot become another one.
-        still = (*place, content.sample_rate_hz, n_played, Same(content.drawn))
+        # Samples are compared by identity: an array is never changed in place.
+        background_key = (*place, content.sample_rate_hz, n_played, Same(content.drawn))
         is_other = content.drawn is not None and content.drawn is not played
 
-        def paint_still(on_image: QPainter) -> None:
+        def paint_background(on_image: QPainter) -> None:
             self._paint_axes(on_image, content)
             on_image.setClipRect(content.area.adjusted(-1, -1, 1, 1))
             self._paint_end(on_image, content)
@@ -228,30 +232,32 @@ class EditorItem(pyqtgraph.GraphicsObject):
                 self._paint_curve(on_image, content, drawn, dim, _PALE)
 
         def paint_course(on_image: QPainter) -> None:
-            self._still.paint(on_image, self._rect, (*still, is_other), paint_still, ground)
+            self._background.paint(
+                on_image, self._rect, (*background_key, is_other), paint_background, ground
+            )
             on_image.setClipRect(content.area.adjusted(-1, -1, 1, 1))
             if played is not None:
-                opacity = _PALE if self._late else 1.0
+                opacity = _PALE if self._stale else 1.0
                 self._paint_curve(
                     on_image, content, played, QColor(current_theme().accent), opacity
                 )
-            if self._late:
+            if self._stale:
                 on_image.setPen(QColor(current_theme().dim))
                 corner = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop
                 on_image.drawText(content.area.adjusted(0, 2, -4, 0), corner, _UPDATING)
 
-        key = (*still, is_other, Same(played), self._late)
+        key = (*background_key, is_other, Same(played), self._stale)
         self._course.paint(painter, self._rect, key, paint_course, ground)
 
     def _paint_axes(self, painter: QPainter, content: EditorContent) -> None:
         area, metrics = content.area, QFontMetricsF(self._font)
-        grid, words = QPen(QColor(current_theme().grid), 1), QColor(current_theme().dim)
+        grid, text_colour = QPen(QColor(current_theme().grid), 1), QColor(current_theme().dim)
         values = linear_ticks(-content.reach, content.reach, max(area.height() / _ROW_PX, 2))
         for tick in values:
             y = content.y(tick.value)
             painter.setPen(grid)
             painter.drawLine(QLineF(area.left(), y, area.right(), y))
-            painter.setPen(words)
+            painter.setPen(text_colour)
             room = QRectF(0, y - metrics.height() / 2, area.left() - 4, metrics.height())
             painter.drawText(
                 room, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, tick.label
@@ -268,10 +274,10 @@ class EditorItem(pyqtgraph.GraphicsObject):
             width = metrics.horizontalAdvance(tick.label)
             left = x - width / 2
             if left >= free_from and left + width < unit_left - 4:
-                painter.setPen(words)
+                painter.setPen(text_colour)
                 painter.drawText(QPointF(left, area.bottom() + metrics.ascent() + 3), tick.label)
                 free_from = left + width + 6
-        painter.setPen(words)
+        painter.setPen(text_colour)
         painter.drawText(QPointF(unit_left, area.bottom() + metrics.ascent() + 3), unit)
         painter.setPen(QPen(QColor(current_theme().border), 1))
         painter.drawLine(QLineF(area.left(), content.y(0.0), area.right(), content.y(0.0)))
@@ -300,19 +306,19 @@ class EditorItem(pyqtgraph.GraphicsObject):
         ratio, width_px = dots_in_px(painter), content.area.width()
         time_s = np.arange(samples.size) / content.sample_rate_hz
         wave, across = wave_of(time_s, samples[np.newaxis]), max(round(width_px * ratio), 1)
-        found = columns_of(time_s, content.scale.shown_s, across)
-        seen = course_of(found, samples[np.newaxis], wave, width_px, ratio)
-        x, y = _places(content, seen.line)
+        columns = columns_of(time_s, content.scale.shown_s, across)
+        curve = course_of(columns, samples[np.newaxis], wave, width_px, ratio)
+        x, y = _places(content, curve.line)
         painter.setOpacity(opacity)
-        sharp = seen.line.strokes and not is_on_paper()
+        sharp = curve.line.strokes and not is_on_paper()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, not sharp)
         painter.setPen(thin_pen(colour))
         if x.size == 1:
             painter.drawLine(QLineF(x[0], content.y(0.0), x[0], y[0]))
         else:
             painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
-        if not seen.line.strokes and content.scale.px_per_s / content.sample_rate_hz >= _DOTS_PX:
-            self._paint_samples(painter, *_places(content, found.points(samples[np.newaxis])))
+        if not curve.line.strokes and content.scale.px_per_s / content.sample_rate_hz >= _DOTS_PX:
+            self._paint_samples(painter, *_places(content, columns.points(samples[np.newaxis])))
         painter.setOpacity(1.0)
 
     def _paint_samples(self, painter: QPainter, x: Floats, y: Floats) -> None:
@@ -324,13 +330,11 @@ class EditorItem(pyqtgraph.GraphicsObject):
 
 
 def _places(content: EditorContent, points: Points) -> tuple[Floats, Floats]:
-    """Where points of the curve are, px."""
+    """Return the places of points of the curve, px."""
     scale, area = content.scale, content.area
     x = scale.left_px + (points.x - scale.shown_s[0]) * scale.px_per_s
     return x, area.center().y() - points.y[0] / content.reach * area.height() / 2
 
-
-# Which part of a clip the editor shows.
 
 # Behind the end there is room to draw on.
 _BEHIND = 0.06
@@ -338,15 +342,15 @@ _LEAST_S = 0.01
 
 
 class VisibleClip(QObject):
-    """A clip, and how much of its time and of its values is seen.
+    """A clip, and which part of its time and of its values is visible.
 
     Parameters
     ----------
     content
-        Gives what the editor shows at present.
+        Returns what the editor shows now.
     """
 
-    #: Another part is to be seen.
+    #: Another part is visible.
     changed = Signal()
 
     def __init__(self, content: Callable[[], EditorContent | None], parent: QObject) -> None:
@@ -368,16 +372,16 @@ class VisibleClip(QObject):
         self._clip, self._drawn, self._played, self._rate_hz = clip, drawn, played, rate_hz
 
     @property
-    def held(self) -> bool:
+    def is_held(self) -> bool:
         """Whether it stays."""
         return self._held is not None
 
     def hold(self, content: EditorContent) -> None:
-        """Something is drawn: what is seen stays, however long or loud the clip becomes."""
+        """Keep the visible part during a drag, however long or loud the clip becomes."""
         self._held = (content.scale.shown_s, content.reach)
 
-    def let_go(self) -> None:
-        """What was drawn is done."""
+    def release(self) -> None:
+        """End what `hold` began."""
         self._held = None
 
     def pan(self, by_s: float) -> None:
@@ -388,27 +392,27 @@ class VisibleClip(QObject):
         shown_s = panned(content.scale.shown_s, by_s, self._whole_s)
         if self._held is not None:
             self._held = (shown_s or self._whole_s, content.reach)
-        self._see(shown_s)
+        self._show_part(shown_s)
 
     def zoom(self, factor: float) -> None:
         """See so many times less, around the middle."""
         content = self._content()
         if content is not None:
             shown = content.scale.shown_s
-            self._see(zoomed(shown, sum(shown) / 2, factor, self._whole_s))
+            self._show_part(zoomed(shown, sum(shown) / 2, factor, self._whole_s))
 
-    def turn(self, event: QWheelEvent) -> None:
+    def follow_wheel(self, event: QWheelEvent) -> None:
         """Follow the wheel."""
         content = self._content()
         if content is not None:
-            self._see(range_by_wheel(event, content.scale, self._whole_s))
+            self._show_part(range_by_wheel(event, content.scale, self._whole_s))
 
     def show_everything(self) -> None:
         """See all of the clip."""
-        self._see(None)
+        self._show_part(None)
 
     def content_in(self, area: QRectF) -> EditorContent | None:
-        """What the editor shows, with the curve in that area; None: there is no clip."""
+        """Return what the editor shows, with the curve in that area; None: there is no clip."""
         if self._clip is None:
             return None
         shown_s = self._whole_s
@@ -431,16 +435,14 @@ class VisibleClip(QObject):
 
     @property
     def _whole_s(self) -> Range:
-        counts = [one.size for one in (self._drawn, self._played) if one is not None]
+        counts = [samples.size for samples in (self._drawn, self._played) if samples is not None]
         length = max(max(counts, default=0) / self._rate_hz, _LEAST_S)
         return (0.0, length * (1 + _BEHIND))
 
-    def _see(self, shown_s: Range | None) -> None:
+    def _show_part(self, shown_s: Range | None) -> None:
         self._shown_s = shown_s
         self.changed.emit()
 
-
-# The part of the editor in which a clip is drawn.
 
 _TEXT = 0.9
 _LEFT_PX, _RIGHT_PX, _TOP_PX, _BOTTOM_PX = 40.0, 10.0, 6.0, 20.0
@@ -452,16 +454,18 @@ class EditorView(Canvas):
     Attributes
     ----------
     item
-        What paints.
-    seen
+        The layer that is painted.
+    visible_clip
         The clip, and which part of it is shown.
     content
-        What is shown, where there is a clip.
+        What is shown; None where there is no clip.
+    tool
+        The tool that is used.
     """
 
     key_place = "clip_editor"
 
-    #: A key that belongs to the editor, as Qt tells it.
+    #: The key event of a key that belongs to the editor.
     key_pressed = Signal(object)
 
     def __init__(self, tool: Tool, parent: QWidget | None = None) -> None:
@@ -472,39 +476,34 @@ class EditorView(Canvas):
         self.setMinimumSize(160, 80)
         self.item = EditorItem()
         self.addItem(self.item)
-        self._tool = tool
+        self.tool = tool
         self.content: EditorContent | None = None
-        self.seen = VisibleClip(lambda: self.content, self)
-        self.seen.changed.connect(self.lay_out)
+        self.visible_clip = VisibleClip(lambda: self.content, self)
+        self.visible_clip.changed.connect(self.lay_out)
         self.take_look()
 
     def show_clip(
         self, clip: Clip | None, drawn: Floats | None, played: Floats | None, rate_hz: float
     ) -> None:
         """Show a clip: its samples before its effects, and after them, (n_times,)."""
-        self.seen.show(clip, drawn, played, rate_hz)
+        self.visible_clip.show(clip, drawn, played, rate_hz)
         self.lay_out()
 
     def use(self, tool: Tool) -> None:
-        """Take another tool."""
-        self._tool.cancel()
-        self._tool = tool
+        """Use another tool."""
+        self.tool.cancel()
+        self.tool = tool
         self.viewport().setCursor(tool.cursor)
         self.lay_out()
-
-    @property
-    def tool(self) -> Tool:
-        """The tool that is taken."""
-        return self._tool
 
     def take_look(self) -> None:
         super().take_look()
         self.item.show_font(scaled(tabular(self.font()), _TEXT))
 
     def cancel(self) -> bool:
-        """Give up what the tool has begun; whether anything had."""
-        given_up = self._tool.cancel()
-        self.seen.let_go()
+        """Cancel what the tool has begun; return whether anything had."""
+        given_up = self.tool.cancel()
+        self.visible_clip.release()
         self.lay_out()
         return given_up
 
@@ -515,27 +514,27 @@ class EditorView(Canvas):
         if content is None:
             return
         # Nothing moves under the pen, however long or loud the clip becomes.
-        self.seen.hold(content)
-        self._tool.press(content, event.position(), event.button(), event.modifiers())
+        self.visible_clip.hold(content)
+        self.tool.press(content, event.position(), event.button(), event.modifiers())
         self.lay_out()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         event.accept()
         if self.content is not None:
-            self._tool.move(self.content, event.position(), event.modifiers())
+            self.tool.move(self.content, event.position(), event.modifiers())
             self.item.update()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         event.accept()
         if self.content is not None:
-            self._tool.release(self.content)
-        self.seen.let_go()
+            self.tool.release(self.content)
+        self.visible_clip.release()
         self.lay_out()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         event.accept()
         if self.content is not None and event.button() == Qt.MouseButton.LeftButton:
-            self._tool.double_click(self.content, event.position())
+            self.tool.double_click(self.content, event.position())
             self.lay_out()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
@@ -546,19 +545,19 @@ class EditorView(Canvas):
         menu = QMenu(self)
         menu.setObjectName("clip_editor_menu")
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self._tool.fill_menu(menu, self.content, None if by_key else QPointF(event.pos()))
+        self.tool.fill_menu(menu, self.content, None if by_key else QPointF(event.pos()))
         if menu.isEmpty():
             # The right button belongs to the tool.
             menu.deleteLater()
             return
         # The menu takes the release of the button.
-        self.seen.let_go()
+        self.visible_clip.release()
         self.lay_out()
         menu.popup(event.globalPos())
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.accept()
-        self.seen.turn(event)
+        self.visible_clip.follow_wheel(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self.cancel():
@@ -568,29 +567,27 @@ class EditorView(Canvas):
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
-        if self.content is not None and not self.seen.held:
-            self._tool.move(self.content, QPointF(-1, -1), Qt.KeyboardModifier.NoModifier)
+        if self.content is not None and not self.visible_clip.is_held:
+            self.tool.move(self.content, QPointF(-1, -1), Qt.KeyboardModifier.NoModifier)
             self.item.update()
 
     def lay_out(self) -> None:
         whole = QRectF(self.rect())
-        self.content = self.seen.content_in(
+        self.content = self.visible_clip.content_in(
             whole.adjusted(_LEFT_PX, _TOP_PX, -_RIGHT_PX, -_BOTTOM_PX)
         )
-        self.item.show_content(self.content, self._tool, whole)
+        self.item.show_content(self.content, self.tool, whole)
 
 
-# Spectrum of one clip, with the measured band.
-
-_SPECTRUM_STRIP_LEFT_PX, _SPECTRUM_STRIP_RIGHT_PX, _SPECTRUM_STRIP_BOTTOM_PX = 40, 10, 18
+_STRIP_LEFT_PX, _STRIP_RIGHT_PX, _STRIP_BOTTOM_PX = 40, 10, 18
 _SPAN_DB = 60.0
-_SPECTRUM_STRIP_TICK_PX = 64.0
+_STRIP_TICK_PX = 64.0
 # Above this share a designer has to know: the actuator, or the skin model, sees it.
 _NOTEWORTHY = 0.01
 
 
 def spectrum_db(samples: Floats, sample_rate_hz: float) -> tuple[Floats, Floats]:
-    """Frequencies in Hz, and magnitude in dB below the largest, (n_frequencies,) each."""
+    """Return frequencies in Hz, and magnitude in dB below the largest, (n_frequencies,) each."""
     # Of numpy, which is imported before the window is painted.
     n = 1 << (max(2 * samples.size, 512) - 1).bit_length()
     peak = float(np.abs(samples).max(initial=0.0))
@@ -602,7 +599,13 @@ def spectrum_db(samples: Floats, sample_rate_hz: float) -> tuple[Floats, Floats]
 
 
 class SpectrumStrip(QWidget):
-    """Magnitude over frequency, and how much of the energy lies outside the band."""
+    """Magnitude over frequency, and how much of the energy lies outside the band.
+
+    Attributes
+    ----------
+    outside
+        Share of the energy outside the measured band, from 0 to 1.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -615,15 +618,10 @@ class SpectrumStrip(QWidget):
         self._axes = CachedPicture()
         self._frequency_hz: Floats | None = None
         self._levels_db: Floats | None = None
-        self._outside = 0.0
+        self.outside = 0.0
         self._samples: Floats | None = None
         self._rate_hz = 0.0
         self._band_hz: Band | None = None
-
-    @property
-    def outside(self) -> float:
-        """Share of the energy outside the measured band, from 0 to 1."""
-        return self._outside
 
     def sizeHint(self) -> QSize:
         return QSize(200, 106)
@@ -633,39 +631,39 @@ class SpectrumStrip(QWidget):
     ) -> None:
         """Show the spectrum of ``samples``, (n_times,), and the share of energy out of band.
 
-        Of a limb of which the band is not known neither is that.
+        Where the band of the limb is not known, ``band_hz`` is None and there is no share.
         """
         shown = sample_rate_hz, band_hz
         if samples is self._samples and shown == (self._rate_hz, self._band_hz):
             return
-        self._samples, self._rate_hz, self._outside = samples, sample_rate_hz, 0.0
+        self._samples, self._rate_hz, self.outside = samples, sample_rate_hz, 0.0
         self._band_hz = band_hz
         if samples is None or not samples.size:
             self._frequency_hz = self._levels_db = None
         else:
             if band_hz is not None:
-                self._outside = share_outside_band(samples, sample_rate_hz, band_hz)
+                self.outside = share_outside_band(samples, sample_rate_hz, band_hz)
             self._frequency_hz, self._levels_db = spectrum_db(samples, sample_rate_hz)
-        show_tooltip(self, self.words)
+        show_tooltip(self, self.text)
         self.update()
 
     @property
-    def words(self) -> str:
-        """How much of the energy lies outside the band."""
+    def text(self) -> str:
+        """Text on how much of the energy lies outside the band."""
         if self._band_hz is None:
             return "In which band this limb was measured is not known"
         low, high = self._band_hz
-        share = 100 * self._outside
+        share = 100 * self.outside
         number = "0" if share == 0 else "< 0.1" if share < 0.1 else f"{share:.3g}"
         return f"{number} % of the energy outside {low:g} to {high:g} Hz"
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setFont(scaled(tabular(self.font()), _TEXT))
-        # The words stand above: on the curve neither could be read.
+        # The text is above the curve, where both can be read.
         top = painter.fontMetrics().height() + 3
         area = QRectF(self.rect()).adjusted(
-            _SPECTRUM_STRIP_LEFT_PX, top, -_SPECTRUM_STRIP_RIGHT_PX, -_SPECTRUM_STRIP_BOTTOM_PX
+            _STRIP_LEFT_PX, top, -_STRIP_RIGHT_PX, -_STRIP_BOTTOM_PX
         )
         ground = QColor(current_theme().window)
         if self._frequency_hz is None or self._levels_db is None:
@@ -693,12 +691,14 @@ class SpectrumStrip(QWidget):
         painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
         painter.setPen(QPen(QColor(current_theme().border), 1))
         painter.drawRect(area)
-        self._write(painter, area)
+        self._write_text(painter, area)
 
     def _paint_band(self, painter: QPainter, area: QRectF, highest: float) -> None:
         if self._band_hz is None:
             return
-        low, high = (area.left() + min(one / highest, 1.0) * area.width() for one in self._band_hz)
+        low, high = (
+            area.left() + min(edge_hz / highest, 1.0) * area.width() for edge_hz in self._band_hz
+        )
         for left, right in ((area.left(), low), (high, area.right())):
             outside = QRectF(left, area.top(), right - left, area.height())
             painter.fillRect(outside, QColor(current_theme().window))
@@ -706,7 +706,7 @@ class SpectrumStrip(QWidget):
     def _paint_axes(self, painter: QPainter, area: QRectF, highest: float) -> None:
         metrics = QFontMetricsF(painter.font())
         right = area.right() - metrics.horizontalAdvance("Hz") - 4
-        for tick in linear_ticks(0.0, highest, max(area.width() / _SPECTRUM_STRIP_TICK_PX, 2)):
+        for tick in linear_ticks(0.0, highest, max(area.width() / _STRIP_TICK_PX, 2)):
             x = area.left() + tick.value / highest * area.width()
             painter.setPen(QPen(QColor(current_theme().grid), 1))
             painter.drawLine(QLineF(x, area.top(), x, area.bottom()))
@@ -724,10 +724,10 @@ class SpectrumStrip(QWidget):
             flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
             painter.drawText(room, flags, text)
 
-    def _write(self, painter: QPainter, area: QRectF) -> None:
+    def _write_text(self, painter: QPainter, area: QRectF) -> None:
         metrics = QFontMetricsF(painter.font())
-        noteworthy = self._outside > _NOTEWORTHY
+        noteworthy = self.outside > _NOTEWORTHY
         painter.setPen(QColor(current_theme().warning if noteworthy else current_theme().dim))
         flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        text = metrics.elidedText(self.words, Qt.TextElideMode.ElideRight, area.width())
+        text = metrics.elidedText(self.text, Qt.TextElideMode.ElideRight, area.width())
         painter.drawText(QRectF(area.left(), 0.0, area.width(), area.top() - 2), flags, text)

@@ -1,4 +1,4 @@
-"""What is said of snapshots."""
+"""A snapshot as a card, the map of a difference, and the texts of both."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -54,7 +54,7 @@ _UNIT = "dB re 1 m/s²"
 
 
 def played_db(compared: Compared) -> float | None:
-    """Level of the loudest output of a snapshot as it is shown, dB; None: not known."""
+    """Return the level of the loudest output of a snapshot as it is shown, dB; None: not known."""
     if compared.values is None:
         return None
     stored = loudest_db(compared.values["output_levels_db"])
@@ -62,50 +62,50 @@ def played_db(compared: Compared) -> float | None:
 
 
 def card_level_text(compared: Compared) -> str:
-    """Level of the loudest output, "−12.3 dB"; "…" while it is not known."""
+    """Return the level of the loudest output, "−12.3 dB"; "…" while it is not known."""
     level = played_db(compared)
     if level is None:
         return "–" if compared.problem else "…"
     return "silent" if level <= FLOOR_DB else minus(f"{level:z.1f} dB")
 
 
-def title(compared: Compared) -> str:
-    """What a sentence calls it."""
+def snapshot_title(compared: Compared) -> str:
+    """Return the name of a snapshot in a sentence."""
     number = compared.snapshot.number
     return "edited" if number == EDITED else f"snapshot {number}"
 
 
 def matching_text(compared: Sequence[Compared], *, matched: bool) -> str:
-    """By what quantity the designs are alike, and how much of it they have."""
-    known = [one for one in compared if played_db(one) is not None]
+    """Return the text on which quantity all designs share, and its level."""
+    known = [side for side in compared if played_db(side) is not None]
     if len(known) < 2:
         return ""
     if not matched:
         return "As loud as they were stored"
     if not have_matching_level(compared, matched=matched):
-        name = title(compared[0])
+        name = snapshot_title(compared[0])
         why = "cannot be predicted" if compared[0].problem else "is silent"
         return f"{name[:1].upper()}{name[1:]} {why}: levels cannot be matched to it"
     return f"Alike at the loudest output: {card_level_text(known[0])[:-3]} {_UNIT}"
 
 
 def difference_captions(present: Compared, other: Compared, *, matched: bool) -> tuple[str, str]:
-    """What stands above and below a map of their difference."""
-    name = title(present)
-    heading = f"{name[:1].upper()}{name[1:]} minus {title(other)}"
-    words = "dB, as stored"
+    """Return the texts above and below a map of their difference."""
+    name = snapshot_title(present)
+    heading = f"{name[:1].upper()}{name[1:]} minus {snapshot_title(other)}"
+    caption = "dB, as stored"
     if matched:
-        words = f"dB, {matched_text((other, present)) or LEVELS_MATCHED}"
-    mine, theirs = (one.snapshot.design.limb for one in (present, other))
+        caption = f"dB, {matched_text((other, present)) or LEVELS_MATCHED}"
+    mine, theirs = (side.snapshot.design.limb for side in (present, other))
     if mine == theirs:
-        return heading, words
-    return heading, f"{words}, {short_limb_title(mine)} minus {short_limb_title(theirs)}"
+        return heading, caption
+    return heading, f"{caption}, {short_limb_title(mine)} minus {short_limb_title(theirs)}"
 
 
 def equal_captions(present: Compared, other: Compared) -> tuple[str, str]:
-    """What stands above and below the map of two that make no difference: in what they agree."""
-    name = title(present)
-    heading = f"{name[:1].upper()}{name[1:]} and {title(other)} are equal"
+    """Return the texts above and below the map of two designs with the same levels."""
+    name = snapshot_title(present)
+    heading = f"{name[:1].upper()}{name[1:]} and {snapshot_title(other)} are equal"
     mine, theirs = present.snapshot, other.snapshot
     if mine.design == theirs.design:
         return heading, "dB, the same inputs, scaling and limb"
@@ -114,9 +114,9 @@ def equal_captions(present: Compared, other: Compared) -> tuple[str, str]:
     return heading, "dB, the same levels by other inputs"
 
 
-def sentence(compared: Compared, *, present: bool) -> str:
-    """All that a card shows, to be read aloud."""
-    name = title(compared)
+def card_text(compared: Compared, *, present: bool) -> str:
+    """Return all that a card shows, as it is read aloud."""
+    name = snapshot_title(compared)
     gain = gain_text(compared.gain)
     parts = [
         f"{name[:1].upper()}{name[1:]}",
@@ -130,24 +130,27 @@ def sentence(compared: Compared, *, present: bool) -> str:
     return ", ".join(part for part in parts if part)
 
 
-# A snapshot as a card: its map, its number, how loud it is.
-
 _PLACE = "snapshot"
 _RADIUS_PX, _FRAME_PX, _TALLEST_PX, _RINGS_PX = 4, 2, 200, 6
 
 
 class Card(QAbstractButton):
-    """Shows a snapshot, and is clicked to have it in the window; an empty one stores.
+    """A snapshot as a card: a click shows it in the window, an empty card stores.
 
     Parameters
     ----------
     number
-        Of the snapshot; 0: what is edited.
-    parent
-        As in Qt.
+        Number of the snapshot; 0: the edited design.
+
+    Attributes
+    ----------
+    compared
+        The snapshot; None: nothing is stored.
+    present
+        Whether the snapshot is in the window.
     """
 
-    #: What is wanted of this number: ``"show"``, ``"store"`` or ``"forget"``.
+    #: What to do with this number: ``"show"``, ``"store"`` or ``"forget"``.
     wanted = Signal(int, str)
 
     def __init__(self, number: int, parent: QWidget) -> None:
@@ -155,10 +158,10 @@ class Card(QAbstractButton):
         self.number = number
         # The design that is edited is never stored, and without it its card is away.
         self._store_key = shortcut_text(f"store_snapshot_{number}") if number else ""
-        self._compared: Compared | None = None
+        self.compared: Compared | None = None
         self._map: SmallMap | None = None
         self._scale: Scale | None = None
-        self._present = False
+        self.present = False
         self.setObjectName(f"snapshot_card_{number}")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
@@ -167,16 +170,6 @@ class Card(QAbstractButton):
         self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Expanding)
         self.setMaximumHeight(_TALLEST_PX)
         self.show_snapshot(None, None, None, present=False)
-
-    @property
-    def compared(self) -> Compared | None:
-        """The snapshot that it shows; None: empty."""
-        return self._compared
-
-    @property
-    def present(self) -> bool:
-        """Whether it is in the window."""
-        return self._present
 
     def show_snapshot(
         self,
@@ -187,15 +180,15 @@ class Card(QAbstractButton):
         present: bool,
     ) -> None:
         """Take over what to show, in which colours; None: nothing is stored."""
-        self._compared, self._map, self._scale = compared, shown, scale
-        self._present = present
-        words = (
+        self.compared, self._map, self._scale = compared, shown, scale
+        self.present = present
+        text = (
             f"Snapshot {self.number}: nothing stored; click, or press {self._store_key}, to store"
             if compared is None
-            else sentence(compared, present=present)
+            else card_text(compared, present=present)
         )
-        self.setAccessibleName(words)
-        self.setToolTip(words)
+        self.setAccessibleName(text)
+        self.setToolTip(text)
         self.update()
 
     def sizeHint(self) -> QSize:
@@ -211,7 +204,7 @@ class Card(QAbstractButton):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         means = meaning_of(_PLACE, event)
-        if means == "forget" and self._compared is not None:
+        if means == "forget" and self.compared is not None:
             self.wanted.emit(self.number, "forget")
         elif means == "act":
             self._act()
@@ -224,13 +217,13 @@ class Card(QAbstractButton):
         frame = QRectF(self.rect()).adjusted(1, 1, -1, -1)
         focused = self.hasFocus()
         line = QPen(QColor(theme.accent if focused else theme.border), _FRAME_PX if focused else 1)
-        if self._compared is None:
+        if self.compared is None:
             line.setStyle(Qt.PenStyle.DashLine)
         painter.setPen(line)
         painter.setBrush(QColor(theme.base))
         painter.drawRoundedRect(frame, _RADIUS_PX, _RADIUS_PX)
         inside = frame.adjusted(4, 4, -4, -3)
-        if self._present:
+        if self.present:
             head = QRectF(inside.left(), inside.top(), inside.width(), self.fontMetrics().height())
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(QColor(theme.accent))
@@ -239,13 +232,13 @@ class Card(QAbstractButton):
         painter.end()
 
     def _paint_inside(self, painter: QPainter, area: QRectF) -> None:
-        theme, compared = current_theme(), self._compared
+        theme, compared = current_theme(), self.compared
         line = self.fontMetrics().height()
         centre = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignVCenter
         heading = QFont(self.font())
         heading.setBold(True)
         painter.setFont(heading)
-        heading_colour = theme.on_accent if self._present else theme.text
+        heading_colour = theme.on_accent if self.present else theme.text
         painter.setPen(QColor(heading_colour if compared else theme.dim))
         name = compared.name if compared else str(self.number)
         painter.drawText(QRectF(area.left(), area.top(), area.width(), line), centre, name)
@@ -268,63 +261,59 @@ class Card(QAbstractButton):
             room = area.adjusted(0, line + _RINGS_PX, 0, -2 * line - _RINGS_PX)
             design, scale = compared.snapshot.design, self._scale
             table = colour_table(scale.colours)
-            # Silence has no level, and no colour: the lowest one would be a level.
+            # Silence has no colour: the lowest one would be a level.
             shown = SmallMap(limb_map=self._map.limb_map) if is_silent(compared) else self._map
             paint_small_map(painter, room, shown, design, theme, scale.range_db, table)
 
     def _act(self) -> None:
-        self.wanted.emit(self.number, "show" if self._compared else "store")
+        self.wanted.emit(self.number, "show" if self.compared else "store")
 
     def _open_menu(self, at: QPoint) -> None:
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        if self._compared is not None:
+        if self.compared is not None:
             menu.addAction("Show it", lambda: self.wanted.emit(self.number, "show"))
         if self.number:
             menu.addAction(
                 "Store the present design here", lambda: self.wanted.emit(self.number, "store")
             )
-        if self._compared is not None and not (self._present and not self.number):
+        if self.compared is not None and not (self.present and not self.number):
             menu.addAction("Forget it", lambda: self.wanted.emit(self.number, "forget"))
         menu.popup(self.mapToGlobal(at))
 
 
-def fitted_level(painter: QPainter, words: str, width: float) -> str:
-    """A level without its unit where there is no room for it; the tooltip has both."""
-    wide = painter.fontMetrics().horizontalAdvance(words) > width
-    return words.removesuffix(" dB") if wide else words
+def fitted_level(painter: QPainter, text: str, width: float) -> str:
+    """Return a level without its unit where there is no room for it; the tooltip has both."""
+    wide = painter.fontMetrics().horizontalAdvance(text) > width
+    return text.removesuffix(" dB") if wide else text
 
-
-# A map of how much louder one design is than another.
 
 _LEAST_MAP_PX = 70.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Difference:
-    """What the map shows.
+    """What the map of a difference shows.
 
     Attributes
     ----------
     shown
         Differences in dB, in place of levels; None: nothing can be shown.
-    heading, words
-        What minus what, and what else one should know; without a map: why there is none.
-    limb
-        Whose outputs they are.
+    heading, text
+        What minus what, and a note; without a map: why there is none.
     outputs
-        Those that are selected: marked on the map.
+        Selected outputs, which are marked.
     """
 
     shown: SmallMap | None = None
     heading: str = ""
-    words: str = ""
+    text: str = ""
     limb: str = ""
     outputs: tuple[int, ...] = ()
 
     @property
     def end_db(self) -> float:
-        """Largest difference that the colours tell, dB."""
+        """Largest difference that has its own colour, dB."""
         levels = None if self.shown is None else self.shown.levels_db
         return end_db() if levels is None else end_db(levels)
 
@@ -336,23 +325,18 @@ class Difference:
 
 
 class DifferenceMap(QWidget):
-    """The map, and below it a scale with zero in its middle."""
+    """The map of a difference, and below it a scale with zero in its middle."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self._difference = Difference()
+        self.difference = Difference()
         self.setObjectName("difference_map")
-
-    @property
-    def difference(self) -> Difference:
-        """What is shown."""
-        return self._difference
 
     def show_difference(self, difference: Difference) -> None:
         """Take over what to show."""
-        self._difference = difference
-        words = f"{difference.heading}. {difference.words}".strip(". ")
-        self.setAccessibleName(words)
+        self.difference = difference
+        text = f"{difference.heading}. {difference.text}".strip(". ")
+        self.setAccessibleName(text)
         self.update()
 
     def sizeHint(self) -> QSize:
@@ -364,14 +348,14 @@ class DifferenceMap(QWidget):
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            words = self.words_at(QPointF(event.pos()))
-            QToolTip.showText(event.globalPos(), words, self)
+            text = self.text_at(QPointF(event.pos()))
+            QToolTip.showText(event.globalPos(), text, self)
             return True
         return super().event(event)
 
-    def words_at(self, point: QPointF) -> str:
-        """The difference at the output under the pointer; empty where there is none."""
-        shown = self._difference.shown
+    def text_at(self, point: QPointF) -> str:
+        """Return the difference at the output under the pointer; empty where there is none."""
+        shown = self.difference.shown
         if shown is None or shown.levels_db is None:
             return ""
         places = small_frame(shown.limb_map, self._areas()[1]).to_screen(
@@ -381,16 +365,16 @@ class DifferenceMap(QWidget):
         if number is None:
             return ""
         difference = minus(f"{shown.levels_db[number - 1]:+z.1f} dB")
-        return f"{output_text(number, self._difference.limb)}: {difference}"
+        return f"{output_text(number, self.difference.limb)}: {difference}"
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter, theme, difference = QPainter(self), current_theme(), self._difference
+        painter, theme, difference = QPainter(self), current_theme(), self.difference
         painter.setFont(tabular(self.font()))
         top, area, bottom = self._areas()
         flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
         if difference.shown is None:
             painter.setPen(QColor(theme.dim))
-            painter.drawText(QRectF(self.rect()), flags, difference.words)
+            painter.drawText(QRectF(self.rect()), flags, difference.text)
             painter.end()
             return
         painter.setPen(QColor(theme.text))
@@ -398,7 +382,7 @@ class DifferenceMap(QWidget):
         end, reached = difference.end_db, difference.reached_db
         scale = Scale(
             range_db=(-end, end),
-            words=difference.words,
+            words=difference.text,
             colours=DIVERGING,
             signed=True,
             reached_db=reached,
@@ -412,7 +396,7 @@ class DifferenceMap(QWidget):
         painter.end()
 
     def _areas(self) -> tuple[QRectF, QRectF, QRectF]:
-        """Room for the heading, the map and the scale."""
+        """Return the areas of the heading, the map and the scale."""
         line = self.fontMetrics().height()
         room = QRectF(self.rect())
         top = QRectF(room.left(), room.top(), room.width(), line)

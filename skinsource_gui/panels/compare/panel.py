@@ -1,4 +1,4 @@
-"""Panel of snapshots side by side, and of what makes them differ."""
+"""The panel of snapshots as cards, and of how two of them differ."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -52,8 +52,8 @@ from skinsource_gui.state.compared import (
 from skinsource_gui.state.panel import Panel
 
 _NEEDS = frozenset({"limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db"})
-# So wide that the map stands beside the cards, also in lines of words.
-_BESIDE_PX, _BESIDE_LINES = 620, 36
+# From this width on the map is beside the cards, in px and in lines of text.
+_WIDE_PX, _WIDE_LINES = 620, 36
 
 
 class ComparePanel(Panel):
@@ -92,7 +92,7 @@ class ComparePanel(Panel):
         self.words = QLabel()
         self.words.setObjectName("matching_words")
         set_tone(self.words, "dim")
-        # Wrapped, it would make the panel as high as it likes best; cut off, its tooltip says it.
+        # Wrapped, it would make the panel higher; where it is cut off, its tooltip is whole.
         self.words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.cards = [Card(number, self) for number in (EDITED, *NUMBERS)]
         self._row = FoldingRow(self.cards, UNIT_PX // 4, left=True, parent=self)
@@ -126,24 +126,26 @@ class ComparePanel(Panel):
         self.words.setText(matching_text(compared, matched=matched))
         self.words.setToolTip(self.words.text())
         present = self._present(compared)
-        levels = [played_db(one) for one in compared]
+        levels = [played_db(side) for side in compared]
         loudest = max((level for level in levels if level is not None), default=0.0)
         for card in self.cards:
-            one = next((one for one in compared if one.snapshot.number == card.number), None)
-            card.setVisible(card.number != EDITED or one is not None)
-            small, scale = self._map_of(one, loudest)
-            card.show_snapshot(one, small, scale, present=one is not None and one is present)
+            side = next((side for side in compared if side.snapshot.number == card.number), None)
+            card.setVisible(card.number != EDITED or side is not None)
+            small, scale = self._map_of(side, loudest)
+            card.show_snapshot(side, small, scale, present=side is not None and side is present)
         self._row.fold()
         self.map.show_difference(self._difference(compared, present))
 
     def show_problem(self, reason: str) -> None:
-        self.map.show_difference(Difference(words=reason))
+        self.map.show_difference(Difference(text=reason))
 
     def _fold(self) -> None:
-        needed = max(_BESIDE_PX, _BESIDE_LINES * self.fontMetrics().height())
-        beside = self.width() >= needed
-        way = QBoxLayout.Direction.LeftToRight if beside else QBoxLayout.Direction.TopToBottom
-        self._halves.setDirection(way)
+        needed = max(_WIDE_PX, _WIDE_LINES * self.fontMetrics().height())
+        side_by_side = self.width() >= needed
+        direction = (
+            QBoxLayout.Direction.LeftToRight if side_by_side else QBoxLayout.Direction.TopToBottom
+        )
+        self._halves.setDirection(direction)
 
     def _lay_out(self) -> None:
         upper = QVBoxLayout()
@@ -152,7 +154,7 @@ class ComparePanel(Panel):
         upper.addWidget(self._row, 1)
         upper.addWidget(self.words)
         upper.addStretch(0)
-        # The map stands beside the cards where the panel is wide enough, below them otherwise.
+        # The map is beside the cards where the panel is wide enough, else below them.
         self._halves = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
         self._halves.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
         self._halves.setSpacing(UNIT_PX // 2)
@@ -160,61 +162,64 @@ class ComparePanel(Panel):
         self._halves.addWidget(self.map, 1)
 
     def _present(self, compared: Sequence[Compared]) -> Compared | None:
-        """What is in the window."""
+        """Return the snapshot that is in the window."""
         if self._design is None:
             return None
-        held = shown(self._view.snapshots, self._design)
-        number = EDITED if held is None else held.number
-        return next((one for one in compared if one.snapshot.number == number), None)
+        snapshot = shown(self._view.snapshots, self._design)
+        number = EDITED if snapshot is None else snapshot.number
+        return next((side for side in compared if side.snapshot.number == number), None)
 
     def _map_of(
-        self, one: Compared | None, loudest_db: float
+        self, side: Compared | None, loudest_db: float
     ) -> tuple[SmallMap | None, Scale | None]:
-        """The map of a card, in colours that mean the same on all of them."""
-        if one is None or one.values is None:
+        """Return the map of a card, in colours that mean the same on all cards."""
+        if side is None or side.values is None:
             return None, None
-        scale, gain = scale_of_levels(np.array(loudest_db), level_look(self._view)), gain_db(one)
+        scale, gain = scale_of_levels(np.array(loudest_db), level_look(self._view)), gain_db(side)
         low, high = scale.range_db
-        return self._maps.map_of(one.values), replace(scale, range_db=(low - gain, high - gain))
+        return self._maps.map_of(side.values), replace(scale, range_db=(low - gain, high - gain))
 
     def _difference(self, compared: Sequence[Compared], present: Compared | None) -> Difference:
-        wanted = None if self._design is None else other_than(self._view.snapshots, self._design)
-        if wanted is None or present is None:
-            return Difference(words=why_no_comparison(self._view.snapshots))
-        other = next((one for one in compared if one.snapshot.number == wanted.number), None)
+        snapshot = None if self._design is None else other_than(self._view.snapshots, self._design)
+        if snapshot is None or present is None:
+            return Difference(text=why_no_comparison(self._view.snapshots))
+        other = next((side for side in compared if side.snapshot.number == snapshot.number), None)
         if other is None or other.values is None or present.values is None:
             problem = "" if other is None else other.problem or present.problem or COMPUTING
-            return Difference(words=problem)
+            return Difference(text=problem)
         if not same_outputs(other.snapshot.design.limb, present.snapshot.design.limb):
-            return Difference(words=ELSEWHERE)
+            return Difference(text=ELSEWHERE)
         if is_silent(other) != is_silent(present):
-            return Difference(words=SILENCE)
+            return Difference(text=SILENCE)
         minus = self._minus(present, other)
         matched = have_matching_level(compared, matched=self._view.levels_matched)
-        heading, words = difference_captions(present, other, matched=matched)
+        heading, caption = difference_captions(present, other, matched=matched)
         if minus.levels_db is not None and np.abs(minus.levels_db).max() < LEAST_DB:
-            heading, words = equal_captions(present, other)
+            heading, caption = equal_captions(present, other)
         if present.values["limb_data"].synthetic or other.values["limb_data"].synthetic:
-            words = f"{words}, synthetic limb"
+            caption = f"{caption}, synthetic limb"
         limb, outputs = present.snapshot.design.limb, self._view.outputs
-        return Difference(shown=minus, heading=heading, words=words, limb=limb, outputs=outputs)
+        return Difference(shown=minus, heading=heading, text=caption, limb=limb, outputs=outputs)
 
     def _minus(self, present: Compared, other: Compared) -> SmallMap:
         small = self._maps.map_of(present.values or {})
         loudest = [level for level in (played_db(present), played_db(other)) if level is not None]
         # Both are played: the first one's gain is taken off the other.
         gain, top = other.gain / present.gain, max(loudest) - gain_db(present)
-        this, that = present.values or {}, other.values or {}
+        values, other_values = present.values or {}, other.values or {}
         levels = difference_db(
-            this["output_levels_db"], that["output_levels_db"], gain=gain, loudest_db=top
+            values["output_levels_db"], other_values["output_levels_db"], gain=gain, loudest_db=top
         )
         if present.snapshot.design.limb == other.snapshot.design.limb:
             field = difference_db(
-                this["surface_levels_db"], that["surface_levels_db"], gain=gain, loudest_db=top
+                values["surface_levels_db"],
+                other_values["surface_levels_db"],
+                gain=gain,
+                loudest_db=top,
             )
         else:
-            # Outputs are alike by their numbers; places between them are not.
-            field = this["surface"].interpolate(levels)
+            # Outputs correspond by their numbers; places between them do not.
+            field = values["surface"].interpolate(levels)
         return replace(small, levels_db=levels, field_levels_db=field)
 
     def _act(self, number: int, what: str) -> None:

@@ -1,4 +1,4 @@
-"""What is turned, in words that are no higher than two lines."""
+"""The panel of frequency and amplitude of the selected track, large, for presenting."""
 
 from dataclasses import dataclass
 
@@ -32,15 +32,15 @@ _WRAPPED = Qt.TextFlag.TextWordWrap
 
 
 class Heading(QLabel):
-    """Shows the first of some phrasings that fits into two lines; else the last, in more of them.
+    """Shows the first of some phrases that fits into two lines; else the last, in more lines.
 
-    It is as high as two lines whatever it says: what stands below keeps its place from scene to
-    scene, and a long title does not push it out of the window.
+    It is always two lines high, so that the fields below keep their place from scene to scene, and
+    stay in the window.
     """
 
-    def __init__(self, words: str) -> None:
-        super().__init__(words)
-        self._phrases: tuple[str, ...] = (words,)
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self._phrases: tuple[str, ...] = (text,)
         self.setWordWrap(True)
         RoomOrText(self).changed.connect(self._fit)
 
@@ -51,19 +51,17 @@ class Heading(QLabel):
 
     def _fit(self) -> None:
         two_lines = self._height_of(_TWO_LINES)
-        fitting = (one for one in self._phrases if self._height_of(one) <= two_lines)
-        words = next(fitting, self._phrases[-1])
-        self.setText(words)
-        # What is left out is said where somebody points at it.
-        self.setToolTip("" if words == self._phrases[0] else self._phrases[0])
-        self.setMinimumHeight(max(self._height_of(words), two_lines))
+        fitting = (phrase for phrase in self._phrases if self._height_of(phrase) <= two_lines)
+        text = next(fitting, self._phrases[-1])
+        self.setText(text)
+        # The tooltip has what is left out.
+        self.setToolTip("" if text == self._phrases[0] else self._phrases[0])
+        self.setMinimumHeight(max(self._height_of(text), two_lines))
 
-    def _height_of(self, words: str) -> int:
+    def _height_of(self, text: str) -> int:
         room = QRect(0, 0, self.contentsRect().width(), _ANY_HEIGHT_PX)
-        return self.fontMetrics().boundingRect(room, _WRAPPED, words).height()
+        return self.fontMetrics().boundingRect(room, _WRAPPED, text).height()
 
-
-# What is turned in front of an audience.
 
 ALL, FREQUENCY, AMPLITUDE, ONSET = "all", "frequency", "amplitude", "onset"
 CONTROL = ChoiceSpec(
@@ -80,7 +78,7 @@ CONTROL = ChoiceSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ControlSettings:
-    """What is turned.
+    """Which number is changed in front of an audience.
 
     Attributes
     ----------
@@ -94,12 +92,10 @@ class ControlSettings:
         fields.check(self)
 
 
-# Frequency and amplitude of the selected input, large, for presenting.
-
 _FREQUENCY, _ONSET = "frequency_hz", "onset_s"
 
 
-class _Labelled(QWidget):
+class _LabelledField(QWidget):
     """A field with its label on the left, as one part of a row."""
 
     def __init__(self, cell: FieldCell | None = None) -> None:
@@ -111,16 +107,16 @@ class _Labelled(QWidget):
             self.hold(cell.label, cell)
 
     def hold(self, label: QLabel, field: QWidget) -> None:
-        """Take a field up."""
+        """Add a field with its label."""
         label.setBuddy(field)
         self._line.addWidget(label)
         self._line.addWidget(field, 1)
 
 
 class FrequencyAndAmplitudePanel(Panel):
-    """The two numbers that are turned while presenting, in front of an audience.
+    """The two numbers that are changed while presenting, large.
 
-    They are the amplitude and, where the waveform has one, the frequency.
+    These are the amplitude and, where the waveform has one, the frequency.
     """
 
     title = "Frequency and amplitude"
@@ -130,12 +126,12 @@ class FrequencyAndAmplitudePanel(Panel):
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
-        self._words = Heading(how_to_add(self.in_sight))
-        self._words.setObjectName("frequency_and_amplitude_words")
-        set_tone(self._words, "dim")
+        self._heading = Heading(how_to_add(self.in_sight))
+        self._heading.setObjectName("frequency_and_amplitude_words")
+        set_tone(self._heading, "dim")
         self._control = ChoiceField(CONTROL, self)
         self._control.setObjectName("control_field")
-        self._control_label, self._control_part = QLabel(CONTROL.label), _Labelled()
+        self._control_label, self._control_part = QLabel(CONTROL.label), _LabelledField()
         set_tone(self._control_label, "dim")
         self._control_part.hold(self._control_label, self._control)
         self._control.chosen.connect(self._choose_control)
@@ -143,15 +139,15 @@ class FrequencyAndAmplitudePanel(Panel):
         self._onset = FieldCell(_ONSET, ONSET_S)
         self._frequency: FieldCell | None = None
         self._spec: Spec | None = None
-        self._turned = _Labelled()
-        self._amplitude_part = _Labelled(self._amplitude)
-        self._onset_part = _Labelled(self._onset)
-        parts = (self._turned, self._amplitude_part, self._onset_part, self._control_part)
+        self._frequency_part = _LabelledField()
+        self._amplitude_part = _LabelledField(self._amplitude)
+        self._onset_part = _LabelledField(self._onset)
+        parts = (self._frequency_part, self._amplitude_part, self._onset_part, self._control_part)
         self._row = FoldingRow(parts, UNIT_PX)
         column = QVBoxLayout(self)
         column.setContentsMargins(UNIT_PX, 0, UNIT_PX, UNIT_PX)
         column.setSpacing(UNIT_PX // 2)
-        column.addWidget(self._words)
+        column.addWidget(self._heading)
         column.addWidget(self._row)
         column.addStretch(1)
         self._amplitude.edited.connect(self._change)
@@ -162,34 +158,34 @@ class FrequencyAndAmplitudePanel(Panel):
         self._design, self._view = design, view
         control = settings_of(view, self.name, ControlSettings).control
         self._control.set_value(control)
-        one = _turned_input(design, view)
-        known = one is not None
+        track = _controlled_input(design, view)
+        known = track is not None
         self._amplitude_part.setVisible(known and control in (ALL, AMPLITUDE))
         self._onset_part.setVisible(False)
-        if one is not None:
-            self._show_input(design, view, one, control)
+        if track is not None:
+            self._show_input(design, view, track, control)
         else:
-            words = how_to_select_input if design.inputs else how_to_add
-            self._words.show_phrases(words(self.in_sight))
+            how_to = how_to_select_input if design.inputs else how_to_add
+            self._heading.show_phrases(how_to(self.in_sight))
             self._show_frequency(None)
         self._row.fold()
 
-    def _show_input(self, design: Design, view: View, one: Input, control: str) -> None:
-        clip = clip_of(one, view)
+    def _show_input(self, design: Design, view: View, track: Input, control: str) -> None:
+        clip = clip_of(track, view)
         playing = EMPTY.capitalize()
         if clip is not None:
             playing = f"{clip.waveform.title}{stretched_text(clip)}"
-        played = f"{playing} at place {one.location}"
-        factor = is_gain(design, one)
+        played = f"{playing} at place {track.location}"
+        factor = is_gain(design, track)
         if factor:
-            played += f" · peak {peak_text(design, one)}"
+            played += f" · peak {peak_text(design, track)}"
         title = scenes.title_of(design) if design.title else ""
-        self._words.show_phrases(*((f"{title} · {played}", title) if title else ()), played)
+        self._heading.show_phrases(*((f"{title} · {played}", title) if title else ()), played)
         if clip is not None:
             self._onset.set_value(clip.onset_s)
             self._onset_part.setVisible(control == ONSET)
         self._amplitude.set_spec(AMPLITUDE_GAIN if factor else amplitude_spec(design))
-        self._amplitude.set_value(one.amplitude)
+        self._amplitude.set_value(track.amplitude)
         self._show_frequency(clip if control in (ALL, FREQUENCY) else None)
 
     def show_in_sight(self, names: frozenset[str]) -> None:
@@ -197,40 +193,37 @@ class FrequencyAndAmplitudePanel(Panel):
         if self._design is not None:
             self.show_state(self._design, self._view)
 
-    def _show_frequency(self, one: Clip | None) -> None:
-        spec = None if one is None else specs_of(one.waveform).get(_FREQUENCY)
+    def _show_frequency(self, clip: Clip | None) -> None:
+        spec = None if clip is None else specs_of(clip.waveform).get(_FREQUENCY)
         if spec != self._spec:
             self._spec = spec
-            self._drop_frequency()
+            if self._frequency is not None:
+                for part in (self._frequency.label, self._frequency):
+                    part.hide()
+                    part.deleteLater()
+                self._frequency = None
             if spec is not None:
                 self._frequency = FieldCell(_FREQUENCY, spec)
                 self._frequency.edited.connect(self._change)
-                self._turned.hold(self._frequency.label, self._frequency)
-        self._turned.setVisible(self._frequency is not None)
-        if self._frequency is not None and one is not None:
-            self._frequency.set_value(getattr(one.waveform, _FREQUENCY))
+                self._frequency_part.hold(self._frequency.label, self._frequency)
+        self._frequency_part.setVisible(self._frequency is not None)
+        if self._frequency is not None and clip is not None:
+            self._frequency.set_value(getattr(clip.waveform, _FREQUENCY))
 
     def _choose_control(self, control: str, _gesture: int | None) -> None:
         settings = ControlSettings(control=control)
         self.view_changed.emit(with_settings(self._view, self.name, settings))
 
-    def _drop_frequency(self) -> None:
-        if self._frequency is not None:
-            for part in (self._frequency.label, self._frequency):
-                part.hide()
-                part.deleteLater()
-            self._frequency = None
-
     def _change(self, name: str, value: float, gesture: int | None) -> None:
         if self._design is not None:
-            one = _turned_input(self._design, self._view)
-            ids = self._view.selected_inputs or (() if one is None else (one.id,))
+            track = _controlled_input(self._design, self._view)
+            ids = self._view.selected_inputs or (() if track is None else (track.id,))
             outcome = edits.change_field(self._design, self._view, ids, name, value)
             self.edited.emit(outcome, gesture)
 
 
-def _turned_input(design: Design, view: View) -> Input | None:
-    """The selected input; where there is only one, nobody has to select it."""
+def _controlled_input(design: Design, view: View) -> Input | None:
+    """Return the selected track, or the only one, which nobody has to select."""
     if len(design.inputs) == 1:
         return design.inputs[0]
-    return next((one for one in design.inputs if one.id == view.selected_input), None)
+    return next((track for track in design.inputs if track.id == view.selected_input), None)

@@ -1,4 +1,4 @@
-"""The history as rows."""
+"""The panel of all steps of the history, in which a click goes back or forth."""
 
 import time
 from functools import partial
@@ -31,7 +31,7 @@ from skinsource_gui.state.history import History, Step
 from skinsource_gui.state.panel import Panel
 
 _Role = Qt.ItemDataRole
-#: What stands at the right of a row; whether it is done; whether it is the present one.
+#: Text at the right of a row; whether the step is done; whether it is the present one.
 TIME, DONE, PRESENT = (_Role.UserRole + k for k in range(1, 4))
 
 _Index = QModelIndex | QPersistentModelIndex
@@ -42,54 +42,49 @@ class StepsModel(QAbstractListModel):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._history = History()
-
-    @property
-    def history(self) -> History:
-        """What is listed."""
-        return self._history
+        self.history = History()
 
     def show_history(self, history: History) -> None:
         """Take over what was done."""
-        if history == self._history:
+        if history == self.history:
             return
-        if len(self._history.steps) != len(history.steps):
+        if len(self.history.steps) != len(history.steps):
             self.beginResetModel()
-            self._history = history
+            self.history = history
             self.endResetModel()
         else:
-            self._history = history
+            self.history = history
             self.dataChanged.emit(self.index(0), self.index(self.rowCount() - 1))
 
     def rowCount(self, parent: _Index | None = None) -> int:
-        return 0 if parent is not None and parent.isValid() else len(self._history.steps) + 1
+        return 0 if parent is not None and parent.isValid() else len(self.history.steps) + 1
 
     def data(self, index: _Index, role: int = _Role.DisplayRole) -> Any:
-        row, history = index.row(), self._history
+        row, history = index.row(), self.history
         if not 0 <= row <= len(history.steps):
             return None
         step = history.steps[row - 1] if row else None
         if role == _Role.DisplayRole:
             return step.label if step else history.start
         if role == TIME:
-            return self._right(row, step)
+            return self._time_text(row, step)
         if role == DONE:
             return row <= history.present
         if role == PRESENT:
             return row == history.present
         if role in (_Role.AccessibleTextRole, _Role.ToolTipRole):
-            return self._sentence(row, step)
+            return self._tooltip(row, step)
         return None
 
-    def _right(self, row: int, step: Step | None) -> str:
+    def _time_text(self, row: int, step: Step | None) -> str:
         when = _clock(step) if step else ""
-        return f"saved {when}".strip() if row == self._history.saved else when
+        return f"saved {when}".strip() if row == self.history.saved else when
 
-    def _sentence(self, row: int, step: Step | None) -> str:
-        label = step.label if step else self._history.start
+    def _tooltip(self, row: int, step: Step | None) -> str:
+        label = step.label if step else self.history.start
         when = f", {_clock(step)}" if step else ""
-        where = ", present" if row == self._history.present else ""
-        back = ", taken back" if row > self._history.present else ""
+        where = ", present" if row == self.history.present else ""
+        back = ", taken back" if row > self.history.present else ""
         return f"{label}{when}{where}{back}"
 
 
@@ -97,14 +92,12 @@ def _clock(step: Step) -> str:
     return time.strftime("%H:%M:%S", time.localtime(step.at_s))
 
 
-# Draws a row of the history.
-
 # Label and time share a row as long as so much of it is left for the label.
-_BAR_PX, _LEAST_WORDS = 3, 0.5
+_BAR_PX, _LEAST_LABEL = 3, 0.5
 
 
 class StepDelegate(QStyledItemDelegate):
-    """Label at the left, time at the right; pale what was taken back; a bar at the present."""
+    """Paints label and time of a step; undone steps are pale, the present one has a bar."""
 
     def sizeHint(
         self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
@@ -142,16 +135,14 @@ class StepDelegate(QStyledItemDelegate):
 
 
 def row_text(metrics: QFontMetrics, label: str, time: str, room_px: int) -> tuple[str, str]:
-    """Label and time as they share a row; a label that is too long is cut short."""
+    """Return label and time as they share a row; a label that is too long is cut short."""
     width = metrics.horizontalAdvance(time) + UNIT_PX if time else 0
-    if room_px - width < _LEAST_WORDS * room_px:
-        # What was done says more than when; the tooltip has both.
+    if room_px - width < _LEAST_LABEL * room_px:
+        # The label says more than the time; the tooltip has both.
         time, width = "", 0
     left = max(room_px - width, 0)
     return metrics.elidedText(label, Qt.TextElideMode.ElideRight, left), time
 
-
-# Panel of what was done, in which one goes back and forth.
 
 _PLACE = "history"
 

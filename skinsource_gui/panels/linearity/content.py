@@ -1,4 +1,4 @@
-"""What is drawn in a diagram."""
+"""The diagrams and sentences of a proportion or of a superposition, and the panel's settings."""
 
 from dataclasses import dataclass
 
@@ -23,15 +23,15 @@ class Curve:
     Attributes
     ----------
     x, y : (n_points,)
-        Where it goes.
+        Points of the line, or the dots.
     rank
-        Of the output in the selection: its colour; None: that of words.
+        Rank of the output in the selection, for its colour; None: the colour of text.
     width_px
-        Of the line; 0: dots.
+        Width of the line; 0: dots.
     label
-        Written at its end.
+        Text at the end of the line.
     pale
-        0 to 1: how much of the colour is left out, so that what lies over it is seen.
+        From 0 to 1: how much of the colour is left out, so that what lies over it is visible.
     """
 
     x: Floats
@@ -51,23 +51,20 @@ class Diagram:
     curves: tuple[Curve, ...]
 
 
-# In which unit strengths of a stimulus are told, beside the amplitudes that they are set in.
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StrengthUnit:
-    """Of strengths.
+    """Unit of the strengths of a stimulus.
 
     Attributes
     ----------
     title, symbol
-        What they are, with the unit, and the unit alone; empty: they have none.
+        Title with the unit, and the unit alone; empty: there is none.
     column
-        Name of their column in a table.
+        Name of the column in a table.
     factor
-        What an amplitude is multiplied with to be told.
+        Strength of an amplitude of 1, in this unit.
     si_factor
-        The same for a table, which is in SI.
+        Strength of an amplitude of 1, in SI, for tables.
     """
 
     title: str
@@ -83,12 +80,12 @@ class StrengthUnit:
 
 
 def of_amplitudes(unit: str) -> StrengthUnit:
-    """Amplitudes in ``unit``; ``"×"`` is that of a plain factor."""
+    """Return the unit of amplitudes in ``unit``; ``"×"`` is that of a plain factor."""
     return StrengthUnit(title=f"Strength ({unit})", symbol="" if unit == "×" else unit)
 
 
 def of_velocities(m_per_s_each: float) -> StrengthUnit:
-    """Velocities of a probe, of which an amplitude of 1 has so many m/s."""
+    """Return the unit of velocities of a probe, of which an amplitude of 1 has so many m/s."""
     return StrengthUnit(
         title="Probe velocity (mm/s)",
         symbol="mm/s",
@@ -98,75 +95,75 @@ def of_velocities(m_per_s_each: float) -> StrengthUnit:
     )
 
 
-# What the panel shows of a proportion, or of a superposition: diagrams, words, and numbers.
-
-# Of long responses this much is drawn, around the loudest instant, where no zoom says which part.
+# Without a zoom so much of a long response is drawn, around its loudest instant.
 _SHOWN_S = 0.03
 # Wide lines of more points take long.
 _MOST_SAMPLES = 1500
 _WIDEST_PX, _NARROWEST_PX = 8.0, 1.2
 _PALE = 0.55
-# What is shown on both sides of a response of one sample.
-_BESIDE_ONE_S = 1e-3
-# Bands that are drawn one by one, and room beside lines over logarithmic axes, as a factor.
+# Time on both sides of a response of one sample, s.
+_MARGIN_OF_ONE_S = 1e-3
+# Bands that are drawn one by one, and the margin of logarithmic axes, as a factor.
 _SHOWN_HZ = (50.0, 100.0, 200.0, 400.0)
 _EDGE = 1.4
 
 
 def part_of(time_s: Floats, curves: Floats, zoom: tuple[float, float] | None) -> tuple[int, int]:
-    """From which to before which sample curves, (..., n_times), are drawn."""
+    """Return the first sample and the one after the last that are drawn of (..., n_times)."""
     if zoom is None:
         loudest = float(time_s[np.argmax(np.abs(curves).max(axis=tuple(range(curves.ndim - 1))))])
         zoom = loudest - _SHOWN_S / 2, loudest + _SHOWN_S / 2
     first, end = np.searchsorted(time_s, zoom)
-    # A response of one sample is all that there is of it.
+    # A response may have only one sample.
     first = max(int(min(first, time_s.size - 2)), 0)
     return first, int(min(max(end, first + 2), first + _MOST_SAMPLES, time_s.size))
 
 
 def diagrams_of_proportion(
-    found: Proportion,
+    result: Proportion,
     rows: tuple[int, ...],
     time_s: Floats,
     zoom: tuple[float, float] | None,
     unit: StrengthUnit,
     *,
     bands: bool = False,
-    every: Floats | None = None,
+    all_outputs: Floats | None = None,
 ) -> tuple[Diagram, ...]:
-    """Divided responses over each other, output over input, and how straight that is.
+    """Return divided responses over each other, output over input, and how straight that is.
 
-    ``rows`` are the channels that are drawn over time, one for each output; ``unit`` is that of
-    the strengths; ``bands``: outputs are those in some bands; ``every``: adjusted R² of all
-    outputs, (n_outputs, n_bins), which is drawn in place of that of ``rows``.
+    ``rows`` are the channels that are drawn over time, one for each output; ``unit`` is that of the
+    strengths. With ``bands`` outputs are those in some bands. ``all_outputs``, (n_outputs, n_bins),
+    is the adjusted R² of all outputs, which is drawn in place of that of ``rows``.
     """
     growth = _growth_in_bands if bands else _growth
-    highest = float(found.frequency_hz[-1]) if found.frequency_hz.size else 1.0
-    title = "Adjusted R²" if every is None else "Adjusted R², all outputs"
+    highest = float(result.frequency_hz[-1]) if result.frequency_hz.size else 1.0
+    title, straightness = "Adjusted R²", _straightness_dots(result, rows)
+    if all_outputs is not None:
+        title, straightness = f"{title}, all outputs", _worst_and_median(result, all_outputs)
     return (
-        _overlay(found, rows, time_s, zoom, unit),
-        growth(found, rows, unit),
+        _overlay(result, rows, time_s, zoom, unit),
+        growth(result, rows, unit),
         Diagram(
             x=Axis(shown=(0.0, 1.05 * highest), title="Frequency (Hz)"),
             y=Axis(shown=(0.0, 1.1), title=title, short="Adjusted R²"),
-            curves=_straight(found, rows) if every is None else _worst_and_median(found, every),
+            curves=straightness,
         ),
     )
 
 
-def _straight(found: Proportion, rows: tuple[int, ...]) -> tuple[Curve, ...]:
+def _straightness_dots(result: Proportion, rows: tuple[int, ...]) -> tuple[Curve, ...]:
     return tuple(
-        Curve(x=found.frequency_hz, y=found.adjusted_r2[row], rank=rank, width_px=0.0)
+        Curve(x=result.frequency_hz, y=result.adjusted_r2[row], rank=rank, width_px=0.0)
         for rank, row in enumerate(rows)
     )
 
 
-def _worst_and_median(found: Proportion, every: Floats) -> tuple[Curve, ...]:
-    """Dots and a line through bands in which some output is heard."""
-    heard = np.isfinite(every).any(axis=0)
-    if not heard.any():
+def _worst_and_median(result: Proportion, all_outputs: Floats) -> tuple[Curve, ...]:
+    """Return dots and a line through the bands in which some output is not silent."""
+    known_bands = np.isfinite(all_outputs).any(axis=0)
+    if not known_bands.any():
         return ()
-    x, known = found.frequency_hz[heard], every[:, heard]
+    x, known = result.frequency_hz[known_bands], all_outputs[:, known_bands]
     median, worst = np.nanmedian(known, axis=0), np.nanmin(known, axis=0)
     return (
         Curve(x=x, y=median, rank=None, width_px=_WIDEST_PX, pale=_PALE, label="median"),
@@ -174,63 +171,65 @@ def _worst_and_median(found: Proportion, every: Floats) -> tuple[Curve, ...]:
     )
 
 
-def bands_shown(found: Proportion) -> list[int]:
-    """Which of the bands are drawn one by one: those at the frequencies of the figure."""
-    apart_hz = np.abs(found.frequency_hz - np.array(_SHOWN_HZ)[:, None])
-    return [int(one.argmin()) for one in apart_hz if one.size and one.min() <= BIN_HZ]
+def bands_shown(result: Proportion) -> list[int]:
+    """Return the bands that are drawn one by one: those at the frequencies of the figure."""
+    gaps_hz = np.abs(result.frequency_hz - np.array(_SHOWN_HZ)[:, None])
+    return [int(gap_hz.argmin()) for gap_hz in gaps_hz if gap_hz.size and gap_hz.min() <= BIN_HZ]
 
 
 def _overlay(
-    found: Proportion,
+    result: Proportion,
     rows: tuple[int, ...],
     time_s: Floats,
     zoom: tuple[float, float] | None,
     unit: StrengthUnit,
 ) -> Diagram:
-    part = part_of(time_s, found.divided[:, rows], zoom)
-    x, y = finer(time_s, found.divided[:, rows] / unit.factor, *part)
-    n = len(found.strengths)
+    part = part_of(time_s, result.divided[:, rows], zoom)
+    x, y = finer(time_s, result.divided[:, rows] / unit.factor, *part)
+    n = len(result.strengths)
     widths = np.linspace(_WIDEST_PX, _NARROWEST_PX, n)
     over = tuple(
-        Curve(x=x, y=y[k, rank], rank=rank, width_px=_over_time(x, widths[k]), pale=_pale(k, n))
+        Curve(
+            x=x, y=y[k, rank], rank=rank, width_px=_width_over_time(x, widths[k]), pale=_pale(k, n)
+        )
         for rank in range(len(rows))
         for k in range(n)
     )
-    axis = _around(y, f"Divided ({unit.divided_by})", unit.divided_by)
-    return Diagram(x=_time(x), y=axis, curves=over)
+    axis = _symmetric_axis(y, f"Divided ({unit.divided_by})", unit.divided_by)
+    return Diagram(x=_time_axis(x), y=axis, curves=over)
 
 
-def _growth(found: Proportion, rows: tuple[int, ...], unit: StrengthUnit) -> Diagram:
-    at = found.strengths * unit.factor
+def _growth(result: Proportion, rows: tuple[int, ...], unit: StrengthUnit) -> Diagram:
+    at = result.strengths * unit.factor
     lines: list[Curve] = []
     for rank, row in enumerate(rows):
-        level = found.rms[:, row]
-        lines.append(Curve(x=at, y=found.line[:, row], rank=rank, width_px=1.2, pale=_PALE))
+        level = result.rms[:, row]
+        lines.append(Curve(x=at, y=result.line[:, row], rank=rank, width_px=1.2, pale=_PALE))
         lines.append(Curve(x=at, y=level, rank=rank, width_px=0.0))
     return Diagram(
-        x=_strengths((0.0, 1.05 * float(at[-1])), unit),
-        y=Axis(shown=(0.0, _top(found.rms[:, rows])), title="RMS (m/s²)"),
+        x=_strength_axis((0.0, 1.05 * float(at[-1])), unit),
+        y=Axis(shown=(0.0, _top(result.rms[:, rows])), title="RMS (m/s²)"),
         curves=tuple(lines),
     )
 
 
-def _growth_in_bands(found: Proportion, rows: tuple[int, ...], unit: StrengthUnit) -> Diagram:
-    """The same in bands, whose outputs differ by powers of ten: over logarithmic axes."""
-    at = found.strengths * unit.factor
+def _growth_in_bands(result: Proportion, rows: tuple[int, ...], unit: StrengthUnit) -> Diagram:
+    """Return output over input in bands, which differ by powers of ten: over logarithmic axes."""
+    at = result.strengths * unit.factor
     lines: list[Curve] = []
     ends: list[float] = []
     for rank, row in enumerate(rows):
-        for band in bands_shown(found):
-            level, line = found.band_rms[:, row, band], found.band_line[:, row, band]
+        for band in bands_shown(result):
+            level, line = result.band_rms[:, row, band], result.band_line[:, row, band]
             if level.min() <= 0.0 or line.min() <= 0.0:
                 continue  # silent there
-            label = f"{found.frequency_hz[band]:.0f} Hz"
+            label = f"{result.frequency_hz[band]:.0f} Hz"
             lines.append(Curve(x=at, y=line, rank=rank, width_px=1.2, pale=_PALE, label=label))
             lines.append(Curve(x=at, y=level, rank=rank, width_px=0.0))
             ends += [float(level.min()), float(level.max())]
     low, high = (min(ends), max(ends)) if ends else (0.1, 1.0)
     return Diagram(
-        x=_strengths((float(at[0]) / _EDGE, float(at[-1]) * _EDGE), unit, log=True),
+        x=_strength_axis((float(at[0]) / _EDGE, float(at[-1]) * _EDGE), unit, log=True),
         y=Axis(
             shown=(low / _EDGE, high * _EDGE), title="In the band (m/s²)", short="m/s²", log=True
         ),
@@ -238,21 +237,21 @@ def _growth_in_bands(found: Proportion, rows: tuple[int, ...], unit: StrengthUni
     )
 
 
-def _strengths(shown: tuple[float, float], unit: StrengthUnit, *, log: bool = False) -> Axis:
+def _strength_axis(shown: tuple[float, float], unit: StrengthUnit, *, log: bool = False) -> Axis:
     return Axis(shown=shown, title=unit.title, short=unit.symbol, log=log)
 
 
 def diagrams_of_superposition(
-    found: Superposition,
+    result: Superposition,
     rows: tuple[int, ...],
     time_s: Floats,
     zoom: tuple[float, float] | None,
 ) -> tuple[Diagram, ...]:
-    """The sum below the joint response, and the one over the other."""
-    both = np.stack((found.separate, found.joint))[:, rows]
+    """Return the sum below the joint response, and the one over the other."""
+    both = np.stack((result.separate, result.joint))[:, rows]
     part = part_of(time_s, both, zoom)
     x, (separate, joint) = finer(time_s, both, *part)
-    wide_px, narrow_px = (_over_time(x, one) for one in (_WIDEST_PX, _NARROWEST_PX))
+    wide_px, narrow_px = (_width_over_time(x, width_px) for width_px in (_WIDEST_PX, _NARROWEST_PX))
     over = tuple(
         curve
         for rank in range(len(rows))
@@ -261,14 +260,14 @@ def diagrams_of_superposition(
             Curve(x=x, y=joint[rank], rank=rank, width_px=narrow_px),
         )
     )
-    seen = both[..., slice(*part)]
+    visible = both[..., slice(*part)]
     against = tuple(
-        Curve(x=seen[0, rank], y=seen[1, rank], rank=rank, width_px=0.0)
+        Curve(x=visible[0, rank], y=visible[1, rank], rank=rank, width_px=0.0)
         for rank in range(len(rows))
     )
-    axis = _around(both, "Joint (m/s²)")
+    axis = _symmetric_axis(both, "Joint (m/s²)")
     return (
-        Diagram(x=_time(x), y=_around(joint, "Both (m/s²)"), curves=over),
+        Diagram(x=_time_axis(x), y=_symmetric_axis(joint, "Both (m/s²)"), curves=over),
         Diagram(x=Axis(shown=axis.shown, title="Sum of separate (m/s²)"), y=axis, curves=against),
     )
 
@@ -276,8 +275,8 @@ def diagrams_of_superposition(
 def part_text(
     shown_s: tuple[float, float], time_s: Floats, zoom: tuple[float, float] | None = None
 ) -> str:
-    """Which part is drawn over time where that is not all there is, or not all of the zoom."""
-    first, last = (f"{1e3 * one:.0f}" for one in shown_s)
+    """Return which part is drawn over time, where that is less than all, or than the zoom."""
+    first, last = (f"{1e3 * edge_s:.0f}" for edge_s in shown_s)
     if zoom is not None:
         step_s = float(time_s[-1] - time_s[0]) / max(time_s.size - 1, 1)
         if min(zoom[1], float(time_s[-1])) - shown_s[1] < 1.5 * step_s:
@@ -288,44 +287,45 @@ def part_text(
     return f"over time the loudest part, {first} to {last} ms: zoom Traces for another"
 
 
-def proportion_text(found: Proportion, every: Straightness | None = None) -> str:
-    """What was found, in a sentence."""
-    words = f"{len(found.strengths)} strengths, divided by them: {_apart_words(found.apart)}"
-    r2 = (found if every is None else every).adjusted_r2
-    known, whose = r2[np.isfinite(r2)], "" if every is None else f" of all {len(r2)} outputs"
+def proportion_text(result: Proportion, all_outputs: Straightness | None = None) -> str:
+    """Return the result in a sentence."""
+    text = f"{len(result.strengths)} strengths, divided by them: {_difference_text(result.apart)}"
+    r2 = (result if all_outputs is None else all_outputs).adjusted_r2
+    known, whose = r2[np.isfinite(r2)], "" if all_outputs is None else f" of all {len(r2)} outputs"
     if not known.size:  # A short response may have no frequency in the band of its limb.
-        return words
-    return f"{words} · adjusted R²{whose} in bands of 2 Hz {known.min():.6f} at least"
+        return text
+    return f"{text} · adjusted R²{whose} in bands of 2 Hz {known.min():.6f} at least"
 
 
-def superposition_text(found: Superposition) -> str:
-    """What was found, in a sentence."""
-    known = found.correlation[np.isfinite(found.correlation)]
-    alike = f" · r {known.min():.6f} at least" if known.size else ""
-    return f"Sum of separate and joint, wide and thin: {_apart_words(found.apart)}{alike}"
+def superposition_text(result: Superposition) -> str:
+    """Return the result in a sentence."""
+    known = result.correlation[np.isfinite(result.correlation)]
+    correlation = f" · r {known.min():.6f} at least" if known.size else ""
+    difference = _difference_text(result.apart)
+    return f"Sum of separate and joint, wide and thin: {difference}{correlation}"
 
 
-def _apart_words(apart: float) -> str:
-    return f"differences up to {apart:.0e} of the peak" if apart else "no difference"
+def _difference_text(difference: float) -> str:
+    return f"differences up to {difference:.0e} of the peak" if difference else "no difference"
 
 
 def _pale(k: int, n: int) -> float:
-    """The widest is palest: each is seen below the next."""
+    """Return how pale line ``k`` of ``n`` is: the widest one is palest, so that all are visible."""
     return 0.75 * (1.0 - k / (n - 1))
 
 
-def _time(x: Floats) -> Axis:
-    beside_s = 0.0 if x.size > 1 else _BESIDE_ONE_S
-    shown = float(x[0]) - beside_s, float(x[-1]) + beside_s
+def _time_axis(x: Floats) -> Axis:
+    margin_s = 0.0 if x.size > 1 else _MARGIN_OF_ONE_S
+    shown = float(x[0]) - margin_s, float(x[-1]) + margin_s
     return Axis(shown=shown, title="Time (ms)", factor=1e3)
 
 
-def _over_time(x: Floats, width_px: float) -> float:
-    """Width of a line; through one sample there is none, it is a dot."""
+def _width_over_time(x: Floats, width_px: float) -> float:
+    """Return the width of a line; one sample is a dot, which has none."""
     return width_px if x.size > 1 else 0.0
 
 
-def _around(values: Floats, title: str, short: str = "") -> Axis:
+def _symmetric_axis(values: Floats, title: str, short: str = "") -> Axis:
     peak = float(np.abs(values).max()) or 1.0
     return Axis(shown=(-1.1 * peak, 1.1 * peak), title=title, short=short)
 
@@ -333,8 +333,6 @@ def _around(values: Floats, title: str, short: str = "") -> Axis:
 def _top(values: Floats) -> float:
     return 1.1 * float(values.max()) or 1.0
 
-
-# What only the panel of linearity looks at.
 
 VELOCITY = SwitchSpec(
     label="In mm/s",
@@ -355,7 +353,7 @@ EVERY_OUTPUT = SwitchSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LinearitySettings:
-    """How outputs are held against the strengths of inputs.
+    """How outputs are compared with the strengths of inputs.
 
     Attributes
     ----------
@@ -364,7 +362,7 @@ class LinearitySettings:
     bands
         Whether outputs are those in bands.
     every_output
-        Whether it is told of all outputs, not of the selected ones, how straight they are.
+        Whether adjusted R² is shown for all outputs, not for the selected ones.
     """
 
     velocity: bool = fields.switch(False, VELOCITY)

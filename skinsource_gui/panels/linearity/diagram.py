@@ -1,4 +1,4 @@
-"""Labels beside the ends of curves: whole, in the frame, and none over another one."""
+"""Diagrams of lines and dots, with labels beside the ends of curves."""
 
 from dataclasses import replace
 
@@ -13,19 +13,19 @@ from skinsource_gui.plots.figure import Axes, Axis, Figure, draw_legend, fitted_
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, scaled
 
 # So much higher than a line of letters is the place of a label, and so small they become.
-_APART, _LEAST_PART = 0.9, 0.6
+_LINE_STEP, _LEAST_PART = 0.9, 0.6
 # Never less of the frame is left to the curves.
 _LEAST_OF_CURVES = 0.3
 
 
 def x_with_room_for_labels(axes: Axes, curves: tuple[Curve, ...], metrics: QFontMetricsF) -> Axis:
-    """The x axis, on until the longest label fits between the ends of curves and the frame."""
+    """Return the x axis, longer, so that the longest label fits behind the ends of the curves."""
     labelled = [curve for curve in curves if curve.label]
     if not labelled:
         return axes.x
-    needed_px = max(metrics.horizontalAdvance(one.label) for one in labelled) + 4.0 * DOT_PX
+    needed_px = max(metrics.horizontalAdvance(curve.label) for curve in labelled) + 4.0 * DOT_PX
     part = max(1.0 - needed_px / max(axes.frame.width(), 1.0), _LEAST_OF_CURVES)
-    low, last = axes.x.shown[0], max(float(one.x[-1]) for one in labelled)
+    low, last = axes.x.shown[0], max(float(curve.x[-1]) for curve in labelled)
     high = low * (last / low) ** (1.0 / part) if axes.x.log else low + (last - low) / part
     return replace(axes.x, shown=(low, float(high)))
 
@@ -33,10 +33,10 @@ def x_with_room_for_labels(axes: Axes, curves: tuple[Curve, ...], metrics: QFont
 def places_of_labels(
     axes: Axes, curves: tuple[Curve, ...], font: QFont
 ) -> tuple[QFont, list[tuple[QRectF, Curve]]]:
-    """Where labels are written, and in which letters.
+    """Return where labels are written, and in which font.
 
-    Those that would lie on each other move apart, in the order of their curves; where the frame
-    is too low for all they are smaller, and then the rest is left out.
+    Labels that overlap are moved apart, in the order of their curves. Where the frame is too low
+    for all, they are smaller; those that still do not fit are left out.
     """
     ends = [
         (float(y), float(x), curve)
@@ -49,19 +49,18 @@ def places_of_labels(
         return font, []
     frame = axes.frame
     metrics = QFontMetricsF(font)
-    fits = frame.height() / (_APART * metrics.height() * len(ends))
+    fits = frame.height() / (_LINE_STEP * metrics.height() * len(ends))
     for _, x, curve in ends:
         room_px = frame.right() - x - 2.0 * DOT_PX
         fits = min(fits, room_px / (metrics.horizontalAdvance(curve.label) + 1.0))
     letters = scaled(font, max(fits, _LEAST_PART)) if fits < 1.0 else font
     line = QFontMetricsF(letters).height()
-    apart = _APART * line
-    ends = sorted(ends[: max(int(frame.height() / apart + 1e-6), 1)], key=lambda one: one[0])
+    step = _LINE_STEP * line
+    ends = sorted(ends[: max(int(frame.height() / step + 1e-6), 1)], key=lambda end: end[0])
+    heights = _moved_apart([end[0] for end in ends], step, frame.top(), frame.bottom())
     return letters, [
         (QRectF(x + 2.0 * DOT_PX, y - line / 2, frame.right() - x - 2.0 * DOT_PX, line), curve)
-        for y, (_, x, curve) in zip(
-            _apart([one[0] for one in ends], apart, frame.top(), frame.bottom()), ends, strict=True
-        )
+        for y, (_, x, curve) in zip(heights, ends, strict=True)
     ]
 
 
@@ -77,30 +76,28 @@ def write_labels(painter: QPainter, axes: Axes, curves: tuple[Curve, ...], theme
 
 
 def colour_of(curve: Curve, theme: Theme) -> QColor:
-    """Of its output, or that of words."""
+    """Return the colour of the output of a curve, or that of text."""
     return QColor(theme.text if curve.rank is None else theme.output_colour(curve.rank))
 
 
-def _apart(at: list[float], apart: float, top: float, bottom: float) -> list[float]:
-    """Sorted places, moved apart no farther than needed, between two ends."""
+def _moved_apart(at: list[float], step: float, top: float, bottom: float) -> list[float]:
+    """Return sorted places, moved apart no farther than needed, between two ends."""
     placed: list[float] = []
-    for wish in at:
-        placed.append(max(wish, placed[-1] + apart if placed else top + apart / 2))
-    limit = bottom - apart / 2
+    for y in at:
+        placed.append(max(y, placed[-1] + step if placed else top + step / 2))
+    limit = bottom - step / 2
     for k in range(len(placed) - 1, -1, -1):
         placed[k] = min(placed[k], limit)
-        limit = placed[k] - apart
+        limit = placed[k] - step
     return placed
 
-
-# Diagrams of lines and dots, as they are drawn.
 
 # Where a diagram is narrower than so many lines its letters are smaller, down to a part and to px.
 _LINES_WIDE, _DIAGRAM_LEAST_PART, _LEAST_PX = 10.0, 0.5, 11.0
 
 
 class DiagramsPicture(Figure):
-    """Diagrams beside each other where there is room, else over each other."""
+    """Diagrams side by side where there is room, else one above the other."""
 
     def __init__(self, name: str, accessible_name: str, parent: QWidget | None = None) -> None:
         super().__init__(name, accessible_name, parent)
@@ -122,36 +119,36 @@ class DiagramsPicture(Figure):
         metrics = QFontMetricsF(painter.font())
         draw_legend(painter, head, self.outputs, current_theme())
         self._placed = []
-        for area, one in zip(areas, self.diagrams, strict=True):
+        for area, diagram in zip(areas, self.diagrams, strict=True):
             painter.save()
             # Labels of y begin at the left edge of their area.
             painter.translate(area.topLeft())
             inner = QRectF(QPointF(), area.size())
-            axes = fitted_axes(inner, one.x, one.y, metrics)
-            longer = x_with_room_for_labels(axes, one.curves, metrics)
-            axes = fitted_axes(inner, longer, one.y, metrics)
+            axes = fitted_axes(inner, diagram.x, diagram.y, metrics)
+            longer = x_with_room_for_labels(axes, diagram.curves, metrics)
+            axes = fitted_axes(inner, longer, diagram.y, metrics)
             axes.paint(painter, current_theme())
             painter.setClipRect(axes.frame.adjusted(-DOT_PX, -DOT_PX, DOT_PX, DOT_PX))
-            for curve in one.curves:
+            for curve in diagram.curves:
                 _draw(painter, axes, curve, current_theme())
-            write_labels(painter, axes, one.curves, current_theme())
+            write_labels(painter, axes, diagram.curves, current_theme())
             painter.restore()
             self._placed.append((area.topLeft(), axes))
 
     def read(self, at: QPointF) -> str:
         for origin, axes in self._placed:
-            found = axes.value_at(at - origin)
-            if found is not None:
+            values = axes.value_at(at - origin)
+            if values is not None:
                 across, up = (
                     f"{axis.title}: {value * axis.factor:.4g}"
-                    for axis, value in zip((axes.x, axes.y), found, strict=True)
+                    for axis, value in zip((axes.x, axes.y), values, strict=True)
                 )
                 return minus(f"{across} · {up}")
         return ""
 
 
 def _areas(room: QRectF, count: int) -> list[QRectF]:
-    """Equal parts of a room, side by side where it is wide enough."""
+    """Return equal parts of a room, side by side where it is wide enough."""
     if room.width() >= room.height():
         wide = (room.width() - UNIT_PX * (count - 1)) / count
         return [
@@ -163,7 +160,7 @@ def _areas(room: QRectF, count: int) -> list[QRectF]:
 
 
 def font_in(areas: list[QRectF], font: QFont) -> QFont:
-    """The font, or a smaller one that can be read, in which numbers at axes have room."""
+    """Return the font, or a smaller readable one, in which numbers at axes have room."""
     wide = min((area.width() for area in areas), default=0.0)
     fits = wide / (_LINES_WIDE * QFontMetricsF(font).height())
     least = max(_DIAGRAM_LEAST_PART, _LEAST_PX / QFontInfo(font).pixelSize())

@@ -1,4 +1,4 @@
-"""Which of the designs that are compared are held against each other."""
+"""The panel that checks stored designs: strengths in proportion, or inputs that add up."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -52,115 +52,113 @@ _STORED_ALONE = "snapshots alone"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ComparedDesigns:
-    """Designs, and what they are to each other.
+    """Designs, and how they relate to each other.
 
     Attributes
     ----------
     compared
-        Those that count.
+        The designs that count.
     strengths
-        Of each of them, where they differ in that alone; else empty.
-    whole
+        Strength of each, where they differ in that alone; else empty.
+    joint
         Which of them plays what all the others play; None: none does.
-    words
-        Which ones count, where it is not all of them.
+    note
+        Which designs count, where it is not all of them.
     """
 
     compared: Sequence[Compared]
     strengths: tuple[float, ...] = ()
-    whole: int | None = None
-    words: str = ""
+    joint: int | None = None
+    note: str = ""
 
     @property
     def is_linear(self) -> bool:
         """Whether there is something to be held against each other."""
-        return bool(self.strengths) or self.whole is not None
+        return bool(self.strengths) or self.joint is not None
 
 
 def compared_designs(compared: Sequence[Compared]) -> ComparedDesigns:
-    """All of the designs; or, where what is edited is something else, those that are stored."""
-    every = _held(compared)
-    stored = [one for one in compared if one.snapshot.number != EDITED]
-    if every.is_linear or len(stored) == len(compared):
-        return every
-    alone = _held(stored, _STORED_ALONE)
-    return alone if alone.is_linear else every
+    """Return all designs, or the stored ones, where the edited one does not relate to them."""
+    every_design = _compared_designs(compared)
+    stored = [side for side in compared if side.snapshot.number != EDITED]
+    if every_design.is_linear or len(stored) == len(compared):
+        return every_design
+    stored_alone = _compared_designs(stored, _STORED_ALONE)
+    return stored_alone if stored_alone.is_linear else every_design
 
 
-def _held(compared: Sequence[Compared], words: str = "") -> ComparedDesigns:
-    designs = [one.snapshot.design for one in compared]
+def _compared_designs(compared: Sequence[Compared], text: str = "") -> ComparedDesigns:
+    designs = [side.snapshot.design for side in compared]
     return ComparedDesigns(
         compared=compared,
         strengths=strengths_of(designs),
-        whole=joint_of(designs),
-        words=words,
+        joint=joint_of(designs),
+        note=text,
     )
 
-
-# The numbers of the panel for a spreadsheet.
 
 _Lines = list[tuple[str, ...]]
 
 
 def tab_separated(
-    found: Proportion | Superposition,
+    result: Proportion | Superposition,
     outputs: tuple[int, ...],
     axes: tuple[str, ...],
     unit: StrengthUnit,
     *,
     bands: bool = False,
-    every: Straightness | None = None,
+    all_outputs: Straightness | None = None,
 ) -> str:
-    """RMS by strength, output by band, how straight each output is, or r of each channel.
+    """Return a table of RMS by strength, output by band, R² of each output, or r of each channel.
 
-    Channels are ``axes`` of each of ``outputs``; ``unit`` is that of strengths; ``bands``: outputs
-    are told in bands, all of them; ``every``: how straight all outputs are is told instead.
+    Channels are ``axes`` of each of ``outputs``; ``unit`` is that of strengths. With ``bands``
+    outputs are listed in all bands; with ``all_outputs`` R² of all outputs is listed instead.
     """
     channels = [(output, axis) for output in outputs for axis in axes]
     lines: _Lines
-    if isinstance(found, Proportion) and every is not None:
-        lines = _straight(every, axes)
-    elif isinstance(found, Proportion):
+    if isinstance(result, Proportion) and all_outputs is not None:
+        lines = _straightness_table(all_outputs, axes)
+    elif isinstance(result, Proportion):
         names = [f"{output}_{axis}" for output, axis in channels]
-        lines = (_by_band if bands else _by_strength)(found, names, unit)
+        lines = (_by_band if bands else _by_strength)(result, names, unit)
     else:
         lines = [("output", "axis", "pearson_r")]
-        for (output, axis), r in zip(channels, found.correlation, strict=True):
+        for (output, axis), r in zip(channels, result.correlation, strict=True):
             lines.append((str(output), axis, copied(r)))
     return "".join("\t".join(line) + "\n" for line in lines)
 
 
-def _straight(every: Straightness, axes: tuple[str, ...]) -> _Lines:
-    numbers = range(1, len(every.adjusted_r2) + 1)
+def _straightness_table(all_outputs: Straightness, axes: tuple[str, ...]) -> _Lines:
+    numbers = range(1, len(all_outputs.adjusted_r2) + 1)
     lines: _Lines = [
         ("frequency_hz", *(f"adjusted_r2_{k}_{axis}" for k in numbers for axis in axes))
     ]
-    of_channels = every.adjusted_r2.reshape(-1, every.frequency_hz.size)
-    for frequency_hz, r2 in zip(every.frequency_hz, of_channels.T, strict=True):
+    of_channels = all_outputs.adjusted_r2.reshape(-1, all_outputs.frequency_hz.size)
+    for frequency_hz, r2 in zip(all_outputs.frequency_hz, of_channels.T, strict=True):
         lines.append((copied(frequency_hz), *map(copied, r2)))
     return lines
 
 
-def _by_strength(found: Proportion, channels: list[str], unit: StrengthUnit) -> _Lines:
-    lines: _Lines = [(unit.column, *(f"rms_{one}_m_per_s2" for one in channels))]
-    for strength, rms in zip(found.strengths * unit.si_factor, found.rms, strict=True):
+def _by_strength(result: Proportion, channels: list[str], unit: StrengthUnit) -> _Lines:
+    lines: _Lines = [(unit.column, *(f"rms_{channel}_m_per_s2" for channel in channels))]
+    for strength, rms in zip(result.strengths * unit.si_factor, result.rms, strict=True):
         lines.append((copied(strength), *map(copied, rms)))
     return lines
 
 
-def _by_band(found: Proportion, channels: list[str], unit: StrengthUnit) -> _Lines:
-    told = [f"{unit.column} {strength:.6g}" for strength in found.strengths * unit.si_factor]
-    of_strengths = [f"band_rms_{one}_m_per_s2 at {at}" for at in told for one in channels]
-    lines: _Lines = [
-        ("frequency_hz", *of_strengths, *(f"adjusted_r2_{one}" for one in channels)),
+def _by_band(result: Proportion, channels: list[str], unit: StrengthUnit) -> _Lines:
+    strengths = [f"{unit.column} {strength:.6g}" for strength in result.strengths * unit.si_factor]
+    of_strengths = [
+        f"band_rms_{channel}_m_per_s2 at {at}" for at in strengths for channel in channels
     ]
-    for k, frequency_hz in enumerate(found.frequency_hz):
-        levels, r2 = found.band_rms[..., k].ravel(), found.adjusted_r2[:, k]
+    lines: _Lines = [
+        ("frequency_hz", *of_strengths, *(f"adjusted_r2_{channel}" for channel in channels)),
+    ]
+    for k, frequency_hz in enumerate(result.frequency_hz):
+        levels, r2 = result.band_rms[..., k].ravel(), result.adjusted_r2[:, k]
         lines.append((copied(frequency_hz), *map(copied, levels), *map(copied, r2)))
     return lines
 
-
-# What snapshots show of the linear model: strengths in proportion, inputs that add up.
 
 _NEEDS = frozenset(
     {
@@ -172,16 +170,16 @@ _NEEDS = frozenset(
         "shown_outputs",
     }
 )
-_EVERY = "output_band_rms"
+_BAND_RMS = "output_band_rms"
 _TOO_MUCH = (
     "Too long to be shown here; File > Check against a recording… checks whether it is linear"
 )
-# More takes longer than a picture may.
+# More values would take too long to draw.
 _MOST_VALUES = 2_000_000
 
 
 class LinearityPanel(FigurePanel):
-    """Responses divided by strength, output over input, or the sum of inputs and all of them."""
+    """Whether outputs grow in step with the strength, and whether inputs add up."""
 
     title: ClassVar[str] = "Linearity"
     name: ClassVar[str] = "linearity"
@@ -194,31 +192,31 @@ class LinearityPanel(FigurePanel):
         self._drawn: tuple[Any, ...] = ()
         self._outputs: tuple[int, ...] = ()
         self._axes: tuple[str, ...] = ()
-        self.found: Proportion | Superposition | None = None
-        self.every: Straightness | None = None
+        self.result: Proportion | Superposition | None = None
+        self.all_outputs: Straightness | None = None
         self.about = self.add_above("linearity_about")
         self.about.setToolTip(
             "Snapshots as they were stored. Over time the part is drawn to which Traces is zoomed, "
             "else the loudest one; all the rest counts whole."
         )
-        self.velocity = self._switch(VELOCITY, lambda on: self._change(velocity=on))
-        self.bands = self._switch(BANDS, lambda on: self._change(bands=on))
-        self.every_output = self._switch(EVERY_OUTPUT, lambda on: self._change(every_output=on))
-        switches = self.velocity, self.bands, self.every_output
-        self.choices.addWidget(ButtonRow(switches, self), 1)
+        self.velocity = self._new_switch(VELOCITY, lambda on: self._change(velocity=on))
+        self.bands = self._new_switch(BANDS, lambda on: self._change(bands=on))
+        self.every_output = self._new_switch(EVERY_OUTPUT, lambda on: self._change(every_output=on))
+        self._switches = self.velocity, self.bands, self.every_output
+        self.choices.addWidget(ButtonRow(self._switches, self), 1)
         self.copy = self.add_copy(self.table)
         self.heads.addWidget(self.about)
-        self.say_instead(_neither())
+        self.say_instead(_how_to_start())
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
         if not self._view.outputs:
             return frozenset()
-        return _NEEDS | {_EVERY} if self._settings.every_output else _NEEDS
+        return _NEEDS | {_BAND_RMS} if self._settings.every_output else _NEEDS
 
     def snapshots_drawn(self, snapshots: Sequence[Snapshot]) -> Sequence[Snapshot]:
-        held = compared_designs([Compared(snapshot=one) for one in snapshots])
-        return [one.snapshot for one in held.compared]
+        designs = compared_designs([Compared(snapshot=snapshot) for snapshot in snapshots])
+        return [side.snapshot for side in designs.compared]
 
     def show_state(self, design: Design, view: View) -> None:
         self._view, self._settings = view, settings_of(view, self.name, LinearitySettings)
@@ -231,58 +229,60 @@ class LinearityPanel(FigurePanel):
             self.await_results()
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
-        held = compared_designs(compared)
-        problem = next((one.problem for one in held.compared if one.problem), "")
-        wanted = self.needs_of_snapshots
-        known = [one.values for one in held.compared if one.values is not None]
+        designs = compared_designs(compared)
+        problem = next((side.problem for side in designs.compared if side.problem), "")
+        needed = self.needs_of_snapshots
+        known = [side.values for side in designs.compared if side.values is not None]
         # A switch may need more than what was found before it: that is on its way.
-        found = [one for one in known if wanted <= one.keys()]
-        if not held.is_linear:
-            self.say_instead(_neither())
+        complete = [values for values in known if needed <= values.keys()]
+        if not designs.is_linear:
+            self.say_instead(_how_to_start())
         elif problem:
             self.say_instead(problem)
-        elif len(found) < len(held.compared):
-            if self.found is None:
+        elif len(complete) < len(designs.compared):
+            if self.result is None:
                 self.await_results()
             else:
                 self.show_stale(True)
         else:
-            settings, looked = self._settings, self._view
-            switched = settings.velocity, settings.bands, settings.every_output, held.words
-            how = looked.time_range_s, looked.delay_removed, *switched
-            if not self._is_drawn((*how, *(one["axis_traces"] for one in found))):
-                self._show(held, found)
+            settings, view = self._settings, self._view
+            switched = settings.velocity, settings.bands, settings.every_output, designs.note
+            how = view.time_range_s, view.delay_removed, *switched
+            if not self._is_drawn((*how, *(values["axis_traces"] for values in complete))):
+                self._show(designs, complete)
             self.show_stale(False)
 
     def show_problem(self, reason: str) -> None:
-        """Snapshots have problems of their own, see `show_snapshots`."""
+        """Do nothing: snapshots have problems of their own, see `show_snapshots`."""
 
     def say_instead(self, message: str) -> None:
-        self._drawn, self.found, self.every = (), None, None
+        self._drawn, self.result, self.all_outputs = (), None, None
         self.show_stale(False)
         super().say_instead(message)
         self.about.say("")
-        for switch in (self.velocity, self.bands, self.every_output):
+        for switch in self._switches:
             switch.hide()
 
     def table(self) -> str:
-        """The numbers, with tabs between the columns."""
-        if self.found is None:
+        """Return the numbers, with tabs between the columns."""
+        if self.result is None:
             return ""
         unit, bands = self._unit, self._settings.bands
-        every = self.every
-        return tab_separated(self.found, self._outputs, self._axes, unit, bands=bands, every=every)
+        all_outputs = self.all_outputs
+        return tab_separated(
+            self.result, self._outputs, self._axes, unit, bands=bands, all_outputs=all_outputs
+        )
 
-    def _is_drawn(self, wanted: tuple[Any, ...]) -> bool:
-        same = len(wanted) == len(self._drawn) and all(
-            one is other for one, other in zip(wanted, self._drawn, strict=True)
+    def _is_drawn(self, drawn: tuple[Any, ...]) -> bool:
+        same = len(drawn) == len(self._drawn) and all(
+            part is other for part, other in zip(drawn, self._drawn, strict=True)
         )
         if not same:
-            self._drawn = wanted
+            self._drawn = drawn
         return same
 
-    def _switch(self, spec: SwitchSpec, chosen: Callable[[bool], None]) -> QToolButton:
-        """A switch above the diagrams, of strengths alone."""
+    def _new_switch(self, spec: SwitchSpec, chosen: Callable[[bool], None]) -> QToolButton:
+        """Return a switch above the diagrams, which is only about strengths."""
         name = f"linearity_{spec.label.split()[-1].replace('/', '_')}"
         switch = tool_button(None, name, spec.label, spec.hint, checkable=True)
         switch.clicked.connect(chosen)
@@ -293,35 +293,37 @@ class LinearityPanel(FigurePanel):
         settings = replace(self._settings, **changes)
         self.view_changed.emit(with_settings(self._view, self.name, settings))
 
-    def _show(self, held: ComparedDesigns, results: Sequence[Mapping[str, Any]]) -> None:
+    def _show(self, designs: ComparedDesigns, results: Sequence[Mapping[str, Any]]) -> None:
         """Draw what is known of all designs."""
-        drawn, design = self._drawn, held.compared[0].snapshot.design
-        strengths, whole = held.strengths, held.whole
-        traces = [one["axis_traces"] for one in results]
+        drawn, design = self._drawn, designs.compared[0].snapshot.design
+        strengths, joint = designs.strengths, designs.joint
+        traces = [result["axis_traces"] for result in results]
         n_outputs, n_axes, _ = traces[0].shape
-        if sum(one.size for one in traces) > _MOST_VALUES:
+        if sum(trace.size for trace in traces) > _MOST_VALUES:
             self.say_instead(_TOO_MUCH)
             return
-        channels = [one.reshape(n_outputs * n_axes, -1) for one in traces]
-        if not all(one.any() for one in channels):
+        channels = [trace.reshape(n_outputs * n_axes, -1) for trace in traces]
+        if not all(channel.any() for channel in channels):
             self.say_instead(SILENT)
             return
         axes, limb = axes_on(design.limb, self._view.axes), facts_of(design.limb)
         along = "z" if "z" in axes else axes[0]
         rows = tuple(axes.index(along) + n_axes * rank for rank in range(n_outputs))
-        zoom, longest = self._view.time_range_s, results[whole or 0]
+        zoom, longest = self._view.time_range_s, results[joint or 0]
         self._outputs, self._axes = longest["shown_outputs"], tuple(axes)
         time_s = self._time_s(longest, limb.pre_trigger_delay_s)
         if strengths:
             rate_hz = longest["sample_rate_hz"]
-            self.found = shown = proportion(strengths, np.stack(channels), rate_hz, limb.band_hz)
+            self.result = shown = proportion(strengths, np.stack(channels), rate_hz, limb.band_hz)
             fastest = results[0]["fastest_probe_m_per_s"]
             self.velocity.setVisible(bool(fastest))
-            factors = any(is_gain(design, one) for one in design.inputs)
+            factors = any(is_gain(design, track) for track in design.inputs)
             self._unit = of_amplitudes("×" if factors else amplitude_unit(design))
             if fastest and self._settings.velocity:
                 self._unit = of_velocities(fastest / strengths[0])
-            self.every = _straightness(strengths, results) if self._settings.every_output else None
+            self.all_outputs = (
+                _straightness(strengths, results) if self._settings.every_output else None
+            )
             drawing = diagrams_of_proportion(
                 shown,
                 rows,
@@ -329,14 +331,16 @@ class LinearityPanel(FigurePanel):
                 zoom,
                 self._unit,
                 bands=self._settings.bands,
-                every=None if self.every is None else self.every.adjusted_r2[:, axes.index(along)],
+                all_outputs=None
+                if self.all_outputs is None
+                else self.all_outputs.adjusted_r2[:, axes.index(along)],
             )
             self.picture.show_diagrams(drawing, self._outputs)
-            self.show_found(proportion_text(shown, self.every))
-        elif whole is not None:
+            self.show_found(proportion_text(shown, self.all_outputs))
+        elif joint is not None:
             self.velocity.hide()
-            parts = [one for k, one in enumerate(channels) if k != whole]
-            self.found = added = superposition(parts, channels[whole])
+            parts = [channel for k, channel in enumerate(channels) if k != joint]
+            self.result = added = superposition(parts, channels[joint])
             drawing = diagrams_of_superposition(added, rows, time_s, zoom)
             self.picture.show_diagrams(drawing, self._outputs)
             self.show_found(superposition_text(added))
@@ -344,30 +348,31 @@ class LinearityPanel(FigurePanel):
         self.every_output.setVisible(bool(strengths))
         self._drawn = drawn
         self.copy.offer(True)
-        said = [f"Along {along}: linear by construction", held.words]
-        said.append("synthetic limb" * limb.synthetic)
-        said.append(part_text(drawing[0].x.shown, time_s, zoom))
-        self.about.say(" · ".join(filter(None, said)))
+        notes = [f"Along {along}: linear by construction", designs.note]
+        notes.append("synthetic limb" * limb.synthetic)
+        notes.append(part_text(drawing[0].x.shown, time_s, zoom))
+        self.about.say(" · ".join(filter(None, notes)))
 
     def _time_s(self, results: Mapping[str, Any], delay_s: float) -> Floats:
-        """Instants on the time axes as they are now: results of the window know the delay removed.
+        """Return the times on the time axes of the window, (n_times,), s.
 
-        Those of snapshots do not: nothing else that is of them depends on it.
+        Results of the window are up to date with the delay that is removed; those of snapshots are
+        not, as nothing else of them depends on it.
         """
-        found: Floats = results["response_time_s"]
-        return found + delay_s * (int(results["delay_removed"]) - int(self._view.delay_removed))
+        time_s: Floats = results["response_time_s"]
+        return time_s + delay_s * (int(results["delay_removed"]) - int(self._view.delay_removed))
 
 
 def _straightness(
     strengths: Sequence[float], results: Sequence[Mapping[str, Any]]
 ) -> Straightness | None:
-    """How straight all outputs are; None: they are too long to be transformed at once."""
-    in_bands = [one[_EVERY] for one in results]
-    return None if any(one is None for one in in_bands) else straightness(strengths, in_bands)
+    """Return how straight all outputs are; None: they are too long to be transformed at once."""
+    in_bands = [result[_BAND_RMS] for result in results]
+    return None if any(levels is None for levels in in_bands) else straightness(strengths, in_bands)
 
 
-def _neither() -> str:
-    """What to store where it is neither strengths nor a sum."""
+def _how_to_start() -> str:
+    """Return what to store, where designs are neither strengths nor a sum."""
     first, last = (shortcut_text(f"store_snapshot_{number}") for number in (1, NUMBERS[-1]))
     return (
         "Store one stimulus at three strengths or more, or inputs alone and all of them together, "

@@ -1,4 +1,4 @@
-"""Ellipses of motion, a row of planes for each output."""
+"""The panel of the direction along which each selected output moves most."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -26,26 +26,28 @@ _GAP_PX = 3.0
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class MainAxisContent:
-    """What is drawn: ellipsoids, of which outputs of which limb, along which axes (``"xyz"``)."""
+    """Main axes of outputs of a limb, along ``axes``, as in ``"xyz"``."""
 
-    found: MainAxes
+    main_axes: MainAxes
     outputs: tuple[int, ...]
     axes: str
     limb: str = ""
 
-    def words_of(self, rank: int) -> str:
-        """What is to be said of one output."""
-        found, name = self.found, output_name(self.outputs[rank], self.limb).short_name
+    def text_of(self, rank: int) -> str:
+        """Return the text on the main axis of one output."""
+        main_axes, name = self.main_axes, output_name(self.outputs[rank], self.limb).short_name
         start = f"{self.outputs[rank]} {name}"
-        if np.isnan(found.share[rank]):
+        if np.isnan(main_axes.share[rank]):
             return f"{start}: silent"
-        if found.none[rank]:
+        if main_axes.none[rank]:
             return f"{start}: no main axis"
         direction = ", ".join(
             f"{axis} {part:+.2f}"
-            for axis, part in zip(self.axes, found.direction[rank], strict=True)
+            for axis, part in zip(self.axes, main_axes.direction[rank], strict=True)
         )
-        return f"{start}: {direction} · {found.share[rank]:.0%} of the variance".replace("-", "−")
+        return f"{start}: {direction} · {main_axes.share[rank]:.0%} of the variance".replace(
+            "-", "−"
+        )
 
 
 class MainAxisPicture(Figure):
@@ -53,97 +55,101 @@ class MainAxisPicture(Figure):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("main_axis_picture", "Main axes", parent)
-        self.shown: MainAxisContent | None = None
+        self.content: MainAxisContent | None = None
         self._cells: list[tuple[QRectF, int]] = []
 
-    def show_axes(self, shown: MainAxisContent) -> None:
+    def show_axes(self, content: MainAxisContent) -> None:
         """Take over what to show."""
-        self.shown = shown
+        self.content = content
         self.say("")
         self.read_again()
 
     def draw(self, painter: QPainter, room: QRectF) -> None:
-        shown = self.shown
-        if shown is None:
+        content = self.content
+        if content is None:
             return
         metrics = QFontMetricsF(painter.font())
         line = metrics.height()
-        count = len(shown.outputs)
-        planes = tuple(combinations(range(len(shown.axes)), 2))
+        count = len(content.outputs)
+        planes = tuple(combinations(range(len(content.axes)), 2))
         cell = _cell_size(room, count, len(planes), line)
         # A cell that fills the room may be larger than it by rounding.
         across = max(int(room.width() / cell[0] + 1e-6), 1)
         fitting = max(int(room.height() / cell[1] + 1e-6), 1) * across
-        shown_count = count if count <= fitting else max(fitting - 1, 0)
+        n_drawn = count if count <= fitting else max(fitting - 1, 0)
         self._cells = []
-        for rank in range(shown_count):
+        for rank in range(n_drawn):
             row, column = divmod(rank, across)
             place = QRectF(column * cell[0], row * cell[1], *cell)
             self._cells.append((place, rank))
-            self._draw_output(painter, place.adjusted(UNIT_PX / 2, 2, -UNIT_PX / 2, -2), rank)
-        if shown_count < count:
-            row, column = divmod(shown_count, across)
+            inner = place.adjusted(UNIT_PX / 2, 2, -UNIT_PX / 2, -2)
+            self._draw_output(painter, content, inner, rank)
+        if n_drawn < count:
+            row, column = divmod(n_drawn, across)
             place = QRectF(column * cell[0], row * cell[1], *cell)
             painter.setPen(QColor(current_theme().dim))
-            words = f"and {count - shown_count} more"
-            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, words)
+            text = f"and {count - n_drawn} more"
+            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
 
     def read(self, at: QPointF) -> str:
-        found = next((rank for place, rank in self._cells if place.contains(at)), None)
-        return "" if found is None or self.shown is None else self.shown.words_of(found)
+        for place, rank in self._cells:
+            if self.content is not None and place.contains(at):
+                return self.content.text_of(rank)
+        return ""
 
     def keys_area(self) -> QRectF:
         return QRectF() if self.message or not self._cells else QRectF(self.rect())
 
-    def _draw_output(self, painter: QPainter, place: QRectF, rank: int) -> None:
-        shown = self.shown
-        if shown is None:
-            return
+    def _draw_output(
+        self, painter: QPainter, content: MainAxisContent, place: QRectF, rank: int
+    ) -> None:
         line = QFontMetricsF(painter.font()).height()
-        found, theme = shown.found, current_theme()
+        main_axes, theme = content.main_axes, current_theme()
         head = QRectF(place.left(), place.top(), place.width(), line)
-        number = shown.outputs[rank]
-        if np.isnan(found.share[rank]):
-            said = "silent"
-        elif found.none[rank]:
-            said = "no main axis"
+        number = content.outputs[rank]
+        if np.isnan(main_axes.share[rank]):
+            text = "silent"
+        elif main_axes.none[rank]:
+            text = "no main axis"
         else:
-            said = f"{found.share[rank]:.0%}"
+            text = f"{main_axes.share[rank]:.0%}"
         painter.setPen(theme.output_colour(rank))
         painter.drawText(head, Qt.AlignmentFlag.AlignLeft, f"{number}")
-        painter.setPen(QColor(theme.warning if said == "no main axis" else theme.dim))
-        painter.drawText(head, Qt.AlignmentFlag.AlignRight, said)
-        planes = tuple(combinations(range(len(shown.axes)), 2))
+        painter.setPen(QColor(theme.warning if text == "no main axis" else theme.dim))
+        painter.drawText(head, Qt.AlignmentFlag.AlignRight, text)
+        planes = tuple(combinations(range(len(content.axes)), 2))
         each = place.width() / len(planes)
-        largest = float(found.deviation[rank, 0])
         for k, plane in enumerate(planes):
             area = QRectF(place.left() + k * each, place.top() + line, each, place.height() - line)
-            self._draw_plane(painter, area.adjusted(2, 1, -2, -1), rank, plane, largest)
+            self._draw_plane(painter, content, area.adjusted(2, 1, -2, -1), rank, plane)
 
     def _draw_plane(
-        self, painter: QPainter, area: QRectF, rank: int, plane: tuple[int, int], largest: float
+        self,
+        painter: QPainter,
+        content: MainAxisContent,
+        area: QRectF,
+        rank: int,
+        plane: tuple[int, int],
     ) -> None:
-        shown, theme = self.shown, current_theme()
-        if shown is None:
-            return
+        theme, largest = current_theme(), float(content.main_axes.deviation[rank, 0])
         metrics = QFontMetricsF(painter.font())
         # Beside and above the ellipse there is room for the names of the axes.
-        beside = max(map(metrics.horizontalAdvance, shown.axes)) + _GAP_PX
-        room = area.adjusted(_GAP_PX, metrics.height(), -beside, -_GAP_PX)
+        label_px = max(map(metrics.horizontalAdvance, content.axes)) + _GAP_PX
+        room = area.adjusted(_GAP_PX, metrics.height(), -label_px, -_GAP_PX)
         centre, radius = room.center(), 0.5 * max(min(room.width(), room.height()), 0.0)
         painter.setPen(QPen(QColor(theme.grid), 1))
         painter.drawLine(QLineF(centre.x() - radius, centre.y(), centre.x() + radius, centre.y()))
         painter.drawLine(QLineF(centre.x(), centre.y() - radius, centre.x(), centre.y() + radius))
         painter.setPen(QColor(theme.dim))
         height = metrics.height()
-        right = QRectF(centre.x() + radius, centre.y() - height / 2.0, beside, height)
-        painter.drawText(right, Qt.AlignmentFlag.AlignCenter, shown.axes[plane[0]])
-        above = QRectF(centre.x() - beside, centre.y() - radius - height, 2.0 * beside, height)
-        painter.drawText(above, Qt.AlignmentFlag.AlignCenter, shown.axes[plane[1]])
+        right = QRectF(centre.x() + radius, centre.y() - height / 2.0, label_px, height)
+        painter.drawText(right, Qt.AlignmentFlag.AlignCenter, content.axes[plane[0]])
+        above = QRectF(centre.x() - label_px, centre.y() - radius - height, 2.0 * label_px, height)
+        painter.drawText(above, Qt.AlignmentFlag.AlignCenter, content.axes[plane[1]])
         if largest <= 0.0:
             return
         scale = radius / largest
-        points = ellipse(shown.found.covariance[rank], plane) * scale
+        points = ellipse(content.main_axes.covariance[rank], plane) * scale
         line = QPolygonF([centre + QPointF(x, -y) for x, y in points])
         colour = theme.output_colour(rank)
         fill = QColor(colour)
@@ -152,14 +158,14 @@ class MainAxisPicture(Figure):
         painter.setBrush(fill)
         painter.drawPolygon(line)
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        if not shown.found.none[rank]:
-            x, y = shown.found.direction[rank][list(plane)] * radius
+        if not content.main_axes.none[rank]:
+            x, y = content.main_axes.direction[rank][list(plane)] * radius
             painter.setPen(QPen(QColor(theme.text), 1.4))
             painter.drawLine(QLineF(centre + QPointF(-x, y), centre + QPointF(x, -y)))
 
 
 def _cell_size(room: QRectF, count: int, n_planes: int, line: float) -> tuple[float, float]:
-    """Width and height of what one output gets: as large as all fit, but not too small."""
+    """Return width and height of the cell of an output: as large as all fit, but not too small."""
     best = (_LEAST_SIDE_PX * n_planes, _LEAST_ROW_PX)
     for across in range(1, count + 1):
         down = -(-count // across)
@@ -170,12 +176,10 @@ def _cell_size(room: QRectF, count: int, n_planes: int, line: float) -> tuple[fl
     return best
 
 
-# Along which direction each selected output moves most.
-
 _SINGLE = "A single axis has no main axis: choose two or three axes above"
 _ALONG_ONE = "A single axis has no main axis, and this limb was measured along one alone"
 _ABOUT = "Ellipses of one standard deviation; the line is the main axis"
-_OWN = "x and y point another way at each sensor"
+_OWN_AXES = "x and y point another way at each sensor"
 
 
 class MainAxisPanel(FigurePanel):
@@ -189,7 +193,7 @@ class MainAxisPanel(FigurePanel):
         super().__init__(self.picture, parent)
         self.about = self.add_above("main_axis_about")
         self.about.say(_ABOUT)
-        self.about.setToolTip(f"{_ABOUT}. {_OWN}.")
+        self.about.setToolTip(f"{_ABOUT}. {_OWN_AXES}.")
         self.choices.addWidget(self.about, 1)
         self.copy = self.add_copy(self.table)
         self.say_instead(self.no_outputs)
@@ -216,30 +220,34 @@ class MainAxisPanel(FigurePanel):
             self.copy.offer(True)
             self.picture.show_axes(
                 MainAxisContent(
-                    found=results["output_main_axes"],
+                    main_axes=results["output_main_axes"],
                     outputs=results["shown_outputs"],
                     axes="".join(limb.axes[k] for k in results["axis_numbers"]),
                     limb=limb.name,
                 )
             )
             # How the sensors of an own limb lie is not known.
-            words = [_OWN] if limb.map.axes_shown else []
-            words += ["synthetic limb"] if limb.synthetic else []
-            self.show_found(" · ".join(words))
+            notes = [_OWN_AXES] if limb.map.axes_shown else []
+            notes += ["synthetic limb"] if limb.synthetic else []
+            self.show_found(" · ".join(notes))
 
     def table(self) -> str:
-        """The numbers, with tabs between the columns."""
-        shown = self.picture.shown
-        if shown is None or self.picture.message:
+        """Return the numbers, with tabs between the columns."""
+        content = self.picture.content
+        if content is None or self.picture.message:
             return ""
-        n_axes = len(shown.axes)
-        header = ["output", *(f"direction_{axis}" for axis in shown.axes)]
+        n_axes = len(content.axes)
+        header = ["output", *(f"direction_{axis}" for axis in content.axes)]
         header += [f"deviation_{k}_m_per_s2" for k in range(1, n_axes + 1)]
         header += ["share_of_variance", "main_axis"]
         lines = ["\t".join(header)]
-        found = shown.found
-        for rank, output in enumerate(shown.outputs):
-            numbers = (*found.direction[rank], *found.deviation[rank], found.share[rank])
-            said = "no" if found.none[rank] else "yes"
-            lines.append("\t".join((str(output), *map(copied, numbers), said)))
+        main_axes = content.main_axes
+        for rank, output in enumerate(content.outputs):
+            numbers = (
+                *main_axes.direction[rank],
+                *main_axes.deviation[rank],
+                main_axes.share[rank],
+            )
+            has_axis = "no" if main_axes.none[rank] else "yes"
+            lines.append("\t".join((str(output), *map(copied, numbers), has_axis)))
         return "\n".join(lines) + "\n"

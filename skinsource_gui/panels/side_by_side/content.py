@@ -1,4 +1,4 @@
-"""What maps side by side show."""
+"""What maps side by side show: of limbs, of snapshots or of axes."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -76,21 +76,21 @@ class Cell:
     Attributes
     ----------
     headings
-        Whose it is, or what of whom: the same thing in ever fewer words.
+        What the map shows, from the longest to the shortest text.
     limb
-        Whose outputs and outline they are.
+        Limb of the outputs and the outline.
     small
         The map, its levels in dB; None: there is none.
     scale
-        Its colours; None where there is no map.
+        Colours of the map; None where there is no map.
     maximum_db
-        The level that its values are relative to, dB re 1 m/s²; None: they are not.
+        The level that values are relative to, dB re 1 m/s²; None: they are not.
     design
-        Its inputs are marked; None: none are.
-    words
+        Design whose inputs are marked; None: none are.
+    text
         Why there is no map.
-    late
-        Whether it belongs to the design before.
+    stale
+        Whether the map belongs to the design before.
     synthetic
         Whether responses are computed, not measured.
     """
@@ -101,13 +101,13 @@ class Cell:
     scale: Scale | None = None
     maximum_db: float | None = None
     design: Design | None = None
-    words: str = ""
-    late: bool = False
+    text: str = ""
+    stale: bool = False
     synthetic: bool = False
 
     @property
     def heading(self) -> str:
-        """All of the heading."""
+        """The longest heading."""
         return self.headings[0]
 
     @property
@@ -116,11 +116,11 @@ class Cell:
         return None if self.small is None else self.small.levels_db
 
     def value_text(self, output: int | None) -> str:
-        """The value of an output; of none: the largest one, and where it is."""
+        """Return the text of the value of an output; None: of the largest one, and where it is."""
         return self.value_texts(output)[0]
 
     def value_texts(self, output: int | None) -> tuple[str, ...]:
-        """The same in ever fewer words."""
+        """Return the texts of that value, from the longest to the shortest."""
         values = self.values_db
         if values is None or self.scale is None:
             return ("",)
@@ -134,7 +134,7 @@ class Cell:
         if value == SILENT:
             return (SILENT,)
         if self.maximum_db is not None:
-            # 0 dB of each would be said of each.
+            # Relative to itself each maximum is 0 dB, so its level is shown.
             value = f"max {self.scale.text(self.maximum_db)}"
             whole = f"{value} re 1 m/s² at {largest + 1}"
             return whole, f"{value} at {largest + 1}", value, value.removesuffix(" dB")
@@ -143,18 +143,16 @@ class Cell:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SideBySideContent:
-    """All of them.
+    """All maps, or a message in their place.
 
     Attributes
     ----------
-    cells
-        In their order.
     outputs
-        Selected ones.
+        The selected outputs.
     message
-        What stands in their place; empty: they are shown.
+        Text in place of the maps; empty: the maps are shown.
     about
-        What is shown, said below while no output is pointed at.
+        What is shown, as a text below while no output is pointed at.
     """
 
     cells: tuple[Cell, ...] = ()
@@ -169,12 +167,12 @@ class SideBySideContent:
         return scales.pop() if len(scales) == 1 else None
 
     @property
-    def late(self) -> bool:
+    def stale(self) -> bool:
         """Whether any of the maps belongs to the design before."""
-        return any(cell.late for cell in self.cells)
+        return any(cell.stale for cell in self.cells)
 
     def readout(self, output: int | None) -> str:
-        """What all maps say of an output; without one what they are."""
+        """Return the values of an output in all maps; None: what the maps show."""
         drawn = [cell for cell in self.cells if cell.small is not None]
         if output is None or not drawn:
             return self.about
@@ -187,9 +185,7 @@ class SideBySideContent:
         return f"{output_text(output, drawn[0].limb)}: {values}"
 
 
-# The maps of designs side by side: their levels, their differences, their mean and spread.
-
-#: What something is called, in ever fewer words.
+#: Names of one thing, from the longest to the shortest.
 Names = tuple[str, ...]
 
 
@@ -201,37 +197,37 @@ class Cells:
         self._before: dict[str, SmallMaps] = {}
 
     def of_levels(
-        self, compared: Sequence[Compared], names: Sequence[Names], look: LevelLook = USUAL_LOOK
+        self, compared: Sequence[Compared], names: Sequence[Names], style: LevelLook = USUAL_LOOK
     ) -> tuple[Cell, ...]:
-        """A map of the levels of each, in the same colours over the same range."""
+        """Return a map of the levels of each, in the same colours over the same range."""
         self._begin()
-        known = [_levels_db(one) for one in compared if one.values is not None]
+        known = [_levels_db(side) for side in compared if side.values is not None]
         loudest = np.array([levels.max() for levels in known])
-        scale = scale_of_levels(loudest, look)
+        scale = scale_of_levels(loudest, style)
         return tuple(
-            self._levels(one, name, scale) for one, name in zip(compared, names, strict=True)
+            self._levels(side, name, scale) for side, name in zip(compared, names, strict=True)
         )
 
     def of_own_maxima(
         self,
         compared: Sequence[Compared],
         names: Sequence[Names],
-        look: LevelLook = USUAL_LOOK,
+        style: LevelLook = USUAL_LOOK,
     ) -> tuple[Cell, ...]:
-        """A map of the levels of each relative to its own loudest output, in colours of a look."""
+        """Return a map of the levels of each, relative to its own loudest output."""
         self._begin()
-        scale, pairs = scale_of_own(look), zip(compared, names, strict=True)
-        return tuple(self._levels(one, name, scale, own=True) for one, name in pairs)
+        scale, pairs = scale_of_own(style), zip(compared, names, strict=True)
+        return tuple(self._levels(side, name, scale, own=True) for side, name in pairs)
 
     def of_differences(
         self, compared: Sequence[Compared], names: Sequence[Names], reference: int
     ) -> tuple[Cell, ...]:
-        """A map of how much louder each of the others is than the one at ``reference``."""
+        """Return a map of how much louder each of the others is than the one at ``reference``."""
         self._begin()
         base, of_base = compared[reference], names[reference]
         cells = [
-            self._difference(one, _minus(of_one, of_base), base)
-            for k, (one, of_one) in enumerate(zip(compared, names, strict=True))
+            self._difference(side, _minus(of_one, of_base), base)
+            for k, (side, of_one) in enumerate(zip(compared, names, strict=True))
             if k != reference
         ]
         drawn = [cell.values_db for cell in cells if cell.values_db is not None]
@@ -246,53 +242,55 @@ class Cells:
         compared: Sequence[Compared],
         names: Sequence[Names],
         reference: int,
-        look: LevelLook = USUAL_LOOK,
+        style: LevelLook = USUAL_LOOK,
     ) -> tuple[Cell, ...]:
-        """Mean and standard deviation over all whose outputs are at the places of ``reference``."""
+        """Return mean and standard deviation over all that have the outputs of ``reference``."""
         self._begin()
         base = compared[reference]
         limb = _limb(base)
         pairs = zip(compared, names, strict=True)
-        alike = [(one, words) for one, words in pairs if same_outputs(limb, _limb(one))]
+        comparable = [(side, name) for side, name in pairs if same_outputs(limb, _limb(side))]
         # Silence is no level that others could lie about.
-        felt = [(one, words) for one, words in alike if one.values and not is_silent(one)]
-        known = [one for one, _ in felt]
+        audible = [(side, name) for side, name in comparable if side.values and not is_silent(side)]
+        known = [side for side, _ in audible]
         # A mean of those that happen to be known already would change by itself.
-        computing = any(one.values is None and not one.problem for one, _ in alike)
+        computing = any(side.values is None and not side.problem for side, _ in comparable)
         if base.values is None or computing or len(known) < 2:
-            few = (
+            too_few = (
                 "A mean takes two at least that are not silent and have outputs at the same places."
             )
-            problem = base.problem or next((one.problem for one, _ in alike if one.problem), few)
-            return (Cell(headings=("",), limb=limb, words="" if computing else problem),)
-        mean, spread = mean_and_spread_over([_levels_db(one) for one in known])
-        called = [words for _, words in felt]
+            problem = base.problem or next(
+                (side.problem for side, _ in comparable if side.problem), too_few
+            )
+            return (Cell(headings=("",), limb=limb, text="" if computing else problem),)
+        mean, spread = mean_and_spread_over([_levels_db(side) for side in known])
+        called = [name for _, name in audible]
         what = _of_all(called, len(compared))
-        late = any(one.late for one in known)
+        stale = any(side.late for side in known)
         noisy = _noisy(*known)
         common: dict[str, Any] = {
             "limb": limb,
-            "late": late,
-            "synthetic": any(_synthetic(one) for one in known),
+            "stale": stale,
+            "synthetic": any(_synthetic(side) for side in known),
         }
-        of_mean = scale_of_levels(mean, look)
+        of_mean = scale_of_levels(mean, style)
         of_spread = Scale(
             range_db=(0.0, end_db(spread)),
             words="dB",
-            colours=look.colours,
+            colours=style.colours,
             reached_db=_reached_db([spread]),
         )
         return (
             Cell(
-                headings=(*(f"Mean {one}" for one in what), "Mean"),
+                headings=(*(f"Mean {phrase}" for phrase in what), "Mean"),
                 small=self._map("mean", base, mean, noisy),
                 scale=of_mean,
                 **common,
             ),
             Cell(
                 headings=(
-                    *(f"Standard deviation {one}" for one in what),
-                    *(f"Spread {one}" for one in what),
+                    *(f"Standard deviation {phrase}" for phrase in what),
+                    *(f"Spread {phrase}" for phrase in what),
                     "Spread",
                 ),
                 small=self._map("spread", base, spread, noisy),
@@ -301,58 +299,58 @@ class Cells:
             ),
         )
 
-    def _difference(self, one: Compared, headings: Names, base: Compared) -> Cell:
-        cell = Cell(headings=headings, limb=_limb(one), late=one.late or base.late)
-        if problem := one.problem or base.problem:
-            return replace(cell, words=problem)
-        if not same_outputs(_limb(one), _limb(base)):
-            return replace(cell, words=ELSEWHERE)
-        if one.values is None or base.values is None:
+    def _difference(self, side: Compared, headings: Names, base: Compared) -> Cell:
+        cell = Cell(headings=headings, limb=_limb(side), stale=side.late or base.late)
+        if problem := side.problem or base.problem:
+            return replace(cell, text=problem)
+        if not same_outputs(_limb(side), _limb(base)):
+            return replace(cell, text=ELSEWHERE)
+        if side.values is None or base.values is None:
             return cell
-        if is_silent(one) or is_silent(base):
-            return replace(cell, words=SILENCE)
-        levels = difference_db(_levels_db(one), _levels_db(base))
-        both = _synthetic(one) or _synthetic(base)
-        small = self._map(headings[0], one, levels, _noisy(one, base))
+        if is_silent(side) or is_silent(base):
+            return replace(cell, text=SILENCE)
+        levels = difference_db(_levels_db(side), _levels_db(base))
+        both = _synthetic(side) or _synthetic(base)
+        small = self._map(headings[0], side, levels, _noisy(side, base))
         return replace(cell, small=small, synthetic=both)
 
-    def _levels(self, one: Compared, names: Names, scale: Scale, *, own: bool = False) -> Cell:
-        cell = Cell(headings=names, limb=_limb(one), words=one.problem, late=one.late)
-        if one.values is None:
+    def _levels(self, side: Compared, names: Names, scale: Scale, *, own: bool = False) -> Cell:
+        cell = Cell(headings=names, limb=_limb(side), text=side.problem, stale=side.late)
+        if side.values is None:
             return cell
-        small, maximum_db = self._map(names[0], one, None, _noisy(one)), None
-        if own and not is_silent(one):
-            maximum_db = float(_levels_db(one).max())
+        small, maximum_db = self._map(names[0], side, None, _noisy(side)), None
+        if own and not is_silent(side):
+            maximum_db = float(_levels_db(side).max())
             small = _relative(small, maximum_db)
         return replace(
             cell,
             small=small,
             scale=scale,
             maximum_db=maximum_db,
-            design=one.snapshot.design,
-            synthetic=_synthetic(one),
+            design=side.snapshot.design,
+            synthetic=_synthetic(side),
         )
 
     def _begin(self) -> None:
         self._before, self._maps = self._maps, {}
 
     def _map(
-        self, kept: str, one: Compared, levels_db: Floats | None, noisy: tuple[int, ...]
+        self, key: str, side: Compared, levels_db: Floats | None, noisy: tuple[int, ...]
     ) -> SmallMap:
-        """A map on the limb of ``one``: of its levels as they are shown, or of others."""
-        values: dict[str, Any] = dict(one.values or {})
+        """Return a map on the limb of ``side``: of its levels as they are shown, or of others."""
+        values: dict[str, Any] = dict(side.values or {})
         if levels_db is not None:
             values["output_levels_db"] = levels_db
             values["surface_levels_db"] = values["surface"].interpolate(levels_db)
-        elif one.gain != 1.0:
-            values["output_levels_db"] = _levels_db(one)
-            values["surface_levels_db"] = values["surface_levels_db"] + gain_db(one)
-        self._maps[kept] = maps = self._before.pop(kept, None) or SmallMaps()
+        elif side.gain != 1.0:
+            values["output_levels_db"] = _levels_db(side)
+            values["surface_levels_db"] = values["surface_levels_db"] + gain_db(side)
+        self._maps[key] = maps = self._before.pop(key, None) or SmallMaps()
         return replace(maps.map_of(values), noisy=noisy)
 
 
 def _relative(small: SmallMap, maximum_db: float) -> SmallMap:
-    """The same map with its levels re ``maximum_db``; what is silent stays so."""
+    """Return the same map with its levels re ``maximum_db``; silent outputs stay silent."""
     levels, field = small.levels_db, small.field_levels_db
     return replace(
         small,
@@ -366,56 +364,57 @@ def _below(levels_db: Floats, maximum_db: float) -> Floats:
 
 
 def _of_all(called: Sequence[Names], n_compared: int) -> Names:
-    """Of how many and of which; where some cannot take part, of how many there are."""
+    """Return the phrases for how many designs count, and which."""
     number = f"of {len(called)}"
     if len(called) < n_compared:
         number += f" of {n_compared}"
-    listed = ", ".join(one[min(1, len(one) - 1)] for one in called)
+    listed = ", ".join(names[min(1, len(names) - 1)] for names in called)
     return f"{number}: {listed}", number
 
 
-def _minus(one: Names, other: Names) -> Names:
-    """What a difference is called; as few words of both."""
-    n = max(len(one), len(other))
-    pairs = [(one[min(k, len(one) - 1)], other[min(k, len(other) - 1)]) for k in range(n)]
-    return tuple(f"{this} minus {that}" for this, that in pairs)
+def _minus(names: Names, other: Names) -> Names:
+    """Return the names of a difference, from the longest to the shortest."""
+    n = max(len(names), len(other))
+    pairs = [(names[min(k, len(names) - 1)], other[min(k, len(other) - 1)]) for k in range(n)]
+    return tuple(f"{first} minus {second}" for first, second in pairs)
 
 
 def _reached_db(drawn: Sequence[Floats]) -> Range | None:
-    """The smallest and the largest of all values; None where there is none."""
-    known = [one for one in drawn if one.size]
+    """Return the smallest and the largest of all values; None where there is none."""
+    known = [levels for levels in drawn if levels.size]
     if not known:
         return None
-    return (min(float(one.min()) for one in known), max(float(one.max()) for one in known))
+    return (
+        min(float(levels.min()) for levels in known),
+        max(float(levels.max()) for levels in known),
+    )
 
 
-def _levels_db(one: Compared) -> Floats:
-    """Levels as it is shown: as loud as the others, where that is wanted."""
-    levels: Floats = (one.values or {})["output_levels_db"]
-    return levels if one.gain == 1.0 else levels + gain_db(one)
+def _levels_db(side: Compared) -> Floats:
+    """Return the levels as they are shown: matched to the others, if that is chosen."""
+    levels: Floats = (side.values or {})["output_levels_db"]
+    return levels if side.gain == 1.0 else levels + gain_db(side)
 
 
 def _noisy(*compared: Compared) -> tuple[int, ...]:
-    """Numbers of the outputs that are mostly noise in any of them."""
-    known = [(one.values or {}).get("above_noise_db") for one in compared]
-    found = {
+    """Return the numbers of the outputs that are mostly noise in any of them."""
+    known = [(side.values or {}).get("above_noise_db") for side in compared]
+    noisy = {
         int(k) + 1
         for levels in known
         if levels is not None
         for k in np.flatnonzero(levels < LEAST_ABOVE_NOISE_DB)
     }
-    return tuple(sorted(found))
+    return tuple(sorted(noisy))
 
 
-def _limb(one: Compared) -> str:
-    return one.snapshot.design.limb
+def _limb(side: Compared) -> str:
+    return side.snapshot.design.limb
 
 
-def _synthetic(one: Compared) -> bool:
-    return one.values is not None and bool(one.values["limb_data"].synthetic)
+def _synthetic(side: Compared) -> bool:
+    return side.values is not None and bool(side.values["limb_data"].synthetic)
 
-
-# What only the panel of maps side by side looks at.
 
 OF = ChoiceSpec(
     label="Of",
@@ -456,7 +455,7 @@ class SideBySideSettings:
     own_maximum
         Whether the levels of each are drawn relative to its own loudest output.
     limbs
-        Names of the chosen limbs with spaces between; empty: those that belong beside the one of
+        Names of the chosen limbs with spaces between; empty: those that are related to the one of
         the design, see `skinsource.design.comparing.related_limbs`.
     """
 
@@ -469,15 +468,13 @@ class SideBySideSettings:
         fields.check(self)
 
     def chosen(self, limb: str) -> tuple[str, ...]:
-        """Names of the limbs that are shown beside each other while a design is on ``limb``."""
+        """Return the names of the limbs that are shown while a design is on ``limb``."""
         if not self.limbs.strip():
             return related_limbs(limb)
         return tuple(dict.fromkeys(self.limbs.split()))[:MOST_BESIDE]
 
 
-# What can stand side by side: where it comes from, and what is said of it.
-
-#: What a map of levels takes.
+#: Quantities of a map of levels.
 LEVELS = frozenset(
     {
         "limb_map",
@@ -491,12 +488,12 @@ LEVELS = frozenset(
 
 
 class Kind:
-    """One thing that is chosen under "Of"; it remembers nothing.
+    """One choice of "Of": where the sides come from, and what they are called. It has no state.
 
     Attributes
     ----------
     fields
-        Which parts of the bar above the maps are about it, beside the choice itself.
+        Names of the choices above the maps that apply, beside "Of" itself.
     needs, needs_of_snapshots
         As of a panel.
     own
@@ -511,41 +508,41 @@ class Kind:
     def needs_on_limbs(
         self, settings: SideBySideSettings, limb: str
     ) -> Mapping[str, frozenset[str]]:
-        """As of a panel, while the design is on ``limb``."""
+        """Return what a panel needs of other limbs while the design is on ``limb``."""
         del settings, limb
         return {}
 
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
-        """The sides, from results of the design in the window, which hold what it ``needs``."""
+        """Return the sides from results of the design in the window, which hold its ``needs``."""
         del design, results
         return ()
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
-        """What the sides are called, each in ever fewer words."""
+        """Return the names of the sides, each from the longest to the shortest."""
         raise NotImplementedError
 
     def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
-        """Which of them is the one in the window; the first where none is."""
+        """Return which of them is in the window; the first where none is."""
         del compared, design, view
         return 0
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
-        """Why nothing can be compared, in a sentence; empty where something can."""
+        """Return why nothing can be compared, in a sentence; empty where something can."""
         del view
-        known = [one for one in compared if one.values is not None]
-        return COMPARED_SILENT if known and all(is_silent(one) for one in known) else ""
+        known = [side for side in compared if side.values is not None]
+        return COMPARED_SILENT if known and all(is_silent(side) for side in known) else ""
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
-        """What the levels are."""
-        words = f"RMS of {signal_label(view.axes, view.method)} · {span_label(view.span)}"
+        """Return the text on what the levels are."""
+        text = f"RMS of {signal_label(view.axes, view.method)} · {span_label(view.span)}"
         without = "without inputs that cannot be played"
-        left_out = without if any(one.left_out for one in compared) else ""
+        left_out = without if any(side.left_out for side in compared) else ""
         return " · ".join(
-            part for part in (words, display_gain_text(design, view), left_out) if part
+            part for part in (text, display_gain_text(design, view), left_out) if part
         )
 
     def shown(self, settings: SideBySideSettings) -> str:
-        """What is shown of the sides: the levels where there is no choice."""
+        """Return what is shown of the sides: the levels where there is no choice."""
         return settings.shown if "shown" in self.fields else "levels"
 
     def drawn(
@@ -556,12 +553,12 @@ class Kind:
         view: View,
         settings: SideBySideSettings,
     ) -> tuple[Cell, ...]:
-        """The maps of the sides, made by ``cells``; scales say by how much levels are matched."""
-        found = self._cells(cells, compared, design, view, settings)
+        """Return the maps of the sides; their scales show by how much levels are matched."""
+        maps = self._cells(cells, compared, design, view, settings)
         matched = matched_text(compared) or display_gain_text(design, view)
         return tuple(
-            one if one.scale is None else replace(one, scale=with_matched(one.scale, matched))
-            for one in found
+            cell if cell.scale is None else replace(cell, scale=with_matched(cell.scale, matched))
+            for cell in maps
         )
 
     def _cells(
@@ -584,9 +581,7 @@ class Kind:
         return cells.of_spread(compared, names, reference, level_look(view))
 
 
-# The present design along each axis of the sensors.
-
-#: What is told axis by axis, and what a map calls it.
+#: Quantities for each axis, and the quantities of a map that they stand in for.
 _PER_AXIS = {
     "axis_levels_db": "output_levels_db",
     "axis_surface_levels_db": "surface_levels_db",
@@ -596,10 +591,10 @@ _COMMON = frozenset({"limb_map", "limb_data", "surface"})
 
 
 class OfAxes(Kind):
-    """All that the limb measures along, whichever of them are chosen in the window.
+    """The present design along each axis of the sensors, whatever axes are chosen in the window.
 
-    Levels alone: each sensor's x and y point their own way, so that neither a difference of axes
-    nor their mean says something of the skin.
+    Only levels are shown: x and y point another way at each sensor, so that a difference or a mean
+    of axes has no meaning.
     """
 
     needs: ClassVar[frozenset[str]] = _COMMON | frozenset(_PER_AXIS)
@@ -618,20 +613,18 @@ class OfAxes(Kind):
         ]
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
-        return [(f"Along {one.axes}", one.axes) for one in compared]
+        return [(f"Along {side.axes}", side.axes) for side in compared]
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
-        words = f"RMS along each axis of the sensors · {span_label(view.span)}"
-        return " · ".join(part for part in (words, display_gain_text(design, view)) if part)
+        text = f"RMS along each axis of the sensors · {span_label(view.span)}"
+        return " · ".join(part for part in (text, display_gain_text(design, view)) if part)
 
-
-# The present design on several limbs.
 
 ALONE = "There is no other limb with these outputs. Choose some under Limbs."
 
 
 class OfLimbs(Kind):
-    """The design in the window is one of the sides: it is predicted once, for all panels."""
+    """The present design on several limbs; that in the window is predicted once, for all panels."""
 
     fields: ClassVar[frozenset[str]] = frozenset({"shown", "limbs"})
 
@@ -641,19 +634,21 @@ class OfLimbs(Kind):
         return dict.fromkeys(settings.chosen(limb), LEVELS)
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
-        """Those measured along other axes than those of the view say so."""
-        found: list[Names] = []
-        for one in compared:
-            limb = one.snapshot.design.limb
+        """Return the names of the limbs, with their axes where these are not those of the view."""
+        names: list[Names] = []
+        for side in compared:
+            limb = side.snapshot.design.limb
             title = limb_word(limb).title
-            other = f" ({word_of(AXES, one.axes).title})" if one.axes not in ("", view.axes) else ""
+            other = (
+                f" ({word_of(AXES, side.axes).title})" if side.axes not in ("", view.axes) else ""
+            )
             number = title.split()[1] if limb in PUBLISHED else limb
-            found.append((f"{title}{other}", short_limb_title(limb), number))
-        return found
+            names.append((f"{title}{other}", short_limb_title(limb), number))
+        return names
 
     def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
-        found = [one.snapshot.design.limb == design.limb for one in compared]
-        return found.index(True) if True in found else 0
+        matches = [side.snapshot.design.limb == design.limb for side in compared]
+        return matches.index(True) if True in matches else 0
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
         if len(compared) == 1:
@@ -661,11 +656,8 @@ class OfLimbs(Kind):
         return super().hindrance(compared, view)
 
 
-# Snapshots: of the present design, and designs of files.
-
-
 class OfSnapshots(Kind):
-    """As loud as each other where that is wanted."""
+    """Snapshots of the present design, and designs of files; their levels can be matched."""
 
     fields: ClassVar[frozenset[str]] = frozenset({"shown", "file"})
     needs_of_snapshots: ClassVar[frozenset[str]] = LEVELS
@@ -676,8 +668,8 @@ class OfSnapshots(Kind):
     def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
         held = shown(view.snapshots, design)
         number = EDITED if held is None else held.number
-        found = [one.snapshot.number == number for one in compared]
-        return found.index(True) if True in found else 0
+        matches = [side.snapshot.number == number for side in compared]
+        return matches.index(True) if True in matches else 0
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
         if len(compared) < 2:
@@ -686,61 +678,61 @@ class OfSnapshots(Kind):
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
         # Each has its own gain.
-        words = super().about(compared, None, view)
+        text = super().about(compared, None, view)
         matched = have_matching_level(compared, matched=view.levels_matched)
-        return f"{words} · {LEVELS_MATCHED}" if matched else words
+        return f"{text} · {LEVELS_MATCHED}" if matched else text
 
 
 def snapshot_names(
     compared: Sequence[Compared], axes: Axes, *, with_limbs: bool = False
 ) -> list[Names]:
-    """What the snapshots are called; those measured along other axes than ``axes`` say so.
+    """Return the names of the snapshots, with their axes where these are not ``axes``.
 
-    ``with_limbs``: where they are on several limbs, they say on which.
+    ``with_limbs``: names of snapshots on several limbs include the limb.
     """
-    found: list[Names] = []
-    titles = [printable(scenes.title_of(one.snapshot.design)).strip() for one in compared]
+    names: list[Names] = []
+    titles = [printable(scenes.title_of(side.snapshot.design)).strip() for side in compared]
     own_parts = _own_parts([each for each in titles if each])
-    several = with_limbs and len({one.snapshot.design.limb for one in compared}) > 1
-    for one, title in zip(compared, titles, strict=True):
-        along = axes_on(one.snapshot.design.limb, axes)
+    several = with_limbs and len({side.snapshot.design.limb for side in compared}) > 1
+    for side, title in zip(compared, titles, strict=True):
+        along = axes_on(side.snapshot.design.limb, axes)
         other = f" ({word_of(AXES, along).title})" if along != axes else ""
-        on_limb = f" on {short_limb_title(one.snapshot.design.limb)}" if several else ""
+        on_limb = f" on {short_limb_title(side.snapshot.design.limb)}" if several else ""
         other += on_limb
-        edited = one.snapshot.number == EDITED
-        called = one.name if edited else f"Snapshot {one.name}"
+        edited = side.snapshot.number == EDITED
+        called = side.name if edited else f"Snapshot {side.name}"
         parts = dict.fromkeys((title, own_parts.get(title, title)))
         longest = tuple(f"{called} · {part}{other}" for part in parts if part and not edited)
         if len(longest) > 1:
-            longest = (*longest, f"{one.name} · {own_parts[title]}{other}")
-        short = () if edited and not other else (f"{one.name}{on_limb}",)
-        found.append((*longest, f"{called}{other}", *short))
-    return found
+            longest = (*longest, f"{side.name} · {own_parts[title]}{other}")
+        short = () if edited and not other else (f"{side.name}{on_limb}",)
+        names.append((*longest, f"{called}{other}", *short))
+    return names
 
 
 def _own_parts(titles: Sequence[str]) -> dict[str, str]:
-    """What each title says that the others do not: ``"Fig. 2B · 50 Hz"`` is ``"50 Hz"``.
+    """Return the part of each title that is its own: ``"50 Hz"`` of ``"Fig. 2B · 50 Hz"``.
 
-    Of titles whose parts, between middle dots, begin alike.
+    The parts of a title are between middle dots; those at the beginning that all titles share are
+    left out.
     """
-    parts = [one.split(" · ") for one in titles]
-    alike = 0
-    while parts and all(len(one) > alike + 1 and one[alike] == parts[0][alike] for one in parts):
-        alike += 1
-    return {one: " · ".join(each[alike:]) for one, each in zip(titles, parts, strict=True)}
-
-
-# The numbers of maps side by side, for a spreadsheet.
+    parts = [title.split(" · ") for title in titles]
+    n_common = 0
+    while parts and all(
+        len(part) > n_common + 1 and part[n_common] == parts[0][n_common] for part in parts
+    ):
+        n_common += 1
+    return {title: " · ".join(each[n_common:]) for title, each in zip(titles, parts, strict=True)}
 
 
 def tab_separated(content: SideBySideContent) -> str:
-    """A row for each output, a column for each map; empty where there is no level."""
+    """Return the numbers for a spreadsheet: a row for each output, a column for each map."""
     cells = [cell for cell in content.cells if cell.values_db is not None]
     titles = [f"{cell.heading} ({_unit(cell)})" for cell in cells]
     lines = ["\t".join(("output", *titles))]
     values = [np.asarray(cell.values_db) for cell in cells]
-    for row in range(max((one.size for one in values), default=0)):
-        texts = (copied_level(one[row]) if row < one.size else "" for one in values)
+    for row in range(max((column.size for column in values), default=0)):
+        texts = (copied_level(column[row]) if row < column.size else "" for column in values)
         lines.append("\t".join((str(row + 1), *texts)))
     return "\n".join(lines) + "\n"
 

@@ -1,4 +1,4 @@
-"""All that can stand side by side, by its name in `settings.OF`."""
+"""The panel of maps side by side, with the choices above them."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -44,19 +44,16 @@ from skinsource_gui.state.panel import Panel
 KINDS: dict[str, Kind] = {"limbs": OfLimbs(), "snapshots": OfSnapshots(), "axes": OfAxes()}
 
 
-# The button with which limbs are chosen to stand side by side.
-
-
 class LimbsButton(QToolButton):
     """Opens a list of all limbs, of which two to four are ticked.
 
     Attributes
     ----------
     menu_of_limbs
-        What it opens.
+        The menu that it opens.
     """
 
-    #: Names of the limbs that are chosen; none: those that belong beside the one of the design.
+    #: Names of the limbs that are chosen; none: those that are related to the design's.
     limbs_chosen = Signal(object)
 
     def __init__(self, parent: QWidget) -> None:
@@ -65,7 +62,7 @@ class LimbsButton(QToolButton):
         self._usual = True
         self.setObjectName("side_by_side_limbs")
         self.setText("Limbs…")
-        # The dots say that something opens.
+        # The dots in the text show that a menu opens.
         self.setStyleSheet("QToolButton::menu-indicator { image: none; }")
         self.setToolTip("Which limbs are shown, two to four")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -89,8 +86,8 @@ class LimbsButton(QToolButton):
         usual.triggered.connect(partial(self.limbs_chosen.emit, ()))
         menu.addSeparator()
         known = available_limbs()
-        # One that has gone can be taken out of the choice.
-        for name in (*known, *(one for one in self._chosen if one not in known)):
+        # A limb that no longer exists can be removed from the choice.
+        for name in (*known, *(limb for limb in self._chosen if limb not in known)):
             action = menu.addAction(limb_word(name).title)
             action.setCheckable(True)
             ticked = name in self._chosen
@@ -100,32 +97,30 @@ class LimbsButton(QToolButton):
             action.triggered.connect(partial(self._toggle, name))
 
     def _toggle(self, name: str) -> None:
-        without = tuple(one for one in self._chosen if one != name)
+        without = tuple(limb for limb in self._chosen if limb != name)
         self.limbs_chosen.emit(without if name in self._chosen else (*self._chosen, name))
 
 
-# What is chosen above the maps: of what, what of it, and on which limbs.
-
-# A panel that shows fewer lines of text has no room for many rows: so many choices stand in each.
-_LINES_WITH_ROOM, _BESIDE = 14, 2
+# Where fewer lines of text fit, so many choices share a row, and rows are few.
+_LINES_WITH_ROOM, _CHOICES_IN_ROW = 14, 2
 
 
 class ChoicesBar(QWidget):
-    """Turns choices into another view.
+    """The choices above the maps; a choice emits another view.
 
-    Where the maps below need the room its words are written smaller until two stand in each row.
+    Where the maps below need the room, the text is smaller, so that two choices share a row.
 
     Attributes
     ----------
     settings
-        Those of the present view.
+        Settings of the present view.
     of, shown, own_maximum, limbs, file
-        Its parts; of all but the first those that are about what is compared.
+        The choices; all but the first are shown only where they apply.
     """
 
     #: The new `View`.
     view_changed = Signal(object)
-    #: A design of a file is to stand beside the others.
+    #: A design is to be chosen from a file.
     file_wanted = Signal()
 
     def __init__(self, panel_name: str, parent: QWidget) -> None:
@@ -151,7 +146,7 @@ class ChoicesBar(QWidget):
         self._parts = self.of, self.shown, self.own_maximum, self.limbs, self.file
         self._row = FoldingRow(self._parts, UNIT_PX // 2)
         self._in_sight = HeightInSight(parent)
-        self._in_sight.changed.connect(self._look_for_room)
+        self._in_sight.changed.connect(self._check_room)
         around = QVBoxLayout(self)
         around.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
         around.addWidget(self._row)
@@ -165,7 +160,7 @@ class ChoicesBar(QWidget):
         self.own_maximum.setChecked(settings.own_maximum)
         kind = KINDS[settings.of]
         fields = kind.fields
-        # A difference has no maximum that others are measured by, and a mean is one map.
+        # Differences have no maximum to be relative to, and a mean is one map.
         self.own_maximum.setVisible(kind.shown(settings) == "levels")
         for name, part in (("shown", self.shown), ("limbs", self.limbs), ("file", self.file)):
             part.setVisible(name in fields)
@@ -174,7 +169,7 @@ class ChoicesBar(QWidget):
             self.limbs.show_chosen(settings.chosen(design.limb), usual=usual)
         self._fit()
 
-    def _look_for_room(self) -> None:
+    def _check_room(self) -> None:
         has_room = self._in_sight.px >= _LINES_WITH_ROOM * self.fontMetrics().lineSpacing()
         if has_room != self._has_room:
             self._has_room = has_room
@@ -194,10 +189,10 @@ class ChoicesBar(QWidget):
         """Write as large as leaves few rows, where there shall be no more; else as usual."""
         around = self.contentsMargins().left() + self.contentsMargins().right() + UNIT_PX
         for font in fonts_of(self.font()) if not self._has_room else (self.font(),):
-            for one in self._parts:
-                one.setFont(font)
+            for part in self._parts:
+                part.setFont(font)
             self._row.fold()
-            if self._row.px_of(_BESIDE) <= self.width() - around:
+            if self._row.px_of(_CHOICES_IN_ROW) <= self.width() - around:
                 return
 
     def _change(self, **changes: Any) -> None:
@@ -205,19 +200,17 @@ class ChoicesBar(QWidget):
         self.view_changed.emit(with_settings(self._view, self._panel_name, settings))
 
 
-# Maps of limbs, of snapshots or of axes side by side: one scale, one pointer, one selection.
-
 # In letters of any size, px.
 _LEAST = QSize(240, 230)
 
 
 class SideBySidePanel(Panel):
-    """Levels, differences, or mean and spread, of two to four limbs, of snapshots or of axes.
+    """Maps of two to four limbs, of snapshots or of axes, with one pointer and one selection.
 
     Attributes
     ----------
     kind
-        Which of them.
+        What is compared.
     """
 
     title: ClassVar[str] = "Side by side"
@@ -239,7 +232,7 @@ class SideBySidePanel(Panel):
         self.maps = MapsView(self)
         self.maps.outputs_chosen.connect(self._choose_outputs)
         self.maps.pointed_at.connect(self._read)
-        self._lateness.changed.connect(self.maps.show_outdated)
+        self._lateness.changed.connect(self.maps.show_stale)
         self.words = NoteLabel("side_by_side_words", self)
         self.copy = CopyButton(self.name, lambda: tab_separated(self.maps.content), self)
         foot = QHBoxLayout()
@@ -280,7 +273,7 @@ class SideBySidePanel(Panel):
         self.bar.show_state(design, view)
         before, self.kind = self.kind, KINDS[self.bar.settings.of]
         if self.kind is not before:
-            # Whoever is asked now tells what is known.
+            # The engine sends the results for the new kind.
             self._compared = ()
         if self.kind.own:
             self._show_own()
@@ -345,7 +338,7 @@ class SideBySidePanel(Panel):
             message=message,
             about=kind.about(compared, design, view),
         )
-        super().show_stale(self._stale if kind.own else content.late)
+        super().show_stale(self._stale if kind.own else content.stale)
         self.copy.offer(any(cell.small is not None for cell in content.cells))
         self.maps.show_content(content)
 

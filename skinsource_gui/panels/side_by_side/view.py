@@ -1,4 +1,4 @@
-"""Where maps side by side and their scales lie."""
+"""Where maps side by side and their scales lie, and how they are painted and pointed at."""
 
 import re
 from collections.abc import Sequence
@@ -47,14 +47,10 @@ class CellPlace:
 
     Attributes
     ----------
-    whole
-        All of it.
     heading, value
-        Some lines of words, and one.
-    map
-        Room for the map.
+        Areas of some lines of text, and of one.
     scale
-        Its own scale; empty where all have one in common.
+        The scale of this map; empty where all have one in common.
     """
 
     whole: QRectF
@@ -71,11 +67,9 @@ class Places:
     Attributes
     ----------
     head
-        A line of words above.
-    cells
-        Of the maps.
+        A line of text above.
     scale
-        The scale of all of them; empty where each has its own.
+        The scale of all maps; empty where each has its own.
     """
 
     head: QRectF
@@ -89,11 +83,11 @@ def places_of(room: QRectF, n: int, line: float, *, common: bool, heading_lines:
     Parameters
     ----------
     room
-        In which.
+        Area of all maps.
     n
-        How many maps.
+        Number of maps.
     line
-        Height of a line of words.
+        Height of a line of text.
     common
         Whether one scale serves all of them.
     heading_lines
@@ -106,8 +100,8 @@ def places_of(room: QRectF, n: int, line: float, *, common: bool, heading_lines:
     foot = scale_height if common else 0.0
     scale = QRectF(inner.left(), inner.bottom() - foot, inner.width(), foot)
     maps = QRectF(inner.left(), head.bottom(), inner.width(), scale.top() - head.bottom())
-    beside = (heading_lines + 1.0) * line + (0.0 if common else scale_height) + edge
-    rows = _rows(maps, n, beside)
+    around = (heading_lines + 1.0) * line + (0.0 if common else scale_height) + edge
+    rows = _rows(maps, n, around)
     columns = ceil(n / rows) if n else 1
     width, height = maps.width() / columns, maps.height() / rows
     cells = tuple(
@@ -128,16 +122,16 @@ def places_of(room: QRectF, n: int, line: float, *, common: bool, heading_lines:
 
 
 def least_height(line: float) -> float:
-    """Height in which maps in one row can be told apart, with lines of that height."""
+    """Return the least height for maps in one row, with lines of that height."""
     return 1.2 * line + 3.0 * line + 0.9 * line + scale_row_px(line) + _LEAST_MAP_PX
 
 
-def _rows(room: QRectF, n: int, beside: float) -> int:
-    """In how many rows maps are largest; as few as give that."""
+def _rows(room: QRectF, n: int, around: float) -> int:
+    """Return the fewest rows in which maps are largest."""
 
     def map_width(rows: int) -> float:
         wide = room.width() / ceil(n / rows)
-        return min(wide, (room.height() / rows - beside) / _HIGH) - 1e-6 * rows
+        return min(wide, (room.height() / rows - around) / _HIGH) - 1e-6 * rows
 
     return max(range(1, n + 1), key=map_width, default=1)
 
@@ -155,8 +149,6 @@ def _cell(whole: QRectF, line: float, scale_height: float, heading: float) -> Ce
     )
 
 
-# What stands above the maps: on several lines where there is no room for it on one.
-
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 _MOST_LINES = 4
 # A number stays with what it numbers.
@@ -166,7 +158,7 @@ _FILLED = 0.9
 
 
 def places_for(room: QRectF, content: SideBySideContent, font: QFont) -> Places:
-    """Lay out the maps of ``content``, whose words are written in ``font``."""
+    """Lay out the maps of ``content``, whose text is in ``font``."""
     line, n = QFontMetricsF(font).height(), len(content.cells)
     common = content.common_scale is not None
     metrics = QFontMetricsF(bold(font))
@@ -183,30 +175,30 @@ def paint_heading(painter: QPainter, wordings: Sequence[str], room: QRectF) -> N
     metrics = QFontMetricsF(painter.font())
     wraps = _CENTRE | Qt.TextFlag.TextWordWrap
     inner = _inner(metrics, room)
-    found = next((one for one in wordings if _fits(metrics, (one,), room)), None)
-    if found is not None:
-        painter.drawText(inner, wraps, _kept(found))
+    fitted = next((wording for wording in wordings if _fits(metrics, (wording,), room)), None)
+    if fitted is not None:
+        painter.drawText(inner, wraps, _with_joined_numbers(fitted))
         return
     lines = max(round(room.height() / metrics.height()), 1)
     width = inner.width() * (1.0 if lines == 1 else _FILLED * lines)
-    words = metrics.elidedText(wordings[-1], Qt.TextElideMode.ElideRight, width)
-    painter.drawText(inner, _CENTRE | Qt.TextFlag.TextWrapAnywhere, words)
+    text = metrics.elidedText(wordings[-1], Qt.TextElideMode.ElideRight, width)
+    painter.drawText(inner, _CENTRE | Qt.TextFlag.TextWrapAnywhere, text)
 
 
 def bold(font: QFont) -> QFont:
-    """The font of headings among words in ``font``."""
-    found = QFont(font)
-    found.setBold(True)
-    return found
+    """Return the font of headings for texts in ``font``."""
+    bold_font = QFont(font)
+    bold_font.setBold(True)
+    return bold_font
 
 
 def _fits(metrics: QFontMetricsF, wordings: Sequence[str], room: QRectF) -> bool:
-    """Whether one of some wordings has room, at the breaks between words that it has."""
+    """Return whether one of some wordings has room; lines break only between words."""
     inner = _inner(metrics, room)
     flags = int(_CENTRE.value) | int(Qt.TextFlag.TextWordWrap.value)
-    for words in wordings:
-        taken = metrics.boundingRect(inner, flags, _kept(words))
-        if taken.width() <= inner.width() and taken.height() <= inner.height() + 1.0:
+    for wording in wordings:
+        needed = metrics.boundingRect(inner, flags, _with_joined_numbers(wording))
+        if needed.width() <= inner.width() and needed.height() <= inner.height() + 1.0:
             return True
     return False
 
@@ -216,22 +208,19 @@ def _inner(metrics: QFontMetricsF, room: QRectF) -> QRectF:
     return room.adjusted(edge, 0.0, -edge, 0.0)
 
 
-def _kept(words: str) -> str:
-    return _BEFORE_NUMBER.sub("\N{NO-BREAK SPACE}", words)
-
-
-# Maps side by side as they lie in a widget: which is where, and where their outputs are.
+def _with_joined_numbers(text: str) -> str:
+    return _BEFORE_NUMBER.sub("\N{NO-BREAK SPACE}", text)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class VisibleMaps:
-    """What is shown, and where that is."""
+    """What is shown, and where."""
 
     content: SideBySideContent
     places: Places
 
     def points_of(self, index: int) -> Floats:
-        """Where the outputs are drawn in one of the maps, (n_outputs, 2); NaN: they are not."""
+        """Return the places of the outputs in one of the maps, (n_outputs, 2); NaN: not drawn."""
         cells = self.content.cells
         small = cells[index].small if index < len(cells) else None
         if small is None or self.content.message:
@@ -242,45 +231,41 @@ class VisibleMaps:
         )
 
     def map_at(self, point: QPointF, before: int) -> int:
-        """The map under a point; where there is none the one before."""
+        """Return the map under a point; where there is none the one before."""
         cells = enumerate(self.places.cells)
         return next((k for k, place in cells if place.whole.contains(point)), before)
 
-
-# Draws maps side by side, what is selected and pointed at in all of them, and their scales.
 
 _PALE, _BAND_ALPHA = 0.5, 0.15
 
 
 def paint_view(
     painter: QPainter,
-    seen: VisibleMaps,
+    visible: VisibleMaps,
     theme: Theme,
     pointed_at: int | None,
     *,
-    outdated: bool,
+    stale: bool,
     band: QRectF | None,
 ) -> None:
-    """Draw what a widget shows; the painter's font is that of all words.
+    """Draw what a widget shows; the painter's font is that of all text.
 
     Parameters
     ----------
-    painter, seen, theme, pointed_at
-        As for `paint_content`.
-    outdated
-        Whether it belongs to an older design.
+    stale
+        Whether the maps belong to an older design.
     band
-        What is dragged around outputs, if anything.
+        The rectangle that is dragged around outputs, if any.
     """
-    content, places = seen.content, seen.places
-    if outdated:
+    content, places = visible.content, visible.places
+    if stale:
         painter.setPen(QColor(theme.dim))
         painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, "Computing…")
     if any(cell.synthetic for cell in content.cells):
         painter.setPen(QColor(theme.warning))
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         painter.drawText(places.head, right, "SYNTHETIC")
-    painter.setOpacity(_PALE if outdated else 1.0)
+    painter.setOpacity(_PALE if stale else 1.0)
     paint_content(painter, content, places, theme, pointed_at)
     painter.setOpacity(1.0)
     if band is not None:
@@ -298,14 +283,10 @@ def paint_content(
     theme: Theme,
     pointed_at: int | None = None,
 ) -> None:
-    """Draw ``content``; the painter's font is that of all words.
+    """Draw ``content``; the painter's font is that of all text.
 
     Parameters
     ----------
-    painter, places, theme
-        On what, where, in which colours.
-    content
-        What is shown.
     pointed_at
         Number of the output that is marked in every map; None: none is.
     """
@@ -327,8 +308,8 @@ def paint_page(painter: QPainter, content: SideBySideContent, room: QRectF, them
         painter.drawText(room, _CENTRE, content.message)
         return
     synthetic = any(cell.synthetic for cell in content.cells)
-    words = f"{content.about} · SYNTHETIC" if synthetic else content.about
-    painter.drawText(QRectF(0, 0, room.width(), 1.5 * line), _CENTRE, words)
+    text = f"{content.about} · SYNTHETIC" if synthetic else content.about
+    painter.drawText(QRectF(0, 0, room.width(), 1.5 * line), _CENTRE, text)
     below = room.adjusted(0, 1.5 * line, 0, 0)
     paint_content(painter, content, places_for(below, content, painter.font()), theme)
 
@@ -349,9 +330,9 @@ def _paint_cell(
     if cell.small is None or cell.scale is None:
         painter.setPen(QColor(theme.dim))
         flags = _CENTRE | Qt.TextFlag.TextWordWrap
-        words = cell.words or "Computing…"
-        painter.setFont(shrunk(plain, words.split(), place.map.width()))
-        painter.drawText(place.map, flags, words)
+        text = cell.text or "Computing…"
+        painter.setFont(shrunk(plain, text.split(), place.map.width()))
+        painter.drawText(place.map, flags, text)
         painter.setFont(plain)
         return
     painter.setPen(QColor(theme.text if pointed_at is not None else theme.dim))
@@ -366,29 +347,25 @@ def _paint_cell(
 
 
 def fitting(painter: QPainter, wordings: Sequence[str], width: float) -> str:
-    """The first of some wordings, each shorter than the one before, for which there is room."""
+    """Return the first wording that has room; each is shorter than the one before."""
     metrics = painter.fontMetrics()
     width -= 0.5 * metrics.height()
-    fits = (words for words in wordings if metrics.horizontalAdvance(words) <= width)
+    fits = (wording for wording in wordings if metrics.horizontalAdvance(wording) <= width)
     shortest = metrics.elidedText(wordings[-1], Qt.TextElideMode.ElideRight, int(width))
     return next(fits, shortest)
 
-
-# Maps side by side as a widget: what is pointed at in one of them is marked in all.
 
 # Those keys of the skin map that are about outputs.
 _KEYS = frozenset({"go", "select", "toggle", "select_all", "select_none"})
 
 
 class MapsView(QWidget):
-    """Shows `Content`, and tells which outputs the user wants selected.
+    """The maps as a widget; an output that is pointed at in one map is marked in all.
 
     Attributes
     ----------
-    content
-        What is shown.
     picker
-        Which outputs mouse and keys mean.
+        Chooses outputs by mouse and keys.
     """
 
     #: The outputs to select, a tuple of numbers.
@@ -398,13 +375,13 @@ class MapsView(QWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self._outdated = False
+        self._stale = False
         # Of which map the mouse was last.
         self._at = 0
         self.content = SideBySideContent()
         self.picker = OutputPicker(self)
         self.picker.chosen.connect(self.outputs_chosen)
-        self.picker.moved.connect(self._tell)
+        self.picker.moved.connect(self._emit_pointed_at)
         self.setObjectName("maps_side_by_side")
         self.setAccessibleName("Maps side by side")
         self.setAccessibleDescription(
@@ -419,7 +396,7 @@ class MapsView(QWidget):
         return self.picker.pointed_at(focused=self.hasFocus())
 
     @property
-    def seen(self) -> VisibleMaps:
+    def visible_maps(self) -> VisibleMaps:
         """What is shown, and where."""
         places = places_for(QRectF(self.rect()), self.content, tabular(self.font()))
         return VisibleMaps(content=self.content, places=places)
@@ -431,17 +408,17 @@ class MapsView(QWidget):
         """Draw ``content``."""
         self.content, self.picker.selected = content, content.outputs
         self.setAccessibleName(content.message or content.about or "Maps side by side")
-        self._tell()
+        self._emit_pointed_at()
 
-    def show_outdated(self, outdated: bool) -> None:
-        """Say whether what is shown belongs to an older design."""
-        self._outdated = outdated
+    def show_stale(self, stale: bool) -> None:
+        """Show whether the maps belong to an older design."""
+        self._stale = stale
         self.update()
 
     def event(self, event: QEvent) -> bool:
-        return claims_shortcut(event, self._wants) or super().event(event)
+        return claims_shortcut(event, self._claims) or super().event(event)
 
-    def _wants(self, event: QKeyEvent) -> bool:
+    def _claims(self, event: QKeyEvent) -> bool:
         return meaning_of("skin", event) in _KEYS and self.picker.claims(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -453,35 +430,35 @@ class MapsView(QWidget):
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(QRectF(self.rect()).adjusted(8, 8, -8, -8), flags, content.message)
         else:
-            late, band = self._outdated, self.picker.mouse.band
-            paint_view(painter, self.seen, theme, self.output, outdated=late, band=band)
+            stale, band = self._stale, self.picker.mouse.band
+            paint_view(painter, self.visible_maps, theme, self.output, stale=stale, band=band)
         if self.hasFocus():
             paint_focus_frame(painter, QRectF(self.rect()), theme)
         painter.end()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
-            self._at = self.seen.map_at(event.position(), self._at)
+            self._at = self.visible_maps.map_at(event.position(), self._at)
         self.picker.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if not event.buttons():
-            self._at = self.seen.map_at(event.position(), self._at)
-        self.picker.mouse.move(event.position(), self.seen.points_of(self._at))
-        self._tell()
+            self._at = self.visible_maps.map_at(event.position(), self._at)
+        self.picker.mouse.move(event.position(), self.visible_maps.points_of(self._at))
+        self._emit_pointed_at()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
-            self.picker.release(event, self.seen.points_of(self._at))
+            self.picker.release(event, self.visible_maps.points_of(self._at))
             self.update()
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
         self.picker.mouse.leave()
-        self._tell()
+        self._emit_pointed_at()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        points = self.seen.points_of(self._at)
+        points = self.visible_maps.points_of(self._at)
         unplaced = tuple(int(k) + 1 for k in np.flatnonzero(np.isnan(points[:, 0])))
         middle = QRectF(self.rect()).center()
         if len(unplaced) == len(points) or meaning_of("skin", event) not in _KEYS:
@@ -492,12 +469,12 @@ class MapsView(QWidget):
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
-        self._tell()
+        self._emit_pointed_at()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
-        self._tell()
+        self._emit_pointed_at()
 
-    def _tell(self) -> None:
+    def _emit_pointed_at(self) -> None:
         self.pointed_at.emit(self.output)
         self.update()

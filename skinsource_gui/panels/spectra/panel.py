@@ -1,4 +1,4 @@
-"""What only the spectra look at."""
+"""The panel of amplitude spectra of the selected outputs."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -56,8 +56,8 @@ class SpectraSettings:
     Attributes
     ----------
     layout
-        ``"overlaid"``, ``"stacked"``, or ``"axes"``: along each axis of the sensors, whatever
-        axes are chosen.
+        ``"overlaid"``, ``"stacked"``, or ``"axes"``: along each axis of the sensors, whatever axes
+        are chosen.
     log_frequency, log_magnitude
         Logarithmic axes.
     relative
@@ -79,14 +79,12 @@ class SpectraSettings:
         fields.check(self)
 
 
-# What the spectra show of results: which quantity, in which unit, and what is said of it.
-
-_HOLD, _LOUDEST = (f"{one * 1e3:.0f} ms" for one in (HOLD_WINDOW_S, LOUDEST_WINDOW_S))
-# What the height of a curve means, longest first.
+_HOLD, _LOUDEST = (f"{window_s * 1e3:.0f} ms" for window_s in (HOLD_WINDOW_S, LOUDEST_WINDOW_S))
+# What the height of a curve means, from the longest to the shortest text.
 _SCALINGS = {
     "record": ("amplitude over the whole record", "over the whole record", "whole record"),
     "loudest": (
-        # Levels say another time, and nobody would guess why.
+        # The window differs from that of levels, which needs a reason.
         f"amplitude in the loudest {_HOLD} of each frequency, which tell "
         f"{1 / HOLD_WINDOW_S:.0f} Hz apart; the {_LOUDEST} of levels would tell "
         f"{1 / LOUDEST_WINDOW_S:.0f} Hz",
@@ -103,17 +101,17 @@ _RECTIFIED = (
     "rectified: doubled frequencies",
     "rectified",
 )
-_RELATIVE_LEVEL_WORDS = "dB re its peak"
+_RELATIVE_LEVEL_TEXT = "dB re its peak"
 _AVERAGED = f"mean of {MEAN_OF_BINS} bins"
 
 
 def quantity_of(settings: SpectraSettings, span: Span) -> str:
-    """Name of what is drawn."""
+    """Return the name of the quantity that is drawn."""
     return (_OF_AXES if settings.layout == "axes" else _QUANTITIES)[span]
 
 
 def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
-    """The curves of ``results``, which hold what `quantity_of` names."""
+    """Return the curves of ``results``, which hold what `quantity_of` names."""
     span, limb = results["span"], facts_of(results["limb"])
     frequency_hz, magnitude = results[quantity_of(settings, span)]
     each_axis = settings.layout == "axes"
@@ -122,20 +120,18 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
     drawn = magnitude if each_axis else magnitude[:, None]
     if settings.averaged:
         drawn = mean_of_bins(drawn, MEAN_OF_BINS)
-    first, seen = (
-        [f"spectrum: {_SCALINGS[span][-3]}{_averaged_words(settings, frequency_hz)}"],
-        None,
-    )
+    notes = [f"spectrum: {_SCALINGS[span][-3]}{_averaged_text(settings, frequency_hz)}"]
+    span_shown = None
     peaks: tuple[float, ...] = ()
     if settings.relative:
         within = _inside(frequency_hz, limb.band_hz)
-        found = drawn[..., within].max(axis=(-2, -1))
-        peaks = tuple(found.tolist())
+        largest = drawn[..., within].max(axis=(-2, -1))
+        peaks = tuple(largest.tolist())
         # Silence has no peak to be relative to.
-        drawn = drawn / np.where(found > 0.0, found, 1.0)[:, None, None]
+        drawn = drawn / np.where(largest > 0.0, largest, 1.0)[:, None, None]
         measured = _drawn(drawn[..., within], settings)
-        seen = float(measured.min()), float(measured.max())
-        first.append("each output relative to its largest magnitude in the measured band")
+        span_shown = float(measured.min()), float(measured.max())
+        notes.append("each output relative to its largest magnitude in the measured band")
     columns = settings.relative and settings.log_magnitude
     return Curves(
         x=frequency_hz,
@@ -143,11 +139,11 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         names=output_names(results["outputs"], results["limb"]),
         axes=axes,
         kind=_kind(settings),
-        span=seen,
-        level_words=_RELATIVE_LEVEL_WORDS if settings.relative else LEVEL_WORDS,
+        span=span_shown,
+        level_words=_RELATIVE_LEVEL_TEXT if settings.relative else LEVEL_WORDS,
         scaling=_scaling(settings, span),
         columns=_columns(results["outputs"], axes) if columns else (),
-        about=lines_later(results, *first, each_axis=each_axis),
+        about=lines_later(results, *notes, each_axis=each_axis),
         heading=heading_of(results, each_axis=each_axis),
         peaks=peaks,
         matched=match_text(results["match_gain"]),
@@ -155,20 +151,20 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
 
 
 def notes_of(results: Mapping[str, Any], settings: SpectraSettings) -> tuple[str, ...]:
-    """What should be known of the curves, longest first."""
+    """Return warnings about the curves, longest first."""
     rectified = results["method"] == "mag" and len(results["axes"]) > 1
     return _RECTIFIED if rectified and settings.layout != "axes" else ()
 
 
 def _scaling(settings: SpectraSettings, span: Span) -> tuple[str, ...]:
-    """What heights mean, longest first."""
+    """Return what heights mean, longest first."""
     if not settings.averaged:
         return _SCALINGS[span]
-    return tuple(f"{words}, {_AVERAGED}" for words in _SCALINGS[span])
+    return tuple(f"{text}, {_AVERAGED}" for text in _SCALINGS[span])
 
 
-def _averaged_words(settings: SpectraSettings, frequency_hz: Floats) -> str:
-    """Over which frequencies a mean is, where each magnitude is one."""
+def _averaged_text(settings: SpectraSettings, frequency_hz: Floats) -> str:
+    """Return over which frequencies each magnitude is a mean, or ""."""
     if not settings.averaged or frequency_hz.size < 2:
         return ""
     return f", {_AVERAGED}, {MEAN_OF_BINS * float(frequency_hz[1] - frequency_hz[0]):.3g} Hz"
@@ -181,7 +177,7 @@ def _kind(settings: SpectraSettings) -> Kind:
 
 
 def _columns(outputs: tuple[int, ...], axes: tuple[str, ...]) -> tuple[str, ...]:
-    """Titles of levels that are relative to peaks."""
+    """Return the titles of levels that are relative to peaks."""
     return tuple(
         f"output_{output}{axis and f'_{axis}'}_db_re_its_peak"
         for output in outputs
@@ -194,14 +190,12 @@ def _drawn(magnitude: Floats, settings: SpectraSettings) -> Floats:
 
 
 def _inside(frequency_hz: Floats, band_hz: Band | None) -> NDArray[np.bool_]:
-    """Which frequencies were measured: below them is what sensors drift, not what skin does."""
+    """Return which frequencies were measured: below them is drift of the sensors."""
     low_hz, high_hz = band_hz or (0.0, np.inf)
-    found = (frequency_hz >= low_hz) & (frequency_hz <= high_hz)
+    inside = (frequency_hz >= low_hz) & (frequency_hz <= high_hz)
     # A band between two frequencies holds none: then all count.
-    return found if found.any() else ~found
+    return inside if inside.any() else ~inside
 
-
-# Amplitude spectra of the selected outputs.
 
 _LOWEST_HZ = 10.0
 # Settings that change the frequency axis alone: curves stay.
@@ -225,36 +219,38 @@ class SpectraPanel(SignalPanel):
             "log-frequency",
             "Log f",
             f"Logarithmic frequency axis from {_LOWEST_HZ:g} Hz",
-            self._choose_log_frequency,
+            lambda on: self._change(log_frequency=on),
         )
         self._log_frequency.setAccessibleName("Log frequency")
         self._log_magnitude = self._plot.toolbar.add_switch(
             "log-magnitude",
             "dB",
             "Logarithmic magnitude: dB re 1 m/s², the uppermost 80 dB",
-            self._choose_log_magnitude,
+            lambda on: self._change(log_magnitude=on),
         )
         self._log_magnitude.setAccessibleName("Log magnitude")
         self._relative = self._plot.toolbar.add_switch(
-            "relative", RELATIVE.label, RELATIVE.hint, self._choose_relative
+            "relative", RELATIVE.label, RELATIVE.hint, lambda on: self._change(relative=on)
         )
         # Few want it, and seven switches have room on wide screens alone.
         self._averaged = self._plot.add_switch_in_menu(
-            "averaged", AVERAGED.label, AVERAGED.hint, self._choose_averaged
+            "averaged", AVERAGED.label, AVERAGED.hint, lambda on: self._change(averaged=on)
         )
-        self._plot.toolbar.layout_chosen.connect(self._choose_layout)
-        self._plot.zoom_requested.connect(self._zoom)
+        self._plot.toolbar.layout_chosen.connect(lambda layout: self._change(layout=layout))
+        self._plot.zoom_requested.connect(
+            lambda shown_hz: self._change(frequency_range_hz=shown_hz)
+        )
 
     @property
     def needs(self) -> frozenset[str]:
-        # What the words around the curves say comes with the curves.
+        # Texts around the curves come with the curves.
         spectra = quantity_of(self._settings, self._view.span)
         return frozenset({spectra, "outputs", "sample_rate_hz"}) | NEEDS
 
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, SpectraSettings)
         before = self._settings
-        scaled_anew = replace(settings, **_OF_AXIS) != replace(before, **_OF_AXIS)
+        rescaled = replace(settings, **_OF_AXIS) != replace(before, **_OF_AXIS)
         self._view, self._settings = view, settings
         self._log_frequency.setChecked(settings.log_frequency)
         self._log_magnitude.setChecked(settings.log_magnitude)
@@ -265,10 +261,10 @@ class SpectraPanel(SignalPanel):
         )
         self._show_axis()
         if not view.outputs:
-            self._say(self.no_outputs)
+            self._show_message(self.no_outputs)
         elif self._plot.plot.message == self.no_outputs:
             self._plot.wait_for_curves()
-        elif scaled_anew and self._results is not None:
+        elif rescaled and self._results is not None:
             self._draw(self._results)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
@@ -280,50 +276,32 @@ class SpectraPanel(SignalPanel):
                 self._show_axis()
             self._draw(results)
         else:
-            self._say(self.no_outputs)
+            self._show_message(self.no_outputs)
 
     def show_problem(self, reason: str) -> None:
-        self._say(reason)
+        self._show_message(reason)
 
     def _show_axis(self) -> None:
         settings = self._settings
         axis = self._log_axis if settings.log_frequency else self._axis
         stacked = settings.layout != "overlaid"
-        axis = _as_seen(axis, settings.frequency_range_hz)
+        axis = _visible_axis(axis, settings.frequency_range_hz)
         self._plot.set_view(axis, settings.frequency_range_hz, stacked=stacked)
 
-    def _say(self, message: str) -> None:
+    def _show_message(self, message: str) -> None:
         self._results = None
         self._plot.show_message(message)
 
     def _draw(self, results: Mapping[str, Any]) -> None:
         settings = self._settings
         if quantity_of(settings, results["span"]) not in results:
-            # Of another layout: what it takes is on its way.
+            # The results of another layout are still being computed.
             return
         self._plot.show_curves(
             curves_of(results, settings),
             synthetic=facts_of(results["limb"]).synthetic,
             notes=notes_of(results, settings),
         )
-
-    def _choose_layout(self, layout: str) -> None:
-        self._change(layout=layout)
-
-    def _choose_log_frequency(self, log: bool) -> None:
-        self._change(log_frequency=log)
-
-    def _choose_log_magnitude(self, log: bool) -> None:
-        self._change(log_magnitude=log)
-
-    def _choose_relative(self, relative: bool) -> None:
-        self._change(relative=relative)
-
-    def _choose_averaged(self, averaged: bool) -> None:
-        self._change(averaged=averaged)
-
-    def _zoom(self, shown: tuple[float, float] | None) -> None:
-        self._change(frequency_range_hz=shown)
 
     def _change(self, **changes: Any) -> None:
         settings = replace(self._settings, **changes)
@@ -333,14 +311,14 @@ class SpectraPanel(SignalPanel):
 
 @cache
 def _axes(sample_rate_hz: float, band: Band | None) -> tuple[XAxis, XAxis]:
-    """The linear and the logarithmic axis of a limb of this rate and band; None: not known."""
+    """Return the linear and the logarithmic axis of a limb; band None: it is not known."""
     highest_hz = sample_rate_hz / 2
     titles: tuple[str, ...] = ("Frequency (Hz)",)
     if band is not None:
-        words = f"{band[0]:g} to {band[1]:g} Hz"
+        text = f"{band[0]:g} to {band[1]:g} Hz"
         titles = (
-            f"Frequency (Hz) · measured band {words}, shaded outside",
-            f"Frequency (Hz) · band {words}",
+            f"Frequency (Hz) · measured band {text}, shaded outside",
+            f"Frequency (Hz) · band {text}",
             *titles,
         )
     linear = XAxis(
@@ -349,10 +327,10 @@ def _axes(sample_rate_hz: float, band: Band | None) -> tuple[XAxis, XAxis]:
     return linear, replace(linear, extent=(_LOWEST_HZ, highest_hz), log=True)
 
 
-def _as_seen(axis: XAxis, zoom: RangesRange | None) -> XAxis:
-    """The axis, without words on what is shaded where nothing that is in view is."""
-    seen = zoom or axis.extent
-    if axis.band is None or seen is None:
+def _visible_axis(axis: XAxis, zoom: RangesRange | None) -> XAxis:
+    """Return the axis, without a text on the shaded part where none is visible."""
+    visible = zoom or axis.extent
+    if axis.band is None or visible is None:
         return axis
-    shaded = seen[0] < axis.band[0] or seen[1] > axis.band[1]
+    shaded = visible[0] < axis.band[0] or visible[1] > axis.band[1]
     return axis if shaded else replace(axis, titles=axis.titles[1:])

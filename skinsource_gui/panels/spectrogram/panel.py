@@ -1,4 +1,4 @@
-"""The spectrogram as a picture with axes, a colour scale, a cursor and the playhead."""
+"""The panel of the spectrogram of one selected output."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -40,7 +40,7 @@ from skinsource_gui.qt.theme import UNIT_PX, current_theme
 #: How far below its loudest the colours go.
 SPAN_DB = 60.0
 _SCALE_PX = 10.0
-# What levels are relative to stands below the highest where the scale is so many lines high.
+# The reference is below the highest level where the scale is so many lines high.
 _REFERENCE, _ROOM_LINES = "re 1 m/s²", 5.0
 _FLAGS = Qt.AlignmentFlag.AlignVCenter
 
@@ -51,17 +51,15 @@ class SpectrogramContent:
 
     Attributes
     ----------
-    found
-        The spectrogram.
     first_s
         Time of the first sample of the record.
     band_hz
         Floor and ceiling.
     matched
-        By how much it is louder or softer than it was stored, or "".
+        Text on how much louder or softer than stored it is, or "".
     """
 
-    found: Spectrogram
+    spectrogram: Spectrogram
     first_s: float
     band_hz: Range
     matched: str = ""
@@ -72,25 +70,25 @@ class SpectrogramPicture(Figure):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("spectrogram_picture", "Spectrogram", parent)
-        self.shown: SpectrogramContent | None = None
+        self.content: SpectrogramContent | None = None
         self.axes: Axes | None = None
         self.range_db: Range = (-SPAN_DB, 0.0)
         self._playhead_s: float | None = None
-        self._held = SteadyRange()
+        self._steady_range = SteadyRange()
         self._table = colour_table()
         self._pixels: np.ndarray | None = None
         self._image = QImage()
 
     def begin_anew(self) -> None:
         """Decide the range of the next picture without a look at the one before."""
-        self._held.let_go()
+        self._steady_range.let_go()
 
-    def show_spectrogram(self, shown: SpectrogramContent) -> None:
+    def show_spectrogram(self, content: SpectrogramContent) -> None:
         """Take over what to show."""
-        self.shown = shown
-        rows = _rows_within(shown)
-        levels = decibels(shown.found.amplitude[rows])
-        top = self._held.follow(float(levels.min()), float(levels.max()), "level")[1]
+        self.content = content
+        rows = _rows_within(content)
+        levels = decibels(content.spectrogram.amplitude[rows])
+        top = self._steady_range.follow(float(levels.min()), float(levels.max()), "level")[1]
         self.range_db = (top - SPAN_DB, top)
         codes = colour_indices(levels, self.range_db)
         self._pixels = np.ascontiguousarray(self._table[codes[::-1]])
@@ -107,20 +105,22 @@ class SpectrogramPicture(Figure):
         self.update()
 
     def draw(self, painter: QPainter, room: QRectF) -> None:
-        shown = self.shown
-        if shown is None:
+        content = self.content
+        if content is None:
             return
         metrics = QFontMetricsF(painter.font())
-        said = scale_text(-100.0, top=True, matched=shown.matched)
-        widest = max(map(metrics.horizontalAdvance, said))
+        widest_texts = scale_text(-100.0, top=True, matched=content.matched)
+        widest = max(map(metrics.horizontalAdvance, widest_texts))
         scale_px = widest + _SCALE_PX + 2 * UNIT_PX
         inner = room.adjusted(0, 0, -scale_px, 0)
-        self.axes = axes = fitted_axes(inner, _time_axis(shown), _frequency_axis(shown), metrics)
+        self.axes = axes = fitted_axes(
+            inner, _time_axis(content), _frequency_axis(content), metrics
+        )
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
         painter.save()
         painter.setClipRect(axes.frame)
         painter.fillRect(axes.frame, QColor(int(self._table[0])))
-        painter.drawImage(self._image_place(axes, shown), self._image)
+        painter.drawImage(self._image_place(axes, content), self._image)
         self._draw_lines(painter, axes)
         painter.restore()
         axes.paint(painter, current_theme(), grid=False)
@@ -129,10 +129,12 @@ class SpectrogramPicture(Figure):
     def read(self, at: QPointF) -> str:
         axes = self.axes
         place = None if axes is None else axes.value_at(at)
-        if axes is None or place is None or self.shown is None:
+        if axes is None or place is None or self.content is None:
             return ""
         time_s, frequency_hz = place
-        level = float(decibels(self.shown.found.at(time_s - self.shown.first_s, frequency_hz)))
+        level = float(
+            decibels(self.content.spectrogram.at(time_s - self.content.first_s, frequency_hz))
+        )
         long = axes.x.factor == 1.0
         when = f"{time_s:.4f} s" if long else f"{time_s * 1e3:.1f} ms"
         return minus(f"{when} · {frequency_hz:.1f} Hz · {level:z.1f} dB re 1 m/s²")
@@ -140,10 +142,10 @@ class SpectrogramPicture(Figure):
     def keys_area(self) -> QRectF:
         return QRectF() if self.axes is None or self.message else self.axes.frame
 
-    def _image_place(self, axes: Axes, shown: SpectrogramContent) -> QRectF:
-        """Columns and rows stand for the middles of their cells."""
-        time_s, frequency_hz = shown.found.time_s, _rows_frequency(shown)
-        x, y = _edges(time_s + shown.first_s), _edges(frequency_hz)
+    def _image_place(self, axes: Axes, content: SpectrogramContent) -> QRectF:
+        """Return where the image lies: its columns and rows are the middles of their cells."""
+        time_s, frequency_hz = content.spectrogram.time_s, _rows_frequency(content)
+        x, y = _edges(time_s + content.first_s), _edges(frequency_hz)
         corners = axes.to_screen(np.array(x), np.array(y))
         return QRectF(QPointF(*corners[0]), QPointF(*corners[1])).normalized()
 
@@ -152,7 +154,7 @@ class SpectrogramPicture(Figure):
         if self._playhead_s is not None:
             x = float(axes.to_screen(np.array([self._playhead_s]), np.zeros(1))[0, 0])
             line = QLineF(x, frame.top(), x, frame.bottom())
-            # In the colour of every playhead, on a ground on which it is seen in dark colours too.
+            # The colour of every playhead, on a ground that shows it on dark colours too.
             for colour, width_px in ((current_theme().base, 3.5), (current_theme().error, 1.5)):
                 painter.setPen(QPen(QColor(colour), width_px))
                 painter.drawLine(line)
@@ -178,34 +180,34 @@ class SpectrogramPicture(Figure):
         painter.drawRect(ramp)
         painter.setPen(QColor(current_theme().dim))
         low, high = self.range_db
-        matched = "" if self.shown is None else self.shown.matched
+        matched = "" if self.content is None else self.content.matched
         for part in (0.0, 0.5, 1.0):
             y = ramp.bottom() - part * ramp.height()
             place = QRectF(ramp.right() + 4, y - line / 2, room.right() - ramp.right() - 4, line)
-            told = matched or ramp.height() > _ROOM_LINES * line
-            top = bool(told) and part == 1.0
-            for words in scale_text(low + part * (high - low), top=top, matched=matched):
-                painter.drawText(place, _FLAGS, words)
+            has_reference = matched or ramp.height() > _ROOM_LINES * line
+            top = bool(has_reference) and part == 1.0
+            for text in scale_text(low + part * (high - low), top=top, matched=matched):
+                painter.drawText(place, _FLAGS, text)
                 place.translate(0.0, line)
 
 
 def scale_text(level_db: float, *, top: bool, matched: str = "") -> tuple[str, ...]:
-    """A level beside the scale; at its ``top``, and below it, what levels are relative to."""
-    words = minus(f"{level_db:.0f} dB")
+    """Return the lines for a level beside the scale, at its ``top`` with the reference."""
+    text = minus(f"{level_db:.0f} dB")
     below = matched.rsplit(" ", 1) if matched else ()
-    return (words, _REFERENCE, *below) if top else (words,)
+    return (text, _REFERENCE, *below) if top else (text,)
 
 
-def _rows_within(shown: SpectrogramContent) -> slice:
-    frequency_hz, (low, high) = shown.found.frequency_hz, shown.band_hz
+def _rows_within(content: SpectrogramContent) -> slice:
+    frequency_hz, (low, high) = content.spectrogram.frequency_hz, content.band_hz
     first = int(np.searchsorted(frequency_hz, low, "left"))
     end = int(np.searchsorted(frequency_hz, high, "right"))
     # One beyond each end: the picture is cut at the frame, not before it.
     return slice(max(first - 1, 0), min(max(end, first + 1) + 1, frequency_hz.size))
 
 
-def _rows_frequency(shown: SpectrogramContent) -> Floats:
-    return shown.found.frequency_hz[_rows_within(shown)]
+def _rows_frequency(content: SpectrogramContent) -> Floats:
+    return content.spectrogram.frequency_hz[_rows_within(content)]
 
 
 def _edges(middles: Floats) -> Range:
@@ -213,19 +215,17 @@ def _edges(middles: Floats) -> Range:
     return float(middles[0]) - half, float(middles[-1]) + half
 
 
-def _time_axis(shown: SpectrogramContent) -> Axis:
-    time_s = shown.found.time_s + shown.first_s
+def _time_axis(content: SpectrogramContent) -> Axis:
+    time_s = content.spectrogram.time_s + content.first_s
     first, last = float(time_s[0]), float(time_s[-1])
     last = last if last > first else first + 1e-3
     unit, factor = axis_unit(last)
     return Axis(shown=(first, last), title=f"Time ({unit})", factor=factor)
 
 
-def _frequency_axis(shown: SpectrogramContent) -> Axis:
-    return Axis(shown=shown.band_hz, title="Frequency (Hz)")
+def _frequency_axis(content: SpectrogramContent) -> Axis:
+    return Axis(shown=content.band_hz, title="Frequency (Hz)")
 
-
-# The spectrogram of one of the selected outputs.
 
 _NARROWEST_HZ, _MOST_NUMBER_PX = 5.0, 84
 
@@ -248,7 +248,7 @@ class SpectrogramPanel(FigurePanel):
         self.floor = NumberField(FLOOR, widest_unit="Hz")
         self.ceiling = NumberField(CEILING, widest_unit="Hz")
         for choice in (self.output, self.window_length):
-            # Never narrower than its words.
+            # Never narrower than its text.
             choice.setMinimumContentsLength(0)
             choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.window_length.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
@@ -259,10 +259,10 @@ class SpectrogramPanel(FigurePanel):
             (self.floor, QLabel("–"), self.ceiling, None),
         )
         self.choices.addWidget(BesideOrBelow(what, band, spacing_px=UNIT_PX // 2))
-        self.output.chosen.connect(self._choose_output)
-        self.window_length.chosen.connect(self._choose_window)
-        self.floor.edited.connect(self._choose_floor)
-        self.ceiling.edited.connect(self._choose_ceiling)
+        self.output.chosen.connect(lambda number, _: self._change(output=float(number)))
+        self.window_length.chosen.connect(lambda window_ms, _: self._change(window_ms=window_ms))
+        self.floor.edited.connect(lambda value_hz, _: self._change(floor_hz=value_hz))
+        self.ceiling.edited.connect(lambda value_hz, _: self._change(ceiling_hz=value_hz))
         self.figure.say(self.no_outputs)
 
     @property
@@ -315,11 +315,11 @@ class SpectrogramPanel(FigurePanel):
     def _show_choices(self, limb: str) -> None:
         settings, outputs = self._settings, self._view.outputs
         known = [self.output.itemText(k) for k in range(self.output.count())]
-        wanted = [f"{number} {output_name(number, limb).short_name}" for number in outputs]
-        if known != wanted:
+        names = [f"{number} {output_name(number, limb).short_name}" for number in outputs]
+        if known != names:
             self.output.clear()
-            for number, words in zip(outputs, wanted, strict=True):
-                self.output.addItem(words, str(number))
+            for number, name in zip(outputs, names, strict=True):
+                self.output.addItem(name, str(number))
         chosen = settings.output if settings.output in outputs else (outputs or (0,))[-1]
         self.output.set_value(str(chosen) if chosen else "")
         self.output.setEnabled(len(outputs) > 1)
@@ -328,38 +328,24 @@ class SpectrogramPanel(FigurePanel):
         self.ceiling.set_value(min(settings.ceiling_hz, facts_of(limb).sample_rate_hz / 2.0))
 
     def _draw(self, results: Mapping[str, Any]) -> None:
-        found = results["output_spectrogram"]
+        spectrogram = results["output_spectrogram"]
         band = _band(self._settings, results["sample_rate_hz"] / 2.0)
         first_s = float(results["response_time_s"][0])
         matched = match_text(results["match_gain"])
         self.picture.show_spectrogram(
-            SpectrogramContent(found=found, first_s=first_s, band_hz=band, matched=matched)
+            SpectrogramContent(
+                spectrogram=spectrogram, first_s=first_s, band_hz=band, matched=matched
+            )
         )
         number = results["spectrogram_output"]
         limb = results["limb_data"]
-        words = [output_text(number, limb.name)]
-        words.append(signal_label(results["axes"], results["method"]))
+        parts = [output_text(number, limb.name)]
+        parts.append(signal_label(results["axes"], results["method"]))
         if results["method"] == "mag" and len(results["axes"]) > 1:
-            words.append("of a magnitude: rectified, doubled frequencies")
+            parts.append("of a magnitude: rectified, doubled frequencies")
         if limb.synthetic:
-            words.append("synthetic limb")
-        self.show_found(" · ".join(words))
-
-    def _choose_output(self, number: str, gesture: int | None) -> None:
-        del gesture
-        self._change(output=float(number))
-
-    def _choose_window(self, window_ms: str, gesture: int | None) -> None:
-        del gesture
-        self._change(window_ms=window_ms)
-
-    def _choose_floor(self, value_hz: float, gesture: int | None) -> None:
-        del gesture
-        self._change(floor_hz=value_hz)
-
-    def _choose_ceiling(self, value_hz: float, gesture: int | None) -> None:
-        del gesture
-        self._change(ceiling_hz=value_hz)
+            parts.append("synthetic limb")
+        self.show_found(" · ".join(parts))
 
     def _change(self, **changes: Any) -> None:
         settings = replace(self._settings, **changes)
@@ -368,7 +354,7 @@ class SpectrogramPanel(FigurePanel):
 
 
 def _band(settings: SpectrogramSettings, highest_hz: float) -> Range:
-    """Floor and ceiling inside of what there is, some hertz apart."""
+    """Return floor and ceiling within the known frequencies, some hertz apart."""
     floor = min(settings.floor_hz, highest_hz - _NARROWEST_HZ)
     ceiling = min(settings.ceiling_hz, highest_hz)
     return (floor, ceiling) if ceiling - floor >= _NARROWEST_HZ else (floor, highest_hz)

@@ -1,4 +1,4 @@
-"""Figures of outputs as a table."""
+"""The panel of figures of the selected outputs, as a table that can be copied."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -38,8 +38,12 @@ from skinsource_gui.panels.figure_panel import COMPUTING
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.asking import CopyButton, copied
 from skinsource_gui.qt.keys import claims_shortcut
-from skinsource_gui.qt.labels import SHORT_NAME, dress_table, give_names_the_rest
-from skinsource_gui.qt.labels import how_to_select_output as empty_words_output_words
+from skinsource_gui.qt.labels import (
+    SHORT_NAME,
+    dress_table,
+    give_names_the_rest,
+    how_to_select_output,
+)
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.state.panel import Panel
 
@@ -57,7 +61,7 @@ COLUMNS = (
     ),
 )
 NOISE_MARK = "≈"
-NOISE_WORDS = f"{NOISE_MARK} less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise"
+NOISE_NOTE = f"{NOISE_MARK} less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -70,17 +74,17 @@ class StatisticsRow:
     noisy: bool
 
     def texts(self) -> tuple[str, ...]:
-        """As they are shown; a dash where there is no number."""
+        """Return the texts of a row; a dash where there is no number."""
         mark = f" {NOISE_MARK}" if self.noisy else ""
         written = (
             format(value, style).removesuffix(".") if np.isfinite(value) else "–"
             for value, style in zip(self.shown, ("#.3g", "#.3g", ".2f", ".1f", ".1f"), strict=True)
         )
-        return (f"{self.number}  {self.name}{mark}", *(one.replace("-", "−") for one in written))
+        return (f"{self.number}  {self.name}{mark}", *(text.replace("-", "−") for text in written))
 
     @property
     def short_name(self) -> str:
-        """Its name where there is little room: the number."""
+        """The name where there is little room: the number."""
         return f"{self.number} {NOISE_MARK}" if self.noisy else str(self.number)
 
     @property
@@ -93,8 +97,8 @@ class StatisticsRow:
 def rows_of(
     outputs: tuple[int, ...], figures: Statistics, above_noise_db: Floats | None, limb: str = ""
 ) -> tuple[StatisticsRow, ...]:
-    """A row for each selected output of a limb."""
-    found = []
+    """Return a row for each selected output of a limb."""
+    rows = []
     columns = (
         figures.rms,
         figures.peak,
@@ -104,7 +108,7 @@ def rows_of(
     )
     for rank, output in enumerate(outputs):
         above = np.inf if above_noise_db is None else above_noise_db[output - 1]
-        found.append(
+        rows.append(
             StatisticsRow(
                 number=output,
                 name=output_name(output, limb).short_name,
@@ -112,11 +116,11 @@ def rows_of(
                 noisy=bool(above < LEAST_ABOVE_NOISE_DB),
             )
         )
-    return tuple(found)
+    return tuple(rows)
 
 
 def tab_separated(rows: tuple[StatisticsRow, ...]) -> str:
-    """The table for a spreadsheet: a header, then numbers that read back exactly."""
+    """Return the table for a spreadsheet: a header, then numbers that read back exactly."""
     header: tuple[str, ...] = ("output", "place", "rms_m_per_s2", "peak_m_per_s2")
     header += ("crest", "dominant_hz", "delay_ms", "mostly_noise")
     lines = ["\t".join(header)]
@@ -125,8 +129,6 @@ def tab_separated(rows: tuple[StatisticsRow, ...]) -> str:
         lines.append("\t".join((str(row.number), row.name, *numbers, "yes" if row.noisy else "no")))
     return "\n".join(lines) + "\n"
 
-
-# Rows of figures, as Qt asks for them.
 
 _Index = QModelIndex | QPersistentModelIndex
 _Role = Qt.ItemDataRole
@@ -170,7 +172,7 @@ class TableModel(QAbstractTableModel):
         if role == SHORT_NAME and column == 0:
             return row.short_name
         if role == _Role.ToolTipRole and (row.noisy or not column):
-            return f"{row.texts()[0]}: {NOISE_WORDS}" if row.noisy else row.texts()[0]
+            return f"{row.texts()[0]}: {NOISE_NOTE}" if row.noisy else row.texts()[0]
         return None
 
     def headerData(
@@ -187,19 +189,16 @@ class TableModel(QAbstractTableModel):
         return None
 
 
-# Figures of the selected outputs, as a table that can be copied.
-
-
 class FigureTable(QTableView):
     """The table; the usual key copies all of it."""
 
     copy_wanted = Signal()
 
     def event(self, event: QEvent) -> bool:
-        return claims_shortcut(event, _copies) or super().event(event)
+        return claims_shortcut(event, _is_copy) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if _copies(event):
+        if _is_copy(event):
             self.copy_wanted.emit()
         else:
             super().keyPressEvent(event)
@@ -236,57 +235,6 @@ class StatisticsPanel(Panel):
         self.copy = CopyButton(self.name, lambda: tab_separated(self.model.rows))
         self.table.copy_wanted.connect(self.copy.click)
         self.computed = (self.table,)
-        self._lay_out()
-        self.setFocusProxy(self.table)
-        self._say(self.no_outputs)
-
-    @property
-    def needs(self) -> frozenset[str]:
-        drawn = {"output_statistics", "shown_outputs", "above_noise_db", "limb_data"}
-        return frozenset(drawn | {"axes", "match_gain", "method", "span"})
-
-    @property
-    def no_outputs(self) -> str:
-        """What it says while no output is selected."""
-        return empty_words_output_words(self.in_sight)
-
-    def sizeHint(self) -> QSize:
-        return QSize(460, 260)
-
-    def show_state(self, design: Design, view: View) -> None:
-        if not view.outputs:
-            self._say(self.no_outputs)
-        elif self._message.text() == self.no_outputs:
-            self._message.setText(COMPUTING)
-
-    def show_results(self, results: Mapping[str, Any]) -> None:
-        outputs = results["shown_outputs"]
-        if not outputs:
-            self._say(self.no_outputs)
-            return
-        found = results["output_statistics"], results["above_noise_db"]
-        rows = rows_of(outputs, *found, limb=results["limb_data"].name)
-        self.model.show_rows(rows)
-        parts = (
-            signal_label(results["axes"], results["method"]),
-            f"RMS: {span_label(results['span'])}",
-            match_text(results["match_gain"]),
-            NOISE_WORDS if any(row.noisy for row in rows) else "",
-        )
-        self.about.say(" · ".join(filter(None, parts)))
-        self.copy.offer(True)
-        self._stack.setCurrentWidget(self.table)
-
-    def show_problem(self, reason: str) -> None:
-        self._say(reason)
-
-    def show_in_sight(self, names: frozenset[str]) -> None:
-        said = self._message.text() == self.no_outputs
-        super().show_in_sight(names)
-        if said:
-            self._message.setText(self.no_outputs)
-
-    def _lay_out(self) -> None:
         bar = QHBoxLayout()
         bar.setContentsMargins(UNIT_PX, 1, UNIT_PX // 2, 1)
         bar.addWidget(self.about, 1)
@@ -296,8 +244,56 @@ class StatisticsPanel(Panel):
         column.setSpacing(0)
         column.addLayout(bar)
         column.addWidget(self._stack, 1)
+        self.setFocusProxy(self.table)
+        self._show_message(self.no_outputs)
 
-    def _say(self, message: str) -> None:
+    @property
+    def needs(self) -> frozenset[str]:
+        drawn = {"output_statistics", "shown_outputs", "above_noise_db", "limb_data"}
+        return frozenset(drawn | {"axes", "match_gain", "method", "span"})
+
+    @property
+    def no_outputs(self) -> str:
+        """The message while no output is selected."""
+        return how_to_select_output(self.in_sight)
+
+    def sizeHint(self) -> QSize:
+        return QSize(460, 260)
+
+    def show_state(self, design: Design, view: View) -> None:
+        if not view.outputs:
+            self._show_message(self.no_outputs)
+        elif self._message.text() == self.no_outputs:
+            self._message.setText(COMPUTING)
+
+    def show_results(self, results: Mapping[str, Any]) -> None:
+        outputs = results["shown_outputs"]
+        if not outputs:
+            self._show_message(self.no_outputs)
+            return
+        figures, above_noise_db = results["output_statistics"], results["above_noise_db"]
+        rows = rows_of(outputs, figures, above_noise_db, results["limb_data"].name)
+        self.model.show_rows(rows)
+        parts = (
+            signal_label(results["axes"], results["method"]),
+            f"RMS: {span_label(results['span'])}",
+            match_text(results["match_gain"]),
+            NOISE_NOTE if any(row.noisy for row in rows) else "",
+        )
+        self.about.say(" · ".join(filter(None, parts)))
+        self.copy.offer(True)
+        self._stack.setCurrentWidget(self.table)
+
+    def show_problem(self, reason: str) -> None:
+        self._show_message(reason)
+
+    def show_in_sight(self, names: frozenset[str]) -> None:
+        was_empty = self._message.text() == self.no_outputs
+        super().show_in_sight(names)
+        if was_empty:
+            self._message.setText(self.no_outputs)
+
+    def _show_message(self, message: str) -> None:
         self.model.show_rows(())
         self.about.say("")
         self.copy.offer(False)
@@ -305,5 +301,5 @@ class StatisticsPanel(Panel):
         self._stack.setCurrentWidget(self._message)
 
 
-def _copies(event: QKeyEvent) -> bool:
+def _is_copy(event: QKeyEvent) -> bool:
     return event.matches(QKeySequence.StandardKey.Copy)

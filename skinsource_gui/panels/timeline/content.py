@@ -1,4 +1,4 @@
-"""Lanes and the clips in them, in pixels."""
+"""What the timeline shows: lanes, clips and gain curves in pixels, and which part of the time."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -38,9 +38,9 @@ from skinsource_gui.qt.tooltips import tooltip
 
 #: Free space above and below a clip, px.
 MARGIN_PX = 3.0
-#: No clip is painted narrower, so that one can be seen and caught.
+#: No clip is painted narrower, so that it can be seen and clicked.
 NARROWEST_PX = 3.0
-#: How far outside a clip its ends can be caught, px.
+#: Distance outside a clip within which its ends can be dragged, px.
 REACH_PX = 4.0
 
 
@@ -50,16 +50,12 @@ class Lane:
 
     Attributes
     ----------
-    track
-        The track.
     top_px, height_px
-        Where it lies.
+        Where the lane lies.
     silent
-        Why it is not heard, or "".
+        Why the track is silent, or "".
     problem
-        Why it cannot be played, or "".
-    selected
-        Whether its track is selected.
+        Why the track cannot be played, or "".
     """
 
     track: Input
@@ -71,13 +67,13 @@ class Lane:
 
     @property
     def bottom_px(self) -> float:
-        """Where the next one begins."""
+        """Return where the next lane begins, px."""
         return self.top_px + self.height_px
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Box:
-    """A clip where it is painted, and how far its fades reach, px."""
+    """The place of a clip on its lane, and how far its fades reach, px."""
 
     clip: Clip
     lane: Lane
@@ -88,16 +84,16 @@ class Box:
 def boxes_of(
     lanes: Sequence[Lane], scale: TimeScale, durations_s: Mapping[int, float]
 ) -> list[Box]:
-    """The clips that can be seen between the ends of ``scale``, lane by lane, in painting order.
+    """Return the clips that are visible between the ends of ``scale``, lane by lane.
 
     Parameters
     ----------
     lanes
-        Lanes that can be seen.
+        The visible lanes.
     durations_s
         Length of each clip, by its id.
     """
-    found = []
+    boxes = []
     first, last = scale.left_px, scale.right_px
     for lane in lanes:
         top, height = lane.top_px + MARGIN_PX, lane.height_px - 2 * MARGIN_PX
@@ -108,47 +104,29 @@ def boxes_of(
                 rect = QRectF(left, top, width, height)
                 in_s, out_s = fades_of(clip) if clip.effects else (0.0, 0.0)
                 fades_px = (in_s * scale.px_per_s, out_s * scale.px_per_s)
-                found.append(Box(clip=clip, lane=lane, rect=rect, fades_px=fades_px))
-    return found
+                boxes.append(Box(clip=clip, lane=lane, rect=rect, fades_px=fades_px))
+    return boxes
 
-
-def lane_at(lanes: Sequence[Lane], y_px: float) -> Lane | None:
-    """The lane at this height."""
-    return next((lane for lane in lanes if lane.top_px <= y_px < lane.bottom_px), None)
-
-
-def box_at(boxes: Sequence[Box], at: QPointF) -> Box | None:
-    """The uppermost clip at this place, or else one of which an end is within reach."""
-    for reach in (0.0, REACH_PX):
-        for box in reversed(boxes):
-            if box.rect.adjusted(-reach, 0, reach, 0).contains(at):
-                return box
-    return None
-
-
-# Where the gain curve of a track is on its lane.
 
 Curve = tuple[tuple[float, float], ...]
 
-#: How far away from a point, and from the line, the pointer catches it, px.
+#: Distance within which the pointer catches a point, and the line, px.
 POINT_PX, LINE_PX = 8.0, 5.0
-# Gains up to this have room at least; free space above and below, px.
+# A lane has room for gains up to this, and for a little more than the largest one.
 _LEAST_TOP, _ROOM = 2.0, 1.15
 _MARGIN_PX = 4.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GainStrip:
-    """A gain curve, and where its values lie.
+    """A gain curve on its lane.
 
     Attributes
     ----------
-    lane, scale
-        Where it is.
     top
         The gain at the upper edge of the lane.
     shown
-        Whether it is shown for editing; else it is only hinted at.
+        Whether the curve is edited; else it is a thin line.
     """
 
     lane: Lane
@@ -158,150 +136,138 @@ class GainStrip:
 
     @property
     def points(self) -> Points:
-        """Its breakpoints."""
+        """The breakpoints of the curve."""
         return points_of(self.lane.track.gain_curve)
 
     @property
     def height_px(self) -> float:
-        """From a gain of 0 up to the largest one, px."""
+        """Height from a gain of 0 up to the largest one, px."""
         return max(self.lane.height_px - 2 * _MARGIN_PX, 1.0)
 
     def at(self, time_s: float, gain: float) -> QPointF:
-        """Where a gain at a time lies, px."""
+        """Return the place of a gain at a time, px."""
         return QPointF(self.scale.x(time_s), self.y(gain))
 
     def y(self, gain: float) -> float:
-        """Where a gain lies, px."""
+        """Return the height of a gain, px."""
         return self.lane.bottom_px - _MARGIN_PX - gain / self.top * self.height_px
 
     def gain_at(self, time_s: float) -> float:
-        """The gain at a time."""
+        """Return the gain at a time."""
         points = self.points or ((0.0, 1.0, "straight"),)
         return float(curve_at(points, np.array([time_s]))[0])
 
     def point_at(self, at: QPointF) -> int | None:
-        """The point within reach."""
+        """Return the number of the point within reach of the pointer."""
         away = [
-            (max(abs(one.x() - at.x()), abs(one.y() - at.y())), k)
-            for k, one in enumerate(self.at(x, y) for x, y, _ in self.points)
+            (max(abs(place.x() - at.x()), abs(place.y() - at.y())), k)
+            for k, place in enumerate(self.at(x, y) for x, y, _ in self.points)
         ]
-        found = min(away, default=None)
-        return None if found is None or found[0] > POINT_PX else found[1]
+        nearest = min(away, default=None)
+        return None if nearest is None or nearest[0] > POINT_PX else nearest[1]
 
     def is_on_line(self, at: QPointF) -> bool:
-        """Whether the curve passes here."""
+        """Return whether the curve passes here."""
         return abs(self.y(self.gain_at(self.scale.time(at.x()))) - at.y()) <= LINE_PX
 
-    def around(self, time_s: float) -> tuple[int, ...]:
-        """The points between which the curve is at a time; beyond its ends the one there."""
+    def points_around(self, time_s: float) -> tuple[int, ...]:
+        """Return the numbers of the points around a time; beyond the ends of the last one."""
         points = self.points
         before = sum(x <= time_s for x, _, _ in points)
         return tuple(k for k in (before - 1, before) if 0 <= k < len(points))
 
 
 def points_of(curve: Curve) -> Points:
-    """A gain curve as breakpoints."""
+    """Return a gain curve as breakpoints."""
     return tuple((x, y, "straight") for x, y in curve)
 
 
 def curve_of(points: Points) -> Curve:
-    """Breakpoints as a gain curve, with no more digits than anybody wants to read."""
+    """Return breakpoints as a gain curve, rounded so that its numbers are short."""
     return tuple((round(x, 9), round(y, 6)) for x, y, _ in points)
 
 
-def top_of(curve: Curve) -> float:
-    """The largest gain that a lane has room for."""
+def top_gain_of(curve: Curve) -> float:
+    """Return the largest gain for which the lane has room."""
     return max(_LEAST_TOP, _ROOM * max((y for _, y in curve), default=0.0))
 
 
 def gain_point_text(time_s: float, gain: float) -> str:
-    """A point in words: ``"120 ms · × 0.5 · −6.0 dB"``."""
+    """Return the text of a point: ``"120 ms · × 0.5 · −6.0 dB"``."""
     level = f"{number_text(float(decibels(np.array([gain]))[0]), 1)} dB" if gain > 0.0 else "silent"
     return f"{value_text(time_s, 's', digits=5)} · × {gain:.4g} · {level}"
 
 
-# How long clips are, and all of them together.
-
-#: Behind the last clip, so much of the time can be seen; at least so much in all.
+#: The timeline shows so much time behind the last clip, and at least so much in all.
 AFTER_S, LEAST_S = 0.4, 0.5
 
 
 class ClipLengths:
-    """Lengths of the clips of a design; those of clips that are as they were are not asked again.
+    """Lengths of the clips of a design; clips that are the same as before are not computed again.
 
     Parameters
     ----------
     design
-        Whose clips.
+        Design with the clips.
     before
-        What was known of an earlier design.
+        The lengths for an earlier design.
 
     Attributes
     ----------
-    design
-        Whose clips.
-    asked
-        How many clips were asked.
+    durations_s
+        Length of each clip, by its id.
+    whole_s
+        From 0 to a little behind the last clip.
+    n_computed
+        How many lengths were computed, not taken over.
     """
 
     def __init__(self, design: Design, before: "ClipLengths | None" = None) -> None:
-        self.design, self.asked = design, 0
+        self.design, self.n_computed = design, 0
         known: Mapping[int, tuple[Clip, float]] = {} if before is None else before._known
         self._known: Mapping[int, tuple[Clip, float]] = {
-            clip.id: self._known_or_asked(clip, known) for clip in design.clips
+            clip.id: self._known_or_computed(clip, known) for clip in design.clips
         }
-        self._durations_s = {id: duration_s for id, (_, duration_s) in self._known.items()}
+        self.durations_s = {id: duration_s for id, (_, duration_s) in self._known.items()}
         ends = [clip.onset_s + duration_s for clip, duration_s in self._known.values()]
-        self._whole_s = (0.0, max(max(ends, default=0.0) + AFTER_S, LEAST_S))
-
-    @property
-    def durations_s(self) -> Mapping[int, float]:
-        """Length of each clip, by its id."""
-        return self._durations_s
-
-    @property
-    def whole_s(self) -> Range:
-        """From 0 to a little behind the last clip."""
-        return self._whole_s
+        self.whole_s: Range = (0.0, max(max(ends, default=0.0) + AFTER_S, LEAST_S))
 
     def of(self, design: Design) -> "ClipLengths":
-        """Those of a design, most of whose clips are the same."""
+        """Return the lengths for a design, most of whose clips are the same."""
         return self if design is self.design else ClipLengths(design, self)
 
-    def _known_or_asked(
+    def _known_or_computed(
         self, clip: Clip, known: Mapping[int, tuple[Clip, float]]
     ) -> tuple[Clip, float]:
-        found = known.get(clip.id)
-        if found is not None and found[0] is clip:
-            return found
-        self.asked += 1
+        entry = known.get(clip.id)
+        if entry is not None and entry[0] is clip:
+            return entry
+        self.n_computed += 1
         return clip, clip.duration_s
 
 
-# Where clips of a track lie over each other, and which of them are at a place.
-
 _MARK_PX = 4.0
 _ALPHA = 190
-# What is shorter is rounding of two clips that follow each other, s.
+# Shorter overlaps are rounding errors of clips that follow each other, s.
 _LEAST_S = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
-    """From when to when clips overlap, s."""
+    """A stretch of time in which clips overlap, s."""
 
     start_s: float
     end_s: float
 
 
 class Overlaps:
-    """Finds where clips of tracks overlap; of a track that stays the same, once."""
+    """Finds where clips of a track overlap; a track that stays the same is searched once."""
 
     def __init__(self) -> None:
         self._known: dict[int, tuple[Input, tuple[Stretch, ...]]] = {}
 
     def of(self, track: Input) -> tuple[Stretch, ...]:
-        """Stretches of time with two clips or more, rising."""
+        """Return the stretches of time with two clips or more, in order."""
         known = self._known.get(track.id)
         if known is None or known[0] is not track:
             known = self._known[track.id] = (track, stretches(track.clips))
@@ -309,98 +275,79 @@ class Overlaps:
 
 
 def stretches(clips: Iterable[Clip]) -> tuple[Stretch, ...]:
-    """Stretches of time in which two of these clips or more play."""
-    found: list[Stretch] = []
+    """Return the stretches of time in which two of these clips or more play."""
+    overlaps: list[Stretch] = []
     last_s = float("-inf")
-    for start_s, end_s in sorted((one.onset_s, one.end_s) for one in clips):
+    for start_s, end_s in sorted((clip.onset_s, clip.end_s) for clip in clips):
         if min(last_s, end_s) - start_s > _LEAST_S:
             both = Stretch(start_s, min(last_s, end_s))
-            if found and both.start_s <= found[-1].end_s:
-                both = Stretch(found[-1].start_s, max(found[-1].end_s, both.end_s))
-                found.pop()
-            found.append(both)
+            if overlaps and both.start_s <= overlaps[-1].end_s:
+                both = Stretch(overlaps[-1].start_s, max(overlaps[-1].end_s, both.end_s))
+                overlaps.pop()
+            overlaps.append(both)
         last_s = max(last_s, end_s)
-    return tuple(found)
+    return tuple(overlaps)
 
 
 def paint_overlaps(
-    painter: QPainter, lane: Lane, found: Sequence[Stretch], scale: TimeScale, theme: Theme
+    painter: QPainter, lane: Lane, overlaps: Sequence[Stretch], scale: TimeScale, theme: Theme
 ) -> None:
     """Mark at the foot of a lane where its clips overlap."""
     colour = QColor(theme.text)
     colour.setAlpha(_ALPHA)
     top = lane.bottom_px - MARGIN_PX - _MARK_PX
-    for one in found:
-        left, right = max(scale.x(one.start_s), -10.0), min(scale.x(one.end_s), 1e5)
+    for stretch in overlaps:
+        left, right = max(scale.x(stretch.start_s), -10.0), min(scale.x(stretch.end_s), 1e5)
         if right > left:
             painter.fillRect(QRectF(left, top, max(right - left, 2.0), _MARK_PX), colour)
 
 
-def boxes_at(boxes: Sequence[Box], at: QPointF) -> list[Box]:
-    """All clips at a place, in the order in which their track lists them."""
-    found = [box for box in boxes if box.rect.contains(at)]
-    return sorted(found, key=lambda box: box.lane.track.clips.index(box.clip))
-
-
-def after(ids: Sequence[int], one: int | None) -> int | None:
-    """The next of several, the first after the last; None where there is no other."""
+def next_id(ids: Sequence[int], current: int | None) -> int | None:
+    """Return the id after this one, the first after the last; None where there is no other."""
     if len(ids) < 2:
         return None
-    return ids[(ids.index(one) + 1) % len(ids)] if one in ids else ids[0]
+    return ids[(ids.index(current) + 1) % len(ids)] if current in ids else ids[0]
 
 
 def overlapping(track: Input, clip: Clip) -> tuple[int, ...]:
-    """Ids of the clips of a track that play while one of them does, with that one."""
+    """Return the ids of one clip of a track, and of those that play at the same time."""
     return tuple(
-        one.id
-        for one in sorted(track.clips, key=lambda each: (each.onset_s, each.id))
-        if min(one.end_s, clip.end_s) - max(one.onset_s, clip.onset_s) > _LEAST_S or one is clip
+        other.id
+        for other in sorted(track.clips, key=lambda each: (each.onset_s, each.id))
+        if min(other.end_s, clip.end_s) - max(other.onset_s, clip.onset_s) > _LEAST_S
+        or other is clip
     )
 
 
 def clip_text(clip: Clip) -> str:
-    """A clip in a list: ``"Tone · 120 ms"``."""
+    """Return the text of a clip in a list: ``"Tone · 120 ms"``."""
     return f"{clip.label or clip.waveform.title} · {value_text(clip.onset_s, 's', digits=5)}"
 
 
-# What the timeline shows.
-
-#: How high the ruler is where words have their usual size, px.
+#: Height of the ruler for text of the usual size, px.
 RULER_PX = 26.0
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class TimelineContent:
-    """Design, view, and where both are painted; made anew at each change.
+    """What the timeline shows, and where; a new one is made at each change.
 
     Attributes
     ----------
-    design, view
-        What is shown.
     lanes
         Lanes from top to bottom, also those out of sight.
-    scale
-        From times to pixels.
     height_px
-        Where the lowest lane that can be seen ends.
-    lengths
-        How long the clips are.
+        Where the lowest visible lane ends.
     waveforms, sample_rate_hz
-        What clips play, (n_times,) each, by their id, as far as it is known, at that rate.
+        What clips play, (n_times,) each, by their ids, as far as it is known, and its rate.
     awaited
-        Ids of the clips of which it is late.
-    snaps
-        Whether edges snap.
-    ruler_px
-        How high the ruler is.
+        Ids of the clips whose waveform is being computed.
     gain_shown
         Ids of the tracks whose gain curve is edited.
     gain_tops
-        The largest gain that a lane has room for, by the id of its track, while it is held.
+        The largest gain on a lane, by the id of its track, while a drag lasts.
     chosen_point
         Id of a track and number of a point on its gain curve, or None.
-    overlaps
-        Knows where clips of a track overlap.
     """
 
     design: Design
@@ -426,23 +373,23 @@ class TimelineContent:
 
     @cached_property
     def selected(self) -> frozenset[int]:
-        """Clips that are selected."""
+        """Ids of the selected clips."""
         return frozenset(self.view.selected_clips)
 
     @cached_property
     def boxes(self) -> list[Box]:
-        """Clips that can be seen, in painting order: the selected ones lie on top."""
+        """Visible clips in painting order: the selected ones lie on top."""
         boxes = [box for lane in self.lanes for box in self.boxes_on(lane)]
         return sorted(boxes, key=lambda box: box.clip.id in self.selected)
 
     @cached_property
     def strips(self) -> list[GainStrip]:
-        """Gain curves that can be seen: those that are edited, and those that do something."""
+        """Gain curves that are painted: those that are edited, and those that are not flat."""
         return [
             GainStrip(
                 lane=lane,
                 scale=self.scale,
-                top=self.gain_tops.get(lane.track.id) or top_of(lane.track.gain_curve),
+                top=self.gain_tops.get(lane.track.id) or top_gain_of(lane.track.gain_curve),
                 shown=lane.track.id in self.gain_shown,
             )
             for lane in self.lanes
@@ -450,15 +397,15 @@ class TimelineContent:
         ]
 
     def unplayable_on(self, lane: Lane) -> frozenset[int]:
-        """Clips for which a lane cannot be played: that cannot be sampled, or else all of them."""
+        """Return the ids of the clips that keep a lane from being played."""
         if not lane.problem:
             return frozenset()
         sounding = [clip.id for clip in lane.track.clips if not clip.muted]
         known = self.waveforms.keys() | self.awaited
-        return frozenset([one for one in sounding if one not in known] or sounding)
+        return frozenset([clip_id for clip_id in sounding if clip_id not in known] or sounding)
 
     def boxes_on(self, lane: Lane) -> list[Box]:
-        """Clips of a lane that can be seen, in painting order."""
+        """Return the visible clips of a lane, in painting order."""
         if lane.bottom_px <= self.ruler_px or lane.top_px >= self.height_px:
             return []
         boxes = boxes_of([lane], self.scale, self.durations_s)
@@ -466,73 +413,84 @@ class TimelineContent:
 
     @property
     def whole_s(self) -> Range:
-        """All of the time that there is to see."""
+        """The longest part of the time that can be shown."""
         return self.lengths.whole_s
 
     @cached_property
     def chosen(self) -> tuple[int, ...]:
-        """Clips that edits are about: the selected ones, or else the one that the inspector shows.
+        """Clips that edits change: the selected ones, or else the one that the inspector shows.
 
-        That is the first clip of the track that was selected last.
+        The inspector shows the first clip of the track that was selected last.
         """
         return chosen_clips(self.design, self.view)
 
     def with_playhead(self, view: View) -> "TimelineContent":
-        """The same with the playhead of ``view``, of which all else is as it is here."""
-        found = replace(self, view=view)
+        """Return the same content with the playhead of ``view``, which differs in nothing else."""
+        content = replace(self, view=view)
         # Nothing of what is known already depends on where the playhead is.
         for name in ("selected", "boxes", "strips", "chosen"):
             if name in self.__dict__:
-                found.__dict__[name] = self.__dict__[name]
-        return found
+                content.__dict__[name] = self.__dict__[name]
+        return content
 
     @property
-    def place_of_keys(self) -> QPointF:
-        """Where the keyboard is: on the clip that was selected last, or else at the playhead."""
+    def keyboard_place(self) -> QPointF:
+        """Place that keys refer to: the clip that was selected last, or else the playhead."""
         last = self.view.selected_clip
         for box in self.boxes:
             if box.clip.id == last:
                 return box.rect.center()
-        lane = next((one for one in self.lanes if one.selected), None)
+        lane = next((lane for lane in self.lanes if lane.selected), None)
         y = self.ruler_px / 2 if lane is None else lane.top_px + lane.height_px / 2
         return QPointF(self.scale.x(self.view.playhead_s), y)
 
     @property
     def reach_s(self) -> float:
-        """From how far away an edge snaps."""
+        """Distance from which an edge snaps, s."""
         return SNAPPING_REACH_PX / self.scale.px_per_s
 
     @property
     def grid_s(self) -> float:
-        """Step of the grid that is painted."""
+        """Step of the grid that is painted, s."""
         return grid_step_s(self.scale.px_per_s)
 
     def box_at(self, at: QPointF) -> Box | None:
-        """The uppermost clip at a place; the ruler lies over all."""
-        return None if at.y() < self.ruler_px else box_at(self.boxes, at)
+        """Return the uppermost clip at a place, or else one of which an end is within reach."""
+        if at.y() < self.ruler_px:
+            return None
+        for reach in (0.0, REACH_PX):
+            for box in reversed(self.boxes):
+                if box.rect.adjusted(-reach, 0, reach, 0).contains(at):
+                    return box
+        return None
 
     def boxes_at(self, at: QPointF) -> list[Box]:
-        """All clips at a place, in the order of their track."""
-        return [] if at.y() < self.ruler_px else boxes_at(self.boxes, at)
+        """Return all clips at a place, in the order in which their track lists them."""
+        if at.y() < self.ruler_px:
+            return []
+        boxes = [box for box in self.boxes if box.rect.contains(at)]
+        return sorted(boxes, key=lambda box: box.lane.track.clips.index(box.clip))
 
     def lane_at(self, y_px: float) -> Lane | None:
-        """The lane at a height."""
-        return None if y_px < self.ruler_px else lane_at(self.lanes, y_px)
+        """Return the lane at a height."""
+        if y_px < self.ruler_px:
+            return None
+        return next((lane for lane in self.lanes if lane.top_px <= y_px < lane.bottom_px), None)
 
     def neighbours_s(self, without: frozenset[int] = frozenset()) -> list[float]:
-        """Rising times that edges of the clips ``without`` may come to rest on."""
-        found = {0.0, self.view.playhead_s, *(one.time_s for one in self.design.markers)}
+        """Return the times to which edges of clips snap, in order, but for clips ``without``."""
+        times_s = {0.0, self.view.playhead_s, *(marker.time_s for marker in self.design.markers)}
         if self.design.loop_s is not None:
-            found.update(self.design.loop_s)
+            times_s.update(self.design.loop_s)
         for lane in self.lanes:
             for clip in lane.track.clips:
                 if clip.id not in without:
-                    found.update((clip.onset_s, clip.onset_s + self.durations_s[clip.id]))
-        return sorted(found)
+                    times_s.update((clip.onset_s, clip.onset_s + self.durations_s[clip.id]))
+        return sorted(times_s)
 
 
 def chosen_clips(design: Design, view: View) -> tuple[int, ...]:
-    """Clips that edits are about, see `Content.chosen`."""
+    """Return the clips that edits change, see `TimelineContent.chosen`."""
     if view.selected_clips or view.selected_input not in design.ids:
         return view.selected_clips
     clip = clip_of(design.input(view.selected_input), view)
@@ -540,11 +498,9 @@ def chosen_clips(design: Design, view: View) -> tuple[int, ...]:
 
 
 def ruler_px(line_px: float) -> float:
-    """How high the ruler is where a line of text is so high, px."""
+    """Return the height of the ruler for lines of text of this height, px."""
     return max(RULER_PX, line_px + 10.0)
 
-
-# What only the timeline looks at.
 
 #: Name of the panel, under which a view keeps its settings.
 TIMELINE = "timeline"
@@ -558,7 +514,7 @@ GAIN_CURVES = ListSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TimelineSettings:
-    """What lanes show besides clips: ``gain_curves``, ids of the tracks that show theirs."""
+    """Settings of the timeline: ``gain_curves``, ids of the tracks whose gain curve is shown."""
 
     gain_curves: tuple[int, ...] = fields.field(GAIN_CURVES, ())
 
@@ -567,12 +523,12 @@ class TimelineSettings:
 
 
 def shown_gain_curves(view: View) -> frozenset[int]:
-    """Ids of the tracks whose gain curve is shown for editing."""
+    """Return the ids of the tracks whose gain curve is shown for editing."""
     return frozenset(settings_of(view, TIMELINE, TimelineSettings).gain_curves)
 
 
 def show_gain_curves(view: View, ids: Iterable[int]) -> View:
-    """The view in which these tracks, and no others, show their gain curve."""
+    """Return the view in which these tracks, and no others, show their gain curve."""
     settings = settings_of(view, TIMELINE, TimelineSettings)
     shown = replace(settings, gain_curves=tuple(sorted(set(ids))))
     return with_settings(view, TIMELINE, shown)
@@ -580,20 +536,18 @@ def show_gain_curves(view: View, ids: Iterable[int]) -> View:
 
 def toggle_gain_curves(design: Design, view: View, ids: Iterable[int]) -> Edit:
     """Show the gain curves of tracks; if all of them are shown, hide them."""
-    wanted, shown = set(ids) & set(design.ids), shown_gain_curves(view) & set(design.ids)
-    after = shown - wanted if wanted <= shown else shown | wanted
+    toggled, shown = set(ids) & set(design.ids), shown_gain_curves(view) & set(design.ids)
+    after = shown - toggled if toggled <= shown else shown | toggled
     return Edit(label="Show gain curves", design=design, view=show_gain_curves(view, after))
 
 
-# Which part of a clip the pointer is on.
-
 _EDGE_PX, _CORNER_PX = 6.0, 11.0
-# A clip narrower than this is only moved by its inside; its ends are caught from beside it.
+# The inside of a narrower clip only moves it; its ends are dragged from outside.
 _NARROW_PX = 26.0
 
 
 class Part(Enum):
-    """Parts that are dragged to different ends."""
+    """Part of a clip; each is dragged for another purpose."""
 
     BODY = "body"
     START = "start"
@@ -612,9 +566,9 @@ CURSORS = {
 
 
 def part_at(rect: QRectF, at: QPointF, fades_px: tuple[float, float] = (0.0, 0.0)) -> Part:
-    """The part of a clip painted in ``rect`` that lies at ``at``.
+    """Return the part of a clip painted in ``rect`` that lies at ``at``.
 
-    Its fades are caught where they end, ``fades_px`` from its ends.
+    Fades are dragged where they end, ``fades_px`` from the ends of the clip.
     """
     from_start, from_end = at.x() - rect.left(), rect.right() - at.x()
     if from_start < 0 or from_end < 0:
@@ -633,20 +587,17 @@ def part_at(rect: QRectF, at: QPointF, fades_px: tuple[float, float] = (0.0, 0.0
     return Part.END if from_end < _EDGE_PX else Part.BODY
 
 
-# Which part of the time the lanes show.
-
-
 class TimeZoom(QObject):
-    """Zooms and pans, by asking for another view.
+    """Zooms and pans by emitting another view.
 
     Parameters
     ----------
     content
-        Gives what the lanes show at present.
+        Returns what the lanes show now.
     """
 
-    #: The view to look at.
-    looked = Signal(object)
+    #: Another view.
+    view_changed = Signal(object)
 
     def __init__(self, content: Callable[[], TimelineContent], parent: QObject) -> None:
         super().__init__(parent)
@@ -654,15 +605,15 @@ class TimeZoom(QObject):
         self._held_s: Range | None = None
 
     def range_s(self, view: View, whole_s: Range) -> Range:
-        """What to show of the whole."""
+        """Return the part of the time to show."""
         return view.time_range_s or self._held_s or whole_s
 
     def hold(self) -> None:
-        """Something is dragged: what is seen stays, though the design may become longer."""
+        """Keep the shown part during a drag, even if the design becomes longer."""
         self._held_s = self._content().scale.shown_s
 
-    def let_go(self) -> None:
-        """The drag has ended."""
+    def release(self) -> None:
+        """End what `hold` began."""
         self._held_s = None
 
     def zoom(self, factor: float, anchor_s: float | None = None) -> None:
@@ -672,29 +623,27 @@ class TimeZoom(QObject):
         if anchor_s is None:
             inside = shown[0] <= playhead_s <= shown[1]
             anchor_s = playhead_s if inside else sum(shown) / 2
-        self._look_at(zoomed(shown, anchor_s, factor, content.whole_s))
+        self._emit_range(zoomed(shown, anchor_s, factor, content.whole_s))
 
-    def turn(self, event: QWheelEvent) -> None:
+    def follow_wheel(self, event: QWheelEvent) -> None:
         """Follow the wheel."""
         content = self._content()
-        self._look_at(range_by_wheel(event, content.scale, content.whole_s))
+        self._emit_range(range_by_wheel(event, content.scale, content.whole_s))
 
-    def show_range(self, wanted_s: Range) -> None:
+    def show_range(self, part_s: Range) -> None:
         """See this part."""
-        self._look_at(within(wanted_s, self._content().whole_s))
+        self._emit_range(within(part_s, self._content().whole_s))
 
     def show_everything(self) -> None:
         """See all of it."""
-        self._look_at(None)
+        self._emit_range(None)
 
-    def _look_at(self, shown_s: Range | None) -> None:
+    def _emit_range(self, shown_s: Range | None) -> None:
         self._held_s = None
         view = self._content().view
         if shown_s != view.time_range_s:
-            self.looked.emit(replace(view, time_range_s=shown_s))
+            self.view_changed.emit(replace(view, time_range_s=shown_s))
 
-
-# What is said of the part of a clip under the pointer.
 
 _NEXT = key_text("timeline", "below")
 _END = ("trim", "stretch")
@@ -708,7 +657,7 @@ _GESTURES = {
 
 
 def timeline_tooltip(content: TimelineContent, at: QPointF) -> str:
-    """Why the clip here cannot be played, what can be dragged, how many clips lie here; or ""."""
+    """Return why a clip cannot be played, what can be dragged, and how many clips are here."""
     box = content.box_at(at)
     if box is None:
         return ""

@@ -1,11 +1,10 @@
-"""Gain curves as an item of the scene, over the clips."""
+"""Gain curves over the clips: how they are painted, and what mouse and keys do to them."""
 
 from collections.abc import Callable
 from typing import Any
 
-import pyqtgraph
 from PySide6.QtCore import QLineF, QObject, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QKeyEvent, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QFontMetricsF, QKeyEvent, QPainter, QPen, QPolygonF
 
 from skinsource.design import edits
 from skinsource.design.effects.breakpoints import Points, moved, with_point
@@ -18,7 +17,8 @@ from skinsource_gui.panels.timeline.content import (
     show_gain_curves,
     toggle_gain_curves,
 )
-from skinsource_gui.panels.timeline.gestures import Gesture, GestureContext, Held, MoveGain
+from skinsource_gui.panels.timeline.gestures import Gesture, GestureContext, Modifier, MoveGain
+from skinsource_gui.panels.timeline.painting import LaneLayer
 from skinsource_gui.qt.keys import meaning_of
 from skinsource_gui.qt.theme import current_theme
 
@@ -29,39 +29,26 @@ HINT = "Gain: double click on the line adds a point"
 
 
 def has_hint(strip: GainStrip) -> bool:
-    """Whether it is said how a curve begins: of a selected track that has none."""
+    """Return whether to show how a curve begins: on a selected track that has none."""
     return strip.shown and strip.lane.selected and not strip.points
 
 
-class GainItem(pyqtgraph.GraphicsObject):
-    """Paints gain curves: those that are edited with points, others that do something as a hint."""
+class GainItem(LaneLayer):
+    """Paints gain curves: those that are edited with their points, others as a thin line."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
         self.setZValue(0.5)
-        self._content: TimelineContent | None = None
-        self._font = QFont()
-        self._rect = QRectF(0, 0, 1, 1)
 
     def show_content(self, content: TimelineContent, rect: QRectF) -> None:
         """Paint something else, in this rectangle."""
-        if rect != self._rect:
-            self.prepareGeometryChange()
-            self._rect = rect
+        self._set_rect(rect)
         had = self._content is not None and bool(self._content.strips)
         self._content = content
         self.setVisible(bool(content.strips))
         if had or content.strips:
             self.update()
-
-    def show_font(self, font: QFont) -> None:
-        """Take over a font."""
-        self._font = font
-        self.update()
-
-    def boundingRect(self) -> QRectF:
-        return self._rect
 
     def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
         content = self._content
@@ -84,10 +71,10 @@ class GainItem(pyqtgraph.GraphicsObject):
             painter.restore()
 
     def _paint_curve(self, painter: QPainter, strip: GainStrip, room: QRectF) -> None:
-        line, words = QColor(current_theme().text), QColor(current_theme().dim)
+        line, text_colour = QColor(current_theme().text), QColor(current_theme().dim)
         if strip.shown:
             unity = strip.y(1.0)
-            painter.setPen(QPen(words, 1, Qt.PenStyle.DotLine))
+            painter.setPen(QPen(text_colour, 1, Qt.PenStyle.DotLine))
             painter.drawLine(QLineF(room.left(), unity, room.right(), unity))
         points = strip.points or ((0.0, 1.0, "straight"),)
         places = [strip.at(x, y) for x, y, _ in points]
@@ -118,49 +105,47 @@ class GainItem(pyqtgraph.GraphicsObject):
             painter.setPen(QPen(QColor(theme.text), 1.5))
             painter.setBrush(QColor(theme.accent if k == chosen else theme.base))
             painter.drawEllipse(strip.at(x, y), radius, radius)
-        words = "Gain" if chosen is None else gain_point_text(*strip.points[chosen][:2])
+        text = "Gain" if chosen is None else gain_point_text(*strip.points[chosen][:2])
         metrics = QFontMetricsF(self._font)
         height, top = metrics.height() + 1, room.top() + 2
         if has_hint(strip):
-            # Below, as names of clips stand above.
-            words, top = HINT, room.bottom() - height - 2
-        width = metrics.horizontalAdvance(words) + 8
+            # At the foot of the lane, as names of clips are at its top.
+            text, top = HINT, room.bottom() - height - 2
+        width = metrics.horizontalAdvance(text) + 8
         label = QRectF(room.right() - width - 4, top, width, height)
         ground = QColor(theme.base)
         ground.setAlpha(_HALO_ALPHA)
         painter.fillRect(label, ground)
         painter.setPen(QColor(theme.text))
-        painter.drawText(label, Qt.AlignmentFlag.AlignCenter, words)
+        painter.drawText(label, Qt.AlignmentFlag.AlignCenter, text)
 
-
-# What mouse and keys do to the gain curves on the lanes.
 
 _PLACE = "timeline"
 _Key = Qt.Key
 #: Steps of the arrow keys, s and gain; with Shift so many times as far.
 STEP_S, STEP_GAIN, _LEAP = 0.001, 0.01, 10
-_ASIDE = {_Key.Key_Left: -1, _Key.Key_Right: 1}
-_UPRIGHT = {_Key.Key_Down: -1, _Key.Key_Up: 1}
+_TIME_STEPS = {_Key.Key_Left: -1, _Key.Key_Right: 1}
+_GAIN_STEPS = {_Key.Key_Down: -1, _Key.Key_Up: 1}
 
 
 class GainPoints(QObject):
-    """Adds, moves and removes points of gain curves that are shown, and shows and hides them.
+    """Adds, moves and removes points of gain curves, and shows and hides the curves.
 
     Parameters
     ----------
     content
-        Returns what is shown now.
+        Returns what the lanes show now.
 
     Attributes
     ----------
     chosen
-        Id of a track and number of the point on its curve that keys are about, or None.
+        Id of a track and number of the point on its curve that keys change, or None.
     """
 
     edited = Signal(object, object)
-    looked = Signal(object)
+    view_changed = Signal(object)
     #: Another point is chosen, or none.
-    chose = Signal()
+    choice_changed = Signal()
 
     def __init__(self, content: Callable[[], TimelineContent], parent: QObject) -> None:
         super().__init__(parent)
@@ -169,18 +154,18 @@ class GainPoints(QObject):
         self.chosen: tuple[int, int] | None = None
 
     def strip_at(self, at: QPointF) -> GainStrip | None:
-        """The curve that is edited and passes here."""
+        """Return the edited curve that passes here."""
         content = self._content()
         if at.y() < content.ruler_px:
             return None
-        for one in content.strips:
-            inside = one.lane.top_px <= at.y() < one.lane.bottom_px
-            if one.shown and inside and (one.point_at(at) is not None or one.is_on_line(at)):
-                return one
+        for strip in content.strips:
+            inside = strip.lane.top_px <= at.y() < strip.lane.bottom_px
+            if strip.shown and inside and (strip.point_at(at) is not None or strip.is_on_line(at)):
+                return strip
         return None
 
-    def press(self, stage: GestureContext, at: QPointF, held: Held) -> Gesture | None:
-        """The left button went down; None where no curve is caught."""
+    def press(self, context: GestureContext, at: QPointF, held: Modifier) -> Gesture | None:
+        """Begin a drag where the left button goes down; return None where no curve is hit."""
         strip = self.strip_at(at)
         if strip is None:
             self.choose(None)
@@ -189,16 +174,18 @@ class GainPoints(QObject):
         track, near = strip.lane.track.id, strip.point_at(at)
         if near is not None:
             self.choose((track, near))
-            return MoveGain(stage, strip, at, strip.points, (near,))
+            return MoveGain(context, strip, at, strip.points, (near,))
         time_s = max(strip.scale.time(at.x()), 0.0)
-        if held & Held.ControlModifier:
+        if held & Modifier.ControlModifier:
             points, number = _added(strip, time_s)
-            gesture = MoveGain(stage, strip, at, points, (number,), fine=False)
+            gesture = MoveGain(context, strip, at, points, (number,), fine=False)
             gesture.put(points)
             self.choose((track, number))
             return gesture
         points = strip.points or ((0.0, 1.0, "straight"),)
-        return MoveGain(stage, strip, at, points, strip.around(time_s) or (0,), upright=True)
+        return MoveGain(
+            context, strip, at, points, strip.points_around(time_s) or (0,), vertical=True
+        )
 
     def double_click(self, at: QPointF) -> bool:
         """Add a point where the curve is pressed twice; whether one is there."""
@@ -210,21 +197,21 @@ class GainPoints(QObject):
         return True
 
     def key(self, event: QKeyEvent) -> bool:
-        """Do what a key means to a curve; whether it means anything to one."""
-        wanted, key = meaning_of(_PLACE, event), Qt.Key(event.key())
-        if wanted == "gain_curve":
+        """Do what a key does to a curve; return whether it does anything."""
+        command, key = meaning_of(_PLACE, event), Qt.Key(event.key())
+        if command == "gain_curve":
             content = self._content()
             ids = content.view.selected_inputs
-            self.looked.emit(toggle_gain_curves(content.design, content.view, ids).view)
+            self.view_changed.emit(toggle_gain_curves(content.design, content.view, ids).view)
             self.choose(None)
-        elif wanted == "gain_point":
+        elif command == "gain_point":
             self._walk(-1 if key == _Key.Key_PageUp else 1)
-        elif wanted == "gain_add":
+        elif command == "gain_add":
             strip = self._selected_strip()
             if strip is not None:
                 self._add(strip, self._content().view.playhead_s)
         else:
-            return self._key_of_point(wanted, key, event.modifiers())
+            return self._key_of_point(command, key, event.modifiers())
         return True
 
     def remove(self, track: int, numbers: tuple[int, ...]) -> None:
@@ -233,40 +220,40 @@ class GainPoints(QObject):
         if track not in design.ids:
             return
         curve = design.input(track).gain_curve
-        left = tuple(one for k, one in enumerate(curve) if k not in numbers)
+        left = tuple(point for k, point in enumerate(curve) if k not in numbers)
         self.choose(None)
-        self._tell(track, tuple((x, y, "straight") for x, y in left), None)
+        self._emit(track, tuple((x, y, "straight") for x, y in left), None)
 
     def choose(self, chosen: tuple[int, int] | None) -> None:
-        """Let keys be about another point, or about none."""
+        """Choose another point for the keys, or none."""
         if chosen != self.chosen:
             self.chosen = chosen
-            self.chose.emit()
+            self.choice_changed.emit()
 
-    def words(self) -> str:
-        """The chosen point in words, or "" where there is none."""
+    def description(self) -> str:
+        """Return the text of the chosen point, or "" where there is none."""
         strip, number = self._chosen_strip()
         if strip is None:
             return ""
         return f"Point {number + 1} of the gain curve: {gain_point_text(*strip.points[number][:2])}"
 
-    def _key_of_point(self, wanted: str, key: Qt.Key, held: Held) -> bool:
+    def _key_of_point(self, command: str, key: Qt.Key, held: Modifier) -> bool:
         strip, number = self._chosen_strip()
         if strip is None:
             # Held as for a point, where there is none it is for the clips.
             return False
-        if wanted == "give_up":
+        if command == "give_up":
             self.choose(None)
-        elif wanted == "remove":
+        elif command == "remove":
             self.remove(strip.lane.track.id, (number,))
-        elif wanted in ("nudge", "change_track", "gain_far"):
-            far = _LEAP if held & Held.ShiftModifier else 1
+        elif command in ("nudge", "change_track", "gain_far"):
+            far = _LEAP if held & Modifier.ShiftModifier else 1
             by_s, by_gain = (
-                far * STEP_S * _ASIDE.get(key, 0),
-                far * STEP_GAIN * _UPRIGHT.get(key, 0),
+                far * STEP_S * _TIME_STEPS.get(key, 0),
+                far * STEP_GAIN * _GAIN_STEPS.get(key, 0),
             )
             after = moved(strip.points, (number,), by_s, by_gain)
-            self._tell(strip.lane.track.id, after, self._burst.gesture())
+            self._emit(strip.lane.track.id, after, self._burst.gesture())
         else:
             return False
         return True
@@ -284,36 +271,38 @@ class GainPoints(QObject):
     def _add(self, strip: GainStrip, time_s: float) -> None:
         points, number = _added(strip, time_s)
         track = strip.lane.track.id
-        self._tell(track, points, None)
+        self._emit(track, points, None)
         self.choose((track, number))
 
-    def _tell(self, track: int, points: Points, gesture: int | None) -> None:
+    def _emit(self, track: int, points: Points, gesture: int | None) -> None:
         content = self._content()
         curve = curve_of(points)
         self.edited.emit(edits.set_gain_curve(content.design, content.view, track, curve), gesture)
 
     def _selected_strip(self) -> GainStrip | None:
-        """The curve of the track that was selected last; shown, if it was not."""
+        """Return the curve of the track that was selected last, and show it."""
         content = self._content()
         track = content.view.selected_input
         if track is None:
             return None
-        shown = {one.lane.track.id for one in content.strips if one.shown}
+        shown = {strip.lane.track.id for strip in content.strips if strip.shown}
         if track not in shown:
-            self.looked.emit(show_gain_curves(content.view, shown | {track}))
+            self.view_changed.emit(show_gain_curves(content.view, shown | {track}))
         strips = self._content().strips
-        return next((one for one in strips if one.lane.track.id == track and one.shown), None)
+        return next(
+            (strip for strip in strips if strip.lane.track.id == track and strip.shown), None
+        )
 
     def _chosen_strip(self) -> tuple[GainStrip | None, int]:
         track, number = self.chosen or (0, 0)
-        for one in self._content().strips:
-            if one.lane.track.id == track and one.shown and number < len(one.points):
-                return one, number
+        for strip in self._content().strips:
+            if strip.lane.track.id == track and strip.shown and number < len(strip.points):
+                return strip, number
         return None, 0
 
 
 def _added(strip: GainStrip, time_s: float) -> tuple[Points, int]:
-    """The points with one more on the curve, and its number."""
+    """Return the points with one more on the curve, and its number."""
     points = strip.points
     if not points:
         return ((time_s, 1.0, "straight"),), 0

@@ -1,8 +1,7 @@
-"""What every gesture is."""
+"""What is dragged on the lanes and on the ruler. All edits of one gesture are one undo step."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Protocol
 
 from PySide6.QtCore import QPointF, QRectF, Qt
 
@@ -26,66 +25,62 @@ from skinsource_gui.panels.timeline.content import (
 from skinsource_gui.plots.time_scale import Rest, panned, rest_of
 from skinsource_gui.qt.frames import DropPlace
 
-Held = Qt.KeyboardModifier
+Modifier = Qt.KeyboardModifier
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GesturePreview:
-    """What is painted over the lanes while a gesture lasts.
+    """What is painted over the lanes during a gesture.
 
     Attributes
     ----------
     guide_s
         The time that something snapped to.
     covered
-        What a rectangle covers, px.
-    words
-        What a small label beside the pointer says.
+        The rectangle that selects clips, px.
+    label
+        Text beside the pointer.
     """
 
     guide_s: float | None = None
     covered: QRectF | None = None
-    words: str = ""
+    label: str = ""
 
 
 @dataclass(slots=True, kw_only=True)
 class GestureContext:
-    """What a gesture can see and do.
+    """What a gesture can read and do.
 
     Attributes
     ----------
     content
-        Returns what is shown now.
+        Returns what the lanes show now.
     apply
-        Takes an edit, or a refusal, and the number of the gesture.
-    look
-        Takes another view.
-    put_playhead
-        Takes where the playhead shall be, s.
+        Applies an edit, or shows a refusal, under the number of the gesture.
     number
         Number of this gesture: all its edits are one step of the history.
     elsewhere
-        Returns where in another panel something goes that is held over a place, px; None: it is
-        let go.
+        Returns where in another panel something would be dropped that is held over a place, px;
+        None ends that.
     before
-        What was shown when the button went down.
-    made
-        What the last edit led to; None before there is any.
+        What the lanes showed when the button went down.
+    applied
+        The design after the last edit; None before there is any.
     """
 
     content: Callable[[], TimelineContent]
     apply: Callable[[Edit | Refusal, int], None]
-    look: Callable[[View], None]
+    show_view: Callable[[View], None]
     put_playhead: Callable[[float], None]
     elsewhere: Callable[[QPointF | None], DropPlace | None]
     before: TimelineContent
     number: int = field(default_factory=new_gesture)
-    made: Design | None = None
+    applied: Design | None = None
 
     @property
     def disturbed(self) -> bool:
         """Whether something else has changed the design since the button went down."""
-        now, expected = self.content().design, self.made or self.before.design
+        now, expected = self.content().design, self.applied or self.before.design
         return now is not expected and now != expected
 
     def edit(self, outcome: Edit | Refusal) -> None:
@@ -93,73 +88,70 @@ class GestureContext:
         if self.disturbed:
             return
         if isinstance(outcome, Edit):
-            self.made = outcome.design
+            self.applied = outcome.design
         self.apply(outcome, self.number)
 
-    def take_back(self) -> None:
+    def rest(self, edges_s: Sequence[float], by_s: float, neighbours_s: Sequence[float]) -> Rest:
+        """Return how far edges move that are dragged ``by_s``: they snap, if that is on."""
+        content = self.content()
+        if not content.snaps:
+            return Rest(by_s=by_s)
+        grid_s, reach_s = content.grid_s, content.reach_s
+        return rest_of(edges_s, by_s, neighbours_s=neighbours_s, grid_s=grid_s, reach_s=reach_s)
+
+    def undo(self) -> None:
         """Put the design back as if the gesture had not begun."""
-        if self.made is not None and not self.disturbed:
+        if self.applied is not None and not self.disturbed:
             before = self.before
             self.apply(Edit(label="", design=before.design, view=before.view), self.number)
             # It may go on from there.
-            self.made = None
+            self.applied = None
 
 
-class Gesture(Protocol):
-    """What happens between pressing a button and letting it go."""
+class Gesture:
+    """A drag, from pressing a button to letting it go."""
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        """The pointer is ``at``, with these keys held."""
+    def __init__(self, context: GestureContext) -> None:
+        self._context = context
+
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
+        """Follow the pointer to a place, with these keys held."""
+        raise NotImplementedError
 
     def finish(self) -> None:
-        """The button went up."""
+        """End when the button goes up: what has changed stays."""
 
     def cancel(self) -> None:
-        """Everything is as if it had not begun."""
+        """Put everything back as if the drag had not begun."""
+        self._context.undo()
 
 
-# Ends of a clip that are dragged: trimmed, stretched, faded.
-
-# No end comes nearer to the other one than this.
+# No clip becomes shorter, s.
 _SHORTEST_S = 0.001
 
 
-class _OneEnd:
-    """An end that follows the pointer."""
+class _EndDrag(Gesture):
+    """Drag of one end of a clip."""
 
-    def __init__(self, stage: GestureContext, box: Box, at: QPointF, part: Part) -> None:
-        self._stage, self._clip, self._at, self._part = stage, box.clip, at, part
+    def __init__(self, context: GestureContext, box: Box, at: QPointF, part: Part) -> None:
+        super().__init__(context)
+        self._clip, self._at, self._part = box.clip, at, part
         self._start_s = box.clip.onset_s
-        self._end_s = self._start_s + stage.before.durations_s[box.clip.id]
-        self._neighbours = stage.before.neighbours_s(frozenset({box.clip.id}))
-
-    def finish(self) -> None:
-        """What is changed stays."""
-
-    def cancel(self) -> None:
-        self._stage.take_back()
+        self._end_s = self._start_s + context.before.durations_s[box.clip.id]
+        self._neighbours = context.before.neighbours_s(frozenset({box.clip.id}))
 
     def _rest(self, at: QPointF, edge_s: float) -> Rest:
-        content = self._stage.content()
-        by_s = (at.x() - self._at.x()) / content.scale.px_per_s
-        if not content.snaps:
-            return Rest(by_s=by_s)
-        return rest_of(
-            (edge_s,),
-            by_s,
-            neighbours_s=self._neighbours,
-            grid_s=content.grid_s,
-            reach_s=content.reach_s,
-        )
+        by_s = (at.x() - self._at.x()) / self._context.content().scale.px_per_s
+        return self._context.rest((edge_s,), by_s, self._neighbours)
 
 
-class MoveEnd(_OneEnd):
-    """Drags the start or the end of a clip: trims it; with Alt or Shift held stretches it.
+class MoveEnd(_EndDrag):
+    """Drag of the start or the end of a clip: trims it; with Alt or Shift held stretches it.
 
     Some desktops take Alt and a drag for themselves.
     """
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         start_s, end_s = self._start_s, self._end_s
         if self._part is Part.START:
             rest = self._rest(at, start_s)
@@ -167,20 +159,20 @@ class MoveEnd(_OneEnd):
         else:
             rest = self._rest(at, end_s)
             end_s = max(end_s + rest.by_s, start_s + _SHORTEST_S)
-        stretches = held & (Held.AltModifier | Held.ShiftModifier)
+        stretches = held & (Modifier.AltModifier | Modifier.ShiftModifier)
         act = edits.stretch_clip if stretches else edits.trim_clip
-        design, view = self._stage.before.design, self._stage.content().view
-        self._stage.edit(act(design, view, self._clip.id, start_s, end_s))
+        design, view = self._context.before.design, self._context.content().view
+        self._context.edit(act(design, view, self._clip.id, start_s, end_s))
         length = value_text(end_s - start_s, "s", digits=5)
-        words = f"Stretched to {length}" if stretches else f"{length} · Shift: stretch"
-        return GesturePreview(guide_s=rest.guide_s, words=words)
+        text = f"Stretched to {length}" if stretches else f"{length} · Shift: stretch"
+        return GesturePreview(guide_s=rest.guide_s, label=text)
 
 
-class FadeEnd(_OneEnd):
-    """Drags an upper corner of a clip: how long it takes to fade in, or out."""
+class FadeEnd(_EndDrag):
+    """Drag of an upper corner of a clip: sets how long it fades in, or out."""
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        content = self._stage.content()
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
+        content = self._context.content()
         by_s = (at.x() - self._at.x()) / content.scale.px_per_s
         in_s, out_s = fades_of(self._clip)
         length_s = self._end_s - self._start_s
@@ -188,67 +180,63 @@ class FadeEnd(_OneEnd):
             changed = in_s = min(max(in_s + by_s, 0.0), length_s - out_s)
         else:
             changed = out_s = min(max(out_s - by_s, 0.0), length_s - in_s)
-        design = self._stage.before.design
-        self._stage.edit(edits.fade_clip(design, content.view, self._clip.id, in_s, out_s))
-        return GesturePreview(words=value_text(changed, "s", digits=4))
+        design = self._context.before.design
+        self._context.edit(edits.fade_clip(design, content.view, self._clip.id, in_s, out_s))
+        return GesturePreview(label=value_text(changed, "s", digits=4))
 
 
-# A rectangle that selects.
-
-
-class Marquee:
+class Marquee(Gesture):
     """Selects the clips that a rectangle touches, over all lanes; with Ctrl held adds them."""
 
-    def __init__(self, stage: GestureContext, at: QPointF) -> None:
-        self._stage = stage
-        scale = stage.before.scale
+    def __init__(self, context: GestureContext, at: QPointF) -> None:
+        super().__init__(context)
+        scale = context.before.scale
         # It stays at its time while the view pans.
         self._from = (scale.time(at.x()), at.y())
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        content = self._stage.content()
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
+        content = self._context.content()
         down = QPointF(content.scale.x(self._from[0]), self._from[1])
         covered = QRectF(down, at).normalized()
         # One that is drawn straight along a lane has no height, and would touch nothing.
         touching = covered.adjusted(-0.5, -0.5, 0.5, 0.5)
-        found = [box.clip.id for box in content.boxes if box.rect.intersects(touching)]
-        kept = self._stage.before.view.selected_clips if held & Held.ControlModifier else ()
-        chosen = (*(one for one in kept if one not in found), *found)
-        self._stage.look(edits.select_clips(content.design, content.view, chosen).view)
+        touched = [box.clip.id for box in content.boxes if box.rect.intersects(touching)]
+        added_to = (
+            self._context.before.view.selected_clips if held & Modifier.ControlModifier else ()
+        )
+        chosen = (*(clip_id for clip_id in added_to if clip_id not in touched), *touched)
+        self._context.show_view(edits.select_clips(content.design, content.view, chosen).view)
         return GesturePreview(covered=covered)
 
-    def finish(self) -> None:
-        """What is selected stays."""
-
     def cancel(self) -> None:
-        view = self._stage.before.view
-        self._stage.look(
+        view = self._context.before.view
+        self._context.show_view(
             replace(
-                self._stage.content().view,
+                self._context.content().view,
                 selected_clips=view.selected_clips,
                 selected_inputs=view.selected_inputs,
             )
         )
 
 
-# Clips that are moved, or copied.
-
-
-class MoveClips:
+class MoveClips(Gesture):
     """Drags the selected clips in time and from lane to lane.
 
     Shift: along time only.  Ctrl: copies.  Alt: without snapping.  A free drag goes by whole
-    samples, so that what clips play need not be drawn anew.  Held over a place in another panel,
-    on the hand, they lie where they were until they are dropped there.
+    samples, so that what clips play need not be computed again.  While they are held over a place
+    in another panel, on the hand, the design is as before; they go there when they are dropped.
     """
 
-    def __init__(self, stage: GestureContext, box: Box, at: QPointF, sample_rate_hz: float) -> None:
-        self._stage, self._box, self._at = stage, box, at
+    def __init__(
+        self, context: GestureContext, box: Box, at: QPointF, sample_rate_hz: float
+    ) -> None:
+        super().__init__(context)
+        self._box, self._at = box, at
         self._sample_s = 1.0 / sample_rate_hz
         # Where in another panel they would go, and whether as copies.
         self._place: DropPlace | None = None
         self._copies = False
-        content = stage.before
+        content = context.before
         chosen = content.view.selected_clips
         self._ids = chosen if box.clip.id in chosen else (box.clip.id,)
         ids = frozenset(self._ids)
@@ -256,72 +244,65 @@ class MoveClips:
         self._first_s = min(clip.onset_s for clip in clips)
         own = box.clip
         self._edges = (own.onset_s, own.onset_s + content.durations_s[own.id])
-        self._rests = {
+        self._snap_times_s = {
             copies: content.neighbours_s(frozenset() if copies else ids) for copies in (False, True)
         }
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        copies = self._copies = bool(held & Held.ControlModifier)
-        found = self._stage.elsewhere(at)
-        if found is not None and found.location is not None:
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
+        copies = self._copies = bool(held & Modifier.ControlModifier)
+        place = self._context.elsewhere(at)
+        if place is not None and place.location is not None:
             if self._place is None:
-                self._stage.take_back()
-            self._place = found
+                self._context.undo()
+            self._place = place
             return GesturePreview()
         self._place = None
-        rest = self._rest(at, copies=copies, free=bool(held & Held.AltModifier))
-        by_tracks = 0 if held & Held.ShiftModifier else self._lanes_to(at)
-        before, view = self._stage.before, self._stage.content().view
+        rest = self._rest(at, copies=copies, free=bool(held & Modifier.AltModifier))
+        by_tracks = 0 if held & Modifier.ShiftModifier else self._lanes_to(at)
+        before, view = self._context.before, self._context.content().view
         act = edits.copy_clips if copies else edits.move_clips
-        self._stage.edit(act(before.design, view, self._ids, rest.by_s, by_tracks))
+        self._context.edit(act(before.design, view, self._ids, rest.by_s, by_tracks))
         onset_s = self._edges[0] + rest.by_s
-        return GesturePreview(guide_s=rest.guide_s, words=value_text(onset_s, "s", digits=5))
+        return GesturePreview(guide_s=rest.guide_s, label=value_text(onset_s, "s", digits=5))
 
     def finish(self) -> None:
-        """What is moved stays; what is held over a place goes there."""
-        self._stage.elsewhere(None)
+        """Drop the clips on the place in another panel over which they are held, if any."""
+        self._context.elsewhere(None)
         if self._place is not None and self._place.location is not None:
-            design, view = self._stage.before.design, self._stage.content().view
+            design, view = self._context.before.design, self._context.content().view
             place = self._place.location
-            self._stage.edit(
+            self._context.edit(
                 edits.move_clips_to_place(design, view, self._ids, place, self._copies)
             )
 
     def cancel(self) -> None:
-        self._stage.elsewhere(None)
-        self._stage.take_back()
+        self._context.elsewhere(None)
+        self._context.undo()
 
     def _rest(self, at: QPointF, *, copies: bool, free: bool) -> Rest:
-        content = self._stage.content()
-        by_s = (at.x() - self._at.x()) / content.scale.px_per_s
+        by_s = (at.x() - self._at.x()) / self._context.content().scale.px_per_s
         by_s = max(round(by_s / self._sample_s) * self._sample_s, -self._first_s)
-        if free or not content.snaps:
+        if free:
             return Rest(by_s=by_s)
-        rest = rest_of(
-            self._edges,
-            by_s,
-            neighbours_s=self._rests[copies],
-            grid_s=content.grid_s,
-            reach_s=content.reach_s,
-        )
+        rest = self._context.rest(self._edges, by_s, self._snap_times_s[copies])
         return rest if self._first_s + rest.by_s >= 0.0 else Rest(by_s=-self._first_s)
 
     def _lanes_to(self, at: QPointF) -> int:
-        lanes = self._stage.content().lanes
-        # Where it was when the button went down: its track may have gone meanwhile.
-        here = self._stage.before.design.index_of(self._box.lane.track.id)
-        under = next((k for k, lane in enumerate(lanes) if at.y() < lane.bottom_px), len(lanes) - 1)
-        return under - here
+        lanes = self._context.content().lanes
+        # Its lane when the button went down: the track may have been removed since.
+        here = self._context.before.design.index_of(self._box.lane.track.id)
+        target = next(
+            (k for k, lane in enumerate(lanes) if at.y() < lane.bottom_px), len(lanes) - 1
+        )
+        return target - here
 
-
-# Points of a gain curve that are dragged.
 
 _FINE = 0.1
 # From how far away a point comes to rest on a gain of 1, px.
 _REACH_PX = 2.5
 
 
-class MoveGain:
+class MoveGain(Gesture):
     """Drags points of a gain curve: one of them, or both ends of a line up and down.
 
     Shift: along time or gain only.  Ctrl: finely.  Alt: without snapping.
@@ -329,210 +310,166 @@ class MoveGain:
     Parameters
     ----------
     points, chosen
-        The points as they are when the button goes down, and numbers of those that move.
-    upright
-        Whether they only go up and down.
+        The points when the button goes down, and the numbers of those that move.
+    vertical
+        Whether they only move up and down.
     fine
-        Whether Ctrl makes it fine; not where Ctrl has just made the point.
+        Whether Ctrl makes the drag fine; not where Ctrl has just added the point.
     """
 
     def __init__(
         self,
-        stage: GestureContext,
+        context: GestureContext,
         strip: GainStrip,
         at: QPointF,
         points: Points,
         chosen: tuple[int, ...],
         *,
-        upright: bool = False,
+        vertical: bool = False,
         fine: bool = True,
     ) -> None:
-        self._stage, self._strip, self._at = stage, strip, at
+        super().__init__(context)
+        self._strip, self._at = strip, at
         self._points, self._chosen = points, chosen
-        self.upright, self._fine = upright, fine
+        self.vertical, self._fine = vertical, fine
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        strip, scale = self._strip, self._stage.content().scale
-        way = at - self._at
-        by_s, by_gain = way.x() / scale.px_per_s, -way.y() * strip.top / strip.height_px
-        if self._fine and held & Held.ControlModifier:
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
+        strip, scale = self._strip, self._context.content().scale
+        moved_px = at - self._at
+        by_s, by_gain = moved_px.x() / scale.px_per_s, -moved_px.y() * strip.top / strip.height_px
+        if self._fine and held & Modifier.ControlModifier:
             by_s, by_gain = by_s * _FINE, by_gain * _FINE
-        upright = self.upright
-        if held & Held.ShiftModifier:
-            upright = upright or abs(way.y()) > abs(way.x())
-            by_gain = by_gain if upright else 0.0
-        if upright:
+        vertical = self.vertical
+        if held & Modifier.ShiftModifier:
+            vertical = vertical or abs(moved_px.y()) > abs(moved_px.x())
+            by_gain = by_gain if vertical else 0.0
+        if vertical:
             by_s = 0.0
         time_s, gain, _ = self._points[self._chosen[0]]
-        free = bool(held & Held.AltModifier)
+        free = bool(held & Modifier.AltModifier)
         guide_s = None
         if by_s and not free:
-            by_s, guide_s = self._rest(time_s, by_s)
+            rest = self._context.rest((time_s,), by_s, self._context.before.neighbours_s())
+            by_s, guide_s = rest.by_s, rest.guide_s
         if not free and abs(strip.y(gain + by_gain) - strip.y(1.0)) <= _REACH_PX and by_gain:
             by_gain = 1.0 - gain
         after = moved(self._points, self._chosen, by_s, by_gain)
         self.put(after)
         x, y, _ = after[self._chosen[0]]
-        return GesturePreview(guide_s=guide_s, words=gain_point_text(x, y))
+        return GesturePreview(guide_s=guide_s, label=gain_point_text(x, y))
 
     def put(self, points: Points) -> None:
-        """Give the track these points."""
-        before, view = self._stage.before, self._stage.content().view
+        """Set the points of the track's curve."""
+        before, view = self._context.before, self._context.content().view
         track = self._strip.lane.track.id
-        self._stage.edit(edits.set_gain_curve(before.design, view, track, curve_of(points)))
-
-    def finish(self) -> None:
-        """They stay there."""
-
-    def cancel(self) -> None:
-        self._stage.take_back()
-
-    def _rest(self, time_s: float, by_s: float) -> tuple[float, float | None]:
-        content = self._stage.content()
-        if not content.snaps:
-            return by_s, None
-        rest = rest_of(
-            (time_s,),
-            by_s,
-            neighbours_s=self._stage.before.neighbours_s(),
-            grid_s=content.grid_s,
-            reach_s=content.reach_s,
-        )
-        return rest.by_s, rest.guide_s
-
-
-# What is dragged on the ruler: playhead, loop, markers; and the ground, which pans.
+        self._context.edit(edits.set_gain_curve(before.design, view, track, curve_of(points)))
 
 
 def snapped_time(
-    stage: GestureContext, at: QPointF, without: float | None = None
+    context: GestureContext, at: QPointF, without: float | None = None
 ) -> tuple[float, float | None]:
-    """Time at a place, not before 0, and what it snapped to; never to the time ``without``."""
-    content = stage.content()
-    time_s = max(content.scale.time(at.x()), 0.0)
-    if not content.snaps:
-        return time_s, None
-    near = [one for one in stage.before.neighbours_s() if one != without]
-    rest = rest_of(
-        (0.0,), time_s, neighbours_s=near, grid_s=content.grid_s, reach_s=content.reach_s
-    )
+    """Return the time at a place, from 0 on, and what it snapped to, never to ``without``."""
+    time_s = max(context.content().scale.time(at.x()), 0.0)
+    others_s = [other_s for other_s in context.before.neighbours_s() if other_s != without]
+    rest = context.rest((0.0,), time_s, others_s)
     return max(rest.by_s, 0.0), rest.guide_s
 
 
-class MovePlayhead:
+class MovePlayhead(Gesture):
     """Puts the playhead under the pointer."""
 
-    def __init__(self, stage: GestureContext) -> None:
-        self._stage = stage
-
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        time_s, guide_s = snapped_time(self._stage, at, self._stage.before.view.playhead_s)
-        self._stage.put_playhead(time_s)
-        return GesturePreview(guide_s=guide_s, words=value_text(time_s, "s", digits=5))
-
-    def finish(self) -> None:
-        """It stays there."""
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
+        time_s, guide_s = snapped_time(self._context, at, self._context.before.view.playhead_s)
+        self._context.put_playhead(time_s)
+        return GesturePreview(guide_s=guide_s, label=value_text(time_s, "s", digits=5))
 
     def cancel(self) -> None:
-        self._stage.put_playhead(self._stage.before.view.playhead_s)
+        self._context.put_playhead(self._context.before.view.playhead_s)
 
 
-class MoveLoop:
-    """Draws the loop region, or moves one of its ends: ``fixed_s`` is the other one."""
+class MoveLoop(Gesture):
+    """Draws the loop region, or moves one of its ends; ``fixed_s`` is the other end."""
 
-    def __init__(self, stage: GestureContext, fixed_s: float) -> None:
-        self._stage, self._fixed_s = stage, fixed_s
+    def __init__(self, context: GestureContext, fixed_s: float) -> None:
+        super().__init__(context)
+        self._fixed_s = fixed_s
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        time_s, guide_s = snapped_time(self._stage, at)
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
+        time_s, guide_s = snapped_time(self._context, at)
         ends = (min(time_s, self._fixed_s), max(time_s, self._fixed_s))
-        design, view = self._stage.before.design, self._stage.content().view
-        self._stage.edit(edits.set_loop(design, view, ends if ends[0] < ends[1] else None))
-        return GesturePreview(guide_s=guide_s, words=value_text(ends[1] - ends[0], "s", digits=4))
-
-    def finish(self) -> None:
-        """It stays there."""
-
-    def cancel(self) -> None:
-        self._stage.take_back()
+        design, view = self._context.before.design, self._context.content().view
+        self._context.edit(edits.set_loop(design, view, ends if ends[0] < ends[1] else None))
+        return GesturePreview(guide_s=guide_s, label=value_text(ends[1] - ends[0], "s", digits=4))
 
 
-class MoveMarker:
+class MoveMarker(Gesture):
     """Drags a marker."""
 
-    def __init__(self, stage: GestureContext, marker: Marker) -> None:
-        self._stage, self._marker = stage, marker
+    def __init__(self, context: GestureContext, marker: Marker) -> None:
+        super().__init__(context)
+        self._marker = marker
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        time_s, guide_s = snapped_time(self._stage, at, self._marker.time_s)
-        design, view = self._stage.before.design, self._stage.content().view
-        index = self._stage.before.design.markers.index(self._marker)
-        self._stage.edit(edits.move_marker(design, view, index, time_s))
-        return GesturePreview(guide_s=guide_s, words=value_text(time_s, "s", digits=5))
-
-    def finish(self) -> None:
-        """It stays there."""
-
-    def cancel(self) -> None:
-        self._stage.take_back()
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
+        time_s, guide_s = snapped_time(self._context, at, self._marker.time_s)
+        design, view = self._context.before.design, self._context.content().view
+        index = self._context.before.design.markers.index(self._marker)
+        self._context.edit(edits.move_marker(design, view, index, time_s))
+        return GesturePreview(guide_s=guide_s, label=value_text(time_s, "s", digits=5))
 
 
-class Pan:
+class Pan(Gesture):
     """Moves the visible part of the time with the pointer."""
 
-    def __init__(self, stage: GestureContext, at: QPointF) -> None:
-        self._stage, self._at = stage, at
+    def __init__(self, context: GestureContext, at: QPointF) -> None:
+        super().__init__(context)
+        self._at = at
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        before = self._stage.before
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
+        before = self._context.before
         by_s = (self._at.x() - at.x()) / before.scale.px_per_s
         shown = panned(before.scale.shown_s, by_s, before.whole_s)
-        self._stage.look(replace(self._stage.content().view, time_range_s=shown))
+        self._context.show_view(replace(self._context.content().view, time_range_s=shown))
         return GesturePreview()
 
-    def finish(self) -> None:
-        """It stays there."""
-
     def cancel(self) -> None:
-        view = self._stage.content().view
-        self._stage.look(replace(view, time_range_s=self._stage.before.view.time_range_s))
+        view = self._context.content().view
+        self._context.show_view(replace(view, time_range_s=self._context.before.view.time_range_s))
 
 
-# A gesture whose way says what it is.
+class EitherGesture(Gesture):
+    """Becomes one of two gestures, by the direction in which the drag begins.
 
-
-class Either:
-    """Goes up or down: one gesture; goes along: another one.
-
-    A gain curve lies over the clips of its track: pulled up or down it is the curve that is meant,
-    pushed along it is the clip.
+    A gain curve lies over the clips of its track: a drag up or down moves the curve, a drag along
+    the time moves the clip.
 
     Parameters
     ----------
     at
         Where the button went down.
-    upright, along
-        Make the gestures, once it is known which is meant.
+    vertical, along
+        Make the gesture for a drag up or down, and for one along the time.
     """
 
     def __init__(
-        self, at: QPointF, upright: Callable[[], Gesture], along: Callable[[], Gesture]
+        self, at: QPointF, vertical: Callable[[], Gesture], along: Callable[[], Gesture]
     ) -> None:
-        self._at, self._upright, self._along = at, upright, along
-        self._meant: Gesture | None = None
+        self._at, self._vertical, self._along = at, vertical, along
+        self._gesture: Gesture | None = None
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        if self._meant is None:
-            way = at - self._at
-            self._meant = self._along() if abs(way.x()) > abs(way.y()) else self._upright()
-        return self._meant.move(at, held)
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
+        if self._gesture is None:
+            moved_px = at - self._at
+            self._gesture = (
+                self._along() if abs(moved_px.x()) > abs(moved_px.y()) else self._vertical()
+            )
+        return self._gesture.move(at, held)
 
     def finish(self) -> None:
-        """What has become of it stays."""
-        if self._meant is not None:
-            self._meant.finish()
+        """Finish the gesture that it has become."""
+        if self._gesture is not None:
+            self._gesture.finish()
 
     def cancel(self) -> None:
-        """Everything is as if it had not begun."""
-        if self._meant is not None:
-            self._meant.cancel()
+        """Cancel the gesture that it has become."""
+        if self._gesture is not None:
+            self._gesture.cancel()

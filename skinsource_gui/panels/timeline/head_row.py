@@ -1,4 +1,4 @@
-"""Where everything is in the head of a track."""
+"""The head of one track: its place, and what is changed most often."""
 
 from dataclasses import dataclass
 
@@ -36,20 +36,16 @@ _BETWEEN_PX = 2
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RowPlaces:
-    """Where the parts of a head are, px.
+    """Places of the parts of a head, px.
 
     Attributes
     ----------
-    row
-        All of it.
     swatch, name
-        Place and its name, which are painted.
-    amplitude, mute, solo, remove
-        The controls.
+        Number of the place and its name, which are painted.
     peak
         The peak that results from a gain, painted beside it.
-    words
-        What has to be painted anew when the words change.
+    text
+        What is painted again when the text changes.
     """
 
     row: QRect
@@ -60,25 +56,25 @@ class RowPlaces:
     solo: QRect
     remove: QRect
     peak: QRect
-    words: QRect
+    text: QRect
 
 
 def heads_px(line_px: int) -> int:
-    """Width of heads where a line of text is so high, px."""
+    """Return the width of heads for lines of text of this height, px."""
     return min(round(HEADS_PX * max(line_px / USUAL_LINE_PX, 1.0)), _MOST_HEADS_PX)
 
 
 def row_places(width: int, line_px: int = USUAL_LINE_PX, *, peak: bool = False) -> RowPlaces:
-    """Places in a head, in two lines.
+    """Return the places of the parts of a head, in two lines.
 
     Parameters
     ----------
     width
-        Of the head, px.
+        Width of the head, px.
     line_px
         Height of a line of text; where it is larger than usual, so is the head.
     peak
-        Whether a peak stands beside the amplitude.
+        Whether there is a peak beside the amplitude.
     """
     scale = max(line_px / USUAL_LINE_PX, 1.0)
 
@@ -104,37 +100,33 @@ def row_places(width: int, line_px: int = USUAL_LINE_PX, *, peak: bool = False) 
         solo=solo,
         remove=remove,
         peak=QRect(peak_left, second, remove.x() - peak_left, line + 1),
-        words=QRect(0, 0, remove.x() if peak else mute.x(), height),
+        text=QRect(0, 0, remove.x() if peak else mute.x(), height),
     )
-
-
-# What the head of a track shows.
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RowState:
-    """What a row shows.
+    """State of one head.
 
     Attributes
     ----------
-    shown
-        The input.
     silent
-        Whether it is not heard, for being muted or because another is solo.
-    selected, last, list_focused
-        Whether the row is selected; whether it is the one that was selected last; whether keys go
-        to the list.
+        Whether the track is muted, or another one is solo.
+    last
+        Whether the track was selected last.
+    list_focused
+        Whether keys go to the list.
     amplitude
-        What an amplitude is, and in which unit.
+        What an amplitude is, and its unit.
     peak
         The peak that results where the amplitude is a plain factor, else "".
     clip
-        The clip that stands for all of them: the selected one, or the first.
+        The selected clip, or else the first.
     limb
-        Whose places have which names.
+        Limb of the places.
     """
 
-    shown: Input
+    track: Input
     silent: bool
     selected: bool
     last: bool
@@ -146,30 +138,28 @@ class RowState:
 
     @property
     def figure(self) -> str:
-        """What the input plays, and for how long."""
+        """What the track plays, and for how long."""
         if self.clip is None:
             return EMPTY
-        others = clips_text(len(self.shown.clips))
+        others = clips_text(len(self.track.clips))
         lasts = duration_text(self.clip.duration_s)
         return f"{clip_text(self.clip)} · {lasts}{others}"
 
     @property
     def title(self) -> str:
-        """What the input plays."""
+        """What the track plays."""
         return EMPTY if self.clip is None else clip_text(self.clip)
 
     @property
-    def words(self) -> tuple[int, int, bool, str, str]:
-        """What is painted on it: what it plays is said by its tooltip only."""
-        return self.shown.location, self.shown.colour, self.silent, self.limb, self.peak
+    def text(self) -> tuple[int, int, bool, str, str]:
+        """What the painted text depends on."""
+        return self.track.location, self.track.colour, self.silent, self.limb, self.peak
 
     @property
     def frame(self) -> tuple[bool, bool, bool]:
-        """What the ground of the row shows."""
+        """What the painted ground depends on."""
         return self.selected, self.last, self.list_focused
 
-
-# What the head of a track paints beside its controls.
 
 _MARK_PX = 3
 _TINT_ALPHA = 28
@@ -179,12 +169,12 @@ _SMALLER = 0.8
 def paint_row(painter: QPainter, state: RowState, places: RowPlaces, theme: Theme) -> None:
     """Paint ground, place and name of a track, and the peak that results from a gain."""
     _paint_ground(painter, state, places.row, theme)
-    shown, silent = state.shown, state.silent
+    track, silent = state.track, state.silent
     paint_swatch(
         painter,
         places.swatch,
-        shown.location,
-        theme.input_colour(shown.colour),
+        track.location,
+        theme.input_colour(track.colour),
         QColor(theme.text),
         silent=silent,
     )
@@ -193,7 +183,7 @@ def paint_row(painter: QPainter, state: RowState, places: RowPlaces, theme: Them
     font = QFont(usual)
     font.setWeight(QFont.Weight.Medium)
     painter.setFont(font)
-    place = input_name(shown.location, state.limb)
+    place = input_name(track.location, state.limb)
     fits = painter.fontMetrics().horizontalAdvance(place.name) <= places.name.width()
     short_name = place.short_name[0].upper() + place.short_name[1:]
     _write(painter, places.name, place.name if fits else short_name)
@@ -201,9 +191,9 @@ def paint_row(painter: QPainter, state: RowState, places: RowPlaces, theme: Them
     if state.peak:
         painter.setPen(QColor(theme.dim))
         painter.setFont(scaled(usual, _SMALLER))
-        room, said = places.peak.width(), f"peak {state.peak}"
-        fits = painter.fontMetrics().horizontalAdvance(said) <= room
-        _write(painter, places.peak, said if fits else state.peak)
+        room, text = places.peak.width(), f"peak {state.peak}"
+        fits = painter.fontMetrics().horizontalAdvance(text) <= room
+        _write(painter, places.peak, text if fits else state.peak)
         painter.setFont(usual)
 
 
@@ -223,15 +213,12 @@ def _paint_ground(painter: QPainter, state: RowState, row: QRect, theme: Theme) 
 
 
 def _write(painter: QPainter, place: QRect, text: str) -> None:
-    shown = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, place.width())
-    painter.drawText(place, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, shown)
-
-
-# What heads of tracks tell.
+    track = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, place.width())
+    painter.drawText(place, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, track)
 
 
 class RowSignals(QObject):
-    """What the controls of all rows tell; each signal begins with the id of an input."""
+    """Signals of the controls of all heads; each begins with the id of a track."""
 
     #: The keyboard went to its number.
     entered = Signal(int)
@@ -241,11 +228,8 @@ class RowSignals(QObject):
     removed = Signal(int)
 
 
-# Head of one track: where it plays, and what is changed most often.
-
-
 class InputRow(QWidget):
-    """The head of a track, which tells by ``signals`` what is done to it."""
+    """The head of a track; it emits by ``signals`` what its controls do."""
 
     def __init__(self, signals: RowSignals, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -271,17 +255,17 @@ class InputRow(QWidget):
 
     @property
     def controls(self) -> tuple[NumberField | LetterButton, ...]:
-        """What the keyboard can reach, in its order."""
+        """Controls that the keyboard reaches, in its order."""
         return (self.amplitude, self.mute, self.solo, self.remove)
 
     @property
     def id(self) -> int:
-        """Id of its input."""
-        return self.state.shown.id
+        """Id of the track."""
+        return self.state.track.id
 
     @property
     def state(self) -> RowState:
-        """What is shown; only a row that shows something is asked."""
+        """What is shown; only a head that shows a track has a state."""
         if self._state is None:
             raise LookupError("this row shows no input yet")
         return self._state
@@ -291,14 +275,14 @@ class InputRow(QWidget):
         if state == self._state:
             return
         old, self._state = self._state, state
-        shown = state.shown
+        track = state.track
         self.amplitude.set_spec(state.amplitude)
-        self.amplitude.set_value(shown.amplitude)
-        self.mute.setChecked(shown.muted)
-        self.solo.setChecked(shown.solo)
+        self.amplitude.set_value(track.amplitude)
+        self.mute.setChecked(track.muted)
+        self.solo.setChecked(track.solo)
         if old is None or old.last != state.last:
-            self._let_keyboard_in(state.last)
-        place = input_name(shown.location, state.limb)
+            self._set_focus_policies(state.last)
+        place = input_name(track.location, state.limb)
         self.setAccessibleName(
             f"Input at {place.number}, {place.name}: {state.title}"
             f"{', silent' if state.silent else ''}"
@@ -309,9 +293,9 @@ class InputRow(QWidget):
             self._lay_out()
         if old is None or old.frame != state.frame:
             self.update()
-        elif old.words != state.words:
-            # These alone: the controls beside them look after themselves.
-            self.update(self._places.words)
+        elif old.text != state.text:
+            # The controls paint themselves.
+            self.update(self._places.text)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.amplitude and event.type() == QEvent.Type.FocusIn:
@@ -341,7 +325,7 @@ class InputRow(QWidget):
             painter = QPainter(self)
             paint_row(painter, self._state, self._places, current_theme())
 
-    def _let_keyboard_in(self, selected: bool) -> None:
+    def _set_focus_policies(self, selected: bool) -> None:
         # One row at a time: twenty rows of four stops each would be a long way.
         number = Qt.FocusPolicy.StrongFocus if selected else Qt.FocusPolicy.ClickFocus
         button = Qt.FocusPolicy.TabFocus if selected else Qt.FocusPolicy.NoFocus

@@ -1,4 +1,4 @@
-"""Rows of tracks, one below the other, each kept for its input."""
+"""The heads of the tracks, one below the other, and what is done to them."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -35,12 +35,12 @@ from skinsource_gui.qt.keys import claims_shortcut, meaning_of
 
 
 class CachedRows:
-    """Rows stay with their input when others come and go, so that an open editor survives.
+    """Keeps each row for its track, so that an open editor survives when other tracks come and go.
 
     Parameters
     ----------
     column, signals
-        What they stand in, and what is told by their controls.
+        Parent of the rows, and the signals of their controls.
     """
 
     def __init__(self, column: QWidget, signals: RowSignals) -> None:
@@ -62,19 +62,19 @@ class CachedRows:
         return next((row for row in self.rows if row.state.last), None)
 
     def at(self, y: float) -> InputRow | None:
-        """The row at a height of the column."""
+        """Return the row at a height of the column."""
         return next((row for row in self.rows if row.y() <= y < row.y() + row.height()), None)
 
-    def stand_for(self, ids: Sequence[int]) -> bool:
-        """Whether there is a row for each of these inputs, in that order, and no other."""
+    def matches(self, ids: Sequence[int]) -> bool:
+        """Return whether there is a row for each of these tracks, in that order, and no other."""
         return list(ids) == list(self._rows)
 
     def arrange(self, ids: Sequence[int]) -> list[InputRow]:
         """Put the rows of these inputs in order; return those that are left over."""
         old, self._rows = self._rows, {}
-        for position, one in enumerate(ids):
-            row = old.pop(one, None) or self._new_row()
-            self._rows[one] = row
+        for position, track_id in enumerate(ids):
+            row = old.pop(track_id, None) or self._new_row()
+            self._rows[track_id] = row
             self._layout.insertWidget(position, row)
         before = self._column
         for row in self.rows:
@@ -84,7 +84,7 @@ class CachedRows:
         return list(old.values())
 
     def remove(self, row: InputRow) -> bool:
-        """Take away a row that was left over; whether it had the keyboard."""
+        """Remove a row that is left over; return whether it had the keyboard."""
         focused = QApplication.focusWidget()
         had_focus = focused is not None and row.isAncestorOf(focused)
         self._layout.removeWidget(row)
@@ -97,8 +97,6 @@ class CachedRows:
         return InputRow(self._signals, self._column)
 
 
-# What keys mean on the heads of tracks.
-
 _PLACE = "inputs"
 _Key = Qt.Key
 _STEPS = {_Key.Key_Up: -1, _Key.Key_Down: 1}
@@ -106,7 +104,7 @@ _ENDS = (_Key.Key_Home, _Key.Key_End)
 
 
 class ListKeys(QObject):
-    """Turns key presses into what they mean."""
+    """Turns key presses into signals of what they mean."""
 
     #: The row to go to; whether all rows on the way are selected too.
     moved = Signal(int, bool)
@@ -121,29 +119,29 @@ class ListKeys(QObject):
     gain_toggled = Signal()
 
     def claims(self, event: QKeyEvent) -> bool:
-        """Whether the list wants this key for itself, before any shortcut of the window."""
+        """Return whether the list takes this key before any shortcut of the window."""
         return bool(meaning_of(_PLACE, event))
 
     def press(self, event: QKeyEvent, here: int | None, count: int) -> bool:
         """Tell what a key means at row ``here`` of ``count``; whether it means anything."""
-        wanted = meaning_of(_PLACE, event)
-        if not wanted or not count:
+        command = meaning_of(_PLACE, event)
+        if not command or not count:
             return False
-        if wanted == "go":
+        if command == "go":
             extending = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
             self.moved.emit(_target(_Key(event.key()), here, count), extending)
-        elif wanted in ("shift_up", "shift_down"):
-            self.shifted.emit(wanted == "shift_down")
-        elif wanted == "select_all":
+        elif command in ("shift_up", "shift_down"):
+            self.shifted.emit(command == "shift_down")
+        elif command == "select_all":
             self.all_selected.emit()
         elif here is None:
             return False
         else:
-            self._act(wanted)
+            self._act(command)
         return True
 
-    def _act(self, wanted: str) -> None:
-        """Tell what is wanted of the selected inputs."""
+    def _act(self, command: str) -> None:
+        """Emit what to do with the selected tracks."""
         {
             "mute": self.mute_toggled,
             "solo": self.solo_toggled,
@@ -151,7 +149,7 @@ class ListKeys(QObject):
             "type": self.typing_wanted,
             "gain_curve": self.gain_toggled,
             "remove": self.removed,
-        }[wanted].emit()
+        }[command].emit()
 
 
 def _target(key: Qt.Key, here: int | None, count: int) -> int:
@@ -160,14 +158,12 @@ def _target(key: Qt.Key, here: int | None, count: int) -> int:
     return min(max(here + _STEPS[key], 0), count - 1)
 
 
-# What the mouse means on the heads of tracks.
-
-_Held = Qt.KeyboardModifier
+_Modifier = Qt.KeyboardModifier
 
 
 @dataclass(slots=True, kw_only=True)
 class _Press:
-    """The left button, held since it went down on a row; ``gap`` is where a drag would put it."""
+    """A press of the left button on a row; ``gap`` is where a drag would put the row."""
 
     id: int
     at: QPoint
@@ -176,7 +172,7 @@ class _Press:
 
 
 class ListMouse(QObject):
-    """Turns presses, moves and releases into what they mean.
+    """Turns presses, moves and releases of the mouse into signals of what they mean.
 
     A press selects; with Ctrl it adds or takes out, with Shift it selects all rows on the way.
     Moving farther drags the selected rows between two others.
@@ -190,7 +186,7 @@ class ListMouse(QObject):
     held_over = Signal(object)
     #: The gap into which the selected ones are dropped.
     dropped = Signal(int)
-    #: Id of the input whose menu is wanted, and where on the screen.
+    #: Id of the track whose menu opens, and where on the screen.
     menu_wanted = Signal(int, QPoint)
 
     def __init__(self, parent: QObject) -> None:
@@ -198,12 +194,12 @@ class ListMouse(QObject):
         self._press: _Press | None = None
 
     def press(self, event: QMouseEvent, id: int, was_selected: bool) -> None:
-        """The left button goes down on the row of an input."""
+        """Begin a press on the row of a track."""
         self.cancel()
-        if event.modifiers() & _Held.ControlModifier:
+        if event.modifiers() & _Modifier.ControlModifier:
             self.toggled.emit(id)
             return
-        if event.modifiers() & _Held.ShiftModifier:
+        if event.modifiers() & _Modifier.ShiftModifier:
             self.reached.emit(id)
             return
         at = event.globalPosition().toPoint()
@@ -212,17 +208,17 @@ class ListMouse(QObject):
             self.selected.emit(id)
 
     def move(self, event: QMouseEvent, gap: int) -> None:
-        """The mouse moves, nearest to ``gap``."""
+        """Follow the mouse, which is nearest to ``gap``."""
         press = self._press
         if press is None or not event.buttons() & Qt.MouseButton.LeftButton:
             return
-        way = (event.globalPosition().toPoint() - press.at).manhattanLength()
-        if press.gap is not None or way >= QApplication.startDragDistance():
+        distance_px = (event.globalPosition().toPoint() - press.at).manhattanLength()
+        if press.gap is not None or distance_px >= QApplication.startDragDistance():
             press.gap = gap
             self.held_over.emit(gap)
 
     def release(self) -> None:
-        """The left button goes up."""
+        """End the press: drop the rows that were dragged, or select one."""
         press, self._press = self._press, None
         if press is None:
             return
@@ -230,11 +226,11 @@ class ListMouse(QObject):
             self.held_over.emit(None)
             self.dropped.emit(press.gap)
         elif press.was_selected:
-            # Among several, a click selects the one.
+            # A click on one of several selected rows selects that row alone.
             self.selected.emit(press.id)
 
     def cancel(self) -> bool:
-        """Give up a drag; whether there was one."""
+        """Give up a drag; return whether there was one."""
         press, self._press = self._press, None
         if press is None or press.gap is None:
             return False
@@ -242,13 +238,11 @@ class ListMouse(QObject):
         return True
 
 
-# Where rows would go that are dragged.
-
 _HIGH_PX = 3
 
 
 class RowGap(QFrame):
-    """A line between two rows, or before or behind all of them."""
+    """A line that shows between which rows a drag would put the selected ones."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -268,16 +262,13 @@ class RowGap(QFrame):
             self.raise_()
 
 
-# Heads of tracks, in a list that scrolls.
-
-
 class InputRows(QWidget):
-    """The heads, one below the other: hands what keys and mouse do there to who knows it.
+    """The heads, one below the other; keys and mouse go to ``keys`` and ``mouse``.
 
     Attributes
     ----------
     signals, keys, mouse
-        What is done to the rows: by their controls, by keys and by the mouse.
+        Emit what controls, keys and mouse do to the rows.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -286,36 +277,36 @@ class InputRows(QWidget):
         self.setAccessibleName("Inputs")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.signals = RowSignals(self)
-        self._kept = CachedRows(self, self.signals)
+        self._cached = CachedRows(self, self.signals)
         self.keys, self.mouse = ListKeys(self), ListMouse(self)
         self.keys.typing_wanted.connect(self._type_amplitude)
-        self.keys.moved.connect(self._take_keys)
+        self.keys.moved.connect(self._take_focus)
         self.mouse.held_over.connect(self._show_gap)
         self._gap = RowGap(self)
 
     @property
     def rows(self) -> tuple[InputRow, ...]:
         """The rows, from top to bottom."""
-        return self._kept.rows
+        return self._cached.rows
 
     @property
     def last_row(self) -> InputRow | None:
         """The row that was selected last."""
-        return self._kept.last
+        return self._cached.last
 
     def show_rows(self, states: Sequence[RowState]) -> None:
         """Show one row for each state."""
-        ids = [state.shown.id for state in states]
+        ids = [state.track.id for state in states]
         left: list[InputRow] = []
-        if not self._kept.stand_for(ids):
+        if not self._cached.matches(ids):
             self.mouse.cancel()
-            left = self._kept.arrange(ids)
+            left = self._cached.arrange(ids)
         focused = self.hasFocus()
         for row, state in zip(self.rows, states, strict=True):
             row.show_state(replace(state, list_focused=True) if focused else state)
         # The keyboard may come from a row that goes: those that stay know by now what they show.
         for row in left:
-            if self._kept.remove(row):
+            if self._cached.remove(row):
                 self.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def event(self, event: QEvent) -> bool:
@@ -335,7 +326,7 @@ class InputRows(QWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         # Also reached by presses on a row, which leaves them to us.
         self.setFocus(Qt.FocusReason.MouseFocusReason)
-        row = self._kept.at(event.position().y())
+        row = self._cached.at(event.position().y())
         if row is not None and event.button() == Qt.MouseButton.LeftButton:
             self.mouse.press(event, row.id, row.state.selected)
 
@@ -348,9 +339,9 @@ class InputRows(QWidget):
             self.mouse.release()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        # A menu key means the row that was selected last, and finds its menu beside it.
+        # The menu key opens the menu of the row that was selected last, on that row.
         by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
-        row = self.last_row if by_key else self._kept.at(event.pos().y())
+        row = self.last_row if by_key else self._cached.at(event.pos().y())
         if row is not None:
             at = row.mapToGlobal(row.rect().center()) if by_key else event.globalPos()
             self.mouse.menu_wanted.emit(row.id, at)
@@ -367,7 +358,7 @@ class InputRows(QWidget):
         for row in self.rows:
             row.show_state(replace(row.state, list_focused=self.hasFocus()))
 
-    def _take_keys(self) -> None:
+    def _take_focus(self) -> None:
         # The key may have come from a control of a row that is left now.
         self.setFocus(Qt.FocusReason.OtherFocusReason)
 
@@ -382,7 +373,7 @@ class InputRows(QWidget):
 
 
 class InputList(QScrollArea):
-    """`InputRows` in a frame that scrolls and keeps the row in sight that was selected last."""
+    """A scroll area for `InputRows`, which keeps the row in sight that was selected last."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -392,50 +383,47 @@ class InputList(QScrollArea):
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.rows = InputRows()
         self.setWidget(self.rows)
-        self._shown: tuple[int, int] | None = None
-        self._kept_in_sight = False
+        self._revealed: tuple[int, int] | None = None
+        self._follows_selection = False
         bar = self.verticalScrollBar()
         # Rows that came have no place before their layout is done, and the bar no room for them.
         bar.rangeChanged.connect(self._scroll)
-        bar.actionTriggered.connect(self._let_go)
+        bar.actionTriggered.connect(self._stop_following)
 
     def reveal_selected(self) -> None:
-        """Scroll to the row that was selected last if it is another, or stands elsewhere."""
+        """Scroll to the row that was selected last if it is another one, or has moved."""
         row = self.rows.last_row
         shown = None if row is None else (row.id, self.rows.rows.index(row))
-        if shown is not None and shown != self._shown:
-            self._kept_in_sight = True
+        if shown is not None and shown != self._revealed:
+            self._follows_selection = True
             self._scroll()
-        self._shown = shown
+        self._revealed = shown
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._scroll()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        self._let_go()
+        self._stop_following()
         super().wheelEvent(event)
 
-    def _let_go(self) -> None:
+    def _stop_following(self) -> None:
         # Who scrolls wants to see something else.
-        self._kept_in_sight = False
+        self._follows_selection = False
 
     def _scroll(self) -> None:
         row = self.rows.last_row
-        if not self._kept_in_sight or row is None:
+        if not self._follows_selection or row is None:
             return
         bar, top = self.verticalScrollBar(), self.rows.rows.index(row) * row.height()
         lowest = top + row.height() - self.viewport().height()
         bar.setValue(min(max(bar.value(), lowest), top))
 
 
-# What the list does to inputs.
-
-
 class ListEdits(QObject):
-    """Turns what rows, keys and mouse tell into edits of inputs.
+    """Turns what controls, keys and mouse do into edits of tracks.
 
-    Where a control of a row tells it, ``one`` is the id of its input; where a key does, None.
+    ``track_id`` is that of the row whose control was used; None: a key was pressed.
     """
 
     #: `Edit` or `Refusal`, number of the gesture or None.
@@ -454,57 +442,54 @@ class ListEdits(QObject):
     def shift(self, down: bool) -> None:
         """Move the selected inputs past their neighbour."""
         ids = self._view.selected_inputs
-        self._tell(edits.shift_inputs(self._design, self._view, ids, down))
+        self._emit(edits.shift_inputs(self._design, self._view, ids, down))
 
     def put(self, gap: int) -> None:
         """Put the selected inputs into a gap between rows."""
         ids = self._view.selected_inputs
-        self._tell(edits.put_inputs_before(self._design, self._view, ids, gap))
+        self._emit(edits.put_inputs_before(self._design, self._view, ids, gap))
 
-    def change_amplitude(self, one: int, value: float, gesture: int | None) -> None:
-        """Type or drag an amplitude."""
-        ids = self.together(one)
+    def change_amplitude(self, track_id: int, value: float, gesture: int | None) -> None:
+        """Set an amplitude that is typed or dragged."""
+        ids = self.affected(track_id)
         changed = self._changes.change(
-            self._design, self._view, ids, "amplitude", value, lead=one, gesture=gesture
+            self._design, self._view, ids, "amplitude", value, lead=track_id, gesture=gesture
         )
         self.edited.emit(changed, gesture)
 
-    def toggle_mute(self, one: int | None = None) -> None:
+    def toggle_mute(self, track_id: int | None = None) -> None:
         """Mute all, or none if all are."""
-        self._tell(edits.toggle_mute(self._design, self._view, self.together(one)))
+        self._emit(edits.toggle_mute(self._design, self._view, self.affected(track_id)))
 
-    def toggle_solo(self, one: int | None = None) -> None:
+    def toggle_solo(self, track_id: int | None = None) -> None:
         """Make all solo, or none if all are."""
-        self._tell(edits.toggle_solo(self._design, self._view, self.together(one)))
+        self._emit(edits.toggle_solo(self._design, self._view, self.affected(track_id)))
 
-    def remove(self, one: int | None = None) -> None:
+    def remove(self, track_id: int | None = None) -> None:
         """Remove the selected inputs; the cross of a row removes that row alone."""
-        ids = self._view.selected_inputs if one is None else (one,)
-        self._tell(edits.remove_inputs(self._design, self._view, ids))
+        ids = self._view.selected_inputs if track_id is None else (track_id,)
+        self._emit(edits.remove_inputs(self._design, self._view, ids))
 
     def edit(self, ids: tuple[int, ...], edit: InputEdit) -> None:
-        """Do to these inputs what was chosen."""
-        self._tell(edit(self._design, self._view, ids))
+        """Apply an edit to these tracks."""
+        self._emit(edit(self._design, self._view, ids))
 
     def duplicate(self) -> None:
         """Duplicate the selected inputs."""
         ids = self._view.selected_inputs
-        self._tell(edits.duplicate_inputs(self._design, self._view, ids))
+        self._emit(edits.duplicate_inputs(self._design, self._view, ids))
 
-    def together(self, one: int | None) -> tuple[int, ...]:
-        """Whom a control of the row of ``one`` is about: all selected, if it is one of them."""
+    def affected(self, track_id: int | None) -> tuple[int, ...]:
+        """Return the tracks that a control changes: all selected ones, if its own is among them."""
         selected = self._view.selected_inputs
-        return selected if one is None or one in selected else (one,)
+        return selected if track_id is None or track_id in selected else (track_id,)
 
-    def _tell(self, outcome: edits.Edit | edits.Refusal) -> None:
+    def _emit(self, outcome: edits.Edit | edits.Refusal) -> None:
         self.edited.emit(outcome, None)
 
 
-# Which inputs the list selects.
-
-
 class ListSelection(QObject):
-    """Turns what rows, keys and mouse tell into other selections of inputs."""
+    """Turns what controls, keys and mouse do into selections of tracks."""
 
     #: `Edit` or `Refusal`, None: no gesture.
     edited = Signal(object, object)
@@ -528,33 +513,30 @@ class ListSelection(QObject):
     def select(self, chosen: int) -> None:
         """Select this input alone."""
         self._anchor = chosen
-        self._tell(edits.select_inputs(self._design, self._view, (chosen,)))
+        self._emit(edits.select_inputs(self._design, self._view, (chosen,)))
 
     def toggle(self, chosen: int) -> None:
         """Add this input, or take it out."""
         self._anchor = chosen
-        self._tell(edits.toggle_selected(self._design, self._view, chosen))
+        self._emit(edits.toggle_selected(self._design, self._view, chosen))
 
     def select_through(self, chosen: int) -> None:
         """Select all from where it began to this input."""
         known = self._anchor in self._view.selected_inputs
         self._anchor = self._anchor if known else self._view.selected_input
-        self._tell(edits.select_through(self._design, self._view, self._anchor, chosen))
+        self._emit(edits.select_through(self._design, self._view, self._anchor, chosen))
 
     def select_all(self) -> None:
         """Select all inputs."""
-        self._tell(edits.select_all_inputs(self._design, self._view))
+        self._emit(edits.select_all_inputs(self._design, self._view))
 
     def go(self, place: int, extending: bool) -> None:
         """Select the input of this row, or with ``extending`` all on the way to it."""
         chosen = self._design.ids[place]
         (self.select_through if extending else self.select)(chosen)
 
-    def _tell(self, outcome: edits.Edit | edits.Refusal) -> None:
+    def _emit(self, outcome: edits.Edit | edits.Refusal) -> None:
         self.edited.emit(outcome, None)
-
-
-# The heads of the tracks: what they show, and what is done to them.
 
 
 class Heads(QObject):
@@ -580,23 +562,25 @@ class Heads(QObject):
         for part in (self._edits, self._selection):
             part.show_state(design, view)
         self._gain_shown = shown_gain_curves(view)
-        audible = {id(one) for one in audible_inputs(design.inputs)}
+        audible = {id(track) for track in audible_inputs(design.inputs)}
         amplitude = amplitude_spec(design)
-        peaks = {one.id: peak_text(design, one) for one in design.inputs if is_gain(design, one)}
+        peaks = {
+            track.id: peak_text(design, track) for track in design.inputs if is_gain(design, track)
+        }
         self.list.rows.show_rows(
             [
                 RowState(
-                    shown=one,
-                    silent=id(one) not in audible,
-                    selected=one.id in view.selected_inputs,
-                    last=one.id == view.selected_input,
+                    track=track,
+                    silent=id(track) not in audible,
+                    selected=track.id in view.selected_inputs,
+                    last=track.id == view.selected_input,
                     list_focused=False,
-                    amplitude=AMPLITUDE_GAIN if one.id in peaks else amplitude,
-                    peak=peaks.get(one.id, ""),
-                    clip=clip_of(one, view),
+                    amplitude=AMPLITUDE_GAIN if track.id in peaks else amplitude,
+                    peak=peaks.get(track.id, ""),
+                    clip=clip_of(track, view),
                     limb=design.limb,
                 )
-                for one in design.inputs
+                for track in design.inputs
             ]
         )
         self.list.reveal_selected()
@@ -627,21 +611,21 @@ class Heads(QObject):
         keys.gain_toggled.connect(self._toggle_gain)
 
     def _toggle_gain(self) -> None:
-        self._edits.edit(self._edits.together(None), toggle_gain_curves)
+        self._edits.edit(self._edits.affected(None), toggle_gain_curves)
 
-    def _open_menu(self, one: int, at: QPoint) -> None:
-        self._selection.enter(one)
+    def _open_menu(self, track_id: int, at: QPoint) -> None:
+        self._selection.enter(track_id)
         menu = QMenu(self.list)
         menu.setObjectName("inputs_menu")
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        ids = self._edits.together(one)
-        chosen = [row.state.shown for row in self.list.rows.rows if row.id in ids]
+        ids = self._edits.affected(track_id)
+        chosen = [row.state.track for row in self.list.rows.rows if row.id in ids]
         act = partial(self._edits.edit, ids)
         gain = Entry(
             words="Gain curve",
             key="gain_curve",
             edit=toggle_gain_curves,
-            on=lambda one: one.id in self._gain_shown,
+            on=lambda track: track.id in self._gain_shown,
             separated=True,
         )
         fill_inputs_menu(menu, chosen, act, place="inputs", entries=(*ENTRIES, *ORDER, gain))

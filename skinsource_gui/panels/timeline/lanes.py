@@ -1,4 +1,4 @@
-"""What keys mean on the lanes."""
+"""The lanes as a widget: what mouse and keys do to clips, gain curves, markers and the loop."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -24,7 +24,7 @@ from skinsource_gui.panels.timeline.content import (
     Part,
     TimelineContent,
     TimeZoom,
-    after,
+    next_id,
     overlapping,
     part_at,
     ruler_px,
@@ -33,13 +33,13 @@ from skinsource_gui.panels.timeline.content import (
 )
 from skinsource_gui.panels.timeline.gain import GainItem, GainPoints
 from skinsource_gui.panels.timeline.gestures import (
-    Either,
+    EitherGesture,
     FadeEnd,
     Gesture,
     GestureContext,
     GesturePreview,
-    Held,
     Marquee,
+    Modifier,
     MoveClips,
     MoveEnd,
     MoveGain,
@@ -49,7 +49,7 @@ from skinsource_gui.panels.timeline.gestures import (
     Pan,
     snapped_time,
 )
-from skinsource_gui.panels.timeline.painting import LanesItem, OverItem, PlayheadItem
+from skinsource_gui.panels.timeline.painting import LanesItem, OverlayItem, PlayheadItem
 from skinsource_gui.plots.plot import PLAYHEAD, Canvas, moved_playhead
 from skinsource_gui.plots.time_scale import TimeScale, panned
 from skinsource_gui.qt.frames import DropPlace
@@ -65,17 +65,21 @@ _STEPS = {_Key.Key_Left: -1, _Key.Key_Right: 1, _Key.Key_Up: -1, _Key.Key_Down: 
 _ZOOM = 1.5
 
 
-class LaneKeys(QObject):
-    """Turns key presses into edits of the selected clips."""
+class LaneInput(QObject):
+    """What keys and mouse on the lanes have in common.
+
+    Parameters
+    ----------
+    content
+        Returns what the lanes show now.
+    gain
+        Handles the gain curves, which lie over the clips.
+    """
 
     edited = Signal(object, object)
-    looked = Signal(object)
+    view_changed = Signal(object)
     playhead_wanted = Signal(float)
-    copied = Signal()
-    cut = Signal()
-    pasted = Signal()
-    zoomed = Signal(float)
-    everything_wanted = Signal()
+    #: Id of a clip to open; track and time of a new clip; time of a new marker.
     opened = Signal(int)
     clip_wanted = Signal(int, float)
     marker_wanted = Signal(float)
@@ -85,15 +89,34 @@ class LaneKeys(QObject):
     ) -> None:
         super().__init__(parent)
         self._content, self._gain = content, gain
+
+    def _select(self, *clips: int) -> None:
+        content = self._content()
+        self.view_changed.emit(edits.select_clips(content.design, content.view, clips).view)
+
+
+class LaneKeys(LaneInput):
+    """Turns key presses into edits of the selected clips."""
+
+    copied = Signal()
+    cut = Signal()
+    pasted = Signal()
+    zoomed = Signal(float)
+    everything_wanted = Signal()
+
+    def __init__(
+        self, content: Callable[[], TimelineContent], gain: GainPoints, parent: QObject
+    ) -> None:
+        super().__init__(content, gain, parent)
         self._burst = Burst(self)
         self._nudged: object = None
 
     def claims(self, event: QKeyEvent) -> bool:
-        """Whether the lanes want this key for themselves, before any shortcut of the window."""
+        """Return whether the lanes take this key before any shortcut of the window."""
         return bool(meaning_of(_PLACE, event) or meaning_of(PLAYHEAD, event))
 
     def press(self, event: QKeyEvent) -> bool:
-        """Do what a key means; whether it means anything."""
+        """Do what a key means; return whether it means anything."""
         if self._gain.key(event):
             return True
         content = self._content()
@@ -101,55 +124,55 @@ class LaneKeys(QObject):
         if playhead_s is not None:
             self._put_playhead(playhead_s)
             return True
-        wanted = meaning_of(_PLACE, event)
-        if wanted in ("nudge", "change_track"):
+        command = meaning_of(_PLACE, event)
+        if command in ("nudge", "change_track"):
             leap = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
-            self._nudge(wanted, _STEPS[_Key(event.key())] * (_LEAP if leap else 1))
-        elif wanted == "go":
+            self._nudge(command, _STEPS[_Key(event.key())] * (_LEAP if leap else 1))
+        elif command == "go":
             self._go(_STEPS[_Key(event.key())])
-        elif wanted == "below":
+        elif command == "below":
             self._go_below()
-        elif wanted == "gain_far":
+        elif command == "gain_far":
             self._reach(_STEPS[_Key(event.key())])
-        elif wanted == "playhead":
+        elif command == "playhead":
             ends = (clip.end_s for clip in content.design.clips)
             at_start = event.key() == _Key.Key_Home
             self._put_playhead(0.0 if at_start else max(ends, default=0.0))
         else:
-            return self._show(wanted) or self._edit(wanted)
+            return self._show(command) or self._edit(command)
         return True
 
-    def _show(self, wanted: str) -> bool:
-        """Do what leaves the design as it is; whether that is wanted."""
+    def _show(self, command: str) -> bool:
+        """Do what a command does to the view; return whether it does anything."""
         content = self._content()
         design, view = content.design, content.view
-        if wanted in ("zoom_in", "zoom_out"):
-            self.zoomed.emit(_ZOOM if wanted == "zoom_in" else 1 / _ZOOM)
-        elif wanted == "whole":
+        if command in ("zoom_in", "zoom_out"):
+            self.zoomed.emit(_ZOOM if command == "zoom_in" else 1 / _ZOOM)
+        elif command == "whole":
             self.everything_wanted.emit()
-        elif wanted == "select_all":
-            self.looked.emit(edits.select_all_clips(design, view).view)
-        elif wanted == "open":
+        elif command == "select_all":
+            self.view_changed.emit(edits.select_all_clips(design, view).view)
+        elif command == "open":
             for clip in content.chosen[-1:]:
                 self.opened.emit(clip)
         else:
             return False
         return True
 
-    def _edit(self, wanted: str) -> bool:
-        """Do what changes the design; whether that is wanted."""
+    def _edit(self, command: str) -> bool:
+        """Do what a command does to the design; return whether it does anything."""
         content = self._content()
         design, view = content.design, content.view
         chosen, at_s = content.chosen, view.playhead_s
-        if wanted == "copy":
+        if command == "copy":
             self.copied.emit()
-        elif wanted == "cut":
+        elif command == "cut":
             self.cut.emit()
-        elif wanted == "paste":
+        elif command == "paste":
             self.pasted.emit()
-        elif wanted == "marker":
+        elif command == "marker":
             self.marker_wanted.emit(at_s)
-        elif wanted == "add" and view.selected_input is not None:
+        elif command == "add" and view.selected_input is not None:
             self.clip_wanted.emit(view.selected_input, at_s)
         outcome = {
             "split": lambda: edits.split_clips(design, view, chosen, at_s),
@@ -157,20 +180,20 @@ class LaneKeys(QObject):
             "mute": lambda: edits.toggle_mute_clips(design, view, chosen),
             "duplicate": lambda: edits.duplicate_clips(design, view, chosen),
             "remove": lambda: edits.remove_clips(design, view, chosen),
-        }.get(wanted)
+        }.get(command)
         if outcome is not None:
             self.edited.emit(outcome(), None)
-        return bool(wanted)
+        return bool(command)
 
     def _put_playhead(self, time_s: float) -> None:
         content = self._content()
         low, high = content.scale.shown_s
         self.playhead_wanted.emit(time_s)
         if not low <= time_s <= high:
-            # What is seen follows, so that the time is in sight again, beside its nearest edge.
+            # Pan to the nearest edge, so that the playhead is visible.
             by_s = time_s - (low if time_s < low else high)
             shown_s = panned((low, high), by_s, content.whole_s)
-            self.looked.emit(replace(self._content().view, time_range_s=shown_s))
+            self.view_changed.emit(replace(self._content().view, time_range_s=shown_s))
 
     def _go(self, step: int) -> None:
         """Select the next clip, or the one before, through all tracks."""
@@ -179,88 +202,70 @@ class LaneKeys(QObject):
         ids = [
             clip.id
             for track in design.inputs
-            for clip in sorted(track.clips, key=lambda one: one.onset_s)
+            for clip in sorted(track.clips, key=lambda clip: clip.onset_s)
         ]
         if not ids:
             return
         chosen = view.selected_clips
         here = ids.index(chosen[-1]) if chosen and chosen[-1] in ids else (-1 if step > 0 else 0)
-        self.looked.emit(edits.select_clips(design, view, (ids[(here + step) % len(ids)],)).view)
+        self._select(ids[(here + step) % len(ids)])
 
     def _reach(self, step: int) -> None:
         """Select besides the nearest clip of the next track that has any."""
         content = self._content()
-        design, view = content.design, content.view
+        design = content.design
         for last in content.chosen[-1:]:
             here, onset_s = design.index_of(design.track_of(last).id), design.clip(last).onset_s
             ahead = design.inputs[here + 1 :] if step > 0 else design.inputs[:here][::-1]
             clips = next((track.clips for track in ahead if track.clips), ())
-            near = min(clips, key=lambda one: abs(one.onset_s - onset_s), default=None)
-            if near is not None:
-                kept = (one for one in content.chosen if one != near.id)
-                self.looked.emit(edits.select_clips(design, view, (*kept, near.id)).view)
+            nearest = min(clips, key=lambda clip: abs(clip.onset_s - onset_s), default=None)
+            if nearest is not None:
+                others = (clip_id for clip_id in content.chosen if clip_id != nearest.id)
+                self._select(*others, nearest.id)
 
     def _go_below(self) -> None:
         """Select the next of the clips that overlap."""
         content = self._content()
         for clip in content.chosen[-1:]:
             track = content.design.track_of(clip)
-            following = after(overlapping(track, content.design.clip(clip)), clip)
-            chosen = (clip if following is None else following,)
-            self.looked.emit(edits.select_clips(content.design, content.view, chosen).view)
+            following = next_id(overlapping(track, content.design.clip(clip)), clip)
+            self._select(clip if following is None else following)
 
-    def _nudge(self, wanted: str, steps: int) -> None:
+    def _nudge(self, command: str, steps: int) -> None:
         content = self._content()
         design, view = content.design, content.view
-        aside = wanted == "nudge"
-        by_s, by_tracks = (steps * STEP_S, 0) if aside else (0.0, steps)
+        in_time = command == "nudge"
+        by_s, by_tracks = (steps * STEP_S, 0) if in_time else (0.0, steps)
         outcome = edits.move_clips(design, view, content.chosen, by_s, by_tracks)
-        # One burst of nudges is one step of the history; other clips, or upright, are another.
-        nudged = (aside, content.chosen)
+        # One burst of nudges is one undo step; other clips, or another direction, begin a new one.
+        nudged = (in_time, content.chosen)
         if nudged != self._nudged:
             self._burst.end()
             self._nudged = nudged
         self.edited.emit(outcome, self._burst.gesture())
 
 
-# What the mouse does on the lanes and on the ruler.
-
 # A movement shorter than this is a click.
 _DRAG_PX = 4.0
 _CATCH_PX = 6.0
 
 
-class LaneMouse(QObject):
-    """Turns what the buttons do into gestures, and single clicks into selections.
-
-    Parameters
-    ----------
-    content
-        Returns what is shown now.
-    gain
-        Knows where gain curves are, which lie over the clips.
+class LaneMouse(LaneInput):
+    """Turns what the mouse buttons do into gestures, and single clicks into selections.
 
     Attributes
     ----------
     elsewhere
-        Returns where in another panel something goes that is held over a place, px.
+        Returns where in another panel something would be dropped that is held over a place, px.
     """
 
-    edited = Signal(object, object)
-    looked = Signal(object)
-    playhead_wanted = Signal(float)
-    #: `Shown`: what is painted over the lanes.
+    #: `GesturePreview`: what is painted over the lanes.
     shown = Signal(object)
-    #: A double click on a clip, with its id; on an empty lane, with track and time; on the ruler.
-    opened = Signal(int)
-    clip_wanted = Signal(int, float)
-    marker_wanted = Signal(float)
 
     def __init__(
         self, content: Callable[[], TimelineContent], gain: GainPoints, parent: QObject
     ) -> None:
-        super().__init__(parent)
-        self._content, self._gain = content, gain
+        super().__init__(content, gain, parent)
         self.elsewhere: Callable[[QPointF | None], DropPlace | None] = lambda at: None
         self._gesture: Gesture | None = None
         self._click: Callable[[], None] | None = None
@@ -274,33 +279,33 @@ class LaneMouse(QObject):
         """Whether a button is down that means something."""
         return self._gesture is not None
 
-    def press(self, at: QPointF, button: Qt.MouseButton, held: Held, rate_hz: float) -> None:
-        """A button went down."""
+    def press(self, at: QPointF, button: Qt.MouseButton, held: Modifier, rate_hz: float) -> None:
+        """Begin what a button does that goes down."""
         if self.busy:
             return
         content = self._content()
-        stage = self._stage()
+        context = self._context()
         self._at, self._moving, self._click = at, False, None
         box = content.box_at(at)
         if button == Qt.MouseButton.MiddleButton:
-            self._gesture = Pan(stage, at)
+            self._gesture = Pan(context, at)
         elif button != Qt.MouseButton.LeftButton:
             return
         elif at.y() < content.ruler_px:
-            self._gesture = self._on_ruler(stage, at, held)
-        elif (curve := self._gain.press(stage, at, held)) is not None:
-            on_line = isinstance(curve, MoveGain) and curve.upright
+            self._gesture = self._on_ruler(context, at, held)
+        elif (curve := self._gain.press(context, at, held)) is not None:
+            on_line = isinstance(curve, MoveGain) and curve.vertical
             if on_line and box is not None:
                 curve = self._on_line(curve, box, at, held, rate_hz)
             self._gesture = curve
         elif box is not None:
             self._gesture = self._on_clip(box, at, held, rate_hz)
         else:
-            self._gesture = Marquee(stage, at)
-            self._click = self._on_ground(stage, at)
+            self._gesture = Marquee(context, at)
+            self._click = self._on_ground(context, at)
 
-    def move(self, at: QPointF, held: Held) -> None:
-        """The pointer moved."""
+    def move(self, at: QPointF, held: Modifier) -> None:
+        """Follow the pointer."""
         if self._gesture is None:
             return
         away = at - self._at
@@ -310,7 +315,7 @@ class LaneMouse(QObject):
             self.shown.emit(self._gesture.move(at, held))
 
     def release(self) -> None:
-        """The button went up."""
+        """End what the button did."""
         gesture, click, self._gesture, self._click = self._gesture, self._click, None, None
         if gesture is not None:
             gesture.finish()
@@ -319,7 +324,7 @@ class LaneMouse(QObject):
             click()
 
     def cancel(self) -> bool:
-        """Give up the gesture as if it had not begun; whether there was one."""
+        """Cancel the gesture; return whether there was one."""
         gesture, self._gesture, self._click = self._gesture, None, None
         if gesture is None:
             return False
@@ -328,7 +333,7 @@ class LaneMouse(QObject):
         return True
 
     def double_click(self, at: QPointF) -> None:
-        """The left button was pressed twice."""
+        """Open the clip here, or add a clip, a marker or a point of a gain curve."""
         self.cancel()
         content = self._content()
         box, lane = content.box_at(at), content.lane_at(at.y())
@@ -337,20 +342,20 @@ class LaneMouse(QObject):
         elif self._gain.double_click(at):
             return
         elif box is not None:
-            # The first of the two clicks may have gone on to a clip below.
-            under = [one.clip.id for one in content.boxes_at(at)]
-            wanted = self._pressed if self._pressed in under else box.clip.id
-            self._select(wanted)
-            self.opened.emit(wanted)
+            # The first of the two clicks may have selected a clip below.
+            ids = [box.clip.id for box in content.boxes_at(at)]
+            clip_id = self._pressed if self._pressed in ids else box.clip.id
+            self._select(clip_id)
+            self.opened.emit(clip_id)
         elif lane is not None:
             self.clip_wanted.emit(lane.track.id, self.time_at(at))
 
     def time_at(self, at: QPointF) -> float:
-        """The time to which something would snap that is put there, s."""
-        return snapped_time(self._stage(), at)[0]
+        """Return the time to which something would snap here, s."""
+        return snapped_time(self._context(), at)[0]
 
     def cursor_at(self, at: QPointF) -> Qt.CursorShape:
-        """Shape of the pointer."""
+        """Return the shape of the pointer."""
         content = self._content()
         if at.y() < content.ruler_px:
             caught = _loop_end_at(content, at) is not None or marker_at(content, at) is not None
@@ -367,96 +372,92 @@ class LaneMouse(QObject):
             return Qt.CursorShape.ClosedHandCursor
         return CURSORS[part]
 
-    def _stage(self) -> GestureContext:
+    def _context(self) -> GestureContext:
         return GestureContext(
             content=self._content,
             apply=self.edited.emit,
-            look=self.looked.emit,
+            show_view=self.view_changed.emit,
             put_playhead=self.playhead_wanted.emit,
             elsewhere=lambda at: self.elsewhere(at),
             before=self._content(),
         )
 
-    def _on_clip(self, box: Box, at: QPointF, held: Held, rate_hz: float) -> Gesture:
+    def _on_clip(self, box: Box, at: QPointF, held: Modifier, rate_hz: float) -> Gesture:
         content, clip = self._content(), box.clip
         self._pressed = clip.id
         chosen = clip.id in content.view.selected_clips
-        if held & Held.ControlModifier:
+        if held & Modifier.ControlModifier:
             # Ctrl copies if it moves, and otherwise adds to the selection or takes away.
             toggled = edits.toggle_clip(content.design, content.view, clip.id).view
-            self._click = lambda: self.looked.emit(toggled)
+            self._click = lambda: self.view_changed.emit(toggled)
         elif content.view.selected_clips == (clip.id,):
-            # Clips may lie over each other: another click goes on to the next one below.
-            ids = [one.clip.id for one in content.boxes_at(at)]
-            self._click = partial(self._select, after(ids, clip.id) or clip.id)
+            # Clips may lie over each other: another click selects the next one below.
+            ids = [box.clip.id for box in content.boxes_at(at)]
+            self._click = partial(self._select, next_id(ids, clip.id) or clip.id)
         elif not chosen:
-            self.looked.emit(edits.select_clips(content.design, content.view, (clip.id,)).view)
+            self._select(clip.id)
         else:
             self._click = partial(self._select, clip.id)
-        stage = self._stage()
+        context = self._context()
         part = part_at(box.rect, at, box.fades_px)
-        if part is Part.BODY or held & Held.ControlModifier:
-            return MoveClips(stage, box, at, rate_hz)
+        if part is Part.BODY or held & Modifier.ControlModifier:
+            return MoveClips(context, box, at, rate_hz)
         ends = (Part.START, Part.END)
-        return MoveEnd(stage, box, at, part) if part in ends else FadeEnd(stage, box, at, part)
+        return MoveEnd(context, box, at, part) if part in ends else FadeEnd(context, box, at, part)
 
     def _on_line(
-        self, curve: Gesture, box: Box, at: QPointF, held: Held, rate_hz: float
+        self, curve: Gesture, box: Box, at: QPointF, held: Modifier, rate_hz: float
     ) -> Gesture:
-        """The curve of a track where it passes over a clip."""
+        """Drag the curve of a track where it passes over a clip: up or down it, along the clip."""
 
         def clip() -> Gesture:
-            found = self._on_clip(box, at, held, rate_hz)
+            gesture = self._on_clip(box, at, held, rate_hz)
             self._click = None
-            return found
+            return gesture
 
         self._pressed = box.clip.id
         self._click = partial(self._select, box.clip.id)
-        return Either(at, lambda: curve, clip)
+        return EitherGesture(at, lambda: curve, clip)
 
-    def _select(self, clip: int) -> None:
-        content = self._content()
-        self.looked.emit(edits.select_clips(content.design, content.view, (clip,)).view)
-
-    def _on_ruler(self, stage: GestureContext, at: QPointF, held: Held) -> Gesture:
-        content = stage.before
+    def _on_ruler(self, context: GestureContext, at: QPointF, held: Modifier) -> Gesture:
+        content = context.before
         marker, fixed_s = marker_at(content, at), _loop_end_at(content, at)
-        if held & Held.ShiftModifier:
-            return MoveLoop(stage, snapped_time(stage, at)[0])
+        if held & Modifier.ShiftModifier:
+            return MoveLoop(context, snapped_time(context, at)[0])
         if marker is not None:
-            return MoveMarker(stage, marker)
+            return MoveMarker(context, marker)
         if fixed_s is not None:
-            return MoveLoop(stage, fixed_s)
-        gesture = MovePlayhead(stage)
+            return MoveLoop(context, fixed_s)
+        gesture = MovePlayhead(context)
         gesture.move(at, held)
         return gesture
 
-    def _on_ground(self, stage: GestureContext, at: QPointF) -> Callable[[], None]:
+    def _on_ground(self, context: GestureContext, at: QPointF) -> Callable[[], None]:
         def click() -> None:
             content = self._content()
             lane = content.lane_at(at.y())
-            time_s = snapped_time(stage, at)[0]
+            time_s = snapped_time(context, at)[0]
             tracks = () if lane is None else (lane.track.id,)
-            self.looked.emit(replace(content.view, selected_inputs=tracks, selected_clips=()))
+            self.view_changed.emit(replace(content.view, selected_inputs=tracks, selected_clips=()))
             self.playhead_wanted.emit(time_s)
 
         return click
 
 
 def marker_at(content: TimelineContent, at: QPointF) -> Marker | None:
-    """The marker whose flag is at this place."""
-    near = (
-        (abs(content.scale.x(one.time_s) - at.x()), index)
-        for index, one in enumerate(content.design.markers)
+    """Return the marker whose flag is here."""
+    distances = (
+        (abs(content.scale.x(marker.time_s) - at.x()), index)
+        for index, marker in enumerate(content.design.markers)
     )
-    found = min(near, default=None)
-    if found is None or found[0] > _CATCH_PX or at.y() > content.ruler_px / 2:
+    nearest = min(distances, default=None)
+    if nearest is None or nearest[0] > _CATCH_PX or at.y() > content.ruler_px / 2:
         return None
-    return content.design.markers[found[1]]
+    return content.design.markers[nearest[1]]
 
 
 def _loop_end_at(content: TimelineContent, at: QPointF) -> float | None:
-    """The other end of the loop region, if one is at this place."""
+    """Return the other end of the loop region, if one end is here."""
     if content.design.loop_s is None:
         return None
     start_s, end_s = content.design.loop_s
@@ -466,33 +467,29 @@ def _loop_end_at(content: TimelineContent, at: QPointF) -> float | None:
     return None
 
 
-# The part of the timeline on which clips are moved.
-
 _SIDE_PX = 8.0
 _TEXT = 0.9
 _CTRL = Qt.KeyboardModifier.ControlModifier
 
 
 class LanesView(Canvas):
-    """Lanes and a ruler; tells what the mouse and keys ask for.
+    """Lanes and a ruler; emits what mouse and keys ask for.
 
     Attributes
     ----------
-    mouse, keys
-        What is done here.
-    item, gains, playhead, over
-        What paints.
+    item, gains, playhead, overlay
+        Layers that are painted.
     gain
-        What is done to gain curves.
-    seen
+        Handles the gain curves.
+    time_zoom
         Which part of the time is shown.
     sample_rate_hz
-        A free drag goes by whole samples of this rate.
+        A free drag moves by whole samples of this rate.
     """
 
     key_place = "timeline"
 
-    looked = Signal(object)
+    view_changed = Signal(object)
     #: Lanes are to be scrolled by so many notches.
     scroll_wanted = Signal(float)
     menu_wanted = Signal(object, object)
@@ -505,10 +502,10 @@ class LanesView(Canvas):
         self.setMinimumSize(120, 60)
         self.item = LanesItem()
         self.addItem(self.item)
-        self.gains, self.playhead, self.over = GainItem(), PlayheadItem(), OverItem()
+        self.gains, self.playhead, self.overlay = GainItem(), PlayheadItem(), OverlayItem()
         self.addItem(self.gains)
         self.addItem(self.playhead)
-        self.addItem(self.over)
+        self.addItem(self.overlay)
         self.sample_rate_hz = facts_of("").sample_rate_hz
         self._design, self._view = Design(limb=""), View()
         self._lanes: tuple[Lane, ...] = ()
@@ -519,20 +516,20 @@ class LanesView(Canvas):
         self._held_tops: Mapping[int, float] = {}
         self.snaps = True
         self.gain = GainPoints(lambda: self.content, self)
-        self.seen = TimeZoom(lambda: self.content, self)
-        self.content = self._made()
+        self.time_zoom = TimeZoom(lambda: self.content, self)
+        self.content = self._new_content()
         self.mouse = LaneMouse(lambda: self.content, self.gain, self)
         self.keys = LaneKeys(lambda: self.content, self.gain, self)
-        for part in (self.seen, self.gain, self.mouse, self.keys):
-            part.looked.connect(self.looked)
-        self.gain.chose.connect(self.lay_out)
-        self.mouse.shown.connect(self._show_over)
+        for part in (self.time_zoom, self.gain, self.mouse, self.keys):
+            part.view_changed.connect(self.view_changed)
+        self.gain.choice_changed.connect(self.lay_out)
+        self.mouse.shown.connect(self._show_preview)
         self._pointer = QPointF()
         self.take_look()
 
     @property
     def ruler_px(self) -> float:
-        """Where lanes begin."""
+        """Height of the ruler, below which the lanes begin, px."""
         return ruler_px(self.fontMetrics().height())
 
     def show_state(self, design: Design, view: View, lanes: tuple[Lane, ...]) -> None:
@@ -549,17 +546,17 @@ class LanesView(Canvas):
     def show_waveforms(
         self, waveforms: Mapping[int, Floats], awaited: frozenset[int] = frozenset()
     ) -> None:
-        """What clips play, (n_times,) each, by their id; ``awaited``: of which it is late."""
+        """Show what clips play, (n_times,) each, by id; ``awaited`` ones are being computed."""
         self._waveforms, self._awaited = waveforms, awaited
         self.lay_out()
 
     def take_look(self) -> None:
         super().take_look()
-        for item in (self.item, self.gains, self.over):
+        for item in (self.item, self.gains, self.overlay):
             item.show_font(scaled(tabular(self.font()), _TEXT))
 
     def set_snaps(self, snaps: bool) -> None:
-        """Whether edges snap."""
+        """Set whether edges snap."""
         self.snaps = snaps
         self.lay_out()
 
@@ -568,8 +565,8 @@ class LanesView(Canvas):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
-        self.seen.hold()
-        self._held_tops = {one.lane.track.id: one.top for one in self.content.strips}
+        self.time_zoom.hold()
+        self._held_tops = {strip.lane.track.id: strip.top for strip in self.content.strips}
         self.mouse.press(event.position(), event.button(), event.modifiers(), self.sample_rate_hz)
         event.accept()
 
@@ -586,33 +583,33 @@ class LanesView(Canvas):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if event.button() in (Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton):
             self.mouse.release()
-            self._let_go()
+            self._end_drag()
         event.accept()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
             self.mouse.double_click(event.position())
-            self._let_go()
+            self._end_drag()
         event.accept()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         place = QPointF(event.pos())
         if event.reason() == QContextMenuEvent.Reason.Keyboard:
-            # The menu key means the clip that was selected last, or else the playhead.
-            place = self.content.place_of_keys
+            # The menu key opens the menu of the clip that was selected last, or of the playhead.
+            place = self.content.keyboard_place
         self.menu_wanted.emit(self.mapToGlobal(place).toPoint(), place)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         turns, held = event.angleDelta(), event.modifiers()
         if turns.x() or held & (_CTRL | Qt.KeyboardModifier.ShiftModifier):
-            self.seen.turn(event)
+            self.time_zoom.follow_wheel(event)
         else:
             self.scroll_wanted.emit(turns.y() / NOTCH)
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self.mouse.cancel():
-            self._let_go()
+            self._end_drag()
         elif not self.keys.press(event):
             event.ignore()
 
@@ -628,25 +625,25 @@ class LanesView(Canvas):
         super().leaveEvent(event)
         self.item.show_hovered(None)
 
-    def _let_go(self) -> None:
-        self.seen.let_go()
+    def _end_drag(self) -> None:
+        self.time_zoom.release()
         self._held_tops = {}
         self.lay_out()
 
-    def _show_over(self, shown: GesturePreview) -> None:
-        self.over.show_over(shown, self._pointer)
+    def _show_preview(self, shown: GesturePreview) -> None:
+        self.overlay.show_preview(shown, self._pointer)
 
     def lay_out(self) -> None:
-        self.content = self._made()
+        self.content = self._new_content()
         rect = QRectF(self.rect())
-        for item in (self.item, self.gains, self.over):
+        for item in (self.item, self.gains, self.overlay):
             item.show_content(self.content, rect)
-        self.setAccessibleDescription(self.gain.words())
+        self.setAccessibleDescription(self.gain.description())
         self.playhead.show_content(self.content, float(self.height()))
 
-    def _made(self) -> TimelineContent:
+    def _new_content(self) -> TimelineContent:
         self._lengths = self._lengths.of(self._design)
-        shown_s = self.seen.range_s(self._view, self._lengths.whole_s)
+        shown_s = self.time_zoom.range_s(self._view, self._lengths.whole_s)
         width = max(self.width() - 2 * _SIDE_PX, 1.0)
         return TimelineContent(
             design=self._design,

@@ -1,4 +1,7 @@
-"""What clips play, as pictures that are kept."""
+"""Paints clips, ruler and lanes.
+
+Lanes are kept as a picture, into which only lanes that look different are painted again.
+"""
 
 from collections import OrderedDict
 from collections.abc import Hashable, Sequence
@@ -36,13 +39,13 @@ _BLOCK = 0.8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Played:
+class ClipSamples:
     """What a clip plays.
 
     Attributes
     ----------
     samples : (n_times,)
-    sample_rate_hz
+        What the clip plays.
     """
 
     samples: Floats
@@ -51,12 +54,12 @@ class Played:
 
 @dataclass(frozen=True, slots=True)
 class ClipStyle:
-    """How it is drawn.
+    """How the curve of a clip is drawn.
 
     Attributes
     ----------
     colour
-        Of the curve, as a number.
+        Colour of the curve, as a number.
     reach
         Height of a sample of 1, as a share of half the picture; negative: upside down.
     part
@@ -71,97 +74,88 @@ class ClipStyle:
     ratio: float = 1.0
 
 
-@dataclass(frozen=True, slots=True)
-class _Key:
-    # The samples stand beside the picture, so that their number is not given to others.
-    samples: int
-    rate_hz: float
-    width: float
-    height: float
-    look: ClipStyle
-
-
 class ClipPictures:
-    """Curves of clips, painted once for each size and look; the oldest go first.
+    """Curves of clips, painted once for each size and style; the oldest are dropped first.
 
     Attributes
     ----------
     mark
-        The frame of the one clip that is shown elsewhere.
+        The frame of the clip that the inspector shows.
     columns
-        Where the samples of the clip that was painted last fall.
+        Columns of the samples that were painted last.
     painted, waves
         How many pictures were painted, and how many of them show the wave between samples: an edit
         that changes no clip paints none.
     """
 
     def __init__(self, budget_bytes: int = _BUDGET_BYTES) -> None:
-        self._kept: OrderedDict[_Key, tuple[Floats, QPixmap]] = OrderedDict()
+        self._pictures: OrderedDict[Hashable, tuple[Floats, QPixmap]] = OrderedDict()
         self._budget, self._bytes = budget_bytes, 0
         self.painted = self.waves = 0
         self.mark, self.columns = CachedPicture(), CachedColumns()
 
-    def paint(self, painter: QPainter, played: Played, area: QRectF, look: ClipStyle) -> None:
+    def paint(self, painter: QPainter, played: ClipSamples, area: QRectF, style: ClipStyle) -> None:
         """Paint what a clip plays; on paper as lines."""
         if is_on_paper():
             painter.save()
             painter.translate(area.topLeft())
-            self._draw(painter, played, area.size(), look)
+            self._draw(painter, played, area.size(), style)
             painter.restore()
             return
-        painter.drawPixmap(area.topLeft(), self.picture(played, area.size(), look))
+        painter.drawPixmap(area.topLeft(), self.picture(played, area.size(), style))
 
-    def picture(self, played: Played, size: QSizeF, look: ClipStyle) -> QPixmap:
-        """Picture of what a clip plays, so large, px."""
+    def picture(self, played: ClipSamples, size: QSizeF, style: ClipStyle) -> QPixmap:
+        """Return the picture of what a clip plays; size in px."""
         samples = played.samples
-        key = _Key(id(samples), played.sample_rate_hz, size.width(), size.height(), look)
-        found = self._kept.get(key)
-        if found is not None and found[0] is samples:
-            self._kept.move_to_end(key)
-            return found[1]
-        made = QPixmap((size * look.ratio).toSize().expandedTo(QSizeF(1, 1).toSize()))
-        made.setDevicePixelRatio(look.ratio)
+        # The samples are stored with the picture, so that no other array gets their id.
+        key = (id(samples), played.sample_rate_hz, size.width(), size.height(), style)
+        cached = self._pictures.get(key)
+        if cached is not None and cached[0] is samples:
+            self._pictures.move_to_end(key)
+            return cached[1]
+        made = QPixmap((size * style.ratio).toSize().expandedTo(QSizeF(1, 1).toSize()))
+        made.setDevicePixelRatio(style.ratio)
         made.fill(Qt.GlobalColor.transparent)
         on_picture = QPainter(made)
-        self._draw(on_picture, played, size, look)
+        self._draw(on_picture, played, size, style)
         on_picture.end()
         self.painted += 1
-        self._keep(key, samples, made)
+        self._store(key, samples, made)
         return made
 
     def forget(self) -> None:
         """Keep nothing."""
-        self._kept.clear()
+        self._pictures.clear()
         self._bytes = 0
 
-    def _keep(self, key: _Key, samples: Floats, made: QPixmap) -> None:
-        old = self._kept.pop(key, None)
+    def _store(self, key: Hashable, samples: Floats, made: QPixmap) -> None:
+        old = self._pictures.pop(key, None)
         self._bytes += _size(made) - (0 if old is None else _size(old[1]))
-        self._kept[key] = (samples, made)
-        while self._bytes > self._budget and len(self._kept) > 1:
-            _, (_, gone) = self._kept.popitem(last=False)
-            self._bytes -= _size(gone)
+        self._pictures[key] = (samples, made)
+        while self._bytes > self._budget and len(self._pictures) > 1:
+            _, (_, removed) = self._pictures.popitem(last=False)
+            self._bytes -= _size(removed)
 
-    def _draw(self, painter: QPainter, played: Played, size: QSizeF, look: ClipStyle) -> None:
+    def _draw(self, painter: QPainter, played: ClipSamples, size: QSizeF, style: ClipStyle) -> None:
         samples, width, height = played.samples, size.width(), size.height()
         if not samples.size:
             return
         time_s = np.arange(samples.size) / played.sample_rate_hz
-        first_s, end_s = (share * samples.size / played.sample_rate_hz for share in look.part)
-        across = max(round(width * look.ratio), 1)
+        first_s, end_s = (share * samples.size / played.sample_rate_hz for share in style.part)
+        across = max(round(width * style.ratio), 1)
         wave = wave_of(time_s, samples[np.newaxis])
-        found = self.columns.of(time_s, (first_s, end_s), across)
-        seen = course_of(found, samples[np.newaxis], wave, width, look.ratio)
-        heights = look.reach * seen.line.y[0]
-        if seen.wave:
+        columns = self.columns.of(time_s, (first_s, end_s), across)
+        curve = course_of(columns, samples[np.newaxis], wave, width, style.ratio)
+        heights = style.reach * curve.line.y[0]
+        if curve.wave:
             self.waves += 1
             # Between samples it may be higher than the lane is for them.
             heights = heights / max(float(np.abs(heights).max()), 1.0)
-        strokes = np.abs(heights[1::2] - heights[::2]) if seen.line.strokes else 0.0
-        block = not is_on_paper() and np.mean(strokes) > _BLOCK * abs(look.reach)
+        strokes = np.abs(heights[1::2] - heights[::2]) if curve.line.strokes else 0.0
+        block = not is_on_paper() and np.mean(strokes) > _BLOCK * abs(style.reach)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, not block)
-        painter.setPen(thin_pen(QColor.fromRgba(look.colour)))
-        x = (seen.line.x - first_s) / (end_s - first_s) * width
+        painter.setPen(thin_pen(QColor.fromRgba(style.colour)))
+        x = (curve.line.x - first_s) / (end_s - first_s) * width
         y = height / 2 - np.clip(heights, -1, 1) * (height / 2 - 1)
         if x.size == 1:
             painter.drawLine(QPointF(x[0], height / 2), QPointF(x[0], y[0]))
@@ -173,34 +167,21 @@ def _size(picture: QPixmap) -> int:
     return picture.width() * picture.height() * _BYTES_PER_PIXEL
 
 
-# How a clip looks.
-
 _ROUNDING_PX = 3.0
-_WORDS_FROM_PX = 40.0
+_LABEL_FROM_PX = 40.0
 _BODY_ALPHA, _PALE_BODY_ALPHA, _SELECTED_ALPHA = 46, 18, 84
 _PALE = 0.45
 _HANDLE_PX = 5.0
 
 
-def clip_label(box: Box) -> str:
-    """What stands on a clip: its label, or what it plays."""
-    clip = box.clip
-    return clip.label or clip.waveform.title
-
-
 def paint_clip(
     painter: QPainter,
     box: Box,
-    samples: Floats | None,
-    sample_rate_hz: float,
+    content: TimelineContent,
     pictures: ClipPictures,
-    theme: Theme,
     *,
     loudest: float,
-    selected: bool,
-    shown_elsewhere: bool,
     unplayable: bool,
-    awaited: bool,
     handles: bool,
     view: QRectF,
 ) -> None:
@@ -208,18 +189,18 @@ def paint_clip(
 
     Parameters
     ----------
-    samples, sample_rate_hz : (n_times,)
-        What it plays, or None while it is not known.
     loudest
-        The largest gain of its track, which takes the full height.
-    selected, shown_elsewhere, unplayable, awaited, handles
-        Whether it is selected; whether the inspector shows it; whether its track cannot be played
-        because of it; whether what it plays is late; whether its ends show that they can be
-        dragged.
+        The largest gain of the track, which takes the full height.
+    unplayable
+        Whether the track cannot be played because of the clip.
+    handles
+        Whether to show that its ends can be dragged.
     view
-        What can be seen: no more is painted.
+        The visible rectangle: no more is painted.
     """
-    pale = box.clip.muted or bool(box.lane.silent)
+    theme, clip = current_theme(), box.clip
+    samples, selected = content.waveforms.get(clip.id), clip.id in content.selected
+    pale = clip.muted or bool(box.lane.silent)
     colour = QColor(theme.dim) if pale else theme.input_colour(box.lane.track.colour)
     shown = box.rect.intersected(view.adjusted(-2, 0, 2, 0))
     if shown.isEmpty():
@@ -228,19 +209,21 @@ def paint_clip(
     _paint_body(painter, box.rect, shown, colour, selected=selected, pale=pale)
     if samples is not None and shown.width() >= 1:
         painter.setOpacity(_PALE if pale else 1.0)
-        played = Played(samples, sample_rate_hz)
+        played = ClipSamples(samples, content.sample_rate_hz)
         _paint_samples(painter, box, shown, played, pictures, colour, loudest)
         painter.setOpacity(1.0)
     if any(box.fades_px):
         _paint_fades(painter, box, QColor(theme.text))
     # Over the lines of fades: the name is read first.
-    if shown.width() >= _WORDS_FROM_PX:
-        words = clip_label(box)
-        _write(painter, f"{words} · updating…" if awaited else words, shown, theme, pale=pale)
+    if shown.width() >= _LABEL_FROM_PX:
+        text = clip.label or clip.waveform.title
+        text = f"{text} · updating…" if clip.id in content.awaited else text
+        _write(painter, text, shown, theme, pale=pale)
     _paint_frame(painter, box.rect, shown, theme, colour, selected=selected)
     if unplayable:
         _paint_frame(painter, box.rect, shown, theme, QColor(theme.error), selected=False)
-    if shown_elsewhere and not selected:
+    if clip.id in content.chosen and not selected:
+        # The inspector shows it.
         mark_clip(painter, box.rect, shown, pictures.mark, QColor(theme.accent))
     if handles:
         _paint_handles(painter, box, QColor(theme.text))
@@ -253,7 +236,7 @@ def _paint_body(
     alpha = _PALE_BODY_ALPHA if pale else _BODY_ALPHA
     body.setAlpha(_SELECTED_ALPHA if selected else alpha)
     painter.fillRect(shown, body)
-    # What starts here is marked: clips that follow each other are told apart.
+    # A mark at the start separates clips that follow each other.
     if rect.left() >= shown.left():
         painter.fillRect(QRectF(rect.left(), rect.top(), 2, rect.height()), colour)
 
@@ -262,7 +245,7 @@ def _paint_samples(
     painter: QPainter,
     box: Box,
     shown: QRectF,
-    played: Played,
+    played: ClipSamples,
     pictures: ClipPictures,
     colour: QColor,
     loudest: float,
@@ -365,10 +348,10 @@ def _paint_handles(painter: QPainter, box: Box, colour: QColor) -> None:
         (rect.topLeft() + QPointF(in_px, 0), 1),
         (rect.topRight() - QPointF(out_px, 0), -1),
     )
-    for corner, aside in fades:
+    for corner, side in fades:
         ends = (
             corner,
-            corner + QPointF(aside * 2 * _HANDLE_PX, 0),
+            corner + QPointF(side * 2 * _HANDLE_PX, 0),
             corner + QPointF(0, 2 * _HANDLE_PX),
         )
         painter.drawPolygon(QPolygonF(ends))
@@ -377,30 +360,22 @@ def _paint_handles(painter: QPainter, box: Box, colour: QColor) -> None:
         painter.drawRect(QRectF(x, middle - _HANDLE_PX, 2, 2 * _HANDLE_PX))
 
 
-# What the picture of the lanes depends on: where two contents look alike, nothing is painted.
-
-
 def frame_of(content: TimelineContent) -> Hashable:
-    """What all lanes and the ruler depend on; not what is in the lanes."""
+    """Return what all lanes and the ruler depend on, but for the content of single lanes."""
     design = content.design
     places = tuple((lane.track.id, lane.top_px, lane.height_px) for lane in content.lanes)
     return content.scale, content.ruler_px, design.loop_s, design.markers, places
 
 
-def same_ground(one: Lane, other: Lane) -> bool:
-    """Whether a lane looks alike but for its clips."""
-    return (one.selected, one.silent, one.problem) == (other.selected, other.silent, other.problem)
-
-
-def same_chosen(before: TimelineContent, after: TimelineContent) -> bool:
-    """Whether the same clips are selected, and shown elsewhere, in all lanes."""
-    return (before.selected, before.chosen) == (after.selected, after.chosen)
+def ground_of(lane: Lane) -> Hashable:
+    """Return what the look of a lane depends on, but for its clips."""
+    return lane.selected, lane.silent, lane.problem
 
 
 def same_clips(before: TimelineContent, then: Lane, after: TimelineContent, now: Lane) -> bool:
-    """Whether clips look alike on the same ground: the very same ones, with the same samples.
+    """Return whether the clips of a lane are the very same ones, with the same samples.
 
-    Which of them are selected, or shown elsewhere, is another question.
+    It does not compare which of them are selected.
     """
     mine, theirs = now.track, then.track
     if before.awaited != after.awaited:
@@ -418,7 +393,7 @@ def same_clips(before: TimelineContent, then: Lane, after: TimelineContent, now:
 
 
 def same_choice(before: TimelineContent, after: TimelineContent, lane: Lane) -> bool:
-    """Whether the same clips of a lane are selected, and shown elsewhere."""
+    """Return whether the same clips of a lane are selected, and shown by the inspector."""
     ids = frozenset(clip.id for clip in lane.track.clips)
     return all(
         ids.intersection(old) == ids.intersection(new)
@@ -426,21 +401,19 @@ def same_choice(before: TimelineContent, after: TimelineContent, lane: Lane) -> 
     )
 
 
-# The ruler over the lanes.
-
 _TICK_PX = 64.0
 _GAP_PX = 6.0
 _LOOP_ALPHA = 60
 
 
 def ticks_of(scale: TimeScale) -> tuple[str, tuple[Tick, ...]]:
-    """Unit of the ruler, and its ticks."""
+    """Return the unit of the ruler, and its ticks."""
     unit, factor = axis_unit(scale.shown_s[1])
     return unit, linear_ticks(*scale.shown_s, max(scale.width_px / _TICK_PX, 2), factor)
 
 
 def grid_lines(scale: TimeScale, room: QRectF) -> list[QLineF]:
-    """Upright lines below the ticks."""
+    """Return the vertical lines below the ticks."""
     return [
         QLineF(x, room.top(), x, room.bottom())
         for x in (scale.x(tick.value) for tick in ticks_of(scale)[1])
@@ -453,19 +426,19 @@ def paint_ruler(painter: QPainter, content: TimelineContent, room: QRectF, theme
     painter.fillRect(room, QColor(theme.window))
     if content.design.loop_s is not None:
         _paint_loop(painter, content, content.design.loop_s, room, theme)
-    taken = []
+    names = []
     for marker in content.design.markers:
         x = content.scale.x(marker.time_s)
-        taken.append(_paint_marker(painter, x, marker.name, room, theme))
-    _paint_ticks(painter, content.scale, room, theme, taken)
+        names.append(_paint_marker(painter, x, marker.name, room, theme))
+    _paint_ticks(painter, content.scale, room, theme, names)
     painter.setPen(QPen(QColor(theme.border), 1))
     painter.drawLine(QLineF(room.left(), room.bottom() - 0.5, room.right(), room.bottom() - 0.5))
 
 
 def _paint_ticks(
-    painter: QPainter, scale: TimeScale, room: QRectF, theme: Theme, taken: Sequence[QRectF]
+    painter: QPainter, scale: TimeScale, room: QRectF, theme: Theme, names: Sequence[QRectF]
 ) -> None:
-    """Paint ticks, and their numbers where no marker's name stands."""
+    """Paint ticks, and their numbers where there is no name of a marker."""
     metrics = QFontMetricsF(painter.font())
     unit, ticks = ticks_of(scale)
     painter.setPen(QColor(theme.dim))
@@ -480,7 +453,7 @@ def _paint_ticks(
         width = metrics.horizontalAdvance(tick.label)
         left = max(x - width / 2, room.left() + 2)
         number = QRectF(left, room.top(), width, metrics.height())
-        free = not any(name.intersects(number) for name in taken)
+        free = not any(name.intersects(number) for name in names)
         if free and left >= free_from and left + width < unit_left - _GAP_PX:
             painter.drawText(QPointF(left, room.top() + metrics.ascent() + 1), tick.label)
             free_from = left + width + _GAP_PX
@@ -489,7 +462,7 @@ def _paint_ticks(
 def _paint_loop(
     painter: QPainter, content: TimelineContent, loop_s: Range, room: QRectF, theme: Theme
 ) -> None:
-    start, end = (content.scale.x(one) for one in loop_s)
+    start, end = (content.scale.x(time_s) for time_s in loop_s)
     band = QRectF(start, room.bottom() - 9, end - start, 9).intersected(room)
     tint = QColor(theme.accent)
     tint.setAlpha(_LOOP_ALPHA)
@@ -521,27 +494,49 @@ def _paint_marker(painter: QPainter, x: float, name: str, room: QRectF, theme: T
     return ground.adjusted(-10, 0, 2, 0)
 
 
-# The lanes as one item of pyqtgraph's scene: many clips, one paint.
-
-# Clips lie deeper in their lanes than this.  What is painted anew is one px larger than asked for:
-# so far inside it does not reach the next lane.
-# The last line of the grid stands there; words end before it.
+# Text ends before the last line of the grid.
 _SIDE_PX = 14.0
-# Between words and the lines that stop around them.
+# Gap between text and the lines of the grid, px.
 _AROUND_PX = 3.0
+# Clips lie farther inside their lanes. Qt paints one px more than is updated: this does not reach
+# the next lane.
 _INSIDE_PX = MARGIN_PX - 1.0
 
 
-class LanesItem(pyqtgraph.GraphicsObject):
-    """Paints lanes, clips and ruler; knows nothing of the mouse.
+class LaneLayer(pyqtgraph.GraphicsObject):
+    """One layer of the lanes: an item of the scene with its content, rectangle and font."""
 
-    It is kept as a picture, over which the playhead moves and gestures show what they do.  Only
-    lanes that look different now are painted into it again.
+    def __init__(self) -> None:
+        super().__init__()
+        self._content: TimelineContent | None = None
+        self._font = QFont()
+        self._rect = QRectF(0, 0, 1, 1)
+
+    def show_font(self, font: QFont) -> None:
+        """Take over a font."""
+        self._font = font
+        self.update()
+
+    def boundingRect(self) -> QRectF:
+        return self._rect
+
+    def _set_rect(self, rect: QRectF) -> bool:
+        """Take over a rectangle; return whether it is another one."""
+        changed = rect != self._rect
+        if changed:
+            self.prepareGeometryChange()
+            self._rect = rect
+        return changed
+
+
+class LanesItem(LaneLayer):
+    """Paints lanes, clips and ruler.
+
+    It is cached as a picture, over which the playhead and the overlay move. Only lanes that look
+    different are painted into it again.
 
     Attributes
     ----------
-    pictures
-        What clips play, painted once.
     painted, painted_lanes
         How often it was painted, and how many lanes in all.
     """
@@ -553,38 +548,26 @@ class LanesItem(pyqtgraph.GraphicsObject):
         self.setFlag(self.GraphicsItemFlag.ItemUsesExtendedStyleOption)
         self.pictures = ClipPictures()
         self.painted = self.painted_lanes = 0
-        self._content: TimelineContent | None = None
         self._hovered: int | None = None
-        self._font = QFont()
-        self._rect = QRectF(0, 0, 1, 1)
 
     def show_content(self, content: TimelineContent, rect: QRectF) -> None:
         """Paint something else, in this rectangle."""
         before, self._content = self._content, content
-        if rect != self._rect:
-            self.prepareGeometryChange()
-            self._rect = rect
-            self.update()
-        elif before is None or frame_of(before) != frame_of(content):
+        if self._set_rect(rect) or before is None or frame_of(before) != frame_of(content):
             self.update()
         else:
             self._update_lanes(before, content)
 
     def show_hovered(self, clip: int | None) -> None:
-        """The clip under the pointer shows what can be dragged."""
+        """Show on the clip under the pointer what can be dragged."""
         if clip != self._hovered:
-            for one in (self._hovered, clip):
-                self._update_lane_of(one)
+            for clip_id in (self._hovered, clip):
+                self._update_lane_of(clip_id)
             self._hovered = clip
 
     def show_font(self, font: QFont) -> None:
-        """Take over a font."""
-        self._font = font
         self.pictures.forget()
-        self.update()
-
-    def boundingRect(self) -> QRectF:
-        return self._rect
+        super().show_font(font)
 
     def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
         content = self._content
@@ -605,10 +588,10 @@ class LanesItem(pyqtgraph.GraphicsObject):
         painter.drawLines(grid_lines(content.scale, lanes))
         self._paint_after_end(painter, content, lanes)
         for lane in shown:
-            self._paint_why_silent(painter, lane)
+            self._paint_silence_reason(painter, lane)
             self._paint_clips(painter, content, lane, lanes)
-            found = content.overlaps.of(lane.track)
-            paint_overlaps(painter, lane, found, content.scale, current_theme())
+            overlaps = content.overlaps.of(lane.track)
+            paint_overlaps(painter, lane, overlaps, content.scale, current_theme())
         self.painted_lanes += len(shown)
         painter.restore()
         ruler = QRectF(rect.left(), 0, rect.width(), content.ruler_px)
@@ -617,28 +600,28 @@ class LanesItem(pyqtgraph.GraphicsObject):
 
     def _update_lane_of(self, clip: int | None) -> None:
         for lane in () if self._content is None or clip is None else self._content.lanes:
-            if any(one.id == clip for one in lane.track.clips):
+            if any(own.id == clip for own in lane.track.clips):
                 self.update(self._strip(lane).adjusted(0, _INSIDE_PX, 0, -_INSIDE_PX))
 
     def _update_lanes(self, before: TimelineContent, after: TimelineContent) -> None:
-        """Have painted the lanes that look different now."""
-        chosen_alike = same_chosen(before, after)
+        """Update the lanes that look different now."""
+        same_selection = (before.selected, before.chosen) == (after.selected, after.chosen)
         for then, now in zip(before.lanes, after.lanes, strict=True):
-            if not same_ground(then, now):
+            if ground_of(then) != ground_of(now):
                 self.update(self._strip(now))
             elif not same_clips(before, then, after, now) or not (
-                chosen_alike or same_choice(before, after, now)
+                same_selection or same_choice(before, after, now)
             ):
                 self.update(self._strip(now).adjusted(0, _INSIDE_PX, 0, -_INSIDE_PX))
 
     @property
     def _ground(self) -> QColor:
-        """Of the lanes."""
+        """Colour of the lanes."""
         return QColor(current_theme().base)
 
     @property
     def _tint(self) -> QColor:
-        """What lies over the ground of lanes that are selected."""
+        """Colour over the lanes that are selected."""
         tint = QColor(current_theme().accent)
         tint.setAlpha(18)
         return tint
@@ -655,16 +638,16 @@ class LanesItem(pyqtgraph.GraphicsObject):
             QLineF(strip.left(), strip.bottom() - 0.5, strip.right(), strip.bottom() - 0.5)
         )
 
-    def _paint_why_silent(self, painter: QPainter, lane: Lane) -> None:
-        """Say it over the grid, whose lines stop around the words."""
+    def _paint_silence_reason(self, painter: QPainter, lane: Lane) -> None:
+        """Write why a lane is silent; lines of the grid stop around the text."""
         if not lane.silent:
             return
         flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
         room = self._strip(lane).adjusted(0, 0, -_SIDE_PX, -3)
-        words = QRectF(painter.boundingRect(room, flags, lane.silent))
-        painter.fillRect(words.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._ground)
+        room_of_text = QRectF(painter.boundingRect(room, flags, lane.silent))
+        painter.fillRect(room_of_text.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._ground)
         if lane.selected:
-            painter.fillRect(words.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._tint)
+            painter.fillRect(room_of_text.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._tint)
         theme = current_theme()
         painter.setPen(QColor(theme.error if lane.problem else theme.dim))
         painter.drawText(room, flags, lane.silent)
@@ -672,7 +655,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
     def _paint_after_end(self, painter: QPainter, content: TimelineContent, lanes: QRectF) -> None:
         if content.design.loop_s is None:
             return
-        start, end = (content.scale.x(one) for one in content.design.loop_s)
+        start, end = (content.scale.x(time_s) for time_s in content.design.loop_s)
         shade = QColor(current_theme().dim)
         shade.setAlpha(22)
         for left, right in ((lanes.left(), start), (end, lanes.right())):
@@ -682,71 +665,46 @@ class LanesItem(pyqtgraph.GraphicsObject):
     def _paint_clips(
         self, painter: QPainter, content: TimelineContent, lane: Lane, lanes: QRectF
     ) -> None:
-        loudest = max((abs(one.gain) for one in lane.track.clips), default=0.0)
+        loudest = max((abs(clip.gain) for clip in lane.track.clips), default=0.0)
         unplayable = content.unplayable_on(lane)
         for box in content.boxes_on(lane):
             paint_clip(
                 painter,
                 box,
-                content.waveforms.get(box.clip.id),
-                content.sample_rate_hz,
+                content,
                 self.pictures,
-                current_theme(),
                 loudest=loudest,
-                selected=box.clip.id in content.selected,
-                shown_elsewhere=box.clip.id in content.chosen,
                 unplayable=box.clip.id in unplayable,
-                awaited=box.clip.id in content.awaited,
                 handles=box.clip.id == self._hovered and box.rect.width() > 40,
                 view=lanes,
             )
 
 
-# What a gesture shows over the lanes.
-
-_WORDS_GAP_PX = 8.0
+_LABEL_GAP_PX = 8.0
 
 
-class OverItem(pyqtgraph.GraphicsObject):
-    """A guide, a marquee and words, an item of its own: the lanes below are not painted with it."""
+class OverlayItem(LaneLayer):
+    """Paints guide, marquee and label of a gesture; the lanes below are not painted again."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setZValue(2)
-        self._shown, self._pointer = GesturePreview(), QPointF()
-        self._content: TimelineContent | None = None
-        self._rect = QRectF(0, 0, 1, 1)
-        self._font = QFont()
-
-    @property
-    def shown(self) -> GesturePreview:
-        """What is shown."""
-        return self._shown
+        self.preview, self._pointer = GesturePreview(), QPointF()
 
     def show_content(self, content: TimelineContent, rect: QRectF) -> None:
-        """Lie over these lanes, in this rectangle."""
-        if rect != self._rect:
-            self.prepareGeometryChange()
-            self._rect = rect
+        """Take over the lanes below, and the rectangle to lie in."""
+        self._set_rect(rect)
         moved = self._content is not None and self._content.scale != content.scale
         self._content = content
-        if moved and self._shown.guide_s is not None:
+        if moved and self.preview.guide_s is not None:
             self.update()
 
-    def show_over(self, shown: GesturePreview, pointer: QPointF) -> None:
-        """Show this, with words beside the pointer."""
-        if (shown, pointer) != (self._shown, self._pointer):
+    def show_preview(self, preview: GesturePreview, pointer: QPointF) -> None:
+        """Show a preview, with its label beside the pointer."""
+        if (preview, pointer) != (self.preview, self._pointer):
             self._update_places()
-            self._shown, self._pointer = shown, pointer
+            self.preview, self._pointer = preview, pointer
             self._update_places()
-
-    def show_font(self, font: QFont) -> None:
-        """Take over a font."""
-        self._font = font
-        self.update()
-
-    def boundingRect(self) -> QRectF:
-        return self._rect
 
     def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
         painter.setFont(self._font)
@@ -754,57 +712,55 @@ class OverItem(pyqtgraph.GraphicsObject):
         if guide is not None:
             painter.setPen(QPen(QColor(current_theme().warning), 2))
             painter.drawLine(guide)
-        if self._shown.covered is not None:
+        if self.preview.covered is not None:
             tint = QColor(current_theme().accent)
             painter.setPen(QPen(tint, 1))
             tint.setAlpha(30)
             painter.setBrush(tint)
-            painter.drawRect(self._shown.covered)
-        if self._shown.words:
-            room = self._room_for_words()
+            painter.drawRect(self.preview.covered)
+        if self.preview.label:
+            room = self._label_room()
             painter.setPen(QPen(QColor(current_theme().border), 1))
             painter.setBrush(QColor(current_theme().raised))
             painter.drawRect(room)
             painter.setPen(QColor(current_theme().text))
-            painter.drawText(room, Qt.AlignmentFlag.AlignCenter, self._shown.words)
+            painter.drawText(room, Qt.AlignmentFlag.AlignCenter, self.preview.label)
 
     def _update_places(self) -> None:
-        """Have painted anew where something is shown."""
+        """Update the places of what is shown."""
         guide = self._guide()
         if guide is not None:
             self.update(QRectF(guide.p1(), guide.p2()).adjusted(-2, -2, 2, 2))
-        if self._shown.covered is not None:
-            self.update(self._shown.covered.adjusted(-2, -2, 2, 2))
-        if self._shown.words:
-            self.update(self._room_for_words().adjusted(-2, -2, 2, 2))
+        if self.preview.covered is not None:
+            self.update(self.preview.covered.adjusted(-2, -2, 2, 2))
+        if self.preview.label:
+            self.update(self._label_room().adjusted(-2, -2, 2, 2))
 
     def _guide(self) -> QLineF | None:
-        if self._shown.guide_s is None or self._content is None:
+        if self.preview.guide_s is None or self._content is None:
             return None
-        x = self._content.scale.x(self._shown.guide_s)
+        x = self._content.scale.x(self.preview.guide_s)
         return QLineF(x, self._content.ruler_px, x, self._rect.bottom())
 
-    def _room_for_words(self) -> QRectF:
+    def _label_room(self) -> QRectF:
         metrics = QFontMetricsF(self._font)
         ruler_px = 0.0 if self._content is None else self._content.ruler_px
-        width = metrics.horizontalAdvance(self._shown.words) + 8
-        left = min(self._pointer.x() + _WORDS_GAP_PX, self._rect.right() - width - 2)
-        top = max(self._pointer.y() - metrics.height() - _WORDS_GAP_PX, ruler_px + 2)
+        width = metrics.horizontalAdvance(self.preview.label) + 8
+        left = min(self._pointer.x() + _LABEL_GAP_PX, self._rect.right() - width - 2)
+        top = max(self._pointer.y() - metrics.height() - _LABEL_GAP_PX, ruler_px + 2)
         return QRectF(left, top, width, metrics.height() + 2)
 
 
-# The playhead over the lanes.
-
-_HALF_PX, _PLAYHEAD_ITEM_HANDLE_PX = 5.0, 8.0
+_HALF_PX, _PLAYHEAD_HANDLE_PX = 5.0, 8.0
 
 
 class PlayheadItem(pyqtgraph.GraphicsObject):
-    """A line with a handle, an item of its own: the lanes below are not painted when it moves.
+    """A line with a handle; the lanes below are not painted again when it moves.
 
     Attributes
     ----------
     moved
-        How often it was put somewhere else.
+        How often it was moved.
     """
 
     def __init__(self) -> None:
@@ -814,13 +770,13 @@ class PlayheadItem(pyqtgraph.GraphicsObject):
         self.setZValue(1)
 
     def show_content(self, content: TimelineContent, height_px: float) -> None:
-        """Stand where the content says, from the ruler down to a height."""
-        height = max(height_px - content.ruler_px + _PLAYHEAD_ITEM_HANDLE_PX, 1.0)
+        """Move to the time of the playhead; reach from the ruler down to a height."""
+        height = max(height_px - content.ruler_px + _PLAYHEAD_HANDLE_PX, 1.0)
         if height != self._height:
             self.prepareGeometryChange()
             self._height = height
         at = QPointF(
-            content.scale.x(content.view.playhead_s), content.ruler_px - _PLAYHEAD_ITEM_HANDLE_PX
+            content.scale.x(content.view.playhead_s), content.ruler_px - _PLAYHEAD_HANDLE_PX
         )
         if at != self.pos():
             self.moved += 1

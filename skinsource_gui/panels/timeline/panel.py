@@ -1,4 +1,4 @@
-"""Clips on the clipboard: for this studio and others, and as text for people."""
+"""The panel of tracks and their clips over time, with clipboard, menu, toolbar and scroll bars."""
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
@@ -67,11 +67,11 @@ from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
 
 _MIME = "application/x-skinsource-clips"
-# Any text that could hold clips says so in its first words.
+# A text with clips has this sign within so many characters.
 _SIGN, _BEGINNING = "skinsource clips", 2000
 
 
-def copy(fragment: Fragment) -> None:
+def copy_fragment(fragment: Fragment) -> None:
     """Put clips on the clipboard.
 
     Raises
@@ -86,8 +86,8 @@ def copy(fragment: Fragment) -> None:
     QApplication.clipboard().setMimeData(data)
 
 
-def pasted() -> Fragment | None:
-    """The clips on the clipboard, also where they travelled as text; None: there are none.
+def pasted_fragment() -> Fragment | None:
+    """Return the clips on the clipboard, also those that came as text; None: there are none.
 
     Raises
     ------
@@ -103,8 +103,6 @@ def pasted() -> Fragment | None:
     return edits.fragment_from(text) if _SIGN in text[:_BEGINNING] else None
 
 
-# What the timeline does to clips by menu, keys and clipboard.
-
 _NO_CLIPS = Refusal(sentence="No clip is selected; click one in the timeline.")
 _NOTHING_TO_PASTE = Refusal(
     sentence=f"The clipboard holds no clips; copy some first, with {key_text('timeline', 'copy')}."
@@ -112,7 +110,7 @@ _NOTHING_TO_PASTE = Refusal(
 
 
 class TimelineEdits(QObject):
-    """Edits of the selected clips; new ones are of the kind that was selected last."""
+    """Edits the selected clips; new clips play what the one plays that was selected last."""
 
     edited = Signal(object, object)
 
@@ -146,7 +144,7 @@ class TimelineEdits(QObject):
             self._emit(_NO_CLIPS)
             return False
         try:
-            copy(fragment)
+            copy_fragment(fragment)
         except SkinSourceError as error:
             self._emit(Refusal(sentence=sentence(str(error))))
             return False
@@ -161,7 +159,7 @@ class TimelineEdits(QObject):
     def paste(self) -> None:
         """Put the clips of the clipboard at the playhead."""
         try:
-            fragment = pasted()
+            fragment = pasted_fragment()
         except SkinSourceError as error:
             self._emit(Refusal(sentence=sentence(str(error))))
             return
@@ -175,8 +173,6 @@ class TimelineEdits(QObject):
         self.edited.emit(outcome, None)
 
 
-# What the right button offers on clips, on the ground and on the ruler.
-
 AnyEdit = Callable[..., Edit | Refusal]
 _PLACE = "timeline"
 
@@ -187,15 +183,15 @@ class LanesMenu(QObject):
     Parameters
     ----------
     content
-        Returns what is shown now.
+        Returns what the lanes show now.
     clips, gain
-        Do what the keys do too.
+        Edit clips and gain curves, as keys do too.
     parent
-        Over which it opens.
+        Widget over which the menu opens.
     """
 
     edited = Signal(object, object)
-    looked = Signal(object)
+    view_changed = Signal(object)
     opened = Signal(int)
 
     def __init__(
@@ -222,9 +218,7 @@ class LanesMenu(QObject):
             self._fill_curve(menu, strip, place)
         elif box is not None:
             if box.clip.id not in content.view.selected_clips:
-                self.looked.emit(
-                    edits.select_clips(content.design, content.view, (box.clip.id,)).view
-                )
+                self._select(box.clip.id)
             self._fill_clips_here(menu, content.boxes_at(place))
             self._fill_clip(menu, box.clip.id)
         else:
@@ -232,7 +226,7 @@ class LanesMenu(QObject):
         menu.popup(at)
 
     def _fill_clips_here(self, menu: QMenu, boxes: Sequence[Box]) -> None:
-        """Where clips lie over each other, offer to select each of them."""
+        """Offer to select each of several clips that lie over each other."""
         if len(boxes) < 2:
             return
         here = menu.addMenu("Clips here")
@@ -246,7 +240,7 @@ class LanesMenu(QObject):
 
     def _select(self, clip: int, _checked: bool = False) -> None:
         content = self._content()
-        self.looked.emit(edits.select_clips(content.design, content.view, (clip,)).view)
+        self.view_changed.emit(edits.select_clips(content.design, content.view, (clip,)).view)
 
     def _fill_clip(self, menu: QMenu, clip: int) -> None:
         content = self._content()
@@ -270,13 +264,13 @@ class LanesMenu(QObject):
         self._line(menu, "Cut", "cut", self._clips.cut)
         self._act(menu, f"Remove {what}", "remove", edits.remove_clips)
 
-    def _fill_places(self, menu: QMenu, words: str) -> None:
-        places = menu.addMenu(words)
+    def _fill_places(self, menu: QMenu, label: str) -> None:
+        places = menu.addMenu(label)
         places.setObjectName("lanes_places")
         design = self._content().design
-        taken = {one.location for one in design.inputs}
+        occupied = {track.location for track in design.inputs}
         for number in range(1, facts_of(design.limb).n_inputs + 1):
-            track = "" if number in taken else " (new track)"
+            track = "" if number in occupied else " (new track)"
             title = f"{number} · {input_name(number, design.limb).name}{track}"
             self._act(places, title, "", edits.move_clips_to_place, number)
 
@@ -288,8 +282,8 @@ class LanesMenu(QObject):
             track = lane.track.id
             self._line(menu, "Add clip here", "", lambda: self._clips.add(track, time_s))
             shown = track in content.gain_shown
-            words = "Hide gain curve" if shown else "Show gain curve"
-            self._line(menu, words, "gain_curve", lambda: self._toggle_gain(track))
+            text = "Hide gain curve" if shown else "Show gain curve"
+            self._line(menu, text, "gain_curve", lambda: self._toggle_gain(track))
         self._line(menu, "Paste at playhead", "paste", self._clips.paste)
         menu.addSeparator()
         self._fill_time(menu, content)
@@ -307,7 +301,7 @@ class LanesMenu(QObject):
 
     def _toggle_gain(self, track: int) -> None:
         content = self._content()
-        self.looked.emit(toggle_gain_curves(content.design, content.view, (track,)).view)
+        self.view_changed.emit(toggle_gain_curves(content.design, content.view, (track,)).view)
 
     def _fill_ruler(
         self, menu: QMenu, content: TimelineContent, place: QPointF, time_s: float
@@ -336,53 +330,43 @@ class LanesMenu(QObject):
         self._edit_line(menu, "Insert the loop's time before it", insert, start_s, end_s - start_s)
         self._edit_line(menu, "Remove the loop's time", edits.remove_time, start_s, end_s)
 
-    def _act(self, menu: QMenu, words: str, key: str, edit: AnyEdit, *more: object) -> None:
+    def _act(self, menu: QMenu, text: str, key: str, edit: AnyEdit, *more: object) -> None:
         """Add a line that edits the clips which are selected when it is chosen."""
+        self._line(
+            menu, text, key, lambda: self._edit(edit, self._content().view.selected_clips, *more)
+        )
 
-        def act() -> None:
-            content = self._content()
-            chosen = content.view.selected_clips
-            self.edited.emit(edit(content.design, content.view, chosen, *more), None)
+    def _edit_line(self, menu: QMenu, text: str, edit: AnyEdit, *more: object) -> None:
+        self._line(menu, text, "", lambda: self._edit(edit, *more))
 
-        self._line(menu, words, key, act)
+    def _edit(self, edit: AnyEdit, *more: object) -> None:
+        content = self._content()
+        self.edited.emit(edit(content.design, content.view, *more), None)
 
-    def _edit_line(self, menu: QMenu, words: str, edit: AnyEdit, *more: object) -> None:
-        def act() -> None:
-            content = self._content()
-            outcome: Edit | Refusal = edit(content.design, content.view, *more)
-            self.edited.emit(outcome, None)
-
-        self._line(menu, words, "", act)
-
-    def _line(self, menu: QMenu, words: str, key: str, act: Callable[[], object]) -> None:
-        # A tab makes the key stand at the right; it is the widget's, no shortcut of the menu.
-        shown = f"{words}\t{key_text(_PLACE, key)}" if key else words
+    def _line(self, menu: QMenu, text: str, key: str, act: Callable[[], object]) -> None:
+        # A tab puts the key at the right; the menu has no shortcuts, keys belong to the lanes.
+        shown = f"{text}\t{key_text(_PLACE, key)}" if key else text
         menu.addAction(shown).triggered.connect(lambda _=False: act())
 
     def _rename(self, index: int) -> None:
-        content = self._content()
-        name, sure = QInputDialog.getText(
-            self._parent, "Rename marker", "Name", text=content.design.markers[index].name
-        )
+        before = self._content().design.markers[index].name
+        name, sure = QInputDialog.getText(self._parent, "Rename marker", "Name", text=before)
         if sure:
-            outcome = edits.rename_marker(content.design, content.view, index, name)
-            self.edited.emit(outcome, None)
+            self._edit(edits.rename_marker, index, name)
 
 
 def _ends_of_chosen(content: TimelineContent) -> tuple[float, float] | None:
-    clips = [one for one in content.design.clips if one.id in content.view.selected_clips]
+    clips = [clip for clip in content.design.clips if clip.id in content.view.selected_clips]
     if not clips:
         return None
-    return (min(one.onset_s for one in clips), max(one.end_s for one in clips))
+    return (min(clip.onset_s for clip in clips), max(clip.end_s for clip in clips))
 
-
-# A scroll bar over the time.
 
 _STEPS_PER_S = 10_000
 
 
 class TimeBar(QScrollBar):
-    """Shows which part of the time is seen; hidden where it is all."""
+    """A scroll bar over the time; it is hidden while all of the time is shown."""
 
     #: The part to see.
     range_wanted = Signal(object)
@@ -392,36 +376,32 @@ class TimeBar(QScrollBar):
         self.setObjectName("time_bar")
         self.setAccessibleName("Time shown")
         self._shown_s: Range = (0.0, 1.0)
-        self._taking = False
-        self.valueChanged.connect(self._tell)
+        self.valueChanged.connect(self._emit)
         self.hide()
 
     def show_range(self, shown_s: Range, whole_s: Range) -> None:
         """Show a part of the whole."""
-        self._taking, self._shown_s = True, shown_s
+        self._shown_s = shown_s
         length = round((shown_s[1] - shown_s[0]) * _STEPS_PER_S)
         whole = round((whole_s[1] - whole_s[0]) * _STEPS_PER_S)
-        self.setRange(0, max(whole - length, 0))
-        self.setPageStep(max(length, 1))
-        self.setSingleStep(max(length // 10, 1))
-        self.setValue(round((shown_s[0] - whole_s[0]) * _STEPS_PER_S))
+        with QSignalBlocker(self):
+            self.setRange(0, max(whole - length, 0))
+            self.setPageStep(max(length, 1))
+            self.setSingleStep(max(length // 10, 1))
+            self.setValue(round((shown_s[0] - whole_s[0]) * _STEPS_PER_S))
         self.setVisible(whole > length)
-        self._taking = False
 
-    def _tell(self, value: int) -> None:
-        if not self._taking:
-            length = self._shown_s[1] - self._shown_s[0]
-            start = value / _STEPS_PER_S
-            self.range_wanted.emit((start, start + length))
+    def _emit(self, value: int) -> None:
+        length = self._shown_s[1] - self._shown_s[0]
+        start = value / _STEPS_PER_S
+        self.range_wanted.emit((start, start + length))
 
-
-# Buttons beside the ruler.
 
 _ZOOM = 1.5
 
 
 class TimelineToolbar(QWidget):
-    """Snapping and zoom."""
+    """Buttons for snapping and zoom."""
 
     snaps_wanted = Signal(bool)
     zoom_wanted = Signal(float)
@@ -439,11 +419,11 @@ class TimelineToolbar(QWidget):
         self._snap.setCheckable(True)
         self._snap.clicked.connect(self.snaps_wanted)
         self._closer = self._button("+", _hint("zoom_in"))
-        self._closer.clicked.connect(self._zoom_in)
+        self._closer.clicked.connect(lambda: self.zoom_wanted.emit(_ZOOM))
         self._wider = self._button("\u2212", _hint("zoom_out"))
-        self._wider.clicked.connect(self._zoom_out)
+        self._wider.clicked.connect(lambda: self.zoom_wanted.emit(1 / _ZOOM))
         self._all = self._button("Fit", _hint("whole"))
-        self._all.clicked.connect(self._see_all)
+        self._all.clicked.connect(lambda: self.everything_wanted.emit())
         self._buttons = (self._snap, self._wider, self._closer, self._all)
         for button in self._buttons:
             row.addWidget(button)
@@ -451,7 +431,7 @@ class TimelineToolbar(QWidget):
         RoomOrText(self).changed.connect(self._fit)
 
     def show_state(self, *, snaps: bool, zoomed: bool) -> None:
-        """Whether edges snap; whether less than everything is seen."""
+        """Show whether edges snap, and whether less than everything is shown."""
         self._snap.setChecked(snaps)
         self._all.setEnabled(zoomed)
         self._wider.setEnabled(zoomed)
@@ -472,33 +452,22 @@ class TimelineToolbar(QWidget):
         button.setAutoRaise(True)
         return button
 
-    def _zoom_in(self) -> None:
-        self.zoom_wanted.emit(_ZOOM)
-
-    def _zoom_out(self) -> None:
-        self.zoom_wanted.emit(1 / _ZOOM)
-
-    def _see_all(self) -> None:
-        self.everything_wanted.emit()
-
 
 def _hint(name: str) -> str:
     gesture = KEYS["timeline"].gestures[name]
     return f"{gesture.effect[:1].upper()}{gesture.effect[1:]} ({gesture.shown})"
 
 
-# Heads, lanes, ruler and scroll bars, which move together.
-
 _ROWS_PER_NOTCH = 3
 
 
 class TrackTable(QWidget):
-    """Lays out the parts of the timeline, and scrolls them together.
+    """Lays out heads, lanes and scroll bars, and scrolls them at the same time.
 
     Attributes
     ----------
     lanes, toolbar, time_bar
-        Its parts, beside the list of heads.
+        Parts beside the list of heads.
     """
 
     def __init__(self, heads: InputList, parent: QWidget | None = None) -> None:
@@ -527,7 +496,7 @@ class TrackTable(QWidget):
         bar.valueChanged.connect(self.place_lanes)
         self._bar.valueChanged.connect(bar.setValue)
         self.lanes.scroll_wanted.connect(self._scroll)
-        self.time_bar.range_wanted.connect(self.lanes.seen.show_range)
+        self.time_bar.range_wanted.connect(self.lanes.time_zoom.show_range)
 
     def show_state(self, design: Design, view: View) -> None:
         """Show the lanes of a design; its heads are there already."""
@@ -586,23 +555,23 @@ def lanes_of(
     top_px: float,
     problems: Mapping[int, str],
 ) -> tuple[Lane, ...]:
-    """The lanes of a design, each as high as its head; the first begins at ``top_px``.
+    """Return the lanes of a design, each as high as its head; the first begins at ``top_px``.
 
-    ``problems``: why inputs cannot be played, by their ids.
+    ``problems``: why tracks cannot be played, by their ids.
     """
-    audible = {one.id for one in audible_inputs(design.inputs)}
+    audible_ids = {track.id for track in audible_inputs(design.inputs)}
     lanes = []
-    # A list that takes over other heads scrolls before the lanes know of them; they come next.
+    # The list of heads may be newer than the design: it scrolls first, then the lanes follow.
     for track, row in zip(design.inputs, rows, strict=False):
-        heard = track.id in audible
+        audible = track.id in audible_ids
         # What is muted meanwhile has no problem any more.
-        problem = problems.get(track.id, "") if heard else ""
+        problem = problems.get(track.id, "") if audible else ""
         lanes.append(
             Lane(
                 track=track,
                 top_px=float(top_px),
                 height_px=float(row.height()),
-                silent="cannot be played" if problem else _why_silent(track, heard=heard),
+                silent="cannot be played" if problem else _silence_reason(track, audible=audible),
                 problem=problem,
                 selected=track.id in view.selected_inputs,
             )
@@ -611,15 +580,13 @@ def lanes_of(
     return tuple(lanes)
 
 
-def _why_silent(track: Input, *, heard: bool) -> str:
+def _silence_reason(track: Input, *, audible: bool) -> str:
     if track.muted:
         return "muted"
-    if not heard:
+    if not audible:
         return "another track is solo"
     return "" if track.clips else "no clips: double click to add one"
 
-
-# Tracks and their clips over time.
 
 _LEAST_LANES_PX, _BARS_PX = 140, 12
 
@@ -634,7 +601,7 @@ class TimelinePanel(Panel):
         super().__init__(parent)
         self._clips, self._heads = TimelineEdits(self), Heads(self)
         # What each clip plays, and the clips as they were then, by their ids.
-        self._then: Mapping[int, Clip] = {}
+        self._computed_clips: Mapping[int, Clip] = {}
         self._waveforms: Mapping[int, Floats] = {}
         self._design, self._view = Design(limb=""), View()
         self._list = self._heads.list
@@ -663,7 +630,7 @@ class TimelinePanel(Panel):
         self._connect()
 
     def minimumSizeHint(self) -> QSize:
-        # One track is seen whole, below its ruler, and some of its time.
+        # Room for one whole track below the ruler, and for some of its time.
         line = self.fontMetrics().height()
         width, ruler = heads_px(line), self._table.lanes.ruler_px
         row = row_places(width, line).row.height()
@@ -696,29 +663,30 @@ class TimelinePanel(Panel):
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._show_foot("")
         self._table.lanes.sample_rate_hz = results["sample_rate_hz"]
-        clips = (clip for one in results["inputs"] for clip in one.clips)
-        self._then = {clip.id: clip for clip in clips}
+        clips = (clip for track in results["inputs"] for clip in track.clips)
+        self._computed_clips = {clip.id: clip for clip in clips}
         self._waveforms = waveforms_of(results)
         self.show_late(self.late)
 
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
-        self._table.show_problems({one.id: one.problem for one in unplayable})
+        self._table.show_problems({track.id: track.problem for track in unplayable})
 
-    def show_late(self, late: bool) -> None:
+    def show_late(self, stale: bool) -> None:
         # What a clip that plays something else now played would be drawn as long as that.
         shown, awaited = self._waveforms, frozenset[int]()
-        if late:
+        if stale:
             clips = [clip for track in self._design.inputs for clip in track.clips]
             awaited = frozenset(
                 clip.id
                 for clip in clips
-                if clip.id not in self._then or not _play_alike(clip, self._then[clip.id])
+                if clip.id not in self._computed_clips
+                or not _play_same(clip, self._computed_clips[clip.id])
             )
             shown = {clip: played for clip, played in shown.items() if clip not in awaited}
         self._table.lanes.show_waveforms(shown, awaited)
 
     def show_problem(self, reason: str) -> None:
-        self._then, self._waveforms = {}, {}
+        self._computed_clips, self._waveforms = {}, {}
         self.show_late(self.late)
         self._show_foot(reason)
 
@@ -734,12 +702,10 @@ class TimelinePanel(Panel):
 
     def show_drop(self, at: QPoint | None) -> None:
         place, lanes = (None if at is None else self.drop_place(at)), self._table.lanes
-        shown = (
-            GesturePreview()
-            if place is None
-            else GesturePreview(guide_s=place.onset_s, words="A clip here")
-        )
-        lanes.over.show_over(shown, QPointF(lanes.mapFrom(self, at or QPoint())))
+        shown = GesturePreview()
+        if place is not None:
+            shown = GesturePreview(guide_s=place.onset_s, label="A clip here")
+        lanes.overlay.show_preview(shown, QPointF(lanes.mapFrom(self, at or QPoint())))
 
     def _connect(self) -> None:
         lanes, clips, toolbar = self._table.lanes, self._clips, self._table.toolbar
@@ -750,43 +716,43 @@ class TimelinePanel(Panel):
             part.playhead_wanted.connect(self.playhead_wanted)
             part.clip_wanted.connect(clips.add)
             part.marker_wanted.connect(clips.add_marker)
-            part.opened.connect(self._open)
-        lanes.mouse.elsewhere = self._elsewhere
+            part.opened.connect(self._open_clip_editor)
+        lanes.mouse.elsewhere = self._drop_place_elsewhere
         lanes.gain.edited.connect(self.edited)
-        lanes.looked.connect(self._look)
+        lanes.view_changed.connect(self._show_view)
         menu = LanesMenu(lambda: lanes.content, clips, lanes.gain, lanes)
         menu.edited.connect(self.edited)
-        menu.looked.connect(self._look)
-        menu.opened.connect(self._open)
+        menu.view_changed.connect(self._show_view)
+        menu.opened.connect(self._open_clip_editor)
         lanes.menu_wanted.connect(menu.open)
         lanes.keys.copied.connect(clips.copy)
         lanes.keys.cut.connect(clips.cut)
         lanes.keys.pasted.connect(clips.paste)
-        lanes.keys.zoomed.connect(lanes.seen.zoom)
-        lanes.keys.everything_wanted.connect(lanes.seen.show_everything)
+        lanes.keys.zoomed.connect(lanes.time_zoom.zoom)
+        lanes.keys.everything_wanted.connect(lanes.time_zoom.show_everything)
         toolbar.snaps_wanted.connect(lanes.set_snaps)
-        toolbar.zoom_wanted.connect(lanes.seen.zoom)
-        toolbar.everything_wanted.connect(lanes.seen.show_everything)
+        toolbar.zoom_wanted.connect(lanes.time_zoom.zoom)
+        toolbar.everything_wanted.connect(lanes.time_zoom.show_everything)
 
-    def _look(self, view: View) -> None:
+    def _show_view(self, view: View) -> None:
         if view != self._view:
             self.view_changed.emit(view)
 
-    def _elsewhere(self, at: QPointF | None) -> DropPlace | None:
+    def _drop_place_elsewhere(self, at: QPointF | None) -> DropPlace | None:
         lanes = self._table.lanes
-        # What is held over the lanes themselves goes to one of them.
+        # Over the lanes themselves there is no other panel.
         if at is None or QRectF(lanes.rect()).contains(at):
             return self.held_over(None)
         return self.held_over(lanes.mapToGlobal(at).toPoint())
 
-    def _open(self, clip: int) -> None:
+    def _open_clip_editor(self, clip: int) -> None:
         self.action_wanted.emit("show_clip_editor")
 
-    def _show_foot(self, words: str) -> None:
-        self._foot.setText(words)
-        self._foot.setVisible(bool(words))
+    def _show_foot(self, text: str) -> None:
+        self._foot.setText(text)
+        self._foot.setVisible(bool(text))
 
 
-def _play_alike(one: Clip, other: Clip) -> bool:
-    """Whether two clips sound alike, apart from when and how loud."""
-    return one.waveform == other.waveform and one.effects == other.effects
+def _play_same(clip: Clip, other: Clip) -> bool:
+    """Return whether two clips play the same, apart from when and how loud."""
+    return clip.waveform == other.waveform and clip.effects == other.effects

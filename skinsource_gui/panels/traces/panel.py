@@ -1,4 +1,4 @@
-"""What only the traces look at."""
+"""The panel of acceleration of the selected outputs over time."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -55,7 +55,7 @@ class TracesSettings:
     relative
         Whether each is drawn relative to its own peak.
     fitted
-        Whether values fit the part of time that is seen.
+        Whether values fit the visible part of the time.
     """
 
     layout: str = fields.choice("overlaid", LAYOUT)
@@ -66,9 +66,7 @@ class TracesSettings:
         fields.check(self)
 
 
-# Acceleration of the selected outputs over time.
-
-# Readings tell samples of 1300 Hz apart.
+# Readings distinguish samples at 1300 Hz.
 _DECIMALS = {"ms": 2, "s": 5}
 # What the wave between samples follows from: that of a magnitude runs along the axes.
 _WAVE = frozenset({"axis_traces", "selected_extremes", "selected_projection"})
@@ -88,17 +86,17 @@ class TracesPanel(SignalPanel):
         self._view, self._settings = View(), TracesSettings()
         self._delay = self._plot.toolbar.add_switch(
             "remove-delay",
-            *_switch_words(facts_of("").pre_trigger_delay_s),
+            *_switch_text(facts_of("").pre_trigger_delay_s),
             self._remove_delay,
         )
         self._relative = self._plot.toolbar.add_switch(
-            "relative", RELATIVE.label, RELATIVE.hint, self._choose_relative
+            "relative", RELATIVE.label, RELATIVE.hint, lambda on: self._change(relative=on)
         )
         self._fitted = self._plot.add_switch_in_menu(
-            "fitted", FITTED.label, FITTED.hint, self._choose_fitted
+            "fitted", FITTED.label, FITTED.hint, lambda on: self._change(fitted=on)
         )
         self._results: Mapping[str, Any] | None = None
-        self._plot.toolbar.layout_chosen.connect(self._choose_layout)
+        self._plot.toolbar.layout_chosen.connect(lambda layout: self._change(layout=layout))
         self._plot.zoom_requested.connect(self._zoom)
         self._plot.plot.playhead.wanted.connect(self.playhead_wanted)
         self._plot.plot.playhead_key.connect(self._press)
@@ -119,7 +117,7 @@ class TracesPanel(SignalPanel):
     def show_state(self, design: Design, view: View) -> None:
         self._design = design
         settings = settings_of(view, self.name, TracesSettings)
-        scaled_anew = settings.relative != self._settings.relative
+        rescaled = settings.relative != self._settings.relative
         self._view, self._settings = view, settings
         self._relative.setChecked(settings.relative)
         self._plot.toolbar.show_passing(self._fitted, settings.fitted)
@@ -135,7 +133,7 @@ class TracesPanel(SignalPanel):
             self._plot.wait_for_curves()
         if self._drawn_removed == view.delay_removed:
             self._apply_view()
-        if scaled_anew and self._results is not None:
+        if rescaled and self._results is not None:
             self._draw(self._results)
 
     def show_playhead(self, view: View) -> None:
@@ -175,7 +173,7 @@ class TracesPanel(SignalPanel):
         self._plot.show_curves(
             curves,
             synthetic=facts_of(results["limb"]).synthetic,
-            notes=_axis_notes(_heard(results.get("selected_without_main_axis", ()), results)),
+            notes=_axis_notes(_not_silent(results.get("selected_without_main_axis", ()), results)),
         )
 
     def _show_delay(self, delay_s: float) -> None:
@@ -183,31 +181,22 @@ class TracesPanel(SignalPanel):
         if delay_s == self._delay_s:
             return
         self._delay_s = delay_s
-        words, hint = _switch_words(delay_s)
-        self._delay.setText(words)
-        self._delay.setToolTip(tooltip(words, hint))
+        text, hint = _switch_text(delay_s)
+        self._delay.setText(text)
+        self._delay.setToolTip(tooltip(text, hint))
         self._delay.setVisible(delay_s > 0.0)
 
     def _apply_view(self) -> None:
         view = self._view
-        seen_until_s = self._end_s if view.time_range_s is None else view.time_range_s[1]
-        axis = _axis(axis_unit(seen_until_s)[0], self._delay_s, removed=self._drawn_removed)
+        visible_until_s = self._end_s if view.time_range_s is None else view.time_range_s[1]
+        axis = _axis(axis_unit(visible_until_s)[0], self._delay_s, removed=self._drawn_removed)
         if self._early_s >= _LEAST_EARLY_S:
             shift_s = self._delay_s if self._drawn_removed else 0.0
             axis = _without_beginning(axis, self._early_s, (-shift_s, self._end_s))
         stacked, fitted = self._settings.layout == "stacked", self._settings.fitted
         self._plot.set_view(axis, view.time_range_s, stacked=stacked, fitted=fitted)
 
-    def _choose_layout(self, layout: str) -> None:
-        self._choose(layout=layout)
-
-    def _choose_relative(self, relative: bool) -> None:
-        self._choose(relative=relative)
-
-    def _choose_fitted(self, fitted: bool) -> None:
-        self._choose(fitted=fitted)
-
-    def _choose(self, **changes: Any) -> None:
+    def _change(self, **changes: Any) -> None:
         settings = replace(self._settings, **changes)
         if settings != self._settings:
             self.view_changed.emit(with_settings(self._view, self.name, settings))
@@ -230,8 +219,8 @@ class TracesPanel(SignalPanel):
             self.view_changed.emit(changed)
 
 
-def _switch_words(delay_s: float) -> tuple[str, str]:
-    """What the switch of the delay says, and its hint."""
+def _switch_text(delay_s: float) -> tuple[str, str]:
+    """Return text and hint of the switch of the delay."""
     delay = f"{delay_s * 1e3:.3g} ms"
     return (
         f"Remove {delay} delay",
@@ -240,8 +229,8 @@ def _switch_words(delay_s: float) -> tuple[str, str]:
     )
 
 
-def _said(delay_s: float, *, removed: bool) -> tuple[str, ...]:
-    """What is said of the delay after the unit, longest first."""
+def _delay_notes(delay_s: float, *, removed: bool) -> tuple[str, ...]:
+    """Return the notes on the delay after the unit, longest first."""
     delay = f"{delay_s * 1e3:.3g} ms"
     if delay_s == 0.0:
         return ("",)
@@ -257,10 +246,10 @@ def _said(delay_s: float, *, removed: bool) -> tuple[str, ...]:
 
 @cache
 def _axis(unit: str, delay_s: float, *, removed: bool) -> XAxis:
-    """The time axis in ms or s, which says what became of the delay."""
-    said = _said(delay_s, removed=removed)
+    """Return the time axis in ms or s, with a note on the delay."""
+    notes = _delay_notes(delay_s, removed=removed)
     return XAxis(
-        titles=tuple(f"Time ({unit}){words}" for words in said),
+        titles=tuple(f"Time ({unit}){note}" for note in notes),
         unit=unit,
         column="time_s",
         factor=1e3 if unit == "ms" else 1.0,
@@ -269,15 +258,15 @@ def _axis(unit: str, delay_s: float, *, removed: bool) -> XAxis:
 
 
 def _without_beginning(axis: XAxis, early_s: float, extent: tuple[float, float]) -> XAxis:
-    """The axis from 0 on, which says that there is something before."""
-    said = f" · not shown: {early_s:.2g} s before 0, where an equaliser of linear phase rings"
+    """Return the axis from 0 on, with a note that there is something before."""
+    note = f" · not shown: {early_s:.2g} s before 0, where an equaliser of linear phase rings"
     short = f" · {early_s:.2g} s before 0 not shown"
-    titles = tuple(f"{axis.titles[-1]}{words}" for words in (said, short))
+    titles = tuple(f"{axis.titles[-1]}{text}" for text in (note, short))
     return replace(axis, extent=extent, titles=(*titles, axis.titles[-1]))
 
 
-def _heard(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[int, ...]:
-    # Silence moves along no axis, and nobody misses one.
+def _not_silent(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[int, ...]:
+    # A silent output needs no main axis.
     if not outputs:
         return ()
     pairs = zip(results["outputs"], results["selected_traces"], strict=True)
@@ -286,9 +275,9 @@ def _heard(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[int, .
 
 
 def _peaks(traces: Floats) -> Floats:
-    """Peak of each trace, (n, 1); 1 where it is silent."""
-    found = _largest(traces)[:, np.newaxis]
-    return np.where(found > 0.0, found, 1.0)
+    """Return the peak of each trace, (n, 1); 1 where it is silent."""
+    peaks = _largest(traces)[:, np.newaxis]
+    return np.where(peaks > 0.0, peaks, 1.0)
 
 
 def _largest(traces: Floats) -> Floats:
@@ -297,7 +286,7 @@ def _largest(traces: Floats) -> Floats:
 
 
 def _wave(results: Mapping[str, Any], scale: Floats | None) -> Wave:
-    """What runs through the samples of the traces, or of their parts of a scale."""
+    """Return the wave through the samples of the traces, divided by ``scale``."""
     extremes = results["selected_extremes"]
     if scale is not None:
         extremes = extremes.relative_to(scale)
@@ -307,17 +296,14 @@ def _wave(results: Mapping[str, Any], scale: Floats | None) -> Wave:
 def _points_between(
     results: Mapping[str, Any], scale: Floats | None, first: int, end: int
 ) -> tuple[Floats, Floats]:
-    """The traces from one sample to before another, with points between them."""
-    instants, waves = _wave_as_predicted(results, first, end)
-    return instants, waves if scale is None else waves / scale
-
-
-def _wave_as_predicted(results: Mapping[str, Any], first: int, end: int) -> tuple[Floats, Floats]:
+    """Return the traces from one sample to before another, with points between them."""
     time_s, projection = results["response_time_s"], results["selected_projection"]
     if projection.directions is not None:
-        return finer(time_s, results["selected_traces"], first, end)
-    instants, axes = finer(time_s, results["axis_traces"], first, end)
-    return instants, projection.signals(axes)
+        instants, waves = finer(time_s, results["selected_traces"], first, end)
+    else:
+        instants, axes = finer(time_s, results["axis_traces"], first, end)
+        waves = projection.signals(axes)
+    return instants, waves if scale is None else waves / scale
 
 
 def _axis_notes(outputs: tuple[int, ...]) -> tuple[str, ...]:

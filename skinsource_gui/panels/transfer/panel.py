@@ -1,4 +1,4 @@
-"""Transfer functions over frequency: magnitude, noise floor, and the band that can be used."""
+"""The panel of transfer functions from the selected track's place to the selected outputs."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -26,18 +26,15 @@ from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.labels import how_to_add
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 
-# Bars of many outputs share this part of the height: the curves are seen beside them.
+# Bars of many outputs share this part of the height, above which the curves are visible.
 _BAR_PX, _BARS_PART = 3.0, 0.1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class TransferContent:
-    """What is drawn: transfer functions, the outputs they lead to, their unit, and which part.
+    """Transfer functions to ``outputs``, in a unit; with ``coherence`` that is drawn instead."""
 
-    ``coherence`` says whether it is drawn in place of magnitudes.
-    """
-
-    found: Transfer
+    transfer: Transfer
     outputs: tuple[int, ...]
     unit: str
     coherence: bool
@@ -48,47 +45,46 @@ class TransferPicture(Figure):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("transfer_picture", "Transfer functions", parent)
-        self.shown: TransferContent | None = None
+        self.content: TransferContent | None = None
         self.axes: Axes | None = None
-        self._held = SteadyRange()
+        self._steady_range = SteadyRange()
         self._top_db = 0.0
 
     def begin_anew(self) -> None:
         """Decide the range of the next picture without a look at the one before."""
-        self._held.let_go()
+        self._steady_range.let_go()
 
-    def show_transfer(self, shown: TransferContent) -> None:
+    def show_transfer(self, content: TransferContent) -> None:
         """Take over what to show."""
-        self.shown = shown
-        highest = float(decibels(shown.found.magnitude).max())
-        self._top_db = self._held.follow(highest, highest, "level")[1]
+        self.content = content
+        highest = float(decibels(content.transfer.magnitude).max())
+        self._top_db = self._steady_range.follow(highest, highest, "level")[1]
         self.say("")
         self.read_again()
 
     def draw(self, painter: QPainter, room: QRectF) -> None:
-        shown = self.shown
-        if shown is None:
+        content = self.content
+        if content is None:
             return
-        frequency_hz = shown.found.frequency_hz
+        frequency_hz = content.transfer.frequency_hz
         x = Axis(shown=(0.0, float(frequency_hz[-1])), title="Frequency (Hz)")
-        if shown.coherence:
+        if content.coherence:
             y = Axis(shown=(0.0, 1.0), title="Coherence")
         else:
-            y = Axis(
-                shown=(self._top_db - LEVEL_SPAN_DB, self._top_db), title=f"dB re {shown.unit}"
-            )
+            shown = self._top_db - LEVEL_SPAN_DB, self._top_db
+            y = Axis(shown=shown, title=f"dB re {content.unit}")
         metrics = QFontMetricsF(painter.font())
         head = QRectF(room.left(), room.top(), room.width(), metrics.height())
         inner = head.adjusted(UNIT_PX, 0, -UNIT_PX, 0)
-        draw_legend(painter, inner, shown.outputs, current_theme(), broken=True)
+        draw_legend(painter, inner, content.outputs, current_theme(), broken=True)
         self.axes = axes = fitted_axes(room.adjusted(0, head.height(), 0, 0), x, y, metrics)
-        self._shade(painter, axes)
+        self._shade(painter, axes, content)
         axes.paint(painter, current_theme())
         painter.save()
         painter.setClipRect(axes.frame)
-        self._draw_bars(painter, axes, shown)
-        for rank in range(len(shown.outputs)):
-            self._draw_curve(painter, axes, shown, rank)
+        self._draw_bars(painter, axes, content)
+        for rank in range(len(content.outputs)):
+            self._draw_curve(painter, axes, content, rank)
         if self.cursor_at is not None:
             painter.setPen(QPen(QColor(current_theme().dim), 1, Qt.PenStyle.DashLine))
             at = self.cursor_at.x()
@@ -97,24 +93,24 @@ class TransferPicture(Figure):
 
     def read(self, at: QPointF) -> str:
         place = None if self.axes is None else self.axes.value_at(at)
-        if place is None or self.shown is None:
+        if place is None or self.content is None:
             return ""
-        found = self.shown.found
-        k = int(np.argmin(np.abs(found.frequency_hz - place[0])))
-        said = [f"{found.frequency_hz[k]:.1f} Hz, dB and coherence"]
-        for rank, output in enumerate(self.shown.outputs):
-            level = float(decibels(found.magnitude[rank, k]))
-            said.append(f"{output}: {level:z.1f}, {found.coherence[rank, k]:.2f}")
-        return minus(" · ".join(said))
+        transfer = self.content.transfer
+        k = int(np.argmin(np.abs(transfer.frequency_hz - place[0])))
+        parts = [f"{transfer.frequency_hz[k]:.1f} Hz, dB and coherence"]
+        for rank, output in enumerate(self.content.outputs):
+            level = float(decibels(transfer.magnitude[rank, k]))
+            parts.append(f"{output}: {level:z.1f}, {transfer.coherence[rank, k]:.2f}")
+        return minus(" · ".join(parts))
 
     def keys_area(self) -> QRectF:
         return QRectF() if self.axes is None or self.message else self.axes.frame
 
-    def _shade(self, painter: QPainter, axes: Axes) -> None:
-        """What was not measured, where that is known."""
-        if self.shown is None or self.shown.found.band_hz is None:
+    def _shade(self, painter: QPainter, axes: Axes, content: TransferContent) -> None:
+        """Shade the frequencies that were not measured, where that is known."""
+        if content.transfer.band_hz is None:
             return
-        band_hz = np.array(self.shown.found.band_hz)
+        band_hz = np.array(content.transfer.band_hz)
         colour = QColor(current_theme().grid)
         colour.setAlpha(140)
         frame = axes.frame
@@ -123,19 +119,25 @@ class TransferPicture(Figure):
         if high < frame.right():
             painter.fillRect(QRectF(QPointF(high, frame.top()), frame.bottomRight()), colour)
 
-    def _draw_curve(self, painter: QPainter, axes: Axes, shown: TransferContent, rank: int) -> None:
-        found = shown.found
-        values = found.coherence[rank] if shown.coherence else decibels(found.magnitude[rank])
+    def _draw_curve(
+        self, painter: QPainter, axes: Axes, content: TransferContent, rank: int
+    ) -> None:
+        transfer = content.transfer
+        values = (
+            transfer.coherence[rank] if content.coherence else decibels(transfer.magnitude[rank])
+        )
         painter.setPen(current_theme().output_pen(rank, 1.4))
-        painter.drawPolyline(axes.polygon(found.frequency_hz, values))
-        if not shown.coherence and found.noise[rank].any():
+        painter.drawPolyline(axes.polygon(transfer.frequency_hz, values))
+        if not content.coherence and transfer.noise[rank].any():
             pen = QPen(current_theme().output_colour(rank), 1.0, Qt.PenStyle.DotLine)
             painter.setPen(pen)
-            painter.drawPolyline(axes.polygon(found.frequency_hz, decibels(found.noise[rank])))
+            painter.drawPolyline(
+                axes.polygon(transfer.frequency_hz, decibels(transfer.noise[rank]))
+            )
 
-    def _draw_bars(self, painter: QPainter, axes: Axes, shown: TransferContent) -> None:
-        """Bands that can be used, as bars at the foot."""
-        bands = shown.found.usable_hz
+    def _draw_bars(self, painter: QPainter, axes: Axes, content: TransferContent) -> None:
+        """Draw the bands that can be used, as bars at the foot."""
+        bands = content.transfer.usable_hz
         step, thick = bar_sizes(len(bands), axes.frame.height())
         foot = axes.frame.bottom() - UNIT_PX / 2
         for rank, (low, high) in enumerate(bands):
@@ -147,12 +149,10 @@ class TransferPicture(Figure):
 
 
 def bar_sizes(n: int, height_px: float) -> tuple[float, float]:
-    """From one of ``n`` bars to the next, and how thick they are, px."""
+    """Return the step from one of ``n`` bars to the next, and their thickness, px."""
     step = min(_BAR_PX + 1.0, _BARS_PART * height_px / max(n, 1))
     return step, step * _BAR_PX / (_BAR_PX + 1.0)
 
-
-# What only the transfer functions look at.
 
 COHERENCE = SwitchSpec(label="Coherence", hint="In place of the magnitude")
 
@@ -167,14 +167,12 @@ class TransferSettings:
         fields.check(self)
 
 
-# In which unit a transfer function is: output over what is driven.
-
 #: What has to be known for it.
 OF_UNIT = frozenset({"actuation", "limb_data", "scaling"})
 
 
 def transfer_unit(results: Mapping[str, Any]) -> str:
-    """Of a magnitude of 1; where drives have no known unit, for a sample of 1."""
+    """Return the unit of a magnitude; where drives have no known unit, per sample of 1."""
     actuation = results["actuation"]
     if actuation is not None and actuation.equaliser is None:
         return "1 (m/s²)/V"
@@ -183,9 +181,7 @@ def transfer_unit(results: Mapping[str, Any]) -> str:
     return "1 (m/s²)/(m/s²)" if known else "1 m/s² per sample of 1"
 
 
-# From the selected input's place to the selected outputs, whatever plays.
-
-# More outputs than these are said as ranges.
+# More outputs than these are written as ranges.
 _MOST_NUMBERS = 12
 
 
@@ -225,7 +221,7 @@ class TransferPanel(FigurePanel):
         self.coherence.setChecked(settings.coherence)
         self._has_inputs = bool(design.inputs)
         if not view.outputs or not design.inputs:
-            self._say_empty()
+            self._show_empty()
         elif self._results is None:
             self.await_results()
         elif redrawn:
@@ -233,26 +229,31 @@ class TransferPanel(FigurePanel):
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         if results["transfer"] is None:
-            self._say_empty()
+            self._show_empty()
             return
         self._results = dict(results)
         self._draw(results)
 
     def table(self) -> str:
-        """The numbers, with tabs between the columns."""
+        """Return the numbers, with tabs between the columns."""
         if self._results is None:
             return ""
-        found: Transfer = self._results["transfer"]
+        transfer: Transfer = self._results["transfer"]
         outputs = self._results["shown_outputs"]
         header = ["frequency_hz"]
         for name in ("magnitude", "noise_rms", "coherence"):
             header += [f"{name}_{output}" for output in outputs]
-        columns = (found.frequency_hz[None], found.magnitude, found.noise, found.coherence)
+        columns = (
+            transfer.frequency_hz[None],
+            transfer.magnitude,
+            transfer.noise,
+            transfer.coherence,
+        )
         lines = ["\t".join(header)]
         lines += ["\t".join(map(copied, row)) for row in np.vstack(columns).T.tolist()]
         return "\n".join(lines) + "\n"
 
-    def _say_empty(self) -> None:
+    def _show_empty(self) -> None:
         self.say_instead(self.no_outputs if self._has_inputs else how_to_add(self.in_sight))
 
     def say_instead(self, message: str) -> None:
@@ -261,46 +262,46 @@ class TransferPanel(FigurePanel):
         self.place.say("")
 
     def _draw(self, results: Mapping[str, Any]) -> None:
-        found, outputs = results["transfer"], results["shown_outputs"]
+        transfer, outputs = results["transfer"], results["shown_outputs"]
         self.copy.offer(True)
         unit = transfer_unit(results)
         self.picture.show_transfer(
             TransferContent(
-                found=found, outputs=outputs, unit=unit, coherence=self._settings.coherence
+                transfer=transfer, outputs=outputs, unit=unit, coherence=self._settings.coherence
             )
         )
         place, limb = results["transfer_place"], results["limb_data"]
         if limb.synthetic:
             note = " · synthetic limb, without noise"
-        elif not found.noise.any():
+        elif not transfer.noise.any():
             note = " · noise not known"
         else:
             # Of a coherence nothing dotted is drawn.
             note = "" if self._settings.coherence else " · dotted: noise"
         self.place.say(f"From place {place}, {input_name(place, limb.name).name}{note}")
-        self.show_found(_usable_words(found, outputs))
+        self.show_found(_usable_text(transfer, outputs))
 
-    def _show_coherence(self, wanted: bool) -> None:
-        settings = replace(self._settings, coherence=wanted)
+    def _show_coherence(self, coherence: bool) -> None:
+        settings = replace(self._settings, coherence=coherence)
         self.view_changed.emit(with_settings(self._view, self.name, settings))
 
 
-def _usable_words(found: Transfer, outputs: tuple[int, ...]) -> str:
-    """Where the response is more than noise; outputs with the same band together."""
-    alike: dict[str, list[int]] = {}
-    for output, (low, high) in zip(outputs, found.usable_hz, strict=True):
+def _usable_text(transfer: Transfer, outputs: tuple[int, ...]) -> str:
+    """Return where the response is more than noise; outputs with the same band are one entry."""
+    outputs_by_band: dict[str, list[int]] = {}
+    for output, (low, high) in zip(outputs, transfer.usable_hz, strict=True):
         band = f"{low:.0f}–{high:.0f} Hz" if np.isfinite(low) else "nowhere"
-        alike.setdefault(band, []).append(output)
-    said = [f"{_numbers(those)}: {band}" for band, those in alike.items()]
-    low, high = found.band_hz or (0.0, float(found.frequency_hz[-1]))
-    return f"Coherence ≥ {LEAST_COHERENCE:g} from {low:g} to {high:g} Hz: {' · '.join(said)}"
+        outputs_by_band.setdefault(band, []).append(output)
+    parts = [f"{_numbers(those)}: {band}" for band, those in outputs_by_band.items()]
+    low, high = transfer.band_hz or (0.0, float(transfer.frequency_hz[-1]))
+    return f"Coherence ≥ {LEAST_COHERENCE:g} from {low:g} to {high:g} Hz: {' · '.join(parts)}"
 
 
 def _numbers(outputs: list[int]) -> str:
-    """Outputs by number, many of them as ranges."""
+    """Return the numbers of outputs, many of them as ranges."""
     if len(outputs) <= _MOST_NUMBERS:
         return ", ".join(map(str, outputs))
     ordered = np.unique(outputs)
     runs = np.split(ordered, np.flatnonzero(np.diff(ordered) > 1) + 1)
-    said = (f"{run[0]}–{run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs)
-    return f"{len(ordered)} outputs ({', '.join(said)})"
+    ranges = (f"{run[0]}–{run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs)
+    return f"{len(ordered)} outputs ({', '.join(ranges)})"

@@ -1,4 +1,4 @@
-"""Delays and levels over the way along a line, and the straight lines through them."""
+"""The panel of how fast a wave travels along the selected outputs, and what it loses."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
@@ -23,7 +23,7 @@ from skinsource_gui.qt.labels import SKIN
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 
 _DOT_PX, _REACH_PX = 4.0, 14.0
-_WAY = "Way along the line (mm)"
+_DISTANCE_TITLE = "Way along the line (mm)"
 
 
 class WavePicture(Figure):
@@ -31,30 +31,30 @@ class WavePicture(Figure):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("wave_picture", "Delay and level along the line", parent)
-        self.shown: LineWave | None = None
+        self.content: LineWave | None = None
         self._ranks: tuple[int, ...] = ()
         self._matched = ""
         self._diagrams: list[tuple[Axes, Floats]] = []
 
-    def show_wave(self, shown: LineWave, ranks: tuple[int, ...], matched: str) -> None:
+    def show_wave(self, content: LineWave, ranks: tuple[int, ...], matched: str) -> None:
         """Take over what to show; ``ranks`` are those of the outputs in the selection.
 
-        ``matched``: by how much it is louder or softer than it was stored, or "".
+        ``matched``: text on how much louder or softer than stored it is, or "".
         """
-        self.shown, self._ranks, self._matched = shown, ranks, matched
+        self.content, self._ranks, self._matched = content, ranks, matched
         self.say("")
         self.read_again()
 
     def draw(self, painter: QPainter, room: QRectF) -> None:
-        if self.shown is None:
+        if self.content is None:
             return
-        wave = self.shown.wave
+        wave = self.content.wave
         metrics = QFontMetricsF(painter.font())
         halves = _halves(room)
-        way = Axis(shown=_around(wave.distance_m), title=_WAY, factor=1e3)
-        delay = Axis(shown=_around(wave.delay_s), title="Delay (ms)", factor=1e3)
-        title = ", ".join(filter(None, (f"Level {self.shown.axis} (dB)", self._matched)))
-        level = Axis(shown=_around(wave.level_db), title=title)
+        distance = Axis(shown=_range_around(wave.distance_m), title=_DISTANCE_TITLE, factor=1e3)
+        delay = Axis(shown=_range_around(wave.delay_s), title="Delay (ms)", factor=1e3)
+        title = ", ".join(filter(None, (f"Level {self.content.axis} (dB)", self._matched)))
+        level = Axis(shown=_range_around(wave.level_db), title=title)
         self._diagrams = []
         slowness = 1.0 / wave.speed_m_per_s
         for area, axis, values, slope, used in (
@@ -64,22 +64,22 @@ class WavePicture(Figure):
             painter.save()
             # Labels of y begin at the left edge of their half.
             painter.translate(area.left(), area.top())
-            axes = fitted_axes(QRectF(0, 0, area.width(), area.height()), way, axis, metrics)
+            axes = fitted_axes(QRectF(0, 0, area.width(), area.height()), distance, axis, metrics)
             axes.paint(painter, current_theme())
             painter.setClipRect(axes.frame.adjusted(-_DOT_PX, -_DOT_PX, _DOT_PX, _DOT_PX))
             self._draw_fit(painter, axes, values[used], wave.distance_m[used], slope)
-            places = self._draw_dots(painter, axes, values, used)
+            places = self._draw_dots(painter, axes, wave.distance_m, values, used)
             painter.restore()
             self._diagrams.append((axes, places + np.array([area.left(), area.top()])))
 
     def read(self, at: QPointF) -> str:
-        if self.shown is None:
+        if self.content is None:
             return ""
-        wave, outputs = self.shown.wave, self.shown.outputs
+        wave, outputs = self.content.wave, self.content.outputs
         for _, places in self._diagrams:
-            ways = np.hypot(*(places - (at.x(), at.y())).T)
-            if np.isfinite(ways).any() and np.nanmin(ways) <= _REACH_PX:
-                k = int(np.nanargmin(ways))
+            distances = np.hypot(*(places - (at.x(), at.y())).T)
+            if np.isfinite(distances).any() and np.nanmin(distances) <= _REACH_PX:
+                k = int(np.nanargmin(distances))
                 left_out = "" if wave.counted[k] else " · left out: silent or mostly noise"
                 if wave.counted[k] and not wave.timed[k]:
                     left_out = " · no delay: too unlike the first"
@@ -100,11 +100,10 @@ class WavePicture(Figure):
         painter.setPen(QPen(QColor(current_theme().dim), 1.2, Qt.PenStyle.DashLine))
         painter.drawPolyline(axes.polygon(ends, middle + slope * (ends - x.mean())))
 
-    def _draw_dots(self, painter: QPainter, axes: Axes, values: Floats, used: Booleans) -> Floats:
-        if self.shown is None:
-            return np.zeros((0, 2))
-        wave = self.shown.wave
-        places = axes.to_screen(wave.distance_m, values)
+    def _draw_dots(
+        self, painter: QPainter, axes: Axes, x: Floats, values: Floats, used: Booleans
+    ) -> Floats:
+        places = axes.to_screen(x, values)
         for rank, place, counted in zip(self._ranks, places, used, strict=True):
             if not np.isfinite(place).all():
                 continue
@@ -117,7 +116,7 @@ class WavePicture(Figure):
 
 
 def _halves(room: QRectF) -> tuple[QRectF, QRectF]:
-    """Side by side where it is wide enough, else over each other."""
+    """Return two halves, side by side where the room is wide enough."""
     if room.width() >= 1.2 * room.height():
         half = room.width() / 2
         left = QRectF(room.left(), room.top(), half - UNIT_PX / 2, room.height())
@@ -127,8 +126,8 @@ def _halves(room: QRectF) -> tuple[QRectF, QRectF]:
     return top, top.translated(0, half)
 
 
-def _around(values: Floats) -> tuple[float, float]:
-    """A range with some air around values; any range where there are none."""
+def _range_around(values: Floats) -> tuple[float, float]:
+    """Return a range with some room around values; any range where there are none."""
     known = values[np.isfinite(values)]
     if not known.size:
         return 0.0, 1.0
@@ -137,15 +136,13 @@ def _around(values: Floats) -> tuple[float, float]:
     return low - air, high + air
 
 
-# How fast a wave travels along the selected outputs, and what it loses.
-
 _LINE = "The line goes through the selected outputs, in the order in which they were selected"
 _OVERLAP = "waves of several inputs overlap"
 _ABOUT = "Along {axis}; distances on the map, delays of the group"
 
 
 class WavePanel(FigurePanel):
-    """Delay and level over the way, and speed and attenuation from them."""
+    """Delay and level over the distance, and speed and attenuation from them."""
 
     title: ClassVar[str] = "Wave"
     name: ClassVar[str] = "wave"
@@ -163,7 +160,7 @@ class WavePanel(FigurePanel):
         )
         self.choices.addWidget(self.about, 1)
         self.copy = self.add_copy(self.table)
-        self.say_instead(self._few())
+        self.say_instead(self._too_few())
 
     @property
     def needs(self) -> frozenset[str]:
@@ -171,52 +168,52 @@ class WavePanel(FigurePanel):
 
     def show_state(self, design: Design, view: View) -> None:
         if len(view.outputs) < 2:
-            self.say_instead(self._few())
-        elif self.figure.message == self._few():
+            self.say_instead(self._too_few())
+        elif self.figure.message == self._too_few():
             self.await_results()
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        found: LineWave | None = results["line_wave"]
-        if found is None:
-            self.say_instead(self._few())
+        line: LineWave | None = results["line_wave"]
+        if line is None:
+            self.say_instead(self._too_few())
             return
-        if not found.wave.alike.any():
+        if not line.wave.alike.any():
             self.say_instead(SILENT)
             return
         outputs = results["shown_outputs"]
         self.copy.offer(True)
-        self.about.say(_ABOUT.format(axis=found.axis))
-        ranks = tuple(outputs.index(one) for one in found.outputs)
-        self.picture.show_wave(found, ranks, match_text(results["match_gain"]))
-        left_out = len(outputs) - len(found.outputs)
+        self.about.say(_ABOUT.format(axis=line.axis))
+        ranks = tuple(outputs.index(output) for output in line.outputs)
+        self.picture.show_wave(line, ranks, match_text(results["match_gain"]))
+        left_out = len(outputs) - len(line.outputs)
         note = f" · {left_out} not on the map" if left_out else ""
         synthetic = " · synthetic limb" if results["limb_data"].synthetic else ""
-        several = f" · {_OVERLAP}" if _several(results["voices"]) else ""
-        self.show_found(f"{wave_text(found.wave)}{several}{note}{synthetic}")
+        several = f" · {_OVERLAP}" if _has_several_places(results["voices"]) else ""
+        self.show_found(f"{wave_text(line.wave)}{several}{note}{synthetic}")
 
     def show_in_sight(self, names: frozenset[str]) -> None:
-        said = self.figure.message == self._few()
+        was_empty = self.figure.message == self._too_few()
         super().show_in_sight(names)
-        if said:
-            self.figure.say(self._few())
+        if was_empty:
+            self.figure.say(self._too_few())
 
     def table(self) -> str:
-        """The numbers, with tabs between the columns."""
-        shown = self.picture.shown
-        if shown is None or self.picture.message:
+        """Return the numbers, with tabs between the columns."""
+        content = self.picture.content
+        if content is None or self.picture.message:
             return ""
-        wave = shown.wave
-        header = ("output", "way_mm", "delay_ms", f"level_{shown.axis}_db", "alike")
+        wave = content.wave
+        header = ("output", "way_mm", "delay_ms", f"level_{content.axis}_db", "alike")
         lines = ["\t".join((*header, "counted", "timed"))]
-        ways = wave.distance_m * 1e3, wave.delay_s * 1e3
-        for k, output in enumerate(shown.outputs):
-            way, delay = (copied(one[k]) for one in ways)
-            numbers = way, delay, copied_level(wave.level_db[k]), copied(wave.alike[k])
-            used = ("yes" if one[k] else "no" for one in (wave.counted, wave.timed))
+        distances = wave.distance_m * 1e3, wave.delay_s * 1e3
+        for k, output in enumerate(content.outputs):
+            distance, delay = (copied(values[k]) for values in distances)
+            numbers = distance, delay, copied_level(wave.level_db[k]), copied(wave.alike[k])
+            used = ("yes" if flags[k] else "no" for flags in (wave.counted, wave.timed))
             lines.append("\t".join((str(output), *numbers, *used)))
         return "\n".join(lines) + "\n"
 
-    def _few(self) -> str:
+    def _too_few(self) -> str:
         if SKIN in self.in_sight:
             return (
                 "Select two or more outputs on the skin map, one after the other along a line: "
@@ -226,7 +223,7 @@ class WavePanel(FigurePanel):
 
 
 def wave_text(wave: TravellingWave) -> str:
-    """Speed and attenuation, with what is known of their error."""
+    """Return speed and attenuation, with their uncertainty as far as it is known."""
     speed = "No speed: the arrival is not later farther away"
     if wave.counted.sum() < 2:
         return "fewer than two outputs are more than noise"
@@ -247,9 +244,9 @@ def wave_text(wave: TravellingWave) -> str:
     return f"{speed} · attenuation {loss} dB/cm, spreading included{unsure}".replace("-", "−")
 
 
-def _several(voices: Sequence[Voice]) -> bool:
-    """Whether waves come from more than one place: then none of them is seen alone."""
-    return len({one.location for one in voices if one.heard and one.amplitude != 0.0}) > 1
+def _has_several_places(voices: Sequence[Voice]) -> bool:
+    """Return whether waves come from several places: then none of them is seen alone."""
+    return len({voice.location for voice in voices if voice.heard and voice.amplitude != 0.0}) > 1
 
 
 def _spread(deviation: float, decimals: int) -> str:

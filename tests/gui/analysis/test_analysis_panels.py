@@ -142,7 +142,7 @@ def test_the_spectrogram_reads_what_is_under_the_cursor(show, window):
     panel = show("spectrogram")
     picture = panel.picture
     panel.grab()
-    found = picture.shown.found
+    found = picture.content.spectrogram
     row, column = np.unravel_index(np.argmax(found.amplitude), found.amplitude.shape)
     time_s, frequency_hz = found.time_s[column], found.frequency_hz[row]
     place = picture.axes.to_screen(np.array([time_s]), np.array([frequency_hz]))[0]
@@ -164,7 +164,7 @@ def test_floor_and_ceiling_zoom_without_computing(show, window, settle):
     panel.ceiling.edited.emit(300.0, None)
     settle()
     panel.grab()
-    assert panel.picture.shown.band_hz == (50.0, 300.0)
+    assert panel.picture.content.band_hz == (50.0, 300.0)
     assert panel.picture.axes.y.shown == (50.0, 300.0)
     assert runs["output_spectrogram"] == before
     held = settings_of(window.document.view, "spectrogram", SpectrogramSettings)
@@ -172,7 +172,7 @@ def test_floor_and_ceiling_zoom_without_computing(show, window, settle):
     # One that is not above the floor counts as the top of the band.
     panel.ceiling.edited.emit(20.0, None)
     settle()
-    assert panel.picture.shown.band_hz == (50.0, 650.0)
+    assert panel.picture.content.band_hz == (50.0, 650.0)
 
 
 def test_another_output_and_window_are_computed(show, window, settle):
@@ -180,10 +180,10 @@ def test_another_output_and_window_are_computed(show, window, settle):
     panel.output.choose("22")
     settle()
     assert panel.words.text.startswith("Output 22")
-    columns = panel.picture.shown.found.time_s.size
+    columns = panel.picture.content.spectrogram.time_s.size
     panel.window_length.choose("200")
     settle()
-    assert panel.picture.shown.found.time_s.size < columns
+    assert panel.picture.content.spectrogram.time_s.size < columns
 
 
 def test_the_cursor_of_a_figure_follows_the_keys(show):
@@ -221,13 +221,13 @@ def test_a_single_axis_has_no_main_axis_and_circles_say_so(show, window, settle)
     assert panel.figure.message.startswith("A single axis has no main axis")
     window.document.look(replace(window.document.view, axes="xyz"))
     settle()
-    shown = panel.picture.shown
+    shown = panel.picture.content
     panel.grab()
     panel.picture.move_cursor(QPointF(30, 30))
     assert panel.words.text.startswith("20 III nail rad.: x ")
-    none = replace(shown.found, none=np.ones(4, bool))
-    panel.picture.show_axes(replace(shown, found=none))
-    assert panel.picture.shown.words_of(0) == "20 III nail rad.: no main axis"
+    none = replace(shown.main_axes, none=np.ones(4, bool))
+    panel.picture.show_axes(replace(shown, main_axes=none))
+    assert panel.picture.content.text_of(0) == "20 III nail rad.: no main axis"
     header, first, *_ = panel.table().splitlines()
     assert dict(zip(header.split("\t"), first.split("\t"), strict=True))["main_axis"] == "no"
 

@@ -33,10 +33,10 @@ def show(window, settle):
 @pytest.mark.parametrize("removed", [False, True])
 def test_the_spectrogram_reads_its_times_with_the_delay_and_without_it(show, removed):
     picture = show("spectrogram", delay_removed=removed).picture
-    found = picture.shown.found
-    assert picture.shown.first_s == pytest.approx(-0.052 if removed else 0.0)
+    found = picture.content.spectrogram
+    assert picture.content.first_s == pytest.approx(-0.052 if removed else 0.0)
     row, column = np.unravel_index(np.argmax(found.amplitude), found.amplitude.shape)
-    time_s = found.time_s[column] + picture.shown.first_s
+    time_s = found.time_s[column] + picture.content.first_s
     place = picture.axes.to_screen(np.array([time_s]), found.frequency_hz[[row]])[0]
     words = picture.read(QPointF(*place))
     assert words.startswith(f"{time_s * 1e3:.1f} ms · {found.frequency_hz[row]:.1f} Hz")
@@ -71,7 +71,7 @@ def test_the_wave_is_copied_in_millimetres_and_milliseconds(show, window):
 
 def test_where_there_is_no_main_axis_no_line_is_drawn(show):
     picture = show("main_axis").picture
-    shown = picture.shown
+    shown = picture.content
 
     def dark_pixels():
         image = picture.grab().toImage()
@@ -83,16 +83,18 @@ def test_where_there_is_no_main_axis_no_line_is_drawn(show):
 
     none = np.ones(len(LINE), bool)
     with_lines = dark_pixels()
-    picture.show_axes(replace(shown, found=replace(shown.found, none=none)))
+    picture.show_axes(replace(shown, main_axes=replace(shown.main_axes, none=none)))
     assert dark_pixels() < with_lines / 2
 
 
 def test_a_spectrogram_is_in_seconds_from_where_traces_are(show):
     picture = show("spectrogram").picture
-    found = picture.shown.found
+    found = picture.content.spectrogram
     for last_s, title in ((0.9, "Time (ms)"), (1.1, "Time (s)")):
         time_s = np.linspace(0.0, last_s, found.time_s.size)
-        picture.show_spectrogram(replace(picture.shown, found=replace(found, time_s=time_s)))
+        picture.show_spectrogram(
+            replace(picture.content, spectrogram=replace(found, time_s=time_s))
+        )
         picture.grab()
         assert picture.axes.x.title == title
         said = picture.read(picture.axes.frame.center())

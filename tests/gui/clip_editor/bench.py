@@ -63,7 +63,7 @@ class Bench:
         points = [self.at(*one) for one in places]
         self.press(points[0], button, held)
         for one in points[1:]:
-            self.canvas._tool.move(self.canvas.content, one, held)
+            self.canvas.tool.move(self.canvas.content, one, held)
         if release:
             QTest.mouseRelease(self.canvas.viewport(), button, held, whole(points[-1]))
 

@@ -24,7 +24,7 @@ def test_a_click_on_the_curve_adds_a_point_without_changing_it(tone):
     assert len(points(tone)) == 2
     times = np.linspace(0, 0.2, 50)
     assert (Envelope(points(tone)).values_at(times) == 1.0).all()
-    assert tone.panel._shaping.tool.chosen == (1,)
+    assert tone.panel._envelope.tool.chosen == (1,)
 
 
 def test_a_point_is_dragged_and_moves_alone(tone):
@@ -60,14 +60,14 @@ def test_alt_and_a_click_on_a_segment_bends_it(tone):
 def test_keys_move_the_chosen_point_by_one_step_or_ten_and_remove_it(tone):
     tone.design = tone.design.with_clip(1, effects=(Envelope(((0.0, 0.5), (0.1, 0.5))),))
     tone.show()
-    tone.panel._shaping.tool.chosen = (1,)
+    tone.panel._envelope.tool.chosen = (1,)
     tone.key(Qt.Key.Key_Right)
     tone.key(Qt.Key.Key_Up, SHIFT)
     assert points(tone)[1][:2] == pytest.approx((0.101, 0.6))
     assert len(set(tone.steps)) == 1
     tone.key(Qt.Key.Key_Delete)
     assert len(points(tone)) == 1
-    assert tone.panel._shaping.tool.chosen == (0,)  # the next Delete is for it
+    assert tone.panel._envelope.tool.chosen == (0,)  # the next Delete is for it
 
 
 def test_escape_gives_a_drag_of_a_point_up(tone):
@@ -86,12 +86,12 @@ def test_a_rectangle_chooses_points(tone):
     )
     tone.show()
     tone.drag((0.05, 0.9), (0.19, 0.1))
-    assert tone.panel._shaping.tool.chosen == (1, 2)
+    assert tone.panel._envelope.tool.chosen == (1, 2)
     assert tone.steps == []
 
 
 def handles(tone):
-    found = tools._handles(tone.canvas.content, points(tone), tone.panel._shaping.tool.chosen)
+    found = tools._handles(tone.canvas.content, points(tone), tone.panel._envelope.tool.chosen)
     return {(one.along, one.up): place for one, place in found}
 
 
@@ -106,7 +106,7 @@ def test_the_handles_of_the_box_around_chosen_points_scale_them(tone):
     tone.design = tone.design.with_clip(1, effects=(Envelope(before),))
     tone.show()
     assert handles(tone) == {}
-    tone.panel._shaping.tool.chosen = (1, 2, 3)
+    tone.panel._envelope.tool.chosen = (1, 2, 3)
     pull(tone, (1, 0), 0.04, 0.1)
     assert [one[0] for one in points(tone)] == pytest.approx([0, 0.06, 0.1, 0.14, 0.17], abs=1e-3)
     assert [one[1] for one in points(tone)] == [one[1] for one in before]
@@ -126,7 +126,7 @@ def test_the_handles_of_the_box_around_chosen_points_scale_them(tone):
 def test_chosen_points_of_the_same_value_are_scaled_about_zero(tone):
     tone.design = tone.design.with_clip(1, effects=(Envelope(((0.04, 0.5), (0.1, 0.5))),))
     tone.show()
-    tone.panel._shaping.tool.chosen = (0, 1)
+    tone.panel._envelope.tool.chosen = (0, 1)
     assert (0, -1) not in handles(tone)
     pull(tone, (0, 1), 0.0, 0.25)
     assert [one[:2] for one in points(tone)] == [
@@ -163,7 +163,7 @@ def test_insert_adds_a_point_that_changes_nothing_and_arrows_move_it(tone):
     tone.key(Qt.Key.Key_PageUp)
     tone.key(Qt.Key.Key_Insert)
     assert [round(time_s, 9) for time_s, *_ in points(tone)] == [0.0, 0.05, 0.1, 0.15]
-    assert tone.panel._shaping.tool.chosen == (1,)
+    assert tone.panel._envelope.tool.chosen == (1,)
 
 
 def test_a_click_on_a_smooth_segment_splits_it_without_bending_it(tone):
@@ -176,7 +176,7 @@ def test_a_click_on_a_smooth_segment_splits_it_without_bending_it(tone):
         tone.press(place)
         QTest.mouseRelease(tone.canvas.viewport(), LEFT, NONE, whole(place))
     assert len(points(tone)) == 5
-    assert tone.panel._shaping.tool.chosen == (1,)
+    assert tone.panel._envelope.tool.chosen == (1,)
     after = Envelope(points(tone)).values_at(times)
     assert after == pytest.approx(shape.values_at(times), abs=1e-12)
 
@@ -213,7 +213,7 @@ def test_a_menu_on_one_of_several_chosen_points_is_about_all_of_them(tone):
     course = ((0.0, 0.5), (0.05, 0.9), (0.1, 0.9), (0.15, 0.5))
     tone.design = tone.design.with_clip(1, effects=(Envelope(course),))
     tone.show()
-    tone.panel._shaping.tool.chosen = (1, 2)
+    tone.panel._envelope.tool.chosen = (1, 2)
     menu, lines = menu_at(tone, 0.1, 0.9)
     lines["Remove 2 points"].trigger()
     menu.close()

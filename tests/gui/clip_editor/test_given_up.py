@@ -56,7 +56,7 @@ def test_the_clip_of_another_design_is_asked_about_though_it_has_the_same_number
     assert other.clips[0].id == bench.clip.id
     bench.design = other
     bench.show()
-    assert bench.canvas.tool is bench.panel._look
+    assert bench.canvas.tool is bench.panel._view_tool
     bench.panel.use("pen")
     assert len(questions) == 2
 

@@ -66,7 +66,7 @@ def test_a_point_of_the_amplitude_is_dragged_and_goes_no_higher_than_one(glide):
     frequency = curve(glide, "frequency")
     drag(glide, glide.at(0.4, 0.9), glide.at(0.4, 1.5))
     assert curve(glide, "amplitude")[-1] == (pytest.approx(0.4, abs=0.001), 1.0)
-    assert glide.panel._gliding.tool.active == "amplitude"
+    assert glide.panel._glide.tool.active == "amplitude"
     assert [hz for _, hz in curve(glide, "frequency")] == pytest.approx([hz for _, hz in frequency])
     assert glide.refusals == []
 
@@ -81,7 +81,7 @@ def test_the_frequency_stays_below_half_the_sample_rate(glide):
 def test_a_click_on_a_line_adds_a_point_that_bends_nothing_and_stays(glide):
     before = glide.drawn
     click(glide, frequency_at(glide, 0.1, 200.0))
-    tool = glide.panel._gliding.tool.tools["frequency"]
+    tool = glide.panel._glide.tool.tools["frequency"]
     assert len(tool._points()) == 4
     np.testing.assert_allclose(glide.drawn, before, atol=1e-9)
     glide.key(Qt.Key.Key_Up, SHIFT)
@@ -127,7 +127,7 @@ def test_only_a_glide_offers_the_tool_and_elsewhere_the_key_says_why_not(qtbot, 
     glide.design = glide.design.with_clip(1, waveform=Tone(100.0, 0.0, 0.2))
     glide.show()
     assert not button.isVisible()
-    assert glide.panel._canvas.tool is glide.panel._look
+    assert glide.panel._canvas.tool is glide.panel._view_tool
     glide.key(Qt.Key.Key_G)
     assert glide.refusals == ["The clip does not play a glide; choose that waveform first."]
-    assert glide.panel._canvas.tool is glide.panel._look
+    assert glide.panel._canvas.tool is glide.panel._view_tool

@@ -32,7 +32,7 @@ def test_the_spectrum_of_a_tone_peaks_at_its_frequency():
 def test_the_value_under_the_pointer_is_read(tone):
     tone.panel.use("look")
     QTest.mouseMove(tone.canvas.viewport(), whole(tone.at(0.1, 0.0)))
-    tone.canvas._tool.move(tone.canvas.content, QPointF(tone.at(0.1, 0.0)), NONE)
+    tone.canvas.tool.move(tone.canvas.content, QPointF(tone.at(0.1, 0.0)), NONE)
     assert not tone.panel.grab().isNull()
 
 
@@ -55,7 +55,7 @@ def test_only_the_tool_that_is_taken_shows_and_changes_points(tone, monkeypatch)
     tone.panel.use("envelope")
     tone.panel.use("pen")
     # While it was asked, no point could be seen.
-    assert seen == [(tone.panel._look, True)]
+    assert seen == [(tone.panel._view_tool, True)]
     assert tone.canvas.tool is tone.panel._pen
 
 
@@ -84,7 +84,7 @@ def test_curves_are_painted_again_only_when_they_look_different(tone, monkeypatc
     tone.canvas.grab()
     painted.clear()
     # The points follow the pointer before it is known what they make of the clip.
-    tone.panel._shaping.tool.move(tone.canvas.content, tone.at(0.1, 0.5), NONE)
+    tone.panel._envelope.tool.move(tone.canvas.content, tone.at(0.1, 0.5), NONE)
     before = tone.canvas.grab().toImage()
     assert painted == []
     other = 0.25 * tone.drawn

@@ -68,9 +68,9 @@ def test_a_tone_becomes_samples_after_one_question(tone, monkeypatch):
         QMessageBox, "question", lambda *args: asked.append(args[2]) or answers[len(asked) - 1]
     )
     tone.panel.use("pen")
-    assert tone.canvas._tool is tone.panel._tools["look"]
+    assert tone.canvas.tool is tone.panel._tools["look"]
     tone.panel.use("pen")
-    assert tone.canvas._tool is tone.panel._tools["pen"]
+    assert tone.canvas.tool is tone.panel._tools["pen"]
     tone.drag((0.05, 0.0), (0.06, 0.0))
     tone.panel.use("look")
     tone.panel.use("pen")
@@ -85,7 +85,7 @@ def test_bounding_leaves_what_lies_within_the_band(flat, qtbot):
     slow = np.sin(2 * np.pi * 10 * time_s) + np.sin(2 * np.pi * 100 * time_s)
     bench = Bench(qtbot, Drawn(Samples(values=slow / 2, sample_rate_hz=RATE_HZ)))
     assert bench.panel._spectrum.outside == pytest.approx(0.5, abs=0.01)
-    bench.panel._drawing.bound()
+    bench.panel._pen_edits.bound()
     # What is left outside comes from the hard ends.
     assert bench.panel._spectrum.outside < 1e-3
     np.testing.assert_allclose(bench.drawn, np.sin(2 * np.pi * 100 * time_s) / 2, atol=1e-9)

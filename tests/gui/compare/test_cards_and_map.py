@@ -25,7 +25,7 @@ def test_the_map_shows_how_much_louder_the_design_is(window, panel, settle):
     settle()
     difference = panel.map.difference
     assert difference.heading == "Edited minus snapshot 1"
-    assert difference.words == "dB, as stored, synthetic limb"
+    assert difference.text == "dB, as stored, synthetic limb"
     present = levels(window.document.design)
     floor = max(present.max(), stored.max()) - 60.0
     expected = np.maximum(present, floor) - np.maximum(stored, floor)
@@ -41,7 +41,7 @@ def test_the_map_shows_how_much_louder_the_design_is(window, panel, settle):
     expected = np.maximum(present, floor) - np.maximum(matched, floor)
     difference = panel.map.difference
     by_db = f"{present.max() - stored.max():+.1f} dB".replace("-", "\N{MINUS SIGN}")
-    assert difference.words == f"dB, 1: {by_db}, matched, synthetic limb"
+    assert difference.text == f"dB, 1: {by_db}, matched, synthetic limb"
     np.testing.assert_allclose(difference.shown.levels_db, expected, rtol=0, atol=1e-6)
     field = difference.shown.field_levels_db
     assert np.nanmax(np.abs(field)) <= np.abs(expected).max() + 1e-6
@@ -79,10 +79,10 @@ def test_words_under_the_pointer_name_the_output_and_its_difference(window, pane
     shown = panel.map.difference.shown
     area = panel.map._areas()[1]
     places = small_frame(shown.limb_map, area).to_screen(shown.limb_map.output_positions)
-    words = panel.map.words_at(QPointF(*places[28]))
+    words = panel.map.text_at(QPointF(*places[28]))
     assert words.startswith("Output 29, ")
     assert words.endswith(f"{shown.levels_db[28]:+.1f} dB".replace("-", "−"))
-    assert panel.map.words_at(QPointF(-500, -500)) == ""
+    assert panel.map.text_at(QPointF(-500, -500)) == ""
 
 
 def test_cards_show_each_snapshot_its_level_and_what_is_in_the_window(window, panel, settle):
@@ -140,7 +140,7 @@ def test_a_snapshot_of_a_limb_that_is_not_here_says_so(window, panel, settle):
     settle()
     card = cards(panel)[1]
     assert "not" in card.accessibleName()
-    assert "measured" in panel.map.difference.words
+    assert "measured" in panel.map.difference.text
     assert panel.map.difference.shown is None
 
 
@@ -151,7 +151,7 @@ def test_designs_on_two_limbs_differ_output_by_output_and_the_limbs_are_said(win
     window.document.edit("limb", two)
     settle()
     found = panel.map.difference
-    assert found.words == "dB, as stored, Synthetic 2 minus Synthetic 1, synthetic limb"
+    assert found.text == "dB, as stored, Synthetic 2 minus Synthetic 1, synthetic limb"
     assert found.shown.levels_db == pytest.approx(levels(two) - levels(one), abs=1e-6)
     there = ss.evaluate(two, "surface", "surface_levels_db")
     field = there["surface"].interpolate(found.shown.levels_db)
@@ -166,5 +166,5 @@ def test_designs_whose_outputs_are_at_other_places_have_no_difference_map(
     window.do("store_snapshot_1")
     window.document.edit("limb", Design(limb="lab-1", inputs=(track(3),)))
     settle()
-    assert panel.map.difference.words == ELSEWHERE
+    assert panel.map.difference.text == ELSEWHERE
     assert panel.map.difference.shown is None

@@ -148,7 +148,7 @@ def test_equal_snapshots_are_said_to_be_equal_and_their_map_is_zero(window, pane
     assert panel.toggle.isEnabled()
     difference = panel.map.difference
     assert difference.heading == "Snapshot 2 and snapshot 1 are equal"
-    assert difference.words.startswith("dB, the same inputs, scaling and limb")
+    assert difference.text.startswith("dB, the same inputs, scaling and limb")
     assert not difference.shown.levels_db.any()
     panel.toggle.click()
     settle()
@@ -167,7 +167,7 @@ def test_snapshots_that_differ_in_level_alone_are_equal_once_levels_match(window
         settle()
     difference = panel.map.difference
     assert difference.heading == "Snapshot 1 and snapshot 2 are equal"
-    assert difference.words.startswith("dB, the same inputs once levels match")
+    assert difference.text.startswith("dB, the same inputs once levels match")
     window.do("match_levels")
     settle()
     difference = panel.map.difference
@@ -181,7 +181,7 @@ def test_other_inputs_of_the_same_levels_are_equal_in_these(window, panel, settl
     settle()
     difference = panel.map.difference
     assert difference.heading == "Edited and snapshot 1 are equal"
-    assert difference.words.startswith("dB, the same levels by other inputs")
+    assert difference.text.startswith("dB, the same levels by other inputs")
 
 
 def test_a_panel_that_comes_after_levels_were_predicted_waits_for_its_maps(window, settle):

@@ -66,17 +66,17 @@ def test_what_is_silent_is_not_said_to_be_as_loud(window, settle, panel):
     assert words == "Snapshot 1 is silent: levels cannot be matched to it"
     # 60 dB below the other one, as if that were its level, would be said of it.
     assert panel.map.difference.shown is None
-    assert panel.map.difference.words == SILENCE
+    assert panel.map.difference.text == SILENCE
     assert matching_text((), matched=True) == ""
     # Nor is what sounds 60 dB above the one that is silent.
     window.do("toggle_snapshots")
     settle()
     assert window.document.design.inputs == ()
-    assert (panel.map.difference.shown, panel.map.difference.words) == (None, SILENCE)
+    assert (panel.map.difference.shown, panel.map.difference.text) == (None, SILENCE)
     # Two that are silent are alike.
     window.do("store_snapshot_2")
     settle()
-    assert panel.map.difference.words != SILENCE
+    assert panel.map.difference.text != SILENCE
 
 
 def test_a_silent_snapshot_has_no_colours(window, settle, panel):

@@ -53,7 +53,7 @@ def test_every_axis_says_by_how_much(window, settle, words):
         assert words in plot.places.header.fitted(metrics, 1.0)[0], name
     assert brought_forward(window, settle, "windowed").strip.content.scale.words.endswith(words)
     spectrogram = brought_forward(window, settle, "spectrogram").picture
-    assert spectrogram.shown.matched == words
+    assert spectrogram.content.matched == words
     wave = brought_forward(window, settle, "wave").picture
     wave.grab()
     assert wave._diagrams[1][0].y.title.endswith(f", {words}")

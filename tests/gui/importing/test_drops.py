@@ -57,9 +57,9 @@ def test_a_file_that_is_dropped_on_a_lane_starts_there(window, qtbot, sound):
     at = lanes.mapTo(window, QPoint(round(content.scale.x(0.125)), round(track.top_px) + 4))
     drop(window, sound, at, QDragEnterEvent)
     drop(window, sound, at, QDragMoveEvent)
-    assert lanes.over.shown.words == "A clip here"
+    assert lanes.overlay.preview.label == "A clip here"
     drop(window, sound, at)
-    assert lanes.over.shown.words == ""
+    assert lanes.overlay.preview.label == ""
     (page,) = window.imports.pages
     qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
     QApplication.processEvents()

@@ -38,4 +38,4 @@ def test_what_is_turned_in_front_of_an_audience_is_said_to_be_stretched(make_win
     clip = Clip(waveform=TONE, effects=(Stretch(factor=2.0),))
     design = ss.Design(limb="synthetic-1", inputs=(ss.Input(location=7, clips=(clip,)),))
     panel = make_window(design).panel("frequency_and_amplitude")
-    assert panel._words.text() == "Tone, stretched ×2 at place 7"
+    assert panel._heading.text() == "Tone, stretched ×2 at place 7"

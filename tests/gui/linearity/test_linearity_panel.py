@@ -58,9 +58,9 @@ def settled(window, panel):
 def test_strengths_of_one_stimulus_lie_on_each_other_once_divided(show):
     _, panel = show(STRENGTHS)
     assert panel.figure.message == ""
-    assert isinstance(panel.found, Proportion)
-    assert panel.found.strengths.tolist() == [1.0, 2.0, 4.0]
-    assert panel.found.apart < 1e-9
+    assert isinstance(panel.result, Proportion)
+    assert panel.result.strengths.tolist() == [1.0, 2.0, 4.0]
+    assert panel.result.apart < 1e-9
     assert "3 strengths" in panel.words.text
     over, growth, straight = panel.picture.diagrams
     assert len(over.curves) == 3 * len(OUTPUTS)
@@ -78,8 +78,8 @@ def test_strengths_of_one_stimulus_lie_on_each_other_once_divided(show):
 
 def test_inputs_alone_add_up_to_all_of_them(show):
     _, panel = show(PARTS)
-    assert isinstance(panel.found, Superposition)
-    assert panel.found.apart < 1e-9
+    assert isinstance(panel.result, Superposition)
+    assert panel.result.apart < 1e-9
     assert "Sum of separate and joint" in panel.words.text
     panel.grab()
     head, *rows = panel.table().splitlines()
@@ -92,8 +92,8 @@ def test_the_design_in_the_window_counts_though_it_is_no_snapshot(show, qtbot):
     window, panel = show(STRENGTHS)
     document = window.document
     document.edit("Louder", document.design.with_input(0, amplitude=9.0))
-    qtbot.waitUntil(lambda: panel.found is not None and len(panel.found.strengths) == 4)
-    assert panel.found.strengths[-1] == 9.0
+    qtbot.waitUntil(lambda: panel.result is not None and len(panel.result.strengths) == 4)
+    assert panel.result.strengths[-1] == 9.0
     assert len(panel.table().splitlines()) == 5
 
 
@@ -103,11 +103,11 @@ def test_snapshots_count_alone_where_the_design_in_the_window_is_something_else(
 ):
     window, panel = show(designs)
     assert "alone" not in panel.about.text
-    found = panel.found
+    found = panel.result
     window.document.edit("Elsewhere", played(3))
     qtbot.waitUntil(lambda: "snapshots alone" in panel.about.text)
-    assert isinstance(panel.found, kind)
-    assert panel.found.apart == found.apart
+    assert isinstance(panel.result, kind)
+    assert panel.result.apart == found.apart
     assert panel.figure.message == ""
     window.document.edit("Again", designs[0])
     qtbot.waitUntil(lambda: "alone" not in panel.about.text)
@@ -118,7 +118,7 @@ def test_while_snapshots_are_computed_anew_what_is_drawn_is_told_to_be_of_others
     assert not panel.late
     panel.show_snapshots([Compared(snapshot=one) for one in kept(*STRENGTHS)])
     qtbot.waitUntil(lambda: panel.late)
-    assert panel.found is not None
+    assert panel.result is not None
     assert not panel.copy.isEnabled()
     window.document.look(replace(window.document.view, outputs=(30,)))
     qtbot.waitUntil(lambda: not panel.late)
@@ -142,7 +142,7 @@ def test_other_outputs_are_shown_as_soon_as_they_are_selected(show, qtbot):
     window, panel = show(STRENGTHS)
     window.document.look(replace(window.document.view, outputs=(30,)))
     qtbot.waitUntil(lambda: len(panel.picture.diagrams[0].curves) == 3)
-    assert panel.found.rms.shape == (3, 1)
+    assert panel.result.rms.shape == (3, 1)
     window.document.look(replace(window.document.view, outputs=()))
     qtbot.waitUntil(lambda: "elect" in panel.figure.message)
     assert not panel.copy.isEnabled()
@@ -201,15 +201,15 @@ def test_what_cannot_be_held_against_each_other_says_what_to_store(show, qtbot):
     document = window.document
     document.look(replace(document.view, snapshots=kept(*PARTS)))
     document.edit("Both", PARTS[2])
-    qtbot.waitUntil(lambda: panel.found is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: panel.result is not None, timeout=30_000)
 
 
 def test_of_several_axes_z_is_drawn_and_all_are_counted(show):
     _, panel = show(STRENGTHS, axes="xyz")
-    assert panel.found.rms.shape == (3, 3 * len(OUTPUTS))
+    assert panel.result.rms.shape == (3, 3 * len(OUTPUTS))
     growth = panel.picture.diagrams[1].curves
     for rank, row in enumerate((2, 5)):
-        np.testing.assert_array_equal(growth[2 * rank + 1].y, panel.found.rms[:, row])
+        np.testing.assert_array_equal(growth[2 * rank + 1].y, panel.result.rms[:, row])
     assert "Along z" in panel.about.text
 
 
@@ -217,7 +217,7 @@ def test_what_is_too_long_for_a_picture_says_where_it_is_checked(show, monkeypat
     monkeypatch.setattr("skinsource_gui.panels.linearity.panel._MOST_VALUES", 1000)
     _, panel = show(STRENGTHS)
     assert panel.figure.message.startswith("Too long to be shown here")
-    assert panel.found is None
+    assert panel.result is None
 
 
 def test_what_plays_nothing_is_said_to_be_silent(show):
@@ -248,10 +248,10 @@ def test_scenes_of_linearity_open_with_it(make_window, qtbot, name):
     window.scenes.open(name)
     assert window.docks["linearity"].in_sight
     panel = window.panel("linearity")
-    qtbot.waitUntil(lambda: panel.found is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: panel.result is not None, timeout=60_000)
     kind = Superposition if name == "5F" else Proportion
-    assert isinstance(panel.found, kind)
-    assert panel.found.apart < 1e-9
+    assert isinstance(panel.result, kind)
+    assert panel.result.apart < 1e-9
 
 
 def test_in_the_largest_letters_those_of_narrow_diagrams_are_smaller_but_can_be_read(qapp):

@@ -84,7 +84,7 @@ def test_outputs_are_drawn_band_by_band_over_logarithmic_axes(show, qtbot):
 def test_the_copied_bands_are_those_of_the_printed_figure(window, qtbot):
     window.scenes.open("5D")
     panel = window.panel("linearity")
-    qtbot.waitUntil(lambda: panel.found is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: panel.result is not None, timeout=60_000)
     assert panel.bands.isChecked()
     head, *rows = (line.split("\t") for line in panel.table().splitlines())
     fits = lines_of(ss.scenes.open_scene("5D"))
@@ -103,7 +103,7 @@ def test_the_copied_bands_are_those_of_the_printed_figure(window, qtbot):
 def test_scenes_open_with_what_their_figures_tell(window, qtbot, name, switched):
     window.scenes.open(name)
     panel = window.panel("linearity")
-    qtbot.waitUntil(lambda: panel.found is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: panel.result is not None, timeout=60_000)
     assert getattr(panel, switched).isChecked()
 
 

@@ -64,7 +64,7 @@ def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
     transfer = panels["transfer"]
     assert "From place 3, site 3" in transfer.place.text
     # A lab does not say in which band it measured: nothing is shaded, all frequencies count.
-    assert transfer.picture.shown.found.band_hz is None
+    assert transfer.picture.content.transfer.band_hz is None
     assert "from 0 to 2000 Hz" in transfer.words.text
     assert {one.name: one.state for one in judged(window)}["band"] == "unknown"
     assert float(transfer.table().splitlines()[-1].split("\t")[0]) == pytest.approx(2000.0, abs=25)
@@ -75,7 +75,7 @@ def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
     if one_axis:
         assert "measured along one alone" in panels["main_axis"].figure.message
     else:
-        assert "sensor 4" in panels["main_axis"].picture.shown.words_of(0)
+        assert "sensor 4" in panels["main_axis"].picture.content.text_of(0)
         assert "point another way" not in panels["main_axis"].words.text
     windowed = panels["windowed"]
     assert windowed.strip.content.levels_db.shape[1] == N_OUTPUTS

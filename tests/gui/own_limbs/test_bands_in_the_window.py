@@ -34,7 +34,7 @@ def test_the_advice_beside_fields_asks_the_limb(user_data, make_window, qtbot, b
     assert axis.band == band
     assert ("measured band 40 to" in axis.titles[0]) is (band is not None)
     spectrogram = window.panel("spectrogram")
-    assert spectrogram.picture.shown.band_hz == (0.0, 2000.0)
+    assert spectrogram.picture.content.band_hz == (0.0, 2000.0)
     assert spectrogram.ceiling.value_si == 2000.0
     library = window.panel("library")
     library.preview.show_limb("lab-1")

@@ -130,16 +130,16 @@ def test_a_transfer_function_is_per_what_is_driven(playback_in_front, qtbot):
     opened.docks["transfer"].bring_forward()
     rested(playback_in_front, qtbot)
     picture, limb = opened.panel("transfer").picture, opened.findChild(ChoiceField, "limb")
-    assert picture.shown.unit == "1 m/s² per sample of 1"
+    assert picture.content.unit == "1 m/s² per sample of 1"
     limb.choose(PROBE)
     rested(playback_in_front, qtbot)
-    assert picture.shown.unit == "1 (m/s²)/(m/s²)"
+    assert picture.content.unit == "1 (m/s²)/(m/s²)"
     coil = ActuatorAt(model=load("example-voice-coil"))
     for equaliser, unit in ((None, "V"), (RegularisedInverse(), "(m/s²)")):
         through = Actuation(actuators=(coil,), equaliser=equaliser)
         opened.document.edit("Drive", replace(opened.document.design, actuation=through))
         rested(playback_in_front, qtbot)
-        assert picture.shown.unit == f"1 (m/s²)/{unit}"
+        assert picture.content.unit == f"1 (m/s²)/{unit}"
 
 
 def test_another_scaling_changes_what_playback_says(playback_in_front, qtbot):
@@ -175,7 +175,7 @@ def test_strengths_of_snapshots_are_told_in_it(limbs, make_window, qtbot, limb, 
     window = make_window(design, replace(view, snapshots=snapshots, levels_matched=False))
     window.docks["linearity"].bring_forward()
     panel = window.panel("linearity")
-    qtbot.waitUntil(lambda: panel.found is not None and not window.engine.busy, **WAIT)
+    qtbot.waitUntil(lambda: panel.result is not None and not window.engine.busy, **WAIT)
     over, growth, _ = panel.picture.diagrams
     assert growth.x.title == f"Strength ({unit})"
     assert over.y.title == f"Divided (m/s² per {unit})"

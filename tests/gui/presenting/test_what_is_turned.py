@@ -49,7 +49,7 @@ def test_what_plays_is_called_as_it_is_elsewhere(make_window, design):
     (one,) = window.document.design.inputs
     window.document.look(replace(window.document.view, selected_inputs=(one.id,)))
     panel = window.panel("frequency_and_amplitude")
-    assert panel._words.text() == "Wavelet train at place 7"
+    assert panel._heading.text() == "Wavelet train at place 7"
 
 
 def test_the_only_input_is_turned_without_being_selected(make_window, design):
@@ -58,7 +58,7 @@ def test_the_only_input_is_turned_without_being_selected(make_window, design):
     panel = window.panel("frequency_and_amplitude")
     unselected = replace(window.document.view, selected_inputs=())
     window.document.look(unselected)
-    assert "place 7" in panel._words.text()
+    assert "place 7" in panel._heading.text()
     assert not panel._amplitude_part.isHidden()
     panel._change("amplitude", 0.25, None)
     assert window.document.design.inputs[0].amplitude == 0.25
@@ -71,5 +71,5 @@ def test_of_several_inputs_one_is_selected_before_it_is_turned(make_window, desi
     window.do("arrange_presentation")
     panel = window.panel("frequency_and_amplitude")
     window.document.look(replace(window.document.view, selected_inputs=()))
-    assert "elect an input" in panel._words.text()
+    assert "elect an input" in panel._heading.text()
     assert panel._amplitude_part.isHidden()

@@ -22,14 +22,14 @@ def shown(panel, qtbot, n):
     def complete():
         cells = panel.maps.content.cells
         drawn = [cell for cell in cells if cell.small is not None]
-        return len(drawn) == n and not panel.maps.content.late
+        return len(drawn) == n and not panel.maps.content.stale
 
     qtbot.waitUntil(complete, timeout=60_000)
     return panel.maps.content.cells
 
 
 def point_at(maps, index, output):
-    at = QPointF(*maps.seen.points_of(index)[output - 1])
+    at = QPointF(*maps.visible_maps.points_of(index)[output - 1])
     no = Qt.MouseButton.NoButton
     event = QMouseEvent(
         QEvent.Type.MouseMove,

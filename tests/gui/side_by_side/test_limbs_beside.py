@@ -33,7 +33,7 @@ def test_a_limb_that_is_too_large_missing_or_otherwise_laid_out_says_so_and_runs
 ):
     choose(window, limbs="synthetic-1 synthetic-2 lab-1")
     shown(panel, qtbot, 2)
-    assert "No limb is called 'lab-1'" in panel.maps.content.cells[2].words
+    assert "No limb is called 'lab-1'" in panel.maps.content.cells[2].text
     document = window.document
     document.edit("a", document.design.with_input(0, location=3).adding(track(2)))
     installed()
@@ -43,7 +43,7 @@ def test_a_limb_that_is_too_large_missing_or_otherwise_laid_out_says_so_and_runs
     assert cells[2].values_db.shape == (31,)
     choose(window, shown="difference")
     shown(panel, qtbot, 1)
-    assert "other places" in panel.maps.content.cells[1].words
+    assert "other places" in panel.maps.content.cells[1].text
     choose(window, shown="mean")
     assert shown(panel, qtbot, 2)[0].heading == "Mean of 2 of 3: Synthetic 1, Synthetic 2"
     monkeypatch.setattr("skinsource.limbs.limb.LIVE_INPUTS", 5)
@@ -56,7 +56,7 @@ def test_a_limb_that_is_too_large_missing_or_otherwise_laid_out_says_so_and_runs
     settle()
     # Published limbs are larger than that as well.
     qtbot.waitUntil(
-        lambda: all("follow edits up to 5" in cell.words for cell in panel.maps.content.cells)
+        lambda: all("follow edits up to 5" in cell.text for cell in panel.maps.content.cells)
     )
     choose(window, of="snapshots")
     window.do("store_snapshot_1")
@@ -66,4 +66,4 @@ def test_a_limb_that_is_too_large_missing_or_otherwise_laid_out_says_so_and_runs
     wanted = [one.wanted for one in asked if one.purpose == Purpose.SHOW]
     # What clips play is drawn all the same, and runs through no limb.
     assert not any("output_levels_db" in one or "vibration" in one for one in wanted)
-    assert all("follow edits up to 5" in cell.words for cell in panel.maps.content.cells)
+    assert all("follow edits up to 5" in cell.text for cell in panel.maps.content.cells)

@@ -38,7 +38,7 @@ def one_silent(window, settle):
 
 def test_between_silence_and_sound_there_is_no_difference(choose, one_silent):
     panel = choose(of="snapshots", shown="difference")
-    assert [cell.words for cell in panel.maps.content.cells] == [SILENCE, SILENCE]
+    assert [cell.text for cell in panel.maps.content.cells] == [SILENCE, SILENCE]
     assert all(cell.small is None for cell in panel.maps.content.cells)
 
 
@@ -81,10 +81,10 @@ def test_a_limb_that_is_not_here_is_the_reason_that_is_given(choose, window, set
     settle()
     assert "lab-nowhere" in choose(of="limbs").maps.content.message
     (cell,) = choose(of="snapshots", shown="difference").maps.content.cells
-    assert "lab-nowhere" in cell.words
-    assert "is not available" in cell.words
+    assert "lab-nowhere" in cell.text
+    assert "is not available" in cell.text
     (cell,) = choose(of="snapshots", shown="mean").maps.content.cells
-    assert "is not available" in cell.words
+    assert "is not available" in cell.text
 
 
 def test_a_design_that_is_shown_with_a_gain_has_it_on_every_limb_and_axis(choose, window, settle):

@@ -42,9 +42,9 @@ def test_an_edge_snaps_to_the_end_of_a_clip_on_another_track_and_shows_where(lan
     start = middle(lanes, 3)
     lanes.drag(start, start + px(lanes, -0.4 + 0.003), release=False)
     assert lanes.onset(3) == pytest.approx(0.3, abs=1e-12)
-    assert lanes.lanes.over.shown.guide_s == pytest.approx(0.3)
+    assert lanes.lanes.overlay.preview.guide_s == pytest.approx(0.3)
     QTest.mouseRelease(lanes.lanes.viewport(), LEFT)
-    assert lanes.lanes.over.shown.guide_s is None
+    assert lanes.lanes.overlay.preview.guide_s is None
 
 
 def test_alt_moves_freely(lanes):

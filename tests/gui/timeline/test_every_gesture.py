@@ -36,7 +36,7 @@ def test_over_the_end_of_a_clip_it_says_how_to_trim_and_how_to_stretch(lanes):
 
 def test_while_an_end_is_dragged_the_label_says_what_shift_would_do(lanes):
     lanes.drag(end_of(lanes, 2), end_of(lanes, 2) + px(lanes, -0.1), release=False)
-    assert lanes.lanes.over.shown.words.endswith("ms · Shift: stretch")
+    assert lanes.lanes.overlay.preview.label.endswith("ms · Shift: stretch")
     lanes.lanes.mouse.move(end_of(lanes, 2) + px(lanes, 0.1), SHIFT)
-    assert lanes.lanes.over.shown.words.startswith("Stretched to ")
+    assert lanes.lanes.overlay.preview.label.startswith("Stretched to ")
     QTest.mouseRelease(lanes.lanes.viewport(), LEFT)

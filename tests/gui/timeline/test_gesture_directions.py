@@ -45,7 +45,7 @@ def test_a_marker_does_not_snap_to_where_it_was(lanes):
 
 
 def test_the_middle_button_takes_the_time_with_it(lanes):
-    lanes.lanes.seen.show_range((0.2, 0.6))
+    lanes.lanes.time_zoom.show_range((0.2, 0.6))
     view, start = lanes.lanes.viewport(), lanes.at(0.4)
     QTest.mousePress(view, Qt.MouseButton.MiddleButton, NONE, start.toPoint())
     lanes.lanes.mouse.move(start - px(lanes, 0.1), NONE)
@@ -57,5 +57,5 @@ def test_a_free_drag_to_the_left_says_that_it_ends_at_0(lanes):
     start = lanes.box(2).center()
     lanes.drag(start, start - px(lanes, 0.5), ALT, release=False)
     assert lanes.onset(2) == 0.0
-    assert lanes.lanes.over.shown.words.startswith("0 ")
+    assert lanes.lanes.overlay.preview.label.startswith("0 ")
     QTest.mouseRelease(lanes.lanes.viewport(), LEFT)

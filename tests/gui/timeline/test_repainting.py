@@ -110,11 +110,11 @@ def test_the_clip_under_the_pointer_repaints_its_lane(bench):
 
 
 def test_words_guide_and_marquee_of_a_gesture_repaint_no_lane(bench):
-    shown = GesturePreview(guide_s=0.3, words="0.3 s", covered=bench.box(3))
-    bench.lanes.over.show_over(shown, QPointF(100, 100))
+    shown = GesturePreview(guide_s=0.3, label="0.3 s", covered=bench.box(3))
+    bench.lanes.overlay.show_preview(shown, QPointF(100, 100))
     with_them = picture(bench)
     assert settled(bench) == 0
-    bench.lanes.over.show_over(GesturePreview(), QPointF(100, 100))
+    bench.lanes.overlay.show_preview(GesturePreview(), QPointF(100, 100))
     assert picture(bench) != with_them
     assert settled(bench) == 0
 
@@ -178,7 +178,7 @@ def test_what_was_not_repainted_looks_as_if_everything_were(bench, name):
 def test_only_clips_that_changed_are_asked_for_their_length(bench):
     first = ClipLengths(bench.design)
     second = first.of(bench.design.with_clip(3, onset_s=0.9, waveform=Tone(100.0, 0.0, 0.7)))
-    assert (first.asked, second.asked) == (8, 1)
+    assert (first.n_computed, second.n_computed) == (8, 1)
     assert second.durations_s[3] == 0.7
     assert second.durations_s[4] == first.durations_s[4]
     assert second.whole_s == pytest.approx((0.0, 0.9 + 0.7 + 0.4))

@@ -14,7 +14,7 @@ from tests.gui.timeline.bench import PLACES, Bench, click, design_of, results_of
 
 
 def test_there_is_one_row_for_each_input_in_the_order_of_the_design(bench):
-    assert [row.state.shown.location for row in bench.rows.rows] == list(PLACES)
+    assert [row.state.track.location for row in bench.rows.rows] == list(PLACES)
     assert "7, Digit II, pad: Tone 100 Hz" in bench.row(0).accessibleName()
 
 

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
 from skinsource.design.waveforms.tones import Tone
-from skinsource_gui.panels.timeline.painting import ClipPictures, ClipStyle, Played
+from skinsource_gui.panels.timeline.painting import ClipPictures, ClipSamples, ClipStyle
 from skinsource_gui.plots.ranges import MOST_WHILE_DRAWN
 from tests.gui.timeline.bench import results_of
 from tests.gui.timeline.lanes_bench import LanesBench
@@ -36,7 +36,7 @@ def tops_of(pixmap):
 def test_crests_between_samples_are_as_high_as_they_are(reach):
     pictures = ClipPictures()
     look = ClipStyle(BLUE, reach, part=(0.4, 0.6))
-    tops = tops_of(pictures.picture(Played(tone(260), RATE_HZ), QSizeF(520, HEIGHT), look))
+    tops = tops_of(pictures.picture(ClipSamples(tone(260), RATE_HZ), QSizeF(520, HEIGHT), look))
     # Each period, of 30 px, has its crest at half of the upper half.
     crests = tops[10:-10].reshape(-1, 50).min(axis=1)
     assert np.abs(crests - HEIGHT / 4).max() <= 3
@@ -46,7 +46,9 @@ def test_crests_between_samples_are_as_high_as_they_are(reach):
 def test_a_wave_that_is_higher_than_its_samples_is_not_cut():
     square = np.where(np.arange(60) // 10 % 2, 1.0, -1.0)
     pictures = ClipPictures()
-    picture = pictures.picture(Played(square, RATE_HZ), QSizeF(600, HEIGHT), ClipStyle(BLUE, 1.0))
+    picture = pictures.picture(
+        ClipSamples(square, RATE_HZ), QSizeF(600, HEIGHT), ClipStyle(BLUE, 1.0)
+    )
     tops = tops_of(picture)
     # It touches the edge at its crests alone.
     assert 0 < np.count_nonzero(tops <= 1) < 40
@@ -57,7 +59,7 @@ def test_zoomed_out_it_reaches_as_far_as_its_wave_whatever_its_samples_miss(n_sa
     samples = 0.7 * np.sin(0.5 * np.pi * np.arange(n_samples) + np.pi / 4)
     assert samples.max() < 0.5
     picture = ClipPictures().picture(
-        Played(samples, RATE_HZ), QSizeF(520, HEIGHT), ClipStyle(BLUE, 1.0)
+        ClipSamples(samples, RATE_HZ), QSizeF(520, HEIGHT), ClipStyle(BLUE, 1.0)
     )
     # Each four columns hold a crest.
     tops = tops_of(picture)[8:-8].reshape(-1, 4).min(axis=1)
@@ -67,12 +69,14 @@ def test_zoomed_out_it_reaches_as_far_as_its_wave_whatever_its_samples_miss(n_sa
 def test_of_more_samples_than_are_worth_it_only_those_are_joined():
     pictures = ClipPictures()
     for n_samples in (MOST_WHILE_DRAWN, MOST_WHILE_DRAWN + 1):
-        pictures.picture(Played(tone(n_samples), RATE_HZ), QSizeF(500, 40), ClipStyle(BLUE, 1.0))
+        pictures.picture(
+            ClipSamples(tone(n_samples), RATE_HZ), QSizeF(500, 40), ClipStyle(BLUE, 1.0)
+        )
     assert (pictures.painted, pictures.waves) == (2, 1)
 
 
 def test_its_wave_is_computed_once_for_each_look():
-    pictures, played = ClipPictures(), Played(tone(260), RATE_HZ)
+    pictures, played = ClipPictures(), ClipSamples(tone(260), RATE_HZ)
     for width in (100, 521, 100, 521):
         pictures.picture(played, QSizeF(width, 40), ClipStyle(BLUE, 1.0))
     assert (pictures.painted, pictures.waves) == (2, 2)

@@ -34,7 +34,7 @@ def test_no_line_of_the_grid_runs_through_why_a_track_is_silent(qtbot, chosen):
     painter.setPen(QColor(LIGHT.grid))
     for x in range(0, image.width(), 3):
         painter.drawLine(x, 0, x, image.height())
-    item._paint_why_silent(painter, lane)
+    item._paint_silence_reason(painter, lane)
     painter.end()
     grid = QColor(LIGHT.grid).rgb()
     seen = {
