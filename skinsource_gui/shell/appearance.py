@@ -139,7 +139,7 @@ def place_in_sight(frame: QRect, rooms: Sequence[QRect]) -> QRect:
     shared = [_area(room.intersected(frame)) for room in rooms]
     if not rooms or max(shared) >= _SEEN_SHARE * _area(frame):
         return frame
-    room = min(rooms, key=lambda one: (one.center() - frame.center()).manhattanLength())
+    room = min(rooms, key=lambda screen: (screen.center() - frame.center()).manhattanLength())
     width, height = min(frame.width(), room.width()), min(frame.height(), room.height())
     left = min(max(frame.left(), room.left()), room.right() + 1 - width)
     top = min(max(frame.top(), room.top()), room.bottom() + 1 - height)
@@ -148,12 +148,12 @@ def place_in_sight(frame: QRect, rooms: Sequence[QRect]) -> QRect:
 
 def _bring(window: QWidget, rooms: Sequence[QRect]) -> None:
     frame = window.frameGeometry()
-    place = place_in_sight(frame, rooms)
-    if place == frame:
+    target = place_in_sight(frame, rooms)
+    if target == frame:
         return
     edges = frame.size() - window.size()
-    window.resize(place.size() - edges)
-    window.move(place.topLeft())
+    window.resize(target.size() - edges)
+    window.move(target.topLeft())
 
 
 def _area(of: QRect) -> int:

@@ -52,7 +52,7 @@ class SetupBar(QWidget):
         self._row.setContentsMargins(0, 0, 0, 0)
         self._row.setSpacing(6)
         self._limb, self._scaling, self._axes, self._method, self._span = (
-            self._choice(label, sentence, words) for _, label, sentence, words in CHOICES
+            self._choice(label, sentence, options) for _, label, sentence, options in CHOICES
         )
         self._method_hint = self._method.toolTip()
         self._row.addStretch(1)
@@ -101,19 +101,19 @@ class SetupBar(QWidget):
     def wanted_px(self) -> int:
         """Width in which each choice is read whole, without what it is called."""
         fields = self.findChildren(ChoiceField)
-        return sum(one.sizeHint().width() + 2 * self._row.spacing() for one in fields)
+        return sum(field.sizeHint().width() + 2 * self._row.spacing() for field in fields)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(_LEAST_PX, super().minimumSizeHint().height())
 
     def show_available(self, limbs: tuple[str, ...]) -> None:
         """Offer these limbs, and no others."""
-        words = (*LIMBS, *(limb_word(name) for name in own_limb_names()))
-        names = tuple(word.name for word in words)
-        if words != self._words:
-            self._words = words
-            self._limb.offer(_spec("Limb", "", words))
-            _explain(self._limb, words)
+        options = (*LIMBS, *(limb_word(name) for name in own_limb_names()))
+        names = tuple(word.name for word in options)
+        if options != self._words:
+            self._words = options
+            self._limb.offer(_spec("Limb", "", options))
+            _explain(self._limb, options)
         for index, name in enumerate(names):
             there = name in limbs
             _offer(self._limb, index, there=there)
@@ -152,12 +152,12 @@ class SetupBar(QWidget):
                 actions.append(action)
         return actions
 
-    def _choice(self, label: str, sentence: str, words: tuple[Word, ...]) -> ChoiceField:
-        field = ChoiceField(_spec(label, sentence, words))
+    def _choice(self, label: str, sentence: str, options: tuple[Word, ...]) -> ChoiceField:
+        field = ChoiceField(_spec(label, sentence, options))
         field.setObjectName(label.lower())
         field.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         field.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
-        _explain(field, words)
+        _explain(field, options)
         title = QLabel(label)
         title.setBuddy(field)
         self._row.addWidget(title)
@@ -178,9 +178,9 @@ def _spec(label: str, sentence: str, words: tuple[Word, ...]) -> ChoiceSpec:
     return ChoiceSpec(label=label, options=options, hint=sentence)
 
 
-def _explain(field: QComboBox, words: tuple[Word, ...]) -> None:
+def _explain(field: QComboBox, options: tuple[Word, ...]) -> None:
     """Say of each entry what it means."""
-    for index, word in enumerate(words):
+    for index, word in enumerate(options):
         field.setItemData(index, tooltip(word.sentence), Qt.ItemDataRole.ToolTipRole)
 
 
@@ -212,8 +212,8 @@ class FoldedActions(QWidget):
     def __init__(self, groups: Sequence[Sequence[QAction]], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._buttons, row = QWidget(self), QHBoxLayout(self)
-        beside = QHBoxLayout(self._buttons)
-        for layout in (row, beside):
+        buttons = QHBoxLayout(self._buttons)
+        for layout in (row, buttons):
             layout.setContentsMargins(0, 0, 0, 0)
             layout.setSpacing(6)
         self.more = QToolButton(self)
@@ -226,18 +226,18 @@ class FoldedActions(QWidget):
             line = QFrame(self._buttons)
             line.setObjectName("bar_line")
             line.setFixedWidth(1)
-            beside.addWidget(line)
+            buttons.addWidget(line)
             menu.addSeparator()
             for action in group:
                 button = QToolButton(self._buttons)
                 button.setDefaultAction(action)
                 button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-                beside.addWidget(button)
+                buttons.addWidget(button)
                 menu.addAction(action)
         self.more.setMenu(menu)
-        words = ", ".join(action.iconText() for group in groups for action in group)
-        self.more.setAccessibleName(words)
-        show_tooltip(self.more, words)
+        names = ", ".join(action.iconText() for group in groups for action in group)
+        self.more.setAccessibleName(names)
+        show_tooltip(self.more, names)
         row.addWidget(self._buttons)
         row.addWidget(self.more)
         self.fold(folded=False)

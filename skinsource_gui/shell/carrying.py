@@ -74,20 +74,20 @@ class ExportMetadata:
 
     def caption(self, *panels: Panel) -> str:
         """What stands below a picture of these panels."""
-        found = self._shown(panels)
+        shown_designs = self._shown(panels)
         design, compared = self._document.design, self._compared(panels)
-        named = [(_words(one), one.design) for one in compared]
-        words = caption_of(
+        named = [(_words(snapshot), snapshot.design) for snapshot in compared]
+        text = caption_of(
             design,
             compared=named,
-            limbs=tuple(one.given["limb"] for one in found),
-            notes=in_short(self._judged(found, panels)),
+            limbs=tuple(design.given["limb"] for design in shown_designs),
+            notes=in_short(self._judged(shown_designs, panels)),
         )
         here = shown(compared, design)
         if not compared or all(panel.needs_of_snapshots for panel in panels):
-            return words
+            return text
         elsewhere = stimulus_text(design) if here is None else _words(here)
-        return f"{words} Other panels: {elsewhere}."
+        return f"{text} Other panels: {elsewhere}."
 
     def lines(self, *panels: Panel) -> tuple[str, ...]:
         """What stands in a table of their numbers."""
@@ -108,26 +108,28 @@ class ExportMetadata:
         for button in panel.findChildren(CopyButton):
             button.lines, button.as_stored = lines, self.as_stored
 
-    def _judged(self, found: Sequence[_Shown], panels: Sequence[Panel]) -> list[Judged]:
+    def _judged(self, shown_designs: Sequence[_Shown], panels: Sequence[Panel]) -> list[Judged]:
         judged = [
-            Judged(label=one.label)
-            if too_large(one.given["limb"])
-            else self._judging.judge(one.label, one.given, present=one.present)
-            for one in found
+            Judged(label=shown_design.label)
+            if too_large(shown_design.given["limb"])
+            else self._judging.judge(
+                shown_design.label, shown_design.given, present=shown_design.present
+            )
+            for shown_design in shown_designs
         ]
         maps = any(_MAP in _drawn(panel) for panel in panels)
-        return judged if maps else [one.without_maps() for one in judged]
+        return judged if maps else [judgement.without_maps() for judgement in judged]
 
     def _compared(self, panels: Sequence[Panel]) -> list[Snapshot]:
         """Snapshots that these panels show side by side, and what is edited, as they stand."""
         together_now = with_edited(self._document.view.snapshots, self._document.design)
         drawn = {
-            one.number: one
+            snapshot.number: snapshot
             for panel in panels
             if panel.needs_of_snapshots
-            for one in panel.snapshots_drawn(together_now)
+            for snapshot in panel.snapshots_drawn(together_now)
         }
-        ordered = sorted(drawn.values(), key=lambda one: one.number)
+        ordered = sorted(drawn.values(), key=lambda snapshot: snapshot.number)
         return ordered if len(ordered) > 1 else []
 
     def _shown(self, panels: Sequence[Panel]) -> list[_Shown]:
@@ -138,24 +140,30 @@ class ExportMetadata:
         label = short_limb_title(design.limb)
         if compared:
             label = _EDITED if here is None else _words(here)
-        found = list[_Shown]()
-        if not compared or here is not None or not all(one.needs_of_snapshots for one in panels):
-            found.append(_Shown(label=label, given=sources_shown(design, view), present=True))
-        beside = dict.fromkeys(limb for panel in panels for limb in panel.needs_on_limbs)
-        for limb in beside:
-            asked = None if limb == design.limb else on_limb(design, view, limb)
-            if asked is not None and not isinstance(asked, str):
-                given = sources_of_levels(*asked, match_gain=view.match_gain(design))
-                found.append(_Shown(label=short_limb_title(limb), given=given))
-        for one in compared:
-            if here is None or one.number != here.number:
-                given = sources_of_levels(one.design, view)
-                found.append(_Shown(label=_words(one), given=given))
-        return found
+        shown_designs = list[_Shown]()
+        if (
+            not compared
+            or here is not None
+            or not all(panel.needs_of_snapshots for panel in panels)
+        ):
+            shown_designs.append(
+                _Shown(label=label, given=sources_shown(design, view), present=True)
+            )
+        limbs = dict.fromkeys(limb for panel in panels for limb in panel.needs_on_limbs)
+        for limb in limbs:
+            limb_sources = None if limb == design.limb else on_limb(design, view, limb)
+            if limb_sources is not None and not isinstance(limb_sources, str):
+                given = sources_of_levels(*limb_sources, match_gain=view.match_gain(design))
+                shown_designs.append(_Shown(label=short_limb_title(limb), given=given))
+        for snapshot in compared:
+            if here is None or snapshot.number != here.number:
+                given = sources_of_levels(snapshot.design, view)
+                shown_designs.append(_Shown(label=_words(snapshot), given=given))
+        return shown_designs
 
 
-def _words(one: Snapshot) -> str:
-    return _EDITED if one.number == EDITED else f"Snapshot {one.number}"
+def _words(snapshot: Snapshot) -> str:
+    return _EDITED if snapshot.number == EDITED else f"Snapshot {snapshot.number}"
 
 
 def _drawn(panel: Panel) -> frozenset[str]:
@@ -224,20 +232,22 @@ class PanelPictures:
             draw = partial(self._draw_one, panel)
             likes = panel.size() if panel.isVisible() else usual_size(panel)
             size = None if name != IN_USE else (2 * likes.width(), 2 * likes.height())
-        seen = panel.map.stage.seen if isinstance(panel, SkinPanel) else None
+        result = panel.map.stage.seen if isinstance(panel, SkinPanel) else None
         draw = with_caption(draw, caption)
         return WholePicture(
             draw=draw,
             title="" if panel is None else panel.title,
             caption=caption,
             size_px=size,
-            seen=seen,
+            seen=result,
             letters_px=letters,
         )
 
     def _in_the_window(self) -> list[Panel]:
         """Panels in sight that stand in no window of their own."""
-        return [one for one in self._panels if one.isVisible() and one.window() is self._frame]
+        return [
+            panel for panel in self._panels if panel.isVisible() and panel.window() is self._frame
+        ]
 
     def _draw_one(
         self, panel: Panel, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
@@ -268,8 +278,8 @@ class PanelPictures:
             painter.save()
             painter.scale(scale, scale)
             painter.translate(-whole.topLeft())
-            for panel, place in places.items():
-                _draw_titled(painter, panel, place, theme)
+            for panel, area in places.items():
+                _draw_titled(painter, panel, area, theme)
             painter.restore()
 
     def _places(self) -> tuple[dict[Panel, QRect], QRect]:
@@ -279,8 +289,8 @@ class PanelPictures:
             for panel in self._in_the_window()
         }
         whole = QRect()
-        for place in places.values():
-            whole = whole.united(place.adjusted(0, -_TITLE_PX, 0, 0))
+        for area in places.values():
+            whole = whole.united(area.adjusted(0, -_TITLE_PX, 0, 0))
         return places, whole
 
     def _letters_px(self, caption: str, width: int, height: int) -> float:
@@ -306,16 +316,16 @@ class PanelPictures:
             apply_theme(application, before, text_scale)
 
 
-def _draw_titled(painter: QPainter, panel: Panel, place: QRect, theme: Theme) -> None:
+def _draw_titled(painter: QPainter, panel: Panel, area: QRect, theme: Theme) -> None:
     font = QFont(QApplication.font())
     font.setBold(True)
     painter.setFont(font)
     painter.setPen(QColor(theme.text))
-    head = QRectF(place.left() + _EDGE_PX, place.top() - _TITLE_PX, place.width(), _TITLE_PX)
+    head = QRectF(area.left() + _EDGE_PX, area.top() - _TITLE_PX, area.width(), _TITLE_PX)
     painter.drawText(head, Qt.AlignmentFlag.AlignVCenter, panel.title)
     painter.save()
-    painter.translate(place.topLeft())
-    painter.setClipRect(QRectF(0, 0, place.width(), place.height()))
+    painter.translate(area.topLeft())
+    painter.setClipRect(QRectF(0, 0, area.width(), area.height()))
     painter.setFont(QApplication.font())
-    panel.draw_picture(painter, place.width(), place.height(), theme)
+    panel.draw_picture(painter, area.width(), area.height(), theme)
     painter.restore()

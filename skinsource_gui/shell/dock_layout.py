@@ -114,19 +114,19 @@ def folded(columns: Sequence[Sequence[str]], foot: Sequence[str], needs: Needs) 
     host = needs.spec.host
     hosted = any(host in column for column in columns)
     below = max((needs.least[panel].height() + needs.gap_px for panel in foot), default=0)
-    found = _stacked(stacks, needs, needs.room.height() - below)
-    if foot and hosted and found is None:
-        found = _stacked(stacks, needs, needs.room.height())
-        stacks = _behind_host(found or _tabbed(stacks), tuple(foot), host)
+    fitted = _stacked(stacks, needs, needs.room.height() - below)
+    if foot and hosted and fitted is None:
+        fitted = _stacked(stacks, needs, needs.room.height())
+        stacks = _behind_host(fitted or _tabbed(stacks), tuple(foot), host)
         foot = ()
     else:
-        stacks = found or _tabbed(stacks)
+        stacks = fitted or _tabbed(stacks)
     for panel in needs.spec.yields if hosted else ():
         if needs.widths(stacks) <= needs.room.width():
             break
         yielding = [column for column in stacks if any(panel in tabs for tabs in column)]
         stacks = [column for column in stacks if column not in yielding]
-        moved = tuple(one for column in yielding for tabs in column for one in tabs)
+        moved = tuple(panel for column in yielding for tabs in column for panel in tabs)
         stacks = _behind_host(stacks, moved, host)
     return Folded(tuple(stacks), tuple(foot))
 
@@ -164,8 +164,8 @@ def shared(whole: int, shares: Sequence[int], least: Sequence[int]) -> list[int]
     rest = whole - sum(need for need, is_short in zip(least, short, strict=True) if is_short)
     others = [k for k, is_short in enumerate(short) if not is_short]
     among = shared(rest, [shares[k] for k in others], [least[k] for k in others])
-    given = dict(zip(others, among, strict=True))
-    return [given.get(k, need) for k, need in enumerate(least)]
+    of_others = dict(zip(others, among, strict=True))
+    return [of_others.get(k, need) for k, need in enumerate(least)]
 
 
 def _column(column: Sequence[Tabs], needs: Needs) -> int:
@@ -178,12 +178,12 @@ def _stacked(
     """Columns in that height, those as tabs that are too low; None where even that is too low."""
     if needs.spec.stacks:
         return stacks
-    found = [
+    fitted = [
         column if needs.heights(column) <= height else as_tabs
         for column, as_tabs in zip(stacks, _tabbed(stacks), strict=True)
     ]
-    fit = all(needs.heights(column) <= height for column in found)
-    return found if fit else None
+    fit = all(needs.heights(column) <= height for column in fitted)
+    return fitted if fit else None
 
 
 def _tabbed(stacks: list[tuple[Tabs, ...]]) -> list[tuple[Tabs, ...]]:
@@ -239,14 +239,17 @@ class Arrangements(QObject):
 
     def show(self, name: str) -> None:
         """Take up the arrangement ``name``; the first one where it is not known."""
-        spec = next((one for one in ARRANGEMENTS if one.name == name), ARRANGEMENTS[0])
+        spec = next(
+            (arrangement for arrangement in ARRANGEMENTS if arrangement.name == name),
+            ARRANGEMENTS[0],
+        )
         # Larger words would have them refitted before they stand.
         self._spec = None
         self.chosen.emit(spec)
         self.text_scaled.emit(spec.text_scale)
         self._spec = spec
         places = {panel: self._place(panel, spec) for panel in self._docks}
-        shown = {panel: one for panel, one in places.items() if isinstance(one, Place)}
+        shown = {panel: place for panel, place in places.items() if isinstance(place, Place)}
         self._room, self._folded = None, self._fold(spec)
         standing = self._folded
         with self.keyboard.kept():
@@ -309,7 +312,7 @@ class Arrangements(QObject):
 
     def _fold(self, spec: ArrangementSpec) -> Folded:
         places = {panel: self._place(panel, spec) for panel in self._docks}
-        shown = {panel: one for panel, one in places.items() if isinstance(one, Place)}
+        shown = {panel: place for panel, place in places.items() if isinstance(place, Place)}
         foot = [panel for panel, place in shown.items() if place.at_foot]
         foot.sort(key=lambda panel: shown[panel].column)
         columns: list[list[str]] = [[] for _ in spec.columns]
@@ -326,9 +329,11 @@ class Arrangements(QObject):
         return Needs(
             room=window.size() - QSize(0, around),
             spec=spec,
-            places={panel: one for panel, one in shown.items() if isinstance(one, Place)},
+            places={panel: place for panel, place in shown.items() if isinstance(place, Place)},
             least={
-                panel: self._least(panel) for panel, one in shown.items() if isinstance(one, Place)
+                panel: self._least(panel)
+                for panel, place in shown.items()
+                if isinstance(place, Place)
             },
             tab_px=window.fontMetrics().height() + _TITLE_PX,
             gap_px=window.style().pixelMetric(_GAP),
@@ -385,8 +390,8 @@ class _One:
         corners = self.place.topLeft() - other.place.topLeft()
         sizes = self.place.size() - other.place.size()
         across, down = (corners.x(), sizes.width()), (corners.y(), sizes.height())
-        apart = (across if as_wide else ()) + (down if as_high else ())
-        return all(abs(one) <= _ROUNDING_PX for one in apart)
+        differences = (across if as_wide else ()) + (down if as_high else ())
+        return all(abs(difference) <= _ROUNDING_PX for difference in differences)
 
 
 @dataclass(frozen=True, slots=True)
@@ -420,8 +425,8 @@ class DockPlaces:
         as_wide = self.room.width() == other.room.width()
         as_high = self.room.height() == other.room.height()
         return all(
-            one.is_like(other.docks[name], as_wide=as_wide, as_high=as_high)
-            for name, one in self.docks.items()
+            state.is_like(other.docks[name], as_wide=as_wide, as_high=as_high)
+            for name, state in self.docks.items()
         )
 
 
@@ -563,8 +568,8 @@ class DockLayout(QObject):
             self.put(own)
         self._arrangements.keyboard.settle()
         if own and self._present is not None:
-            words = _AS_AT_FIRST if again and touched else _AS_LEFT
-            self.done.emit(words.format(key=self._present.keys[0]))
+            text = _AS_AT_FIRST if again and touched else _AS_LEFT
+            self.done.emit(text.format(key=self._present.keys[0]))
 
     def show_scene(self, arrangement: str, panels: Sequence[str]) -> None:
         """Take up the arrangement of a scene, as at first, and bring its panels in sight.
@@ -582,9 +587,9 @@ class DockLayout(QObject):
         if self._held is not None:
             self._arrangements.show(PRESENTATION)
         else:
-            kept = self._kept()
+            content = self._kept()
             if self._before_scene is None and self._present is not None:
-                self._before_scene = (self._present.name, kept)
+                self._before_scene = (self._present.name, content)
             self._arrangements.show(arrangement)
         for panel in panels:
             if panel in self._docks:

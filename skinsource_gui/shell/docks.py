@@ -280,8 +280,8 @@ def tab_menu(bar: QTabBar, bring: Callable[[str], None], parent: QWidget) -> QMe
 
 
 def _arrows(bar: QTabBar) -> list[QToolButton]:
-    found = (bar.findChild(QToolButton, name) for name in _ARROWS)
-    return [one for one in found if isinstance(one, QToolButton)]
+    buttons = (bar.findChild(QToolButton, name) for name in _ARROWS)
+    return [button for button in buttons if isinstance(button, QToolButton)]
 
 
 def _share_room(bar: QTabBar) -> None:
@@ -370,7 +370,7 @@ class DockTabs(QObject):
         for name, dock in self._docks.items():
             if name in names:  # of the others no title is seen, and to ask Qt takes long
                 others = self._window.tabifiedDockWidgets(dock)
-                dock.show_tabbed(any(not one.isHidden() for one in others))
+                dock.show_tabbed(any(not other.isHidden() for other in others))
             if not dock.is_empty and dock.panel.in_sight != names:
                 dock.panel.show_in_sight(names)
 
@@ -392,7 +392,7 @@ class DockTabs(QObject):
         self.meant.emit(dock.objectName())
 
     def _called(self, title: str) -> Dock:
-        return next(one for one in self._docks.values() if one.windowTitle() == title)
+        return next(dock for dock in self._docks.values() if dock.windowTitle() == title)
 
     def _bar_in_use(self) -> QTabBar | None:
         """The bar where the keyboard is; else the first there is, if any."""
@@ -650,7 +650,7 @@ class KeyboardKeeper(QObject):
             return
         in_front = [] if before is None else self._window.tabifiedDockWidgets(before)
         in_sight = [dock for dock in self._docks.values() if dock.in_sight]
-        for dock in sorted(in_sight, key=lambda one: one not in in_front)[:1]:
+        for dock in sorted(in_sight, key=lambda dock: dock not in in_front)[:1]:
             if not focus_into(dock.panel, Qt.FocusReason.OtherFocusReason):
                 # A window that is not shown yet has no stops.
                 dock.panel.setFocus(Qt.FocusReason.OtherFocusReason)

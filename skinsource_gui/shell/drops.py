@@ -34,7 +34,7 @@ class ClipDrops(QObject):
     def _find(self, dragged_from: Panel, at: QPoint | None) -> DropPlace | None:
         """Where something goes that is held over a place of the screen; None: it is let go."""
         below = None if at is None else QApplication.widgetAt(at)
-        found = None
+        drop_place = None
         for panel in self._panels:
             if panel is dragged_from:
                 continue
@@ -43,8 +43,8 @@ class ClipDrops(QObject):
             own = panel.mapFromGlobal(at) if is_there and at is not None else None
             panel.show_drop(own)
             if own is not None:
-                found = panel.drop_place(own)
-        return found
+                drop_place = panel.drop_place(own)
+        return drop_place
 
 
 # Clips and the clipboard, from the menu.

@@ -38,7 +38,7 @@ def tab_stops(top: QWidget, regions: Sequence[QWidget]) -> list[QWidget]:
     regions
         Parts of ``top`` in the order of reading.  What lies in none of them comes last.
     """
-    found = [one for one in _chain(top) if top.isAncestorOf(one) and _takes_tab(one)]
+    stops = [widget for widget in _chain(top) if top.isAncestorOf(widget) and _takes_tab(widget)]
     _give_back(top.window())
 
     def region_of(stop: QWidget) -> int:
@@ -46,7 +46,7 @@ def tab_stops(top: QWidget, regions: Sequence[QWidget]) -> list[QWidget]:
         return next(inside, len(regions))
 
     groups: list[list[QWidget]] = [[] for _ in range(len(regions) + 1)]
-    for stop in found:
+    for stop in stops:
         groups[region_of(stop)].append(stop)
     for part in (top, *regions):
         if getattr(part, "reads_down", False):
@@ -100,18 +100,18 @@ def _as_read(stops: Sequence[QWidget], part: QWidget) -> list[QWidget]:
         return list(stops)
     places = {stop: _place(stop, stops, part) for stop in stops}
     lines: list[list[QWidget]] = []
-    for stop in sorted(stops, key=lambda one: places[one].center().y()):
+    for stop in sorted(stops, key=lambda widget: places[widget].center().y()):
         above = places[lines[-1][0]] if lines else None
         if above is not None and places[stop].center().y() <= above.bottom():
             lines[-1].append(stop)
         else:
             lines.append([stop])
-    return [stop for line in lines for stop in sorted(line, key=lambda one: places[one].x())]
+    return [stop for line in lines for stop in sorted(line, key=lambda widget: places[widget].x())]
 
 
 def _place(stop: QWidget, stops: Sequence[QWidget], part: QWidget) -> QRect:
     # What holds other stops, and scrolls them, is read before them, not half way down.
-    holds = any(stop is not one and stop.isAncestorOf(one) for one in stops)
+    holds = any(stop is not other and stop.isAncestorOf(other) for other in stops)
     return QRect(stop.mapTo(part, QPoint()), QSize() if holds else stop.size())
 
 
@@ -183,12 +183,12 @@ class PanelFocus(QObject):
     def _in_sight(self) -> frozenset[str]:
         # A dock that comes to the front moves the one behind it away a moment later.
         QApplication.sendPostedEvents()
-        return frozenset(one.name for one in self._panels if one.isVisible())
+        return frozenset(panel.name for panel in self._panels if panel.isVisible())
 
     def _here(self) -> str | None:
         """Name of the panel with the keyboard."""
         focused = QApplication.focusWidget()
-        names = (one.name for one in self._panels if focused and one.isAncestorOf(focused))
+        names = (panel.name for panel in self._panels if focused and panel.isAncestorOf(focused))
         return next(names, None)
 
     def _go(self, step: int) -> None:
@@ -332,8 +332,8 @@ class ShortcutsInFields(QObject):
             self._used = None
         # A button that was clicked has the keyboard too, but nobody means it any more.
         clicked = isinstance(new, QAbstractButton) and bool(QApplication.mouseButtons())
-        wanted = isinstance(new, (*_TEXTS, *_PRESSED)) and not clicked
-        if wanted and new is not None and self._window.isAncestorOf(new):
+        is_field = isinstance(new, (*_TEXTS, *_PRESSED)) and not clicked
+        if is_field and new is not None and self._window.isAncestorOf(new):
             self._watched = new
             new.installEventFilter(self)
             new.destroyed.connect(self._forget)

@@ -188,21 +188,21 @@ class AutosaveAndRecovery(QObject):
 
     def offer(self, notice: Notice) -> None:
         """Offer what a studio left that did not end as it should, if there is anything."""
-        found, logs = self.recovery.look(), crashed_logs(self._folder)
-        sentences, choices = _offers(found)
+        leftover, logs = self.recovery.look(), crashed_logs(self._folder)
+        sentences, choices = _offers(leftover)
         picture = None
-        if len(found.left) == 1:
-            (left,) = found.left
+        if len(leftover.left) == 1:
+            (left,) = leftover.left
             picture = picture_of(left)
             choices = [
                 ("Open it", partial(self.recovery.open, left)),
                 ("Discard it", partial(self.recovery.discard, left)),
             ]
-        elif found.left:
+        elif leftover.left:
             choices = [("Show them…", self.show)]
         if logs:
-            kept = "" if found.left else " No copy of unsaved work is left."
-            sentences.append(f"The studio crashed; a log says where.{kept}")
+            no_copy = "" if leftover.left else " No copy of unsaved work is left."
+            sentences.append(f"The studio crashed; a log says where.{no_copy}")
             choices.append(("Save the log…", partial(self._save_log, logs[0])))
             for log in logs:
                 note_offered(log)
@@ -226,10 +226,10 @@ class AutosaveAndRecovery(QObject):
 
     def end_unasked(self) -> bool:
         """The window is told to close: keep what is unsaved for the next start."""
-        kept = self.autosave.keep_now()
+        is_saved = self.autosave.keep_now()
         self.recovery.end()
         self.autosave.end(forget=False)
-        return kept
+        return is_saved
 
     def _suggest(self, file: Path | None) -> None:
         self._files.leave_file()
@@ -251,20 +251,20 @@ class AutosaveAndRecovery(QObject):
             self._files.note_written(path)
 
 
-def _offers(found: Found) -> tuple[list[str], list[Choice]]:
+def _offers(leftover: Found) -> tuple[list[str], list[Choice]]:
     sentences = [
         f"{copy.name} stopped the studio when it was opened; it was set aside: {named(copy)}."
-        for copy in found.set_aside
+        for copy in leftover.set_aside
     ]
-    if len(found.left) == 1:
-        left: UnsavedWork = found.left[0]
+    if len(leftover.left) == 1:
+        left: UnsavedWork = leftover.left[0]
         sentences.append(
             f"The studio ended before your work on {left.name} was saved. "
             f"A copy was kept {left.age()}."
         )
-    elif found.left:
+    elif leftover.left:
         sentences.append(
             "The studio ended before your work was saved. Copies were kept of "
-            f"{len(found.left)} designs."
+            f"{len(leftover.left)} designs."
         )
     return sentences, []

@@ -72,7 +72,7 @@ class LimbNote(QLabel):
             super().focusNextPrevChild(True)
 
     def _say(self) -> None:
-        said = (
+        state = (
             self._synthetic,
             self._note,
             self._own,
@@ -80,9 +80,9 @@ class LimbNote(QLabel):
             self._measured,
             current_theme(),
         )
-        if said == self._said:
+        if state == self._said:
             return  # else the window is laid out anew at each edit
-        self._said = said
+        self._said = state
         self.setVisible(any((self._synthetic, self._note, self._own, self._missing)))
         note = f"{self._note[:1].upper()}{self._note[1:]}"
         self.setToolTip(self._missing or f"{self._own} {note}".strip() or _SYNTHETIC)
@@ -91,21 +91,21 @@ class LimbNote(QLabel):
         ways = ("SYNTHETIC LIMB",) if self._synthetic else other
         # What was noted of the results before is of another limb.
         ways = ("LIMB MISSING",) if self._missing else ways
-        words = ways[0]
-        self._phrases = tuple((one, f"<b>{one}</b>") for one in ways)
+        label = ways[0]
+        self._phrases = tuple((label, f"<b>{label}</b>") for label in ways)
         linked = self._synthetic and not self._measured and not self._own
         if linked:
             start = f"<a href='#get' style='color:{colour}'>"
             self._phrases = (
                 (
-                    f"{words} · {NOT_INSTALLED} How to get them",
-                    f"<b>{words}</b> · {NOT_INSTALLED} {start}How to get them</a>",
+                    f"{label} · {NOT_INSTALLED} How to get them",
+                    f"<b>{label}</b> · {NOT_INSTALLED} {start}How to get them</a>",
                 ),
                 (
-                    f"{words} · Measured limbs",
-                    f"<b>{words}</b> · {start}Measured limbs</a>",
+                    f"{label} · Measured limbs",
+                    f"<b>{label}</b> · {start}Measured limbs</a>",
                 ),
-                (words, f"<b>{start}{words}</a></b>"),
+                (label, f"<b>{start}{label}</a></b>"),
             )
         # Without a link there is nothing for the keyboard.
         self.setTextInteractionFlags(_LINKS if linked else Qt.TextInteractionFlag.NoTextInteraction)
@@ -123,14 +123,14 @@ class LimbNote(QLabel):
         self._choose()
 
     def _choose(self) -> None:
-        fitting = (html for words, html in self._phrases if self._width_of(words) <= self.width())
+        fitting = (html for text, html in self._phrases if self._width_of(text) <= self.width())
         html = next(fitting, self._phrases[-1][1])
         text = f"<span style='color:{current_theme().warning}'>{html}</span>"
         if text != self.text():
             self.setText(text)
 
-    def _width_of(self, words: str) -> int:
+    def _width_of(self, text: str) -> int:
         # As if all of it were bold: rather a little too wide.
         font = QFont(self.font())
         font.setBold(True)
-        return QFontMetrics(font).horizontalAdvance(words) + 4
+        return QFontMetrics(font).horizontalAdvance(text) + 4

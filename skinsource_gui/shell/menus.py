@@ -67,10 +67,10 @@ def fill_menu_bar(
         if spec.separated:
             menu.addSeparator()
         if spec.submenu:
-            place = spec.menu, spec.submenu
-            if place not in within:
-                within[place] = menu.addMenu(spec.submenu)
-            menu = within[place]
+            path = spec.menu, spec.submenu
+            if path not in within:
+                within[path] = menu.addMenu(spec.submenu)
+            menu = within[path]
         menu.addAction(actions[spec.name])
         if spec.name == "open_design":
             menu.addMenu(recent)
@@ -178,7 +178,7 @@ class Palette(QDialog):
 
     def _narrow(self, letters: str) -> None:
         self.list.clear()
-        for action in matching([one for one in self._actions if one.isEnabled()], letters):
+        for action in matching([action for action in self._actions if action.isEnabled()], letters):
             item = QListWidgetItem(_words(action))
             item.setToolTip(action.toolTip())
             item.setData(Qt.ItemDataRole.UserRole, action)
@@ -189,8 +189,8 @@ class Palette(QDialog):
             self._say_nothing_found()
 
     def _say_nothing_found(self) -> None:
-        for words in (_NOTHING_FOUND, _HINT, f"{shortcut_text('show_keys')} shows all keys"):
-            item = QListWidgetItem(words)
+        for text in (_NOTHING_FOUND, _HINT, f"{shortcut_text('show_keys')} shows all keys"):
+            item = QListWidgetItem(text)
             item.setFlags(Qt.ItemFlag.NoItemFlags)
             self.list.addItem(item)
 
@@ -232,14 +232,14 @@ class _KeysAtTheRight(QStyledItemDelegate):
         index: QModelIndex | QPersistentModelIndex,
     ) -> None:
         super().paint(painter, option, index)
-        words = _state_and_keys(index)
+        text = _state_and_keys(index)
         chosen = option.state & QStyle.StateFlag.State_Selected
         role = QPalette.ColorRole.HighlightedText if chosen else QPalette.ColorRole.PlaceholderText
         painter.save()
         painter.setPen(option.palette.color(role))
-        place = option.rect.adjusted(0, 0, -_EDGE_PX, 0)
+        area = option.rect.adjusted(0, 0, -_EDGE_PX, 0)
         flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        painter.drawText(place, flags, words)
+        painter.drawText(area, flags, text)
         painter.restore()
 
 
@@ -262,15 +262,19 @@ def matching(actions: Sequence[QAction], letters: str) -> list[QAction]:
     only where there is neither, those that say them scattered.  What only explains comes last.
     """
     typed = letters.strip().lower()
-    besides = [one for one in actions if one.property(BESIDES) and typed in _words(one).lower()]
-    actions = [one for one in actions if not one.property(BESIDES)]
-    said = [one for one in actions if typed in _words(one).lower()]
-    meant = [one for one in actions if one not in said and _is_keyword(one, typed)]
-    if not (said or meant or besides):
-        scores = ((one, score(letters, _words(one))) for one in actions)
-        gaps = {one: gap for one, gap in scores if gap is not None}
-        return sorted(gaps, key=lambda one: gaps[one])
-    return [*sorted(said, key=lambda one: _nearness(one, typed)), *meant, *besides]
+    besides = [
+        action for action in actions if action.property(BESIDES) and typed in _words(action).lower()
+    ]
+    actions = [action for action in actions if not action.property(BESIDES)]
+    by_name = [action for action in actions if typed in _words(action).lower()]
+    by_keyword = [
+        action for action in actions if action not in by_name and _is_keyword(action, typed)
+    ]
+    if not (by_name or by_keyword or besides):
+        scores = ((action, score(letters, _words(action))) for action in actions)
+        gaps = {action: gap for action, gap in scores if gap is not None}
+        return sorted(gaps, key=lambda action: gaps[action])
+    return [*sorted(by_name, key=lambda action: _nearness(action, typed)), *by_keyword, *besides]
 
 
 def _words(action: QAction) -> str:
@@ -283,12 +287,12 @@ def _nearness(action: QAction, typed: str) -> tuple[int, int]:
     text = _words(action).lower().rstrip("…")
     # "Show panel: Library" is called "Library" by who looks for it.
     name = text.rpartition(": ")[2]
-    place = text.find(typed)
+    position = text.find(typed)
     if typed in (text, name):
-        return 0, place
+        return 0, position
     if text.startswith(typed) or name.startswith(typed):
-        return 1, place
-    return (2 if text[place - 1] in " (" else 3), place
+        return 1, position
+    return (2 if text[position - 1] in " (" else 3), position
 
 
 def _is_keyword(action: QAction, typed: str) -> bool:
@@ -297,13 +301,13 @@ def _is_keyword(action: QAction, typed: str) -> bool:
 
 def score(letters: str, text: str) -> int | None:
     """How far apart ``letters`` stand in ``text``, in this order; None where they do not."""
-    place, gaps, lowered = -1, 0, text.lower()
+    position, gaps, lowered = -1, 0, text.lower()
     for letter in letters.lower().replace(" ", ""):
-        found = lowered.find(letter, place + 1)
-        if found < 0:
+        next_position = lowered.find(letter, position + 1)
+        if next_position < 0:
             return None
-        gaps += found - place - 1
-        place = found
+        gaps += next_position - position - 1
+        position = next_position
     return gaps
 
 
@@ -363,8 +367,8 @@ class ActionSet(QObject):
 
     def _action(self, spec: ActionSpec, capabilities: Capabilities, window: QWidget) -> QAction:
         # What follows a tab, a menu shows in its column of keys, and nothing is done by it.
-        beside = f"\t{spec.key_elsewhere}" if spec.key_elsewhere else ""
-        action = QAction(f"{spec.text}{beside}", window)
+        key_column = f"\t{spec.key_elsewhere}" if spec.key_elsewhere else ""
+        action = QAction(f"{spec.text}{key_column}", window)
         action.setObjectName(spec.name)
         if spec.short:
             action.setIconText(spec.short)
@@ -379,8 +383,8 @@ class ActionSet(QObject):
         else:
             capability, _, method = spec.command.partition(".")
             command = getattr(capabilities[capability], method)
-            words = (spec.argument,) if spec.argument else ()
-            action.triggered.connect(partial(_run, command, words))
+            arguments = (spec.argument,) if spec.argument else ()
+            action.triggered.connect(partial(_run, command, arguments))
         return action
 
     def _edit(self, spec: ActionSpec, _checked: bool = False) -> None:
@@ -400,8 +404,10 @@ class ActionSet(QObject):
             text_change.connect(partial(_name_step, action))
 
 
-def _run(command: Callable[..., object], words: tuple[str, ...], _checked: bool = False) -> None:
-    command(*words)
+def _run(
+    command: Callable[..., object], arguments: tuple[str, ...], _checked: bool = False
+) -> None:
+    command(*arguments)
 
 
 def _name_step(action: QAction, step: str) -> None:

@@ -166,8 +166,8 @@ class Notice(QObject):
             button.hide()
             button.deleteLater()
         self._choices = []
-        for words, act in choices:
-            button = QPushButton(words)
+        for text, act in choices:
+            button = QPushButton(text)
             button.setObjectName("notice_choice")
             button.setAutoDefault(False)
             button.clicked.connect(partial(self._choose, act))
@@ -196,8 +196,8 @@ class Notice(QObject):
         if at_top:
             # Beside a border a label indents words by half a letter: in one line they cover least.
             metrics = self._words.fontMetrics()
-            words = metrics.horizontalAdvance(self._words.text()) + metrics.horizontalAdvance("x")
-            width = min(whole, words + left + size.width() + 4 * UNIT_PX)
+            text_px = metrics.horizontalAdvance(self._words.text()) + metrics.horizontalAdvance("x")
+            width = min(whole, text_px + left + size.width() + 4 * UNIT_PX)
         needed = max(self._words.heightForWidth(width), least)
         start, top = whole - width, 0 if at_top else height - needed
         self._picture.setGeometry(QRect(QPoint(start + UNIT_PX, top + UNIT_PX // 4), shown))
@@ -283,14 +283,14 @@ class FirstHints(QObject):
         self._design, self._view = self._document.design, self._document.view
         if self._away:
             return
-        words = f"{step + 1} of {len(HINTS)}: {HINTS[step]}"
+        text = f"{step + 1} of {len(HINTS)}: {HINTS[step]}"
         last = step == len(HINTS) - 1
         choices: tuple[tuple[str, Callable[[], None]], ...]
         if last:
             choices = ((DONE, self._end),)
         else:
             choices = ((NEXT, lambda: self._say(step + 1)), (ENOUGH, self._end))
-        self._notice.say(words, choices=choices)
+        self._notice.say(text, choices=choices)
 
     def _follow(self) -> None:
         """Say what is next where a hint was followed; say it again where an edit took it away."""
@@ -369,20 +369,20 @@ class Reports(QObject):
         self._said_of = self._document.design
         self._notice.say(reason, "error", passes=True)
 
-    def report(self, words: str) -> None:
+    def report(self, text: str) -> None:
         """Show what went well, for some seconds."""
         self._notice.be_quiet()
         if self._status_bar.isHidden():  # while presenting
             self._said_of = self._document.design
-            self._notice.say(words, "info", passes=True)
+            self._notice.say(text, "info", passes=True)
         else:
-            self._status_bar.showMessage(words, PASSING_MS)
+            self._status_bar.showMessage(text, PASSING_MS)
 
-    def explain(self, words: str) -> None:
+    def explain(self, text: str) -> None:
         """Show what is no fault and may be long, whole: the status bar would cut it."""
         self._status_bar.clearMessage()
         self._said_of = self._document.design
-        self._notice.say(words, "info", passes=True)
+        self._notice.say(text, "info", passes=True)
 
     def show_impossible(self, reason: str) -> None:
         """Say why there are no results."""
@@ -392,13 +392,13 @@ class Reports(QObject):
 
     def show_outcome(self, outcome: Outcome) -> None:
         """Take over what the panels show now, and say which inputs it is without."""
-        words = unplayable_text((outcome.values or {}).get(UNPLAYABLE, ()))
-        if words != self._impossible:
+        text = unplayable_text((outcome.values or {}).get(UNPLAYABLE, ()))
+        if text != self._impossible:
             if self._impossible and self._notice.text == self._impossible:
                 self._notice.be_quiet()
-            self._impossible = words
-            if words:
-                self.complain(words)
+            self._impossible = text
+            if text:
+                self.complain(text)
         self._status_line.show_outcome(outcome)
         self._accuracy.show_outcome(outcome)
 
@@ -439,14 +439,14 @@ class Installations(QObject):
     def _note_changed(self) -> None:
         """Say which limbs came or went, whoever installed or removed them."""
         before, self._known = self._known, self._limbs.names
-        come = [_title(one) for one in self._known if one not in before]
-        gone = [_title(one) for one in before if one not in self._known]
-        words = []
+        come = [_title(limb) for limb in self._known if limb not in before]
+        removed = [_title(limb) for limb in before if limb not in self._known]
+        sentences = []
         if come:
-            words.append(f"{', '.join(come)}: installed, choose it under Limb above the panels")
-        if gone:
-            words.append(f"{', '.join(gone)}: no longer installed")
-        self._reports.report(". ".join(words))
+            sentences.append(f"{', '.join(come)}: installed, choose it under Limb above the panels")
+        if removed:
+            sentences.append(f"{', '.join(removed)}: no longer installed")
+        self._reports.report(". ".join(sentences))
 
     def _note_done(self, job: Job[Any], result: object) -> None:
         if job.title in INSTALLATIONS:

@@ -32,9 +32,9 @@ and its dataset,
 def keys_page(actions: Iterable[ActionSpec], parent: QWidget, heading: str = "") -> QDialog:
     """Every shortcut and what the mouse does, on one page; ``heading`` is at its top."""
     rows: list[tuple[str, str | None]] = []
-    for place in (*MOUSE.values(), *KEYS.values()):
-        rows += [(place.heading, None)]
-        rows += [(gesture.shown, gesture.effect) for gesture in place.gestures.values()]
+    for group in (*MOUSE.values(), *KEYS.values()):
+        rows += [(group.heading, None)]
+        rows += [(gesture.shown, gesture.effect) for gesture in group.gestures.values()]
     rows += [("Everywhere", None)]
     rows += [
         (native_text(action.keys), f"{action.text} – {action.hint}")
@@ -160,13 +160,13 @@ class Pages(QObject):
     def _gestures(self) -> list[QAction]:
         """What the mouse does, to be found; each leads to where the keys page says it."""
         entries = []
-        for place in MOUSE.values():
-            for gesture in place.gestures.values():
+        for group in MOUSE.values():
+            for gesture in group.gestures.values():
                 movement = f"{gesture.shown[:1].lower()}{gesture.shown[1:]}"
                 entry = QAction(f"Mouse: {gesture.effect} – {movement}")
-                entry.setToolTip(f"{place.heading}; Enter shows all of them")
+                entry.setToolTip(f"{group.heading}; Enter shows all of them")
                 entry.setProperty(BESIDES, True)
-                entry.triggered.connect(partial(self._show_gestures, place.heading))
+                entry.triggered.connect(partial(self._show_gestures, group.heading))
                 entries.append(entry)
         return entries
 

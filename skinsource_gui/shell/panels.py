@@ -44,7 +44,9 @@ class PanelSpec:
         if not (self.panel.name and self.panel.title):
             raise ValueError(f"{self.panel!r} has no name or no title")
         if self.settings is not None:
-            unsaved = {one.name for one in fields(self.settings)} - set(specs_of(self.settings))
+            unsaved = {field_.name for field_ in fields(self.settings)} - set(
+                specs_of(self.settings)
+            )
             if unsaved:
                 raise ValueError(
                     f"{self.settings.__name__} has fields that designs cannot hold: "

@@ -175,14 +175,14 @@ class RigPages(QObject):
         self._thread.end(lambda: None)
 
     def _look_at(
-        self, path: Path, found: "MeasuredResponse | None", error: SkinSourceError | None
+        self, path: Path, response: "MeasuredResponse | None", error: SkinSourceError | None
     ) -> None:
-        if found is None:
+        if response is None:
             self.failed.emit(str(error))
             return
         design, view = self._document.design, self._document.view
         before = settings_of(view, _PANEL, actuator_demand.ActuatorSettings)
-        after = before.with_measured(found, path.stem[:_LONGEST_TITLE])
+        after = before.with_measured(response, path.stem[:_LONGEST_TITLE])
         view = with_settings(view, _PANEL, after)
         through = design.actuated
         if through is None or through != actuator_demand.actuation_of(

@@ -128,7 +128,7 @@ class NotesWindow(QWidget):
 
     def show_beside(self, window: QWidget) -> None:
         """Show it on another screen than ``window``, where there is one."""
-        others = [one for one in QGuiApplication.screens() if one is not window.screen()]
+        others = [screen for screen in QGuiApplication.screens() if screen is not window.screen()]
         if others:
             self.move(others[0].availableGeometry().center() - self.rect().center())
         self.show()
@@ -301,7 +301,8 @@ def steps_of_folder(folder: Path) -> tuple[Step, ...]:
 def steps_of_paper() -> tuple[Step, ...]:
     """The scenes that are shipped, in the order of the figures."""
     return tuple(
-        Step(title=one.heading, open=partial(_of_paper, one.name)) for one in scenes.all_scenes()
+        Step(title=scene.heading, open=partial(_of_paper, scene.name))
+        for scene in scenes.all_scenes()
     )
 
 
@@ -343,7 +344,7 @@ class WholeScene:
     @classmethod
     def of(cls, document: Document) -> "WholeScene":
         """What is open now."""
-        snapshots = {one.number: one.design for one in document.view.snapshots}
+        snapshots = {snapshot.number: snapshot.design for snapshot in document.view.snapshots}
         file = "" if document.path is None else document.path.stem
         return cls(document.design, snapshots, document.scene or file)
 
@@ -507,7 +508,7 @@ class Presenter(QObject):
     def note_scene(self, name: str) -> None:
         """A scene of the paper was opened elsewhere: the next one comes after it."""
         self._steps = steps_of_paper()
-        self._at = [one.name for one in scenes.all_scenes()].index(name)
+        self._at = [scene.name for scene in scenes.all_scenes()].index(name)
         self._panels = scenes.scene(name).panels
 
     def show_notes(self) -> None:
@@ -554,16 +555,16 @@ class Presenter(QObject):
         if not self._steps:
             path = self._document.path
             self._steps = (() if path is None else steps_of_folder(path.parent)) or steps_of_paper()
-            titles = [one.title for one in self._steps]
+            titles = [step.title for step in self._steps]
             here = "" if path is None else path.stem
             self._at = titles.index(here) if here in titles else -1
-        wanted = self._at + by
-        if not 0 <= wanted < len(self._steps):
+        target = self._at + by
+        if not 0 <= target < len(self._steps):
             self.done.emit("This is the last scene" if by > 0 else "This is the first scene")
             return
         # Nobody is asked, in front of an audience, for what will not be.
         if self._whole is not None or self._files.may_lose_changes():
-            self._open(wanted)
+            self._open(target)
 
     def _open(self, number: int) -> None:
         step = self._steps[number]
@@ -595,7 +596,7 @@ class Presenter(QObject):
         if self._notes is None:
             return
         design, following = self._document.design, self._at + 1
-        titles = [one.title for one in self._steps]
+        titles = [step.title for step in self._steps]
         heading = titles[self._at] if 0 <= self._at < len(titles) else design.title or "Notes"
         after = titles[following] if 0 < following < len(titles) else ""
         self._notes.show_scene(heading, design.notes, after)

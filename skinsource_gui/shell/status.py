@@ -124,9 +124,13 @@ class Scope:
         """Words for the status bar, from all to the least."""
         if not self.inputs:
             return ("No input yet", "No input")
-        felt = heard_inputs_text(self.inputs, self.heard)
+        audible_text = heard_inputs_text(self.inputs, self.heard)
         long = " · long scene, summed piece by piece" if self.streamed else ""
-        return (*([f"{felt} · up to date{long}"] if long else []), f"{felt} · up to date", felt)
+        return (
+            *([f"{audible_text} · up to date{long}"] if long else []),
+            f"{audible_text} · up to date",
+            audible_text,
+        )
 
     def sentences(self) -> str:
         """All of it in whole sentences, one on a line."""
@@ -167,10 +171,10 @@ class Scope:
         )
 
 
-def heard_inputs_text(inputs: int, heard: int) -> str:
+def heard_inputs_text(inputs: int, audible: int) -> str:
     """Say how many inputs there are, and how many of them are felt."""
-    words = "input" if inputs == 1 else "inputs"
-    return f"{inputs} {words}" if heard == inputs else f"{heard} of {inputs} {words} felt"
+    text = "input" if inputs == 1 else "inputs"
+    return f"{inputs} {text}" if audible == inputs else f"{audible} of {inputs} {text} felt"
 
 
 def scope_of(outcome: Outcome) -> Scope:
@@ -359,9 +363,9 @@ class TimingLabel(QLabel):
             self._pause.start()
 
     def _say(self) -> None:
-        words = "" if self.last is None else milliseconds(self.last.total_s)
-        if words != self.text():
-            self.setText(words)
+        text = "" if self.last is None else milliseconds(self.last.total_s)
+        if text != self.text():
+            self.setText(text)
             self._fit()
         sentence = "" if self.last is None else self.last.sentence()
         self.setToolTip(f"{sentence}\n{self.about_times()}".strip())
@@ -369,8 +373,8 @@ class TimingLabel(QLabel):
     def _fit(self) -> None:
         """Stay of one size: else the whole window is laid out anew for each time that is said."""
         metrics = self.fontMetrics()
-        words = max(map(metrics.horizontalAdvance, (_WIDEST, self.text())))
-        self.setFixedSize(words, metrics.height())
+        width = max(map(metrics.horizontalAdvance, (_WIDEST, self.text())))
+        self.setFixedSize(width, metrics.height())
 
 
 # The line under the panels: what the last edit cost, what it computed, how wrong it can be.
@@ -433,8 +437,8 @@ class StatusLine(QWidget):
 
     def show_design(self, design: Design) -> None:
         """Count the inputs of ``design``, where nothing is known of results."""
-        count, heard = len(design.inputs), len(audible_inputs(design.inputs))
-        self._heard = heard_inputs_text(count, heard) if count else "No input yet"
+        count, audible = len(design.inputs), len(audible_inputs(design.inputs))
+        self._heard = heard_inputs_text(count, audible) if count else "No input yet"
         if self.scope is None:
             self._say()
 
@@ -476,10 +480,10 @@ class StatusLine(QWidget):
         times = self.timing.about_times() or "Nothing was edited yet."
         return f"{times}\nOne bar for each edit, the thin line is one frame ({FRAME_S * 1e3:g} ms)."
 
-    def _follow_lateness(self, late: bool) -> None:
+    def _follow_lateness(self, stale: bool) -> None:
         # Time and error of the results before would be read as those of what is awaited.
-        self._times.setVisible(not late and bool(self.timing.times.seconds()))
-        self.error.setVisible(not late)
+        self._times.setVisible(not stale and bool(self.timing.times.seconds()))
+        self.error.setVisible(not stale)
         self._say()
 
     def _say_soon(self) -> None:
@@ -527,8 +531,8 @@ class PreparingNote(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("preparing_sound")
-        words = QLabel(_WORDS)
-        words.setToolTip(_HINT)
+        label = QLabel(_WORDS)
+        label.setToolTip(_HINT)
         self._cancel = QPushButton("Cancel")
         self._cancel.setObjectName("cancel_preparing")
         self._cancel.setToolTip(f"Do not play ({shortcut_text('play')})")
@@ -539,7 +543,7 @@ class PreparingNote(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(UNIT_PX, 0, 0, 0)
         row.setSpacing(UNIT_PX)
-        row.addWidget(words)
+        row.addWidget(label)
         row.addWidget(self._cancel)
         self._lateness = Staleness(self)
         self._lateness.changed.connect(self._follow)
@@ -549,11 +553,11 @@ class PreparingNote(QWidget):
         """Say whether something is about to be played; a short while is not worth a word."""
         self._lateness.set_stale(preparing)
 
-    def _follow(self, late: bool) -> None:
+    def _follow(self, stale: bool) -> None:
         # The keyboard goes back to where work is done.
-        if not late and self._cancel.hasFocus():
+        if not stale and self._cancel.hasFocus():
             self.window().setFocus()
-        self.setVisible(late)
+        self.setVisible(stale)
 
 
 # Says in the status bar that a snapshot is shown louder or softer than it is, to match another.
@@ -589,12 +593,12 @@ class MatchNote(QToolButton):
     def show_state(self, design: Design, view: View) -> None:
         """Say with what gain ``design`` is shown."""
         gain = view.match_gain(design)
-        words = match_text(gain)
-        if words != self.accessibleName():
-            self.setText(words)
-            self.setAccessibleName(words)
-            self.setToolTip(f"{words}. {_ABOUT}" if words else "")
-        self.setVisible(bool(words))
+        text = match_text(gain)
+        if text != self.accessibleName():
+            self.setText(text)
+            self.setAccessibleName(text)
+            self.setToolTip(f"{text}. {_ABOUT}" if text else "")
+        self.setVisible(bool(text))
 
 
 # How far a long job is, and the way to stop it.

@@ -79,7 +79,7 @@ class LampRow:
     @property
     def lamps(self) -> tuple[Finding, ...]:
         """What has a lamp, in their order."""
-        return tuple(one for one in self.findings if one.name in NAMES)
+        return tuple(finding for finding in self.findings if finding.name in NAMES)
 
     @property
     def whole_px(self) -> int:
@@ -94,19 +94,19 @@ class LampRow:
     def places(self, room: QRectF) -> list[tuple[Finding, QRectF]]:
         """Where each lamp stands, with its words if there is room for them."""
         rows = [self._said(k) for k in range(len(_SAID))]
-        words = next((one for one in rows if self._width(one) <= room.width()), rows[-1])
-        found, x = [], room.left() + _MARGIN_PX
-        for one in self.lamps:
-            wide = self._lamp_width(one, words)
-            found.append((one, QRectF(x, room.top(), wide, room.height())))
+        named = next((names for names in rows if self._width(names) <= room.width()), rows[-1])
+        places, x = [], room.left() + _MARGIN_PX
+        for lamp in self.lamps:
+            wide = self._lamp_width(lamp, named)
+            places.append((lamp, QRectF(x, room.top(), wide, room.height())))
             x += wide + UNIT_PX
-        return found
+        return places
 
     def at(self, x_px: float, room: QRectF) -> Finding | None:
         """The lamp that is meant there."""
         near = (
-            (abs(place.center().x() - x_px) - place.width() / 2, one.name, one)
-            for one, place in self.places(room)
+            (abs(area.center().x() - x_px) - area.width() / 2, lamp.name, lamp)
+            for lamp, area in self.places(room)
         )
         best = min(near, default=None)
         return None if best is None or best[0] > UNIT_PX else best[2]
@@ -114,29 +114,29 @@ class LampRow:
     def _said(self, row: int) -> frozenset[str]:
         """Names of the lamps that have words in a row of the table, the worst one among them."""
         lamps = self.lamps
-        said = {one.name for one in lamps if one.state in _SAID[row]}
-        worst = (one.name for state in _WORST for one in lamps if one.state == state)
-        return frozenset(said | set(islice(worst, 1)))
+        names = {lamp.name for lamp in lamps if lamp.state in _SAID[row]}
+        worst = (lamp.name for state in _WORST for lamp in lamps if lamp.state == state)
+        return frozenset(names | set(islice(worst, 1)))
 
-    def _lamp_width(self, one: Finding, words: frozenset[str]) -> float:
-        if one.name not in words:
+    def _lamp_width(self, lamp: Finding, named: frozenset[str]) -> float:
+        if lamp.name not in named:
             return _DOT_PX
-        return _DOT_PX + 4 + self.metrics.horizontalAdvance(NAMES[one.name])
+        return _DOT_PX + 4 + self.metrics.horizontalAdvance(NAMES[lamp.name])
 
-    def _width(self, words: frozenset[str]) -> int:
+    def _width(self, named: frozenset[str]) -> int:
         lamps = self.lamps
         if not lamps:
             return 0
-        wide = sum(self._lamp_width(one, words) for one in lamps)
+        wide = sum(self._lamp_width(lamp, named) for lamp in lamps)
         return round(wide + UNIT_PX * (len(lamps) - 1) + 2 * _MARGIN_PX)
 
 
-def paint_lamp(painter: QPainter, finding: Finding, place: QRectF, theme: Theme) -> None:
+def paint_lamp(painter: QPainter, finding: Finding, area: QRectF, theme: Theme) -> None:
     """Draw a lamp, and its name where its place is wide enough.
 
     Amber: left; a ring: nothing is known; a dim dot: kept.
     """
-    dot = QRectF(place.left(), place.center().y() - _DOT_PX / 2, _DOT_PX, _DOT_PX)
+    dot = QRectF(area.left(), area.center().y() - _DOT_PX / 2, _DOT_PX, _DOT_PX)
     if finding.state == "left":
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(theme.warning))
@@ -147,10 +147,10 @@ def paint_lamp(painter: QPainter, finding: Finding, place: QRectF, theme: Theme)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(theme.border))
     painter.drawEllipse(dot.adjusted(0.5, 0.5, -0.5, -0.5))
-    if place.width() > _DOT_PX + 1:
+    if area.width() > _DOT_PX + 1:
         painter.setPen(QColor(theme.warning if finding.state == "left" else theme.dim))
-        words = place.adjusted(_DOT_PX + 3, 0, 0, 0)
-        painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, NAMES[finding.name])
+        text_area = area.adjusted(_DOT_PX + 3, 0, 0, 0)
+        painter.drawText(text_area, Qt.AlignmentFlag.AlignVCenter, NAMES[finding.name])
 
 
 # Lamps in the status bar: conditions of the measurement, and whether the design keeps them.
@@ -199,7 +199,7 @@ class ValidityLamps(QWidget):
         if findings != self.findings:
             self.findings = findings
             self._describe()
-            lit = sum(one.state == "left" for one in self.row.lamps)
+            lit = sum(lamp.state == "left" for lamp in self.row.lamps)
             self.setAccessibleName(f"{_NAME}: {lit or 'no'} caution{'' if lit == 1 else 's'}")
             self.updateGeometry()
         self.update()
@@ -213,8 +213,8 @@ class ValidityLamps(QWidget):
         self.update()
 
     def _describe(self) -> None:
-        said = [f"{NAMES[one.name]}: {STATES[one.state]}" for one in self.row.lamps]
-        self.setAccessibleDescription("; ".join([_OLDER] * self._lateness.late + said))
+        states = [f"{NAMES[lamp.name]}: {STATES[lamp.state]}" for lamp in self.row.lamps]
+        self.setAccessibleDescription("; ".join([_OLDER] * self._lateness.late + states))
 
     def sizeHint(self) -> QSize:
         return self._size(self.row.whole_px)
@@ -224,23 +224,23 @@ class ValidityLamps(QWidget):
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
-            found = self.row.at(event.pos().x(), QRectF(self.rect()))
-            words = "" if found is None else _words_of(found, late=self._lateness.late)
-            QToolTip.showText(event.globalPos(), words, self)
+            finding = self.row.at(event.pos().x(), QRectF(self.rect()))
+            text = "" if finding is None else _words_of(finding, stale=self._lateness.late)
+            QToolTip.showText(event.globalPos(), text, self)
             return True
         return super().event(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        found = self.row.at(event.position().x(), QRectF(self.rect()))
-        if event.button() == Qt.MouseButton.LeftButton and found is not None:
-            self._choose(found)
+        finding = self.row.at(event.position().x(), QRectF(self.rect()))
+        if event.button() == Qt.MouseButton.LeftButton and finding is not None:
+            self._choose(finding)
         else:
             super().mousePressEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         keys = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
         if event.key() in keys and (lamps := self.row.lamps):
-            lit = (one for one in lamps if one.state == "left")
+            lit = (lamp for lamp in lamps if lamp.state == "left")
             self._choose(next(lit, lamps[0]))
         else:
             super().keyPressEvent(event)
@@ -250,8 +250,8 @@ class ValidityLamps(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(self.words_font)
         painter.setOpacity(_PALE if self._lateness.late else 1.0)
-        for finding, place in self.places:
-            paint_lamp(painter, finding, place, current_theme())
+        for finding, area in self.places:
+            paint_lamp(painter, finding, area, current_theme())
         if self.hasFocus():
             paint_focus_frame(painter, QRectF(self.rect()), current_theme())
         painter.end()
@@ -263,10 +263,10 @@ class ValidityLamps(QWidget):
         self.chosen.emit(finding.name, self.mapToGlobal(QPoint(0, 0)))
 
 
-def _words_of(finding: Finding, *, late: bool = False) -> str:
+def _words_of(finding: Finding, *, stale: bool = False) -> str:
     name = NAMES[finding.name]
     head = f"{name[:1].upper()}{name[1:]}: {STATES[finding.state]}"
-    head = f"{head} · {_OLDER}" if late else head
+    head = f"{head} · {_OLDER}" if stale else head
     return f"{head}\n{finding.sentence}\nClick to see what can be done."
 
 
@@ -306,37 +306,37 @@ class ValidityCard(QFrame):
         grid.setHorizontalSpacing(2 * UNIT_PX)
         grid.setVerticalSpacing(UNIT_PX)
         grid.setColumnStretch(1, 1)
-        for row, one in enumerate(findings):
-            self._add(grid, row, one, chosen=one.name == first)
+        for row, finding in enumerate(findings):
+            self._add(grid, row, finding, chosen=finding.name == first)
 
-    def open_above(self, place: QPoint) -> None:
+    def open_above(self, position: QPoint) -> None:
         """Show it with its lower edge at a place of the screen."""
         self.adjustSize()
         screen = self.screen().availableGeometry()
-        left = min(max(place.x(), screen.left()), screen.right() - self.width())
-        self.move(left, max(place.y() - self.height() - 2, screen.top()))
+        left = min(max(position.x(), screen.left()), screen.right() - self.width())
+        self.move(left, max(position.y() - self.height() - 2, screen.top()))
         self.show()
 
-    def _add(self, grid: QGridLayout, row: int, one: Finding, *, chosen: bool) -> None:
-        title = QLabel(f"{_TITLES[one.name]}\n{STATES[one.state]}")
-        set_tone(title, "warning" if one.state == "left" else "dim")
+    def _add(self, grid: QGridLayout, row: int, finding: Finding, *, chosen: bool) -> None:
+        title = QLabel(f"{_TITLES[finding.name]}\n{STATES[finding.state]}")
+        set_tone(title, "warning" if finding.state == "left" else "dim")
         font = title.font()
         font.setBold(chosen)
         title.setFont(font)
-        words = QLabel(one.sentence)
-        words.setObjectName(f"validity_{one.name}")
-        words.setWordWrap(True)
+        label = QLabel(finding.sentence)
+        label.setObjectName(f"validity_{finding.name}")
+        label.setWordWrap(True)
         # Wrapped words are as high as their width makes them, which grids forget.
         wide = _WORDS_EM * self.fontMetrics().horizontalAdvance("m")
-        words.setFixedWidth(wide)
-        words.setFixedHeight(words.heightForWidth(wide))
+        label.setFixedWidth(wide)
+        label.setFixedHeight(label.heightForWidth(wide))
         top = Qt.AlignmentFlag.AlignTop
         grid.addWidget(title, row, 0, top)
-        grid.addWidget(words, row, 1, top)
-        if one.mend:
-            button = QPushButton(_MENDS[one.mend])
-            button.setObjectName(f"mend_{one.name}")
-            button.clicked.connect(partial(self._mend, one))
+        grid.addWidget(label, row, 1, top)
+        if finding.mend:
+            button = QPushButton(_MENDS[finding.mend])
+            button.setObjectName(f"mend_{finding.name}")
+            button.clicked.connect(partial(self._mend, finding))
             grid.addWidget(button, row, 2, top)
             if chosen:
                 button.setFocus()
@@ -421,19 +421,19 @@ class Validity(QObject):
             self._engine.request(replace(self._shown, wanted=_WANTED, purpose=Purpose.JUDGE))
 
     def _tell(self, outcome: Outcome | None) -> None:
-        found = () if outcome is None or outcome.values is None else outcome.values["validity"]
-        self.lamps.show_findings(found)
+        findings = () if outcome is None or outcome.values is None else outcome.values["validity"]
+        self.lamps.show_findings(findings)
         self._judged = None if outcome is None else outcome.request.given
         # There may have been edits since.
         self._follow()
-        self._noisy = next((one.outputs for one in found if one.name == "noise"), ())
+        self._noisy = next((finding.outputs for finding in findings if finding.name == "noise"), ())
         for panel in self._panels:
             panel.show_noisy(self._noisy)
 
-    def _explain(self, name: str, place: QPoint) -> None:
+    def _explain(self, name: str, position: QPoint) -> None:
         card = ValidityCard(self.lamps.findings, name, self.lamps)
         card.mend_wanted.connect(self._mend)
-        card.open_above(place)
+        card.open_above(position)
 
     def _mend(self, finding: Finding) -> None:
         self._document.apply(edits.mend(self._document.design, self._document.view, finding))

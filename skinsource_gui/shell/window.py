@@ -191,8 +191,8 @@ class MainWindow(docks.ListsPanels):
         self._bar = StudioBar(self.setup_bar, self.playback.bar, groups, self)
         self.statusBar().addWidget(self.status_line, 1)
         self._match_note = MatchNote([actions["keep_match_gain"], actions["match_levels"]])
-        for told in (self._match_note, self.playback.note, self.job_bar):
-            self.statusBar().addPermanentWidget(told)
+        for label in (self._match_note, self.playback.note, self.job_bar):
+            self.statusBar().addPermanentWidget(label)
         self.validity = Validity(self.document, self.engine, self.panels, self.statusBar())
         self.statusBar().addPermanentWidget(self._limb_note)
 
@@ -240,7 +240,7 @@ class MainWindow(docks.ListsPanels):
             self.limbs.changed.connect(follow)
 
     def _findable(self) -> list[QAction]:
-        others = [one for name, one in self.actions_by_name.items() if name != "find_action"]
+        others = [action for name, action in self.actions_by_name.items() if name != "find_action"]
         panels = docks.toggles(self.docks.values())
         return [*others, *panels, *self.setup_bar.choices(None), *kind_choices(self.document)]
 
@@ -271,6 +271,6 @@ class MainWindow(docks.ListsPanels):
             return
         first = (self.keeping.end, self.layout_of_docks.close, self.engine.close)
         rest = (self.playback, self.running_jobs, self.pages, self.imports, self.stimuli)
-        for end in (*first, *(one.end for one in rest)):
+        for end in (*first, *(part.end for part in rest)):
             end()
         super().closeEvent(event)

@@ -67,7 +67,7 @@ def is_silent(compared: Compared) -> bool:
 
 def have_matching_level(compared: Sequence[Compared], *, matched: bool) -> bool:
     """Whether designs that shall be ``matched`` are: what they are matched to has a level."""
-    first = min(compared, key=lambda one: one.snapshot.number, default=None)
+    first = min(compared, key=lambda design: design.snapshot.number, default=None)
     return matched and first is not None and not (is_silent(first) or first.problem)
 
 
@@ -78,9 +78,9 @@ def display_gain_text(design: Design | None, view: View) -> str:
 
 def matched_text(compared: Sequence[Compared]) -> str:
     """By how much which of them are shown louder or softer: ``"2: −3.2 dB, matched"``; or ""."""
-    gains = [(one.name, gain_text(one.gain)) for one in compared]
-    said = ", ".join(f"{name}: {gain}" for name, gain in gains if gain)
-    return f"{said}, matched" if said else ""
+    gains = [(design.name, gain_text(design.gain)) for design in compared]
+    text = ", ".join(f"{name}: {gain}" for name, gain in gains if gain)
+    return f"{text}, matched" if text else ""
 
 
 def gain_db(compared: Compared) -> float:

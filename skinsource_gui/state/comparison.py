@@ -73,7 +73,7 @@ class OnLimbs(QObject):
 
     def forget_problems(self) -> None:
         """Try again what could not be predicted: limbs came or went."""
-        for limb in [one for one, found in self._found.items() if found.values is None]:
+        for limb in [name for name, outcome in self._found.items() if outcome.values is None]:
             del self._found[limb]
             self._asked.pop(limb, None)
 
@@ -102,15 +102,15 @@ class OnLimbs(QObject):
     def _ask(self) -> None:
         """Ask for what is not known of the present design."""
         for limb, needs in self._wanted().items():
-            asked = self._asked_of(limb)
-            if isinstance(asked, str):
+            on_limb_ = self._asked_of(limb)
+            if isinstance(on_limb_, str):
                 continue
-            given = self._sources(asked)
-            if self._is_known(limb, needs, given):
+            sources = self._sources(on_limb_)
+            if self._is_known(limb, needs, sources):
                 continue
             if limb == self._document.design.limb and self._engine.busy:
                 continue  # the window is about to show it
-            request = Request(needs, given, slot=_slot(limb))
+            request = Request(needs, sources, slot=_slot(limb))
             if self._asked.get(limb) != request:
                 self._asked[limb] = request
                 self._engine.request(request)
@@ -125,11 +125,11 @@ class OnLimbs(QObject):
         document = self._document
         return sources_of_levels(*asked, match_gain=document.seen.match_gain(document.design))
 
-    def _is_known(self, limb: str, needs: frozenset[str], given: dict[str, Any]) -> bool:
-        found = self._found.get(limb)
-        if found is None or key_of_levels(found.request.given) != key_of_levels(given):
+    def _is_known(self, limb: str, needs: frozenset[str], sources: dict[str, Any]) -> bool:
+        outcome = self._found.get(limb)
+        if outcome is None or key_of_levels(outcome.request.given) != key_of_levels(sources):
             return False
-        return found.values is None or needs <= found.values.keys()
+        return outcome.values is None or needs <= outcome.values.keys()
 
     def _note(self, outcome: Outcome) -> None:
         request = outcome.request
@@ -157,17 +157,17 @@ class OnLimbs(QObject):
             named = replace(self._document.design, limb=limb, limb_digest="")
             return Compared(snapshot=Snapshot(design=named), problem=asked)
         snapshot = Snapshot(design=asked[0])
-        found = self._found.get(limb)
-        if found is None or not (found.values is None or needs <= found.values.keys()):
+        outcome = self._found.get(limb)
+        if outcome is None or not (outcome.values is None or needs <= outcome.values.keys()):
             return Compared(snapshot=snapshot, axes=asked[1].axes)
-        late = not self._is_known(limb, needs, self._sources(asked))
-        problem = "" if found.values is not None or late else reason_of(found.error)
+        stale = not self._is_known(limb, needs, self._sources(asked))
+        problem = "" if outcome.values is not None or stale else reason_of(outcome.error)
         return Compared(
             snapshot=snapshot,
-            values=found.values,
+            values=outcome.values,
             problem=problem,
             axes=asked[1].axes,
-            late=late,
+            late=stale,
         )
 
 
@@ -199,8 +199,8 @@ class StayingMatched(QObject):
 
     def _follows_from(self) -> tuple[Any, ...]:
         view = self._document.view
-        kept = {one.number: one.design for one in view.snapshots}
-        return view.levels_matched, view.axes, view.method, view.span, kept
+        designs = {snapshot.number: snapshot.design for snapshot in view.snapshots}
+        return view.levels_matched, view.axes, view.method, view.span, designs
 
     def _look(self) -> None:
         self._seen = self._follows_from()
@@ -291,12 +291,12 @@ class Comparison(QObject):
         steps = document.undo_stack.index()
         document.apply(edits.store_snapshot(document.design, document.view, int(number)))
         replaced = " in place of another, which Undo brings back"
-        words = replaced if document.undo_stack.index() > steps else ""
+        replacement = replaced if document.undo_stack.index() > steps else ""
         other = other_than(document.view.snapshots, document.design)
         ways = "change the design, and X goes to and fro"
         if other is not None:
             ways = f"X shows {name_of(other.number)}, and this again"
-        self.done.emit(f"Stored snapshot {number}{words}; {ways}")
+        self.done.emit(f"Stored snapshot {number}{replacement}; {ways}")
 
     def forget_problems(self) -> None:
         """Try again what could not be predicted: limbs came or went."""
@@ -317,23 +317,23 @@ class Comparison(QObject):
     def show(self, number: int) -> None:
         """Put a snapshot in place of the design, as loud as the others where that is wanted."""
         document = self._document
-        asked = document.design, document.view
+        before = document.design, document.view
         if not document.view.levels_matched:
-            outcome = edits.show_snapshot(*asked, number)
+            outcome = edits.show_snapshot(*before, number)
             document.apply(outcome, self._going)
             if isinstance(outcome, Edit):
                 self.done.emit(_shown_words(number, document))
             return
 
         def show_matched() -> None:
-            if (document.design, document.view.snapshots) == (asked[0], asked[1].snapshots):
+            if (document.design, document.view.snapshots) == (before[0], before[1].snapshots):
                 gain = self._gain(number)
                 outcome = edits.show_snapshot(document.design, document.view, number, gain)
                 document.apply(outcome, self._going)
                 matched = match_text(gain)
                 if isinstance(outcome, Edit) and matched:
                     self.done.emit(f"{_named(number)} is shown {matched}. {_AS_STORED}")
-                elif isinstance(outcome, Edit) and outcome.design != asked[0]:
+                elif isinstance(outcome, Edit) and outcome.design != before[0]:
                     self.done.emit(_shown_words(number, document))
 
         self._then = show_matched
@@ -346,20 +346,24 @@ class Comparison(QObject):
     def _follow(self) -> None:
         if not (self._visible() or self._then or self._asked):
             return  # what is gone is forgotten once somebody looks again
-        numbers = {one.number for one in self._together()}
-        for gone in self._known.keys() - numbers - {_PRESENT}:
-            del self._known[gone]
+        numbers = {snapshot.number for snapshot in self._together()}
+        for number in self._known.keys() - numbers - {_PRESENT}:
+            del self._known[number]
         wanted = numbers if self._visible() or self._then else set()
-        for gone in self._asked.keys() - wanted:
-            del self._asked[gone]
-            self._engine.release(_comparison_slot(gone))
+        for number in self._asked.keys() - wanted:
+            del self._asked[number]
+            self._engine.release(_comparison_slot(number))
         if wanted:
             self._ask()
             self._tell()
 
     def _visible(self) -> list[Panel]:
         """Panels that want to know of snapshots now."""
-        return [one for one in self._panels if one.isVisible() and one.needs_of_snapshots]
+        return [
+            snapshot
+            for snapshot in self._panels
+            if snapshot.isVisible() and snapshot.needs_of_snapshots
+        ]
 
     def _ask(self) -> None:
         """Have predicted what is not known yet; do what waits for it, once nothing is unknown."""
@@ -367,48 +371,50 @@ class Comparison(QObject):
             return
         wanted = _LEVELS.union(*(panel.needs_of_snapshots for panel in self._visible()))
         complete = True
-        for one in self._together():
-            if self._found(one, wanted) is not None:
+        for snapshot in self._together():
+            if self._found(snapshot, wanted) is not None:
                 continue
             view = self._document.view
-            given = sources_of_levels(one.design, view, with_outputs=bool(wanted & OF_OUTPUTS))
-            if refused := too_large(one.design.limb):
-                self._known[one.number] = _known(given, refused)
+            sources = sources_of_levels(
+                snapshot.design, view, with_outputs=bool(wanted & OF_OUTPUTS)
+            )
+            if refused := too_large(snapshot.design.limb):
+                self._known[snapshot.number] = _known(sources, refused)
                 continue
             complete = False
-            if one.design is self._document.design and self._engine.busy:
+            if snapshot.design is self._document.design and self._engine.busy:
                 continue  # the window is about to show it
-            request = Request(wanted, given, slot=_comparison_slot(one.number))
-            if self._asked.get(one.number) != request:
-                self._asked[one.number] = request
+            request = Request(wanted, sources, slot=_comparison_slot(snapshot.number))
+            if self._asked.get(snapshot.number) != request:
+                self._asked[snapshot.number] = request
                 self._engine.request(request)
         if complete and self._then is not None:
             then, self._then = self._then, None
             then()
 
-    def _found(self, one: Snapshot, wanted: frozenset[str]) -> _Known | None:
+    def _found(self, snapshot: Snapshot, wanted: frozenset[str]) -> _Known | None:
         """What is known of a snapshot as it was stored, whoever asked for it."""
         view = self._document.view
-        key = key_of_levels(sources_of_levels(one.design, view))
+        key = key_of_levels(sources_of_levels(snapshot.design, view))
         outputs = view.outputs if wanted & OF_OUTPUTS else None
-        for number in (one.number, *self._known):
+        for number in (snapshot.number, *self._known):
             known = self._known.get(number)
             if known is None or known.key != key or outputs not in (None, known.outputs):
                 continue
             if known.holds(wanted):
-                self._known[one.number] = known
+                self._known[snapshot.number] = known
                 return known
         return None
 
     def _note(self, outcome: Outcome) -> None:
         request = outcome.request
-        number = next((n for n, asked in self._asked.items() if asked is request), None)
+        number = next((n for n, pending in self._asked.items() if pending is request), None)
         if request.place == (FIRST_SLOT, Purpose.SHOW) and outcome.values is not None:
             number = _PRESENT
         if number is None:
             return
-        found = reason_of(outcome.error) if outcome.values is None else outcome.values
-        self._known[number] = _known(request.given, found)
+        result = reason_of(outcome.error) if outcome.values is None else outcome.values
+        self._known[number] = _known(request.given, result)
         self._ask()
         self._tell()
 
@@ -418,29 +424,29 @@ class Comparison(QObject):
 
     def _compared(self, wanted: frozenset[str]) -> tuple[Compared, ...]:
         """Every snapshot; with values where all that is ``wanted`` is known."""
-        found = []
+        compared = []
         matched = self._document.seen.levels_matched
-        for one in sorted(self._together(), key=lambda one: one.number):
-            known = self._found(one, wanted)
-            found.append(
+        for snapshot in sorted(self._together(), key=lambda snapshot: snapshot.number):
+            known = self._found(snapshot, wanted)
+            compared.append(
                 Compared(
-                    snapshot=one,
+                    snapshot=snapshot,
                     values=known.values if known else None,
                     problem=known.problem if known else "",
-                    gain=self._gain(one.number) if matched else 1.0,
+                    gain=self._gain(snapshot.number) if matched else 1.0,
                 )
             )
-        return tuple(found)
+        return tuple(compared)
 
     def _gain(self, number: int) -> float:
         """Factor with which a snapshot is as loud as the one that others are matched to."""
-        beside = self._together()
-        this = next((one for one in beside if one.number == number), None)
-        own_db, other_db = (self._loudest_db(one) for one in (this, reference(beside)))
+        snapshots = self._together()
+        this = next((snapshot for snapshot in snapshots if snapshot.number == number), None)
+        own_db, other_db = (self._loudest_db(snapshot) for snapshot in (this, reference(snapshots)))
         return 1.0 if own_db is None or other_db is None else matching_gain(own_db, other_db)
 
-    def _loudest_db(self, one: Snapshot | None) -> float | None:
-        known = None if one is None else self._found(one, _LEVELS)
+    def _loudest_db(self, snapshot: Snapshot | None) -> float | None:
+        known = None if snapshot is None else self._found(snapshot, _LEVELS)
         return (
             None
             if known is None or known.values is None
@@ -450,9 +456,9 @@ class Comparison(QObject):
 
 def _shown_words(number: int, document: Document) -> str:
     """What is seen now, and the way back: words about what was seen before would be wrong."""
-    words = f"{_named(number)} is shown"
+    text = f"{_named(number)} is shown"
     other = other_than(document.view.snapshots, document.design)
-    return words if other is None else f"{words}; X shows {name_of(other.number)}"
+    return text if other is None else f"{text}; X shows {name_of(other.number)}"
 
 
 def _named(number: int) -> str:
@@ -460,8 +466,8 @@ def _named(number: int) -> str:
     return f"{name[:1].upper()}{name[1:]}"
 
 
-def _known(given: Mapping[str, Any], found: Mapping[str, Any] | str) -> _Known:
-    return _Known(key_of_levels(given), given["outputs"], found)
+def _known(sources: Mapping[str, Any], result: Mapping[str, Any] | str) -> _Known:
+    return _Known(key_of_levels(sources), sources["outputs"], result)
 
 
 def _comparison_slot(number: int) -> Slot:
@@ -486,7 +492,7 @@ class Judging:
     def __init__(self, engine: Engine) -> None:
         self._engine = engine
 
-    def judge(self, label: str, given: Mapping[str, Any], *, present: bool) -> Judged:
+    def judge(self, label: str, sources: Mapping[str, Any], *, present: bool) -> Judged:
         """Wait until what follows from ``given`` is judged; a reason why it cannot be ends it too.
 
         Parameters
@@ -499,29 +505,29 @@ class Judging:
             Whether that is what the window shows.
         """
         slot = FIRST_SLOT if present else _OTHERS
-        request = Request(_WANTED, given, purpose=Purpose.EXPORT, slot=slot)
-        found = self._outcome(request)
+        request = Request(_WANTED, sources, purpose=Purpose.EXPORT, slot=slot)
+        outcome = self._outcome(request)
         if not present:
             self._engine.release(slot)
-        values = None if found is None else found.values
+        values = None if outcome is None else outcome.values
         if values is None:
             return Judged(label=label)
         return Judged(label=label, note=values["limb_data"].note, findings=values["validity"])
 
     def _outcome(self, request: Request) -> Outcome | None:
         """What became of a request; None where the engine ends before."""
-        loop, found = QEventLoop(), list[Outcome]()
+        loop, outcomes = QEventLoop(), list[Outcome]()
 
         def note(outcome: Outcome) -> None:
             if outcome.request is request:
-                found.append(outcome)
+                outcomes.append(outcome)
                 loop.quit()
 
         self._engine.finished.connect(note)
         self._engine.rested.connect(loop.quit)
         self._engine.request(request)
-        while not found and self._engine.busy:
+        while not outcomes and self._engine.busy:
             loop.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
         self._engine.finished.disconnect(note)
         self._engine.rested.disconnect(loop.quit)
-        return found[0] if found else None
+        return outcomes[0] if outcomes else None

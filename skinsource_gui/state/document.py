@@ -31,8 +31,8 @@ class HistoryState:
         if not same:
             return False
         # How loud one was shown last is nothing that could be lost.
-        kept = {one.number: one.design for one in theirs.snapshots}
-        return all(kept.get(one.number) == one.design for one in mine.snapshots)
+        designs = {snapshot.number: snapshot.design for snapshot in theirs.snapshots}
+        return all(designs.get(snapshot.number) == snapshot.design for snapshot in mine.snapshots)
 
     def is_before(self, other: "HistoryState") -> bool:
         """Whether ``other`` goes on from this one, with the same inputs and clips selected."""
@@ -188,9 +188,9 @@ class Document(QObject):
 
     def look(self, view: View) -> None:
         """Replace the view."""
-        kept = self._view.snapshots
+        snapshots = self._view.snapshots
         self._show(self._design, view)
-        if self._view.snapshots is not kept:
+        if self._view.snapshots is not snapshots:
             self._tell_title()
         self.settled.emit()
 
@@ -329,8 +329,8 @@ def _holds_snapshots(saved: Design, saved_view: View, view: View) -> bool:
     """
     if view.snapshots == saved_view.snapshots:
         return True
-    then = {one.number: one.design for one in saved_view.snapshots}
-    now = {one.number: one.design for one in view.snapshots}
+    then = {snapshot.number: snapshot.design for snapshot in saved_view.snapshots}
+    now = {snapshot.number: snapshot.design for snapshot in view.snapshots}
     if any(now.get(number) != design for number, design in then.items()):
         return False
     held = (saved, *then.values())
@@ -339,20 +339,20 @@ def _holds_snapshots(saved: Design, saved_view: View, view: View) -> bool:
 
 def _existing(view: View, design: Design) -> View:
     """Return ``view`` with those selected inputs, clips, outputs and axes that exist."""
-    chosen = tuple(one for one in view.selected_inputs if one in design.ids)
-    clip_ids = {one.id for one in design.clips} if view.selected_clips else set()
-    clips = tuple(one for one in view.selected_clips if one in clip_ids)
+    chosen = tuple(track_id for track_id in view.selected_inputs if track_id in design.ids)
+    clip_ids = {clip.id for clip in design.clips} if view.selected_clips else set()
+    clips = tuple(clip_id for clip_id in view.selected_clips if clip_id in clip_ids)
     outputs = outputs_on(design.limb, view.outputs)
-    found: dict[str, Any] = {
+    existing: dict[str, Any] = {
         "selected_inputs": chosen,
         "selected_clips": clips,
         "outputs": outputs,
         "axes": axes_on(design.limb, view.axes),
     }
-    if all(getattr(view, name) == value for name, value in found.items()):
+    if all(getattr(view, name) == value for name, value in existing.items()):
         return view
-    return replace(view, **found)
+    return replace(view, **existing)
 
 
-def _same_limb(one: Design, other: Design) -> bool:
-    return (one.limb, one.limb_digest) == (other.limb, other.limb_digest)
+def _same_limb(design: Design, other: Design) -> bool:
+    return (design.limb, design.limb_digest) == (other.limb, other.limb_digest)

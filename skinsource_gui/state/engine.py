@@ -103,12 +103,12 @@ class LatestWins(QObject):
         """Do what is wanted until nothing is."""
         while True:
             with self._lock:
-                wanted, self._wanted = self._wanted, None
+                latest, self._wanted = self._wanted, None
                 besides = self._besides
-                if (wanted is None and besides is None) or self.closed:
+                if (latest is None and besides is None) or self.closed:
                     self._working = False
                     return
-            subject, work = wanted if wanted is not None else (None, besides)
+            subject, work = latest if latest is not None else (None, besides)
             try:
                 if work is not None:
                     work()
@@ -117,7 +117,7 @@ class LatestWins(QObject):
             except Exception as error:  # noqa: BLE001  shown to the user
                 self.tell(self.failed, subject, _sentence(error))
             with self._lock:
-                if wanted is None and self._besides is besides:
+                if latest is None and self._besides is besides:
                     self._besides = None
 
 
@@ -264,8 +264,8 @@ class Engine(QObject):
 
     def release(self, slot: Slot) -> None:
         """Forget what was computed for ``slot``, and what waits for it."""
-        for place in [place for place in self._waiting if place[0] == slot]:
-            del self._waiting[place]
+        for key in [key for key in self._waiting if key[0] == slot]:
+            del self._waiting[key]
         self._to_show.pop(slot, None)
         if not self._closing.is_set():
             self._worker.submit(self._graphs.pop, slot, None)
@@ -336,10 +336,10 @@ class Engine(QObject):
             # Abandoned: it goes on later, unless a newer one has its place.
             self._waiting.setdefault(ended.place, ended)
         self._waiting = {
-            place: one for place, one in self._waiting.items() if not self._is_outdated(one)
+            key: request for key, request in self._waiting.items() if not self._is_outdated(request)
         }
         if self._waiting:
-            first = min(self._waiting, key=lambda place: place[1])
+            first = min(self._waiting, key=lambda key: key[1])
             self._start(self._waiting.pop(first))
         if outcome is not None:
             self.finished.emit(outcome)
@@ -449,10 +449,10 @@ def sources_of_levels(
     selected outputs, as traces are.
     """
     axes = axes_on(design.limb, view.axes)
-    seen = View(axes=axes, method=view.method, span=view.span, selected_inputs=())
+    levels_view = View(axes=axes, method=view.method, span=view.span, selected_inputs=())
     if with_outputs:
-        seen = replace(seen, outputs=view.outputs)
-    return sources(design, seen, match_gain=match_gain, leave_out_unplayable=True)
+        levels_view = replace(levels_view, outputs=view.outputs)
+    return sources(design, levels_view, match_gain=match_gain, leave_out_unplayable=True)
 
 
 def on_limb(design: Design, view: View, limb: str) -> tuple[Design, View] | str:

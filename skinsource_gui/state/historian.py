@@ -35,7 +35,11 @@ class Historian(QObject):
         """All that can be taken back or done again now."""
         document, stack = self._document, self._document.undo_stack
         done = (stack.command(k) for k in range(stack.count()))
-        steps = tuple(Step(one.text(), one.at_s) for one in done if isinstance(one, ReplaceDesign))
+        steps = tuple(
+            Step(command.text(), command.at_s)
+            for command in done
+            if isinstance(command, ReplaceDesign)
+        )
         start = f"Scene: {printable(document.scene)}" if document.scene else "New design"
         if document.opened:
             start = f"Opened {document.opened.name}"
@@ -53,7 +57,7 @@ class Historian(QObject):
             panel.step_wanted.connect(self._document.go_to)
 
     def _note_visibility(self, panel: Panel) -> None:
-        self._shown = [one for one in self._shown if one is not panel]
+        self._shown = [visible for visible in self._shown if visible is not panel]
         if panel.isVisible():
             self._shown.append(panel)
             panel.show_history(self.history())

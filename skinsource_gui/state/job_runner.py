@@ -152,16 +152,16 @@ class JobRunner(QObject):
         return tell
 
     def _stop_of(self, job: Job[Any], stop: Event) -> Stop:
-        told = False
+        is_stopping = False
 
         def should_stop() -> bool:
-            nonlocal told
-            if stop.is_set() and not told:
+            nonlocal is_stopping
+            if stop.is_set() and not is_stopping:
                 # From here on nothing is written.  To clear away what was may take longer than
                 # the user should have to wait.
-                told = True
+                is_stopping = True
                 self._stopping.emit(job)
-            return told
+            return is_stopping
 
         return should_stop
 
@@ -299,12 +299,12 @@ class WaveletLevelling(QObject):
             self._runner.add(job)
 
     def _apply(self, job: Job[Any], levels_db: tuple[float, ...]) -> None:
-        asked = self._asked.pop(job, None)
-        if asked is None:
+        request = self._asked.pop(job, None)
+        if request is None:
             return
         design, view = self._document.design, self._document.view
-        if asked.is_as_in(design):
-            outcome = edits.equalise_on_skin(design, view, asked.clip_id, levels_db, MEASURE)
+        if request.is_as_in(design):
+            outcome = edits.equalise_on_skin(design, view, request.clip_id, levels_db, MEASURE)
             self._document.apply(outcome)
         else:
             self.failed.emit(_CHANGED)
@@ -327,7 +327,7 @@ def selected_train(design: Design, view: View) -> Clip | None:
 
 def _what_counts(design: Design, clip_id: int) -> object:
     """All of a design that the level of a wavelet on the skin depends on."""
-    if clip_id not in {one.id for one in design.clips}:
+    if clip_id not in {clip.id for clip in design.clips}:
         return None
     clip, track = design.clip(clip_id), design.track_of(clip_id)
     train = clip.waveform

@@ -54,17 +54,17 @@ class ShowsStaleness(PointsAtInputs):
         """Newer results were drawn, if not the newest: it is given time for those anew."""
         self._lateness.count_anew()
 
-    def show_late(self, late: bool) -> None:
+    def show_late(self, stale: bool) -> None:
         """Let it be seen that what is drawn belongs to an older design, or does no more."""
         while self._veils:
             self._veils.pop().take_away()
-        if late:
+        if stale:
             self._veils = [StaleOverlay(part) for part in self.computed]
 
-    def _follow_lateness(self, late: bool) -> None:
+    def _follow_lateness(self, stale: bool) -> None:
         for button in self.findChildren(CopyButton):
-            button.show_late(late)
-        self.show_late(late)
+            button.show_late(stale)
+        self.show_late(stale)
 
 
 # What wants to know of more designs than the one in the window.
@@ -256,13 +256,13 @@ class LazyPanel:
         """Its class, imported now if it was not before."""
         module = import_module(f"skinsource_gui.panels.{self.name}.panel")
         words = (word.capitalize() for word in self.name.split("_"))
-        found: type[Panel] = getattr(module, f"{''.join(words)}Panel")
-        if (found.name, found.title) != (self.name, self.title):
+        panel_type: type[Panel] = getattr(module, f"{''.join(words)}Panel")
+        if (panel_type.name, panel_type.title) != (self.name, self.title):
             raise ValueError(
-                f"{found.__name__} says of itself {found.name!r}, {found.title!r}; the table of "
+                f"{panel_type.__name__} says of itself {panel_type.name!r}, {panel_type.title!r}; the table of "
                 f"panels says {self.name!r}, {self.title!r}. Make them the same."
             )
-        return found
+        return panel_type
 
     def __call__(self) -> Panel:
         return self.type()
@@ -313,7 +313,7 @@ class PanelRegistry:
         panel = self._made.get(name)
         if panel is None:
             panel = self._made[name] = self._makers[name]()
-            self._in_order = tuple(self._made[one] for one in self._makers if one in self._made)
+            self._in_order = tuple(self._made[name] for name in self._makers if name in self._made)
             for meet in tuple(self._meetings):
                 meet(panel)
         return panel

@@ -170,7 +170,7 @@ Then = Callable[[Any, SkinSourceError | None], None]
 
 def one_is_stuck() -> bool:
     """Whether a thread still waits for its device, though nobody plays any more."""
-    return any(one.name.startswith(_NAME) for one in threading.enumerate())
+    return any(thread.name.startswith(_NAME) for thread in threading.enumerate())
 
 
 class SoundThread(QObject):
@@ -274,23 +274,23 @@ class LiveEdits(QObject):
             self._follow()
 
     def _follow(self) -> None:
-        wanted = played_of(self._document), self._loops
-        if self._playing is None or self._rendered == wanted:
-            self._waiting_s = None if self._rendered == wanted else self._waiting_s
+        latest = played_of(self._document), self._loops
+        if self._playing is None or self._rendered == latest:
+            self._waiting_s = None if self._rendered == latest else self._waiting_s
             return
         since_s = perf_counter() if self._waiting_s is None else self._waiting_s
         if self._busy:
             # Its delay begins now, not when its turn comes.
             self._waiting_s = since_s
             return
-        self._busy, self._rendered = True, wanted
+        self._busy, self._rendered = True, latest
         self._edited_s, self._waiting_s = since_s, None
         change = partial(
             self._session.made.change,
             self._playing,
-            wanted[0],
+            latest[0],
             self._output,
-            loops=wanted[1],
+            loops=latest[1],
             rig=self._rig,
         )
         self._thread.do(partial(_timed, change), self._take)
@@ -440,8 +440,8 @@ class SoundSettings(QObject):
     @property
     def rig_path(self) -> Path | None:
         """Where the rig of this machine is; None: there is none."""
-        kept = self._preferences.rig_path
-        return Path(kept) if kept else None
+        path = self._preferences.rig_path
+        return Path(path) if path else None
 
     @property
     def sensor_text(self) -> str:
@@ -485,9 +485,9 @@ class SoundSettings(QObject):
         self.device_changed.emit()
 
     def _take_rig(self, path: Path | None) -> None:
-        found = None if path is None else rigs.open_rig(path)
-        self.rig, self.rig_problem = found, ""
-        self.rig_title = "" if found is None or path is None else found.title or path.stem
+        rig = None if path is None else rigs.open_rig(path)
+        self.rig, self.rig_problem = rig, ""
+        self.rig_title = "" if rig is None or path is None else rig.title or path.stem
 
     def choose(self, output: Output) -> None:
         """Play on something else from now on."""
@@ -516,9 +516,9 @@ class SoundSettings(QObject):
             self.changed.emit()
 
     def _take_devices(
-        self, found: "tuple[Device, ...] | None", error: SkinSourceError | None
+        self, found_devices: "tuple[Device, ...] | None", error: SkinSourceError | None
     ) -> None:
-        self.looked, self.devices, self.rates_hz = True, found or (), ()
+        self.looked, self.devices, self.rates_hz = True, found_devices or (), ()
         self.missing = self._not_found = "" if error is None else str(error)
         self._ask_rates()
         self.changed.emit()
@@ -533,8 +533,8 @@ class SoundSettings(QObject):
             return
         self._thread.do(partial(devices.rates_of, device), self._take_rates)
 
-    def _take_rates(self, found: tuple[int, ...] | None, error: SkinSourceError | None) -> None:
-        self.rates_hz = found or ()
+    def _take_rates(self, rates_hz: tuple[int, ...] | None, error: SkinSourceError | None) -> None:
+        self.rates_hz = rates_hz or ()
         self.changed.emit()
 
 
@@ -814,11 +814,11 @@ class PlaybackPace(QObject):
 
     def slower(self) -> None:
         """Take the next slower pace."""
-        self._take(next((one for one in PACES if one > self._now + 1e-9), PACES[-1]))
+        self._take(next((pace for pace in PACES if pace > self._now + 1e-9), PACES[-1]))
 
     def faster(self) -> None:
         """Take the next faster pace."""
-        self._take(next((one for one in reversed(PACES) if one < self._now - 1e-9), PACES[0]))
+        self._take(next((pace for pace in reversed(PACES) if pace < self._now - 1e-9), PACES[0]))
 
     @property
     def _now(self) -> float:
@@ -853,7 +853,7 @@ def _calibration(settings: SoundSettings, design: Design) -> str:
         return settings.rig_problem
     if settings.rig is None:
         return ""
-    places = tuple(dict.fromkeys(one.location for one in design.inputs))
+    places = tuple(dict.fromkeys(track.location for track in design.inputs))
     return rigs.calibration_words(settings.rig, places)
 
 

@@ -124,8 +124,8 @@ class Preferences:
     def own_arrangements(self) -> dict[str, bytes]:
         """By the name of an arrangement, where the user's docks stand in it."""
         names = str(self.settings.value("own_arrangements", "")).split()
-        found = {name: bytes(self._bytes(f"own_arrangement_{name}").data()) for name in names}
-        return {name: layout for name, layout in found.items() if layout}
+        layouts = {name: bytes(self._bytes(f"own_arrangement_{name}").data()) for name in names}
+        return {name: layout for name, layout in layouts.items() if layout}
 
     @own_arrangements.setter
     def own_arrangements(self, layouts: Mapping[str, bytes]) -> None:
@@ -145,10 +145,10 @@ class Preferences:
     @property
     def recent_names(self) -> list[str]:
         """What is remembered of recent files, as they stand."""
-        found = self.settings.value("recent", [])
-        if isinstance(found, str):
-            return [found]
-        return [str(one) for one in found] if isinstance(found, list) else []
+        names = self.settings.value("recent", [])
+        if isinstance(names, str):
+            return [names]
+        return [str(name) for name in names] if isinstance(names, list) else []
 
     @recent_names.setter
     def recent_names(self, names: list[str]) -> None:

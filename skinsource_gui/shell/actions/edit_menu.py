@@ -19,8 +19,8 @@ def _has_clips(design: Design, view: View) -> bool:
     return bool(design.clips)
 
 
-def _hint(words: str, name: str) -> str:
-    return f"{words} ({key_text('timeline', name)}, in the timeline)"
+def _hint(text: str, name: str) -> str:
+    return f"{text} ({key_text('timeline', name)}, in the timeline)"
 
 
 CLIPBOARD: tuple[ActionSpec, ...] = (
@@ -138,7 +138,7 @@ def _has_inputs(design: Design, view: View) -> bool:
 
 
 def _edit_menu_has_clips(design: Design, view: View) -> bool:
-    return any(one.clips for one in design.inputs)
+    return any(track.clips for track in design.inputs)
 
 
 def _has_outputs(design: Design, view: View) -> bool:
@@ -146,7 +146,7 @@ def _has_outputs(design: Design, view: View) -> bool:
 
 
 def _selected(design: Design, view: View) -> list[Input]:
-    return [one for one in design.inputs if one.id in view.selected_inputs]
+    return [track for track in design.inputs if track.id in view.selected_inputs]
 
 
 def _has_selected(design: Design, view: View) -> bool:
@@ -159,12 +159,12 @@ def _has_train(design: Design, view: View) -> bool:
 
 def _all_muted(design: Design, view: View) -> bool:
     chosen = _selected(design, view)
-    return bool(chosen) and all(one.muted for one in chosen)
+    return bool(chosen) and all(track.muted for track in chosen)
 
 
 def _all_solo(design: Design, view: View) -> bool:
     chosen = _selected(design, view)
-    return bool(chosen) and all(one.solo for one in chosen)
+    return bool(chosen) and all(track.solo for track in chosen)
 
 
 def _of_selected(
