@@ -18,7 +18,7 @@ from skinsource.base.files import make_folder
 from skinsource.limbs.catalogue import available_limbs, default_limb
 from skinsource_gui.qt.screen_fit import ScreenFit
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.playing import one_is_stuck
+from skinsource_gui.state.playing import device_is_stuck
 from skinsource_gui.state.preferences import Preferences, settings_path, start_design
 
 _SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")
@@ -58,7 +58,7 @@ def end_if_stuck(result: int) -> None:
 
     What is to be kept must have been written.
     """
-    if one_is_stuck():
+    if device_is_stuck():
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(result)

@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.arrangement_spec import (
     ARRANGEMENTS,
@@ -29,7 +28,7 @@ from skinsource_gui.shell.arrangement_spec import (
     Places,
 )
 from skinsource_gui.shell.docks import Dock, KeyboardKeeper
-from skinsource_gui.state.panel import PREPARING, Panel
+from skinsource_gui.state.panel import Panel
 from skinsource_gui.state.preferences import Preferences
 
 #: Panels that share a place, as tabs; the first one is in front.
@@ -375,13 +374,13 @@ _ROUNDING_PX = 3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class _One:
+class _DockState:
     hidden: bool
     floating: bool
     in_sight: bool
     place: QRect
 
-    def is_like(self, other: "_One", *, as_wide: bool, as_high: bool) -> bool:
+    def is_like(self, other: "_DockState", *, as_wide: bool, as_high: bool) -> bool:
         mine = (self.hidden, self.floating, self.in_sight)
         if mine != (other.hidden, other.floating, other.in_sight):
             return False
@@ -399,7 +398,7 @@ class DockPlaces:
     """Where each dock stands in the room of all, which is less where bars of the window grow."""
 
     room: QSize
-    docks: Mapping[str, _One]
+    docks: Mapping[str, _DockState]
 
     @classmethod
     def of(cls, docks: Mapping[str, Dock]) -> "DockPlaces":
@@ -410,7 +409,7 @@ class DockPlaces:
         return cls(
             reduce(QRect.united, here, QRect()).size(),
             {
-                name: _One(
+                name: _DockState(
                     hidden=dock.isHidden(),
                     floating=dock.isFloating(),
                     in_sight=dock.in_sight,
@@ -768,44 +767,3 @@ def _make_room(stage: QWidget) -> None:
     high = stage.height() + hidden
     # Of the same shape.
     stage.resize(round(stage.width() * high / max(stage.height(), 1)), high)
-
-
-# What a panel is told, and who hears it, when it is made.
-
-
-class PanelInstaller:
-    """Takes each panel into the window, after all others have met it.
-
-    Parameters
-    ----------
-    docks
-        By the name of their panel: where it goes.
-    do, complain, report
-        Does what the table of actions calls by a name; says what went wrong, and what was done.
-    files, preferences
-        Who hears of files that are written; folder and colours that it is told.
-    """
-
-    def __init__(
-        self,
-        docks: Mapping[str, Dock],
-        do: Callable[[str], None],
-        complain: Callable[[str], None],
-        report: Callable[[str], None],
-        files: FileActions,
-        preferences: Preferences,
-    ) -> None:
-        self._docks, self._do, self._complain, self._report = docks, do, complain, report
-        self._files, self._preferences = files, preferences
-
-    def __call__(self, panel: Panel) -> None:
-        """Take in a panel."""
-        panel.action_wanted.connect(self._do)
-        panel.failed.connect(self._complain)
-        panel.done.connect(self._report)
-        panel.written.connect(self._files.note_written)
-        self._files.folder_changed.connect(panel.show_folder)
-        panel.show_folder(self._preferences.folder)
-        if panel.needs:
-            panel.show_problem(PREPARING)
-        self._docks[panel.name].hold(panel)

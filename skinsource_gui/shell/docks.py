@@ -1,6 +1,10 @@
-"""Icons of the buttons of a dock, in the colours of the theme."""
+"""Docks, which hold the panels of the window: buttons, tabs, actions, and the keyboard in them.
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+A dock makes its panel when it first comes into sight. Docks that share a place are tabs of a bar
+that Qt makes.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import cache, partial
 from weakref import ref
@@ -654,24 +658,3 @@ class KeyboardKeeper(QObject):
             if not focus_into(dock.panel, Qt.FocusReason.OtherFocusReason):
                 # A window that is not shown yet has no stops.
                 dock.panel.setFocus(Qt.FocusReason.OtherFocusReason)
-
-
-# Panels in the menu of a title or a bar: as in View > Panels, in the same order.
-
-
-class ListsPanels(QMainWindow):
-    """A window whose titles and bars have a menu of its panels.
-
-    Attributes
-    ----------
-    panel_toggles
-        What shows and hides each of them.
-    """
-
-    panel_toggles: Sequence[QAction] = ()
-
-    def createPopupMenu(self) -> QMenu:
-        # Qt's own lists docks as they were put into the window.
-        menu = QMenu(self)
-        menu.addActions(list(self.panel_toggles))
-        return menu

@@ -232,20 +232,6 @@ class ClipDrawing(QObject):
         panel.use("pen")
 
 
-# What the menus can do with the keyboard's place.
-
-
-def focus_capabilities(
-    panels: PanelRegistry, bring: Callable[[str], None], window: QWidget
-) -> dict[str, QObject]:
-    """Those who carry it out, by the names that the table of actions has for them.
-
-    ``bring`` brings a panel into sight.
-    """
-    focus = PanelFocus(panels, bring, window)
-    return {"panel_focus": focus, "clip_drawing": ClipDrawing(panels, focus, window)}
-
-
 # Shortcuts of the window and the keys of the widget that has the keyboard: which goes first.
 #
 # Shortcuts work from inside number fields and lines of text too.  Keys without Ctrl or Alt that a

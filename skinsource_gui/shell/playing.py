@@ -361,7 +361,7 @@ class Playback(QObject):
         self.rigs.failed.connect(reports.complain)
         # What went wrong with the file before is over.
         self.rigs.opened.connect(reports.report)
-        player.told.connect(reports.explain)
+        player.message.connect(reports.explain)
         panels.each(self._meet)
         self._document.changed.connect(self._show_places)
         self._follow()

@@ -1,4 +1,4 @@
-"""What the View menu does."""
+"""The entries of the View menu."""
 
 from functools import partial
 
