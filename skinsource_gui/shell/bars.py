@@ -1,4 +1,4 @@
-"""The row above the panels: limb, scaling, axes, method, levels."""
+"""The bar above the panels: limb, scaling, axes, method, levels, transport and a few actions."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -46,7 +46,7 @@ class SetupBar(QWidget):
         super().__init__(parent)
         self._design: Design | None = None
         self._view: View | None = None
-        self._words: tuple[Word, ...] = LIMBS
+        self._limb_options: tuple[Word, ...] = LIMBS
         self._measured, self._drive_unit_known = "xyz", True
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 0, 0)
@@ -110,13 +110,13 @@ class SetupBar(QWidget):
         """Offer these limbs, and no others."""
         options = (*LIMBS, *(limb_word(name) for name in own_limb_names()))
         names = tuple(word.name for word in options)
-        if options != self._words:
-            self._words = options
+        if options != self._limb_options:
+            self._limb_options = options
             self._limb.offer(_spec("Limb", "", options))
             _explain(self._limb, options)
         for index, name in enumerate(names):
             there = name in limbs
-            _offer(self._limb, index, there=there)
+            _set_enabled(self._limb, index, there=there)
             if name.startswith("measured-"):
                 hint = "" if there else f"{NOT_INSTALLED} Help > {TITLE}… installs them."
                 self._limb.setItemData(index, hint, Qt.ItemDataRole.ToolTipRole)
@@ -128,7 +128,7 @@ class SetupBar(QWidget):
             return
         self._measured = measured
         for index in range(self._axes.count()):
-            _offer(self._axes, index, there=set(self._axes.itemData(index)) <= set(measured))
+            _set_enabled(self._axes, index, there=set(self._axes.itemData(index)) <= set(measured))
 
     def _explain_scalings(self, unit_known: bool) -> None:
         """Say what amplitudes mean on the limb."""
@@ -184,7 +184,7 @@ def _explain(field: QComboBox, options: tuple[Word, ...]) -> None:
         field.setItemData(index, tooltip(word.sentence), Qt.ItemDataRole.ToolTipRole)
 
 
-def _offer(field: QComboBox, index: int, *, there: bool) -> None:
+def _set_enabled(field: QComboBox, index: int, *, there: bool) -> None:
     """Let an entry be chosen, or not.
 
     Not by the item of the model: what Python knows of an item outlives it, and PySide then takes
@@ -192,8 +192,6 @@ def _offer(field: QComboBox, index: int, *, there: bool) -> None:
     """
     field.setItemData(index, None if there else 0, _FLAGS)
 
-
-# The bar above the panels.
 
 #: Of the room that the choices want, so much is theirs before buttons stand beside them.
 _CHOICES_SHARE = 0.8

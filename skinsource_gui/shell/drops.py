@@ -1,4 +1,4 @@
-"""What is dragged from one panel onto another."""
+"""Clips that are dragged between panels or copied, and waveforms from the palette."""
 
 from functools import partial
 
@@ -47,9 +47,6 @@ class ClipDrops(QObject):
         return drop_place
 
 
-# Clips and the clipboard, from the menu.
-
-
 class ClipsAndClipboard(QObject):
     """Does with the selected clips what keys do in the timeline, be that shown or not.
 
@@ -81,9 +78,6 @@ class ClipsAndClipboard(QObject):
     def _present(self) -> TimelineEdits:
         self._edits.show_state(self._document.design, self._document.view)
         return self._edits
-
-
-# What the selected inputs can play, as actions for the palette.
 
 
 def kind_choices(document: Document) -> list[QAction]:

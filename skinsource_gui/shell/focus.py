@@ -1,7 +1,11 @@
-"""The way of the Tab key through a window.
+"""The keyboard in a window: the order of Tab, the way between panels, and shortcuts in fields.
 
-Qt follows the order in which widgets were made, and a panel that hands its focus on to its
-picture makes it skip what stands between.
+Qt follows the order in which widgets were made, and a panel that hands its focus on to its picture
+makes it skip what stands between.
+
+Shortcuts of the window work inside number fields and lines of text too. Keys without Ctrl or Alt
+that a widget needs stay with it: letters and spaces where a text is typed, Space on what is pressed
+with it, and on a list until something was chosen from it.
 """
 
 from collections.abc import Callable, Iterable, Sequence
@@ -38,8 +42,10 @@ def tab_stops(top: QWidget, regions: Sequence[QWidget]) -> list[QWidget]:
     regions
         Parts of ``top`` in the order of reading.  What lies in none of them comes last.
     """
-    stops = [widget for widget in _chain(top) if top.isAncestorOf(widget) and _takes_tab(widget)]
-    _give_back(top.window())
+    stops = [
+        widget for widget in _focus_chain(top) if top.isAncestorOf(widget) and _takes_tab(widget)
+    ]
+    _restore_parents(top.window())
 
     def region_of(stop: QWidget) -> int:
         inside = (k for k, part in enumerate(regions) if part is stop or part.isAncestorOf(stop))
@@ -82,7 +88,7 @@ def focus_into(part: QWidget, reason: Qt.FocusReason) -> bool:
     return bool(stops)
 
 
-def _chain(top: QWidget) -> list[QWidget]:
+def _focus_chain(top: QWidget) -> list[QWidget]:
     # Within one region, Qt's order is the right one.
     window = top.window()
     last = window.previousInFocusChain()
@@ -115,7 +121,7 @@ def _place(stop: QWidget, stops: Sequence[QWidget], part: QWidget) -> QRect:
     return QRect(stop.mapTo(part, QPoint()), QSize() if holds else stop.size())
 
 
-def _give_back(window: QWidget) -> None:
+def _restore_parents(window: QWidget) -> None:
     # PySide takes a widget for a child of the one that was asked for it - its neighbour in the
     # chain, what hands its focus on, a group - and takes it for deleted as soon as that one is.
     # What a window finds among its children it takes for a child of the window again.
@@ -132,9 +138,6 @@ def _takes_tab(widget: QWidget) -> bool:
         if group is not None and group.exclusive() and group.checkedButton() is not None:
             return False
     return widget.isVisible() and widget.isEnabled()
-
-
-# Moves the keyboard from panel to panel.
 
 
 class PanelFocus(QObject):
@@ -154,7 +157,7 @@ class PanelFocus(QObject):
         super().__init__(parent)
         self._panels, self._bring = panels, bring
         # Where the keyboard was before a panel was shown, and which panels it came in front of.
-        self._left: str | None = None
+        self._return_to: str | None = None
         self._covered: frozenset[str] = frozenset()
 
     def next(self) -> None:
@@ -168,8 +171,8 @@ class PanelFocus(QObject):
     def show(self, name: str) -> None:
         """Bring a panel into sight, and go there; from there, back to where the keyboard was."""
         here = self._here()
-        if here == name and self._left is not None:
-            name, self._left = self._left, None
+        if here == name and self._return_to is not None:
+            name, self._return_to = self._return_to, None
             for covered in self._covered:
                 self._bring(covered)
             self._bring(name)
@@ -177,7 +180,7 @@ class PanelFocus(QObject):
             before = self._in_sight()
             self._bring(name)
             if here != name:
-                self._left, self._covered = here, before - self._in_sight()
+                self._return_to, self._covered = here, before - self._in_sight()
         self._panels[name].setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _in_sight(self) -> frozenset[str]:
@@ -202,8 +205,6 @@ class PanelFocus(QObject):
             panel.activateWindow()
             focus_into(panel, Qt.FocusReason.ShortcutFocusReason)
 
-
-# From anywhere to the pen.
 
 _PANEL = "clip_editor"
 
@@ -231,12 +232,6 @@ class ClipDrawing(QObject):
             self._focus.show(_PANEL)
         panel.use("pen")
 
-
-# Shortcuts of the window and the keys of the widget that has the keyboard: which goes first.
-#
-# Shortcuts work from inside number fields and lines of text too.  Keys without Ctrl or Alt that a
-# widget needs itself stay with it: letters and spaces where a text is typed, Space on what is
-# pressed with it, and on a list until something was chosen from it.
 
 _Standard = QKeySequence.StandardKey
 #: What these keys do to a text while it is typed.

@@ -31,7 +31,7 @@ class LimbNote(QLabel):
         self._measured = False
         self._synthetic = False
         self._limb = self._note = self._own = self._missing = ""
-        self._said: tuple[object, ...] = ()
+        self._shown_state: tuple[object, ...] = ()
         # Words and their HTML, longest first.
         self._phrases: tuple[tuple[str, str], ...] = (("", ""),)
         self.setTextFormat(Qt.TextFormat.RichText)
@@ -41,7 +41,7 @@ class LimbNote(QLabel):
     def show_available(self, limbs: tuple[str, ...]) -> None:
         """Take over which limbs are installed."""
         self._measured = any(name.startswith("measured") for name in limbs)
-        self._say()
+        self._show_text()
 
     def show_limb(self, name: str) -> None:
         """Show what there is to say about the limb ``name``."""
@@ -51,19 +51,19 @@ class LimbNote(QLabel):
         self._synthetic = facts.synthetic
         self._own = facts.sentence if facts.own else ""
         self._missing = missing_limb(name, "") if facts.missing else ""
-        self._say()
+        self._show_text()
 
     def show_outcome(self, outcome: Outcome) -> None:
         """Show what there is to note of the limb that was looked at."""
         note = outcome.values["limb_data"].note if outcome.values else ""
         if note != self._note:
             self._note = note
-            self._say()
+            self._show_text()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
-            self._say()
+            self._show_text()
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
@@ -71,7 +71,7 @@ class LimbNote(QLabel):
             # Straight to the link, which Enter follows then.
             super().focusNextPrevChild(True)
 
-    def _say(self) -> None:
+    def _show_text(self) -> None:
         state = (
             self._synthetic,
             self._note,
@@ -80,19 +80,19 @@ class LimbNote(QLabel):
             self._measured,
             current_theme(),
         )
-        if state == self._said:
+        if state == self._shown_state:
             return  # else the window is laid out anew at each edit
-        self._said = state
+        self._shown_state = state
         self.setVisible(any((self._synthetic, self._note, self._own, self._missing)))
         note = f"{self._note[:1].upper()}{self._note[1:]}"
         self.setToolTip(self._missing or f"{self._own} {note}".strip() or _SYNTHETIC)
         colour = current_theme().warning
         other = ("OWN LIMB",) if self._own else ("NOT VERIFIED AS PUBLISHED", "NOT VERIFIED")
-        ways = ("SYNTHETIC LIMB",) if self._synthetic else other
+        labels = ("SYNTHETIC LIMB",) if self._synthetic else other
         # What was noted of the results before is of another limb.
-        ways = ("LIMB MISSING",) if self._missing else ways
-        label = ways[0]
-        self._phrases = tuple((label, f"<b>{label}</b>") for label in ways)
+        labels = ("LIMB MISSING",) if self._missing else labels
+        label = labels[0]
+        self._phrases = tuple((label, f"<b>{label}</b>") for label in labels)
         linked = self._synthetic and not self._measured and not self._own
         if linked:
             start = f"<a href='#get' style='color:{colour}'>"

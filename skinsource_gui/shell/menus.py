@@ -1,4 +1,4 @@
-"""The menu bar, made from the table of actions."""
+"""Actions, menus and the palette, made from the table of actions."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
@@ -81,9 +81,6 @@ def fill_menu_bar(
     first.activated.connect(lambda: bar.setActiveAction(menus[MENUS[0]].menuAction()))
 
 
-# The menu of files that were opened or saved lately.
-
-
 class RecentMenu(QMenu):
     """Lists the recent files, newest first, each time it is shown."""
 
@@ -111,8 +108,6 @@ class RecentMenu(QMenu):
         if entry.data():
             self.chosen.emit(Path(entry.data()))
 
-
-# Finds any action by a few letters of its name.
 
 # Right of the keys, and at least so much between them and the name.
 _EDGE_PX, _GAP_PX = 8, 16
@@ -179,7 +174,7 @@ class Palette(QDialog):
     def _narrow(self, letters: str) -> None:
         self.list.clear()
         for action in matching([action for action in self._actions if action.isEnabled()], letters):
-            item = QListWidgetItem(_words(action))
+            item = QListWidgetItem(_label(action))
             item.setToolTip(action.toolTip())
             item.setData(Qt.ItemDataRole.UserRole, action)
             self.list.addItem(item)
@@ -244,7 +239,7 @@ class _KeysAtTheRight(QStyledItemDelegate):
 
 
 def _state_and_keys(index: QModelIndex | QPersistentModelIndex) -> str:
-    """What stands at the right of an action; empty beside what is none."""
+    """Return the text at the right of an action; "" at other rows."""
     action = index.data(Qt.ItemDataRole.UserRole)
     if action is None:
         return ""
@@ -263,28 +258,28 @@ def matching(actions: Sequence[QAction], letters: str) -> list[QAction]:
     """
     typed = letters.strip().lower()
     besides = [
-        action for action in actions if action.property(BESIDES) and typed in _words(action).lower()
+        action for action in actions if action.property(BESIDES) and typed in _label(action).lower()
     ]
     actions = [action for action in actions if not action.property(BESIDES)]
-    by_name = [action for action in actions if typed in _words(action).lower()]
+    by_name = [action for action in actions if typed in _label(action).lower()]
     by_keyword = [
         action for action in actions if action not in by_name and _is_keyword(action, typed)
     ]
     if not (by_name or by_keyword or besides):
-        scores = ((action, score(letters, _words(action))) for action in actions)
+        scores = ((action, score(letters, _label(action))) for action in actions)
         gaps = {action: gap for action, gap in scores if gap is not None}
         return sorted(gaps, key=lambda action: gaps[action])
     return [*sorted(by_name, key=lambda action: _nearness(action, typed)), *by_keyword, *besides]
 
 
-def _words(action: QAction) -> str:
-    """What an action is called; its menu may have a key after that."""
+def _label(action: QAction) -> str:
+    """Return the name of an action without the key that a menu has after it."""
     return action.text().partition("\t")[0]
 
 
 def _nearness(action: QAction, typed: str) -> tuple[int, int]:
     """How near the name of an action is to what is typed; the least is the nearest."""
-    text = _words(action).lower().rstrip("…")
+    text = _label(action).lower().rstrip("…")
     # "Show panel: Library" is called "Library" by who looks for it.
     name = text.rpartition(": ")[2]
     position = text.find(typed)
@@ -310,8 +305,6 @@ def score(letters: str, text: str) -> int | None:
         position = next_position
     return gaps
 
-
-# The actions of a window, made from the table of actions.
 
 Capabilities = Mapping[str, QObject]
 

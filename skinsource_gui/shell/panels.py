@@ -26,7 +26,7 @@ class PanelSpec:
     Attributes
     ----------
     panel
-        What makes it: a `LatePanel`, so that its modules are imported when somebody looks at it, or
+        What makes it: a `LazyPanel`, so that its modules are imported when it is first used, or
         its class.
     settings
         Class of what only it looks at, a frozen dataclass made with `skinsource.specs.fields`; None

@@ -1,4 +1,4 @@
-"""Esc Esc: whatever else Esc means where the keyboard is, twice in a row it stops what plays."""
+"""Playback in the window: transport, panic key, rigs, and the connection of player and panel."""
 
 from functools import partial
 from pathlib import Path
@@ -128,8 +128,6 @@ class EscapeTwice(QObject):
         self._watched = None
 
 
-# Opens the page on which a rig is described, and responses that were measured.
-
 # The panel that it is looked at in, and the longest title there.
 _PANEL, _LONGEST_TITLE = "actuator", 100
 
@@ -198,8 +196,6 @@ class RigPages(QObject):
             self._document.apply(outcome)
         self.opened.emit(f"Opened {printable(path.name)}.")
 
-
-# Play, repeat and gain, in the bar above the panels.
 
 GAIN = NumberSpec(
     label="Gain",
@@ -292,8 +288,6 @@ class Transport(QWidget):
     def _want_gain(self, gain_db: float, _gesture: int | None) -> None:
         self.gain_wanted.emit(gain_db)
 
-
-# Brings what is played to those who show it, and what they want to the player.
 
 _PLAYBACK_PANEL = "playback"
 # How often levels are shown.

@@ -1,4 +1,4 @@
-"""Colours of levels that are chosen in front of an audience: they stay through the show."""
+"""Presenting: the window without its bars, scenes by one key, maps that can be covered, notes."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -49,7 +49,7 @@ from skinsource_gui.state.preferences import Preferences
 
 
 class ChosenColours:
-    """Tells what was chosen in the window from what a file or a scene brought.
+    """Keeps the level colours that were chosen in the window through a show.
 
     Parameters
     ----------
@@ -78,8 +78,6 @@ class ChosenColours:
         self._opened = level_look(shown).colours
         return shown
 
-
-# What the speaker reads, on a window of its own for another screen.
 
 _LARGE = 1.6
 _SIZE = 560, 420
@@ -138,9 +136,7 @@ class NotesWindow(QWidget):
         self.closed.emit()
 
 
-# Keys that mean the same while somebody presents, whatever has the keyboard.
-
-_ASKED, _PRESSED = QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress
+_OVERRIDE, _PRESSED = QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress
 # Where the keyboard may be by chance, as where a field went that was turned: the key of Play plays.
 _PUSHED = (QAbstractButton, QComboBox, QAbstractItemView)
 # They know by themselves whether Esc gives up what is typed.
@@ -177,7 +173,7 @@ class PresentingKeys(QObject):
     ) -> None:
         super().__init__(parent)
         self._play = play
-        self._doing = {
+        self._handlers = {
             "next": following,
             "previous": previous,
             "play": play.trigger,
@@ -199,13 +195,13 @@ class PresentingKeys(QObject):
         self.deleteLater()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() not in (_ASKED, _PRESSED) or not isinstance(event, QKeyEvent):
+        if event.type() not in (_OVERRIDE, _PRESSED) or not isinstance(event, QKeyEvent):
             return super().eventFilter(watched, event)
         plays = QKeySequence(event.keyCombination()) in self._play.shortcuts()
         meaning = "play" if plays else meaning_of("presenting", event)
-        do = self._doing.get(meaning)
+        do = self._handlers.get(meaning)
         elsewhere = QApplication.activeModalWidget() or QApplication.activePopupWidget()
-        if do is None or elsewhere or not _is_taken(watched, meaning):
+        if do is None or elsewhere or not _belongs_to_presenter(watched, meaning):
             return super().eventFilter(watched, event)
         if event.type() == _PRESSED:
             do()
@@ -229,7 +225,7 @@ class PresentingKeys(QObject):
 
 
 def unless_dragging(do: Callable[[], None]) -> Callable[[], None]:
-    """Do it unless a button of the mouse is down: Esc is meant for what is dragged."""
+    """Return ``do`` that does nothing during a drag: Esc ends the drag then."""
 
     def act() -> None:
         if not QApplication.mouseButtons():
@@ -238,16 +234,13 @@ def unless_dragging(do: Callable[[], None]) -> Callable[[], None]:
     return act
 
 
-def _is_taken(watched: QObject, meaning: str) -> bool:
-    """Whether a key is not for who has the keyboard."""
+def _belongs_to_presenter(watched: QObject, meaning: str) -> bool:
+    """Return whether a key is not for the widget with the keyboard."""
     if meaning == "play":
         return isinstance(watched, _PUSHED)
     if meaning == "leave":
         return not isinstance(watched, _TEXTS) and not QApplication.mouseButtons()
     return True
-
-
-# The scenes that are stepped through: designs of a folder, or those of the paper.
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -322,9 +315,6 @@ def _of_paper(name: str) -> PresentedScene:
     )
 
 
-# A scene as it was when it was presented, to tell whether it was changed meanwhile.
-
-
 @dataclass(frozen=True, slots=True)
 class WholeScene:
     """A design, and those of the snapshots beside it by their numbers: levels match by themselves.
@@ -353,9 +343,6 @@ class WholeScene:
         if not document.modified or self == WholeScene.of(document):
             return ""
         return f"; changes to {self.title.partition(' · ')[0]} are not kept"
-
-
-# Presenting: the window without its bars, scenes by one key, maps that can be covered.
 
 
 class Presenter(QObject):
@@ -419,12 +406,12 @@ class Presenter(QObject):
         self._panels: tuple[str, ...] = ()
         # The scene that is open, as it was when it was presented: what is turned in it meanwhile is
         # not kept.  None: there is work in it that is asked about.
-        self._whole: WholeScene | None = None
+        self._unchanged: WholeScene | None = None
         self._opening = False
         self._colours = ChosenColours(document.view)
         self._notes: NotesWindow | None = None
         self._keys: list[QShortcut] = []
-        self._taken: PresentingKeys | None = None
+        self._presenting_keys: PresentingKeys | None = None
         document.jumped.connect(self._look)
 
     def toggle(self) -> None:
@@ -437,7 +424,7 @@ class Presenter(QObject):
         self.presenting = True
         is_scene = self._at >= 0 or self._document.path is not None
         whole = is_scene and not self._document.modified
-        self._whole = WholeScene.of(self._document) if whole else None
+        self._unchanged = WholeScene.of(self._document) if whole else None
         self._layout.hold()
         self._before, self._arranged = self._layout.own(), self._preferences.arrangement
         self._size, self._focused = window.size(), window.focusWidget()
@@ -452,7 +439,7 @@ class Presenter(QObject):
             if keyboard is not None:
                 self._listen(keyboard)
         steps = self.next_scene, self.previous_scene
-        self._taken = PresentingKeys(*steps, self._actions()["play"], self.end, self)
+        self._presenting_keys = PresentingKeys(*steps, self._actions()["play"], self.end, self)
         following = KEYS["presenting"].gestures["next"].shown
         cover = key_text("presenting", "cover")
         leave = f"{shortcut_text('present')} or {key_text('presenting', 'leave')}"
@@ -461,7 +448,7 @@ class Presenter(QObject):
     def end(self) -> None:
         """Bring back bars, panels where they stood, with those of the scene, and the map."""
         window = self._window
-        self.presenting, self._whole = False, None
+        self.presenting, self._unchanged = False, None
         self._layout.release()
         for action in self._actions().values():
             window.removeAction(action)
@@ -469,9 +456,9 @@ class Presenter(QObject):
             key.setEnabled(False)
             key.deleteLater()
         self._keys.clear()
-        if self._taken is not None:
-            self._taken.end()
-            self._taken = None
+        if self._presenting_keys is not None:
+            self._presenting_keys.end()
+            self._presenting_keys = None
         window.setWindowState(window.windowState() & ~Qt.WindowState.WindowFullScreen)
         # What was told meanwhile would lie over what the line says.
         window.statusBar().clearMessage()
@@ -563,7 +550,7 @@ class Presenter(QObject):
             self.done.emit("This is the last scene" if by > 0 else "This is the first scene")
             return
         # Nobody is asked, in front of an audience, for what will not be.
-        if self._whole is not None or self._files.may_lose_changes():
+        if self._unchanged is not None or self._files.may_lose_changes():
             self._open(target)
 
     def _open(self, number: int) -> None:
@@ -573,14 +560,14 @@ class Presenter(QObject):
         except SkinSourceError as error:
             self.failed.emit(str(error))
             return
-        left = "" if self._whole is None else self._whole.left(self._document)
+        left = "" if self._unchanged is None else self._unchanged.left(self._document)
         self._at, self._opening = number, True
         # What was chosen in front of an audience stays, unless a file says something else.
         view = self._colours.on(shown.view, self._document.view, of_file=shown.of_file)
         self._document.start_over(shown.design, view, None, scene=step.title)
         self._files.leave_file()
         self._opening, self._panels = False, shown.panels
-        self._whole = WholeScene.of(self._document) if self.presenting else None
+        self._unchanged = WholeScene.of(self._document) if self.presenting else None
         if shown.arrangement:
             self._layout.show_scene(shown.arrangement, shown.panels)
         self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {step.title}{left}")
@@ -589,7 +576,7 @@ class Presenter(QObject):
     def _look(self) -> None:
         # With another design the history is empty; with a step of it, it is not.
         if not self._opening and self._document.undo_stack.count() == 0:
-            self._whole, self._steps, self._at, self._panels = None, (), -1, ()
+            self._unchanged, self._steps, self._at, self._panels = None, (), -1, ()
             self._colours.forget(self._document.view)
 
     def _show_notes(self) -> None:

@@ -27,8 +27,8 @@ class Historian(QObject):
         super().__init__(document)
         self._document = document
         self._shown: list[Panel] = []
-        document.undo_stack.indexChanged.connect(self._tell)
-        document.title_changed.connect(self._tell)
+        document.undo_stack.indexChanged.connect(self._show_history)
+        document.title_changed.connect(self._show_history)
         panels.each(self._meet)
 
     def history(self) -> History:
@@ -62,7 +62,7 @@ class Historian(QObject):
             self._shown.append(panel)
             panel.show_history(self.history())
 
-    def _tell(self) -> None:
+    def _show_history(self) -> None:
         if self._shown:
             history = self.history()
             for panel in self._shown:

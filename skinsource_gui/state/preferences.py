@@ -1,4 +1,4 @@
-"""What the studio remembers between sessions: theme, window, recent files."""
+"""Settings that are stored between sessions, the first design, and the installed limbs."""
 
 import os
 from collections.abc import Mapping
@@ -176,15 +176,10 @@ class Preferences:
         return value if isinstance(value, QByteArray) else QByteArray()
 
 
-# What the first window shows.
-
-
 def start_design(limb: str) -> Design:
     """Design of the first window: a 100 Hz tone on the pad of digit II (input 7)."""
     return Design(limb=limb, inputs=(track(7, Tone(frequency_hz=100.0)),))
 
-
-# Which limbs can be loaded.
 
 #: Titles of the jobs that install limbs: from a folder, and by download.
 INSTALLATIONS = ("Installing the measured limbs", "Downloading the measured limbs")
@@ -227,9 +222,9 @@ class InstalledLimbs(QObject):
             self.look()
 
     def look(self) -> None:
-        """Look which limbs are there now."""
-        found = available_limbs()
-        shown = tuple(facts_of(name) for name in found)
+        """Look up which limbs are installed now."""
+        limbs = available_limbs()
+        shown = tuple(facts_of(name) for name in limbs)
         if shown != self._shown:
-            self.names, self._shown = found, shown
+            self.names, self._shown = limbs, shown
             self.changed.emit()

@@ -73,7 +73,7 @@ def test_lamps_are_explained_and_mended_with_one_click(window, qtbot):
 
 def awaits(lamps):
     """Whether lamps are pale, or will be: they wait for what replaces them."""
-    return lamps._lateness.late or lamps._lateness._timer.isActive()
+    return lamps._staleness.late or lamps._staleness._timer.isActive()
 
 
 def test_lamps_are_pale_only_until_what_they_depend_on_is_judged_anew(window, qtbot, settle):
