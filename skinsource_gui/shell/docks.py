@@ -141,9 +141,7 @@ class Dock(QDockWidget):
 
     @contextmanager
     def lent(self) -> Iterator[Panel]:
-        """Yield its panel without a place in the window, to be shown elsewhere; then take it
-        back.
-        """
+        """Yield its panel to be shown elsewhere, then take it back."""
         panel = self.panel
         self._area.takeWidget()
         try:
@@ -157,7 +155,7 @@ class Dock(QDockWidget):
         self.raise_()
 
     def show_tabbed(self, tabbed: bool) -> None:
-        """Take over whether a tab names it; then its title below the tab is empty."""
+        """Take over whether a tab names it; then its own title is empty."""
         if tabbed != self._tabbed:
             self._tabbed = tabbed
             self.update()
@@ -547,7 +545,7 @@ class PanelInUse(QObject):
             return
         if new.window() is self._window:
             # From a menu, a page, a panel taken out or another program it comes back to where it
-            # was: nobody used that.
+            # was: that is no use of the panel.
             came_back = new is self._focused()
             self._focused = ref(new)
             if came_back:
