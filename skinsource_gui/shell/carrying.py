@@ -70,14 +70,14 @@ class ExportMetadata:
 
     def caption(self, *panels: Panel) -> str:
         """Return the caption of a picture of these panels."""
-        shown_designs = self._shown_designs(panels)
+        designs = self._shown_designs(panels)
         design, compared = self._document.design, self._compared(panels)
         named = [(_snapshot_label(snapshot), snapshot.design) for snapshot in compared]
         text = caption_of(
             design,
             compared=named,
-            limbs=tuple(design.given["limb"] for design in shown_designs),
-            notes=in_short(self._judged(shown_designs, panels)),
+            limbs=tuple(design.given["limb"] for design in designs),
+            notes=in_short(self._judged(designs, panels)),
         )
         here = shown(compared, design)
         if not compared or all(panel.needs_of_snapshots for panel in panels):
@@ -104,16 +104,12 @@ class ExportMetadata:
         for button in panel.findChildren(CopyButton):
             button.lines, button.as_stored = lines, self.as_stored
 
-    def _judged(
-        self, shown_designs: Sequence[_ShownDesign], panels: Sequence[Panel]
-    ) -> list[Judged]:
+    def _judged(self, designs: Sequence[_ShownDesign], panels: Sequence[Panel]) -> list[Judged]:
         judged = [
-            Judged(label=shown_design.label)
-            if too_large(shown_design.given["limb"])
-            else self._judging.judge(
-                shown_design.label, shown_design.given, present=shown_design.present
-            )
-            for shown_design in shown_designs
+            Judged(label=entry.label)
+            if too_large(entry.given["limb"])
+            else self._judging.judge(entry.label, entry.given, present=entry.present)
+            for entry in designs
         ]
         maps = any(_MAP in _drawn(panel) for panel in panels)
         return judged if maps else [judgement.without_maps() for judgement in judged]
@@ -138,13 +134,13 @@ class ExportMetadata:
         label = short_limb_title(design.limb)
         if compared:
             label = _EDITED if here is None else _snapshot_label(here)
-        shown_designs = list[_ShownDesign]()
+        designs = list[_ShownDesign]()
         if (
             not compared
             or here is not None
             or not all(panel.needs_of_snapshots for panel in panels)
         ):
-            shown_designs.append(
+            designs.append(
                 _ShownDesign(label=label, given=sources_shown(design, view), present=True)
             )
         limbs = dict.fromkeys(limb for panel in panels for limb in panel.needs_on_limbs)
@@ -152,12 +148,12 @@ class ExportMetadata:
             limb_sources = None if limb == design.limb else on_limb(design, view, limb)
             if limb_sources is not None and not isinstance(limb_sources, str):
                 given = sources_of_levels(*limb_sources, match_gain=view.match_gain(design))
-                shown_designs.append(_ShownDesign(label=short_limb_title(limb), given=given))
+                designs.append(_ShownDesign(label=short_limb_title(limb), given=given))
         for snapshot in compared:
             if here is None or snapshot.number != here.number:
                 given = sources_of_levels(snapshot.design, view)
-                shown_designs.append(_ShownDesign(label=_snapshot_label(snapshot), given=given))
-        return shown_designs
+                designs.append(_ShownDesign(label=_snapshot_label(snapshot), given=given))
+        return designs
 
 
 def _snapshot_label(snapshot: Snapshot) -> str:

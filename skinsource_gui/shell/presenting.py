@@ -224,16 +224,6 @@ class PresentingKeys(QObject):
         self._watched = None
 
 
-def unless_dragging(do: Callable[[], None]) -> Callable[[], None]:
-    """Return ``do`` that does nothing during a drag: Esc ends the drag then."""
-
-    def act() -> None:
-        if not QApplication.mouseButtons():
-            do()
-
-    return act
-
-
 def _belongs_to_presenter(watched: QObject, meaning: str) -> bool:
     """Return whether a key is not for the widget with the keyboard."""
     if meaning == "play":
@@ -525,12 +515,17 @@ class Presenter(QObject):
         window = self._window
         return [window.menuBar(), window.statusBar(), *window.findChildren(QToolBar, "setup")]
 
+    def _end_unless_dragging(self) -> None:
+        # During a drag Esc is meant for what is dragged.
+        if not QApplication.mouseButtons():
+            self.end()
+
     def _listen(self, widget: QWidget) -> None:
         doing: dict[str, Callable[[], None]] = {
             "next": self.next_scene,
             "previous": self.previous_scene,
             "cover": self.cover,
-            "leave": unless_dragging(self.end),
+            "leave": self._end_unless_dragging,
         }
         for name, do in doing.items():
             for text in KEYS["presenting"].gestures[name].keys:

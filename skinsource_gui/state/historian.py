@@ -36,9 +36,7 @@ class Historian(QObject):
         document, stack = self._document, self._document.undo_stack
         done = (stack.command(k) for k in range(stack.count()))
         steps = tuple(
-            Step(command.text(), command.at_s)
-            for command in done
-            if isinstance(command, ReplaceDesign)
+            Step(entry.text(), entry.at_s) for entry in done if isinstance(entry, ReplaceDesign)
         )
         start = f"Scene: {printable(document.scene)}" if document.scene else "New design"
         if document.opened:
@@ -57,7 +55,7 @@ class Historian(QObject):
             panel.step_wanted.connect(self._document.go_to)
 
     def _note_visibility(self, panel: Panel) -> None:
-        self._shown = [visible for visible in self._shown if visible is not panel]
+        self._shown = [other for other in self._shown if other is not panel]
         if panel.isVisible():
             self._shown.append(panel)
             panel.show_history(self.history())
