@@ -90,7 +90,7 @@ class SetupBar(QWidget):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        # Where there is too little room for all, what is chosen says more than what it is called.
+        # Where there is too little room, the labels are hidden rather than the choices.
         named = sum(title.sizeHint().width() + self._row.spacing() for title in self._titles)
         chosen = self._row.sizeHint().width()
         needed = chosen if self._titles[0].isVisibleTo(self) else chosen + named
@@ -99,7 +99,7 @@ class SetupBar(QWidget):
 
     @property
     def wanted_px(self) -> int:
-        """Width in which each choice is read whole, without what it is called."""
+        """Width of all choices in full, without their labels."""
         fields = self.findChildren(ChoiceField)
         return sum(field.sizeHint().width() + 2 * self._row.spacing() for field in fields)
 
@@ -122,7 +122,7 @@ class SetupBar(QWidget):
                 self._limb.setItemData(index, hint, Qt.ItemDataRole.ToolTipRole)
 
     def _offer_axes(self, limb: str) -> None:
-        """Let those axes be chosen along which the limb measures."""
+        """Enable the axes along which the limb was measured."""
         measured = facts_of(limb).axes
         if measured == self._measured:
             return
@@ -131,14 +131,14 @@ class SetupBar(QWidget):
             _set_enabled(self._axes, index, there=set(self._axes.itemData(index)) <= set(measured))
 
     def _explain_scalings(self, unit_known: bool) -> None:
-        """Say what amplitudes mean on the limb."""
+        """Explain what amplitudes mean on the limb."""
         if unit_known == self._drive_unit_known:
             return
         self._drive_unit_known = unit_known
         _explain(self._scaling, scalings_on(drive_unit_known=unit_known))
 
     def choices(self, parent: QObject | None) -> list[QAction]:
-        """One action for each choice that can be made, owned by ``parent``."""
+        """Return an action for each choice, owned by ``parent``."""
         actions = []
         for field in (self._limb, self._scaling, self._axes, self._method, self._span):
             model = field.model()
@@ -179,7 +179,7 @@ def _spec(label: str, sentence: str, words: tuple[Word, ...]) -> ChoiceSpec:
 
 
 def _explain(field: QComboBox, options: tuple[Word, ...]) -> None:
-    """Say of each entry what it means."""
+    """Set a tooltip on what each entry means."""
     for index, word in enumerate(options):
         field.setItemData(index, tooltip(word.sentence), Qt.ItemDataRole.ToolTipRole)
 
@@ -187,13 +187,13 @@ def _explain(field: QComboBox, options: tuple[Word, ...]) -> None:
 def _set_enabled(field: QComboBox, index: int, *, there: bool) -> None:
     """Let an entry be chosen, or not.
 
-    Not by the item of the model: what Python knows of an item outlives it, and PySide then takes
-    whatever comes to stand at its address for that item.
+    The item of the model is not used: its Python wrapper outlives it, and PySide then takes another
+    object at the same address for that item.
     """
     field.setItemData(index, None if there else 0, _FLAGS)
 
 
-#: Of the room that the choices want, so much is theirs before buttons stand beside them.
+#: The buttons fold where the choices would get less than this share of their width.
 _CHOICES_SHARE = 0.8
 _REFITTED = (QEvent.Type.LayoutRequest, QEvent.Type.FontChange, QEvent.Type.StyleChange)
 

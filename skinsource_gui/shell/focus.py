@@ -67,7 +67,7 @@ def move_focus(window: QMainWindow, regions: Sequence[QWidget], *, forward: bool
         return False
     here: QWidget | None = window.focusWidget()
     while here is not None and here not in stops:
-        # What is clicked but no stop, such as a number in a row that is not selected.
+        # A clicked widget may be no stop, such as a number in a row that is not selected.
         here = here.parentWidget()
     if here is None:
         target = stops[0 if forward else -1]
@@ -80,7 +80,7 @@ def move_focus(window: QMainWindow, regions: Sequence[QWidget], *, forward: bool
 
 
 def focus_into(part: QWidget, reason: Qt.FocusReason) -> bool:
-    """Give the keyboard to what stands for ``part``, else to its first stop; whether it has one."""
+    """Focus the proxy or the first stop of ``part``; return whether it has a stop."""
     stops = tab_stops(part, ())
     if stops:
         first = part.focusProxy()
@@ -93,7 +93,7 @@ def _focus_chain(top: QWidget) -> list[QWidget]:
     window = top.window()
     last = window.previousInFocusChain()
     ring: list[QWidget] = [window]
-    # No further: who asks the last one for the next takes the window for its child.
+    # Stop at the last: PySide would take the window for a child of it.
     while ring[-1] is not last and (after := ring[-1].nextInFocusChain()) is not None:
         ring.append(after)
     start = ring.index(top)
@@ -101,7 +101,7 @@ def _focus_chain(top: QWidget) -> list[QWidget]:
 
 
 def _as_read(stops: Sequence[QWidget], part: QWidget) -> list[QWidget]:
-    """Stops inside ``part`` from top to bottom, those beside each other from left to right."""
+    """Return stops inside ``part`` from top to bottom, and from left to right in a line."""
     if not all(part.isAncestorOf(stop) for stop in stops):
         return list(stops)
     places = {stop: _place(stop, stops, part) for stop in stops}
@@ -116,7 +116,7 @@ def _as_read(stops: Sequence[QWidget], part: QWidget) -> list[QWidget]:
 
 
 def _place(stop: QWidget, stops: Sequence[QWidget], part: QWidget) -> QRect:
-    # What holds other stops, and scrolls them, is read before them, not half way down.
+    # A widget that holds other stops comes before them, not half way down.
     holds = any(stop is not other and stop.isAncestorOf(other) for other in stops)
     return QRect(stop.mapTo(part, QPoint()), QSize() if holds else stop.size())
 
@@ -148,7 +148,7 @@ class PanelFocus(QObject):
     panels
         In the order in which the keyboard reaches them.
     bring
-        Brings a panel into sight, by its name.
+        Brings a panel of a name into sight.
     """
 
     def __init__(
@@ -156,7 +156,7 @@ class PanelFocus(QObject):
     ) -> None:
         super().__init__(parent)
         self._panels, self._bring = panels, bring
-        # Where the keyboard was before a panel was shown, and which panels it came in front of.
+        # The panel to go back to, and the panels that the shown one has covered.
         self._return_to: str | None = None
         self._covered: frozenset[str] = frozenset()
 
@@ -169,7 +169,7 @@ class PanelFocus(QObject):
         self._go(-1)
 
     def show(self, name: str) -> None:
-        """Bring a panel into sight, and go there; from there, back to where the keyboard was."""
+        """Bring a panel into sight and go there; if it has the keyboard, go back."""
         here = self._here()
         if here == name and self._return_to is not None:
             name, self._return_to = self._return_to, None
@@ -189,7 +189,7 @@ class PanelFocus(QObject):
         return frozenset(panel.name for panel in self._panels if panel.isVisible())
 
     def _here(self) -> str | None:
-        """Name of the panel with the keyboard."""
+        """Return the name of the panel with the keyboard."""
         focused = QApplication.focusWidget()
         names = (panel.name for panel in self._panels if focused and panel.isAncestorOf(focused))
         return next(names, None)
@@ -215,9 +215,9 @@ class ClipDrawing(QObject):
     Parameters
     ----------
     panels
-        Of which one draws.
+        The clip editor is one of them.
     focus
-        Brings that into sight, and back to where the keyboard was.
+        Brings it into sight, and goes back.
     """
 
     def __init__(self, panels: PanelRegistry, focus: PanelFocus, parent: QObject) -> None:
@@ -234,7 +234,7 @@ class ClipDrawing(QObject):
 
 
 _Standard = QKeySequence.StandardKey
-#: What these keys do to a text while it is typed.
+#: Keys that edit a text while it is typed.
 _WHILE_TYPING = (
     _Standard.Copy,
     _Standard.Cut,
@@ -245,10 +245,10 @@ _WHILE_TYPING = (
     _Standard.DeleteStartOfWord,
     _Standard.DeleteEndOfWord,
 )
-#: What they do to a text that is only shown.
+#: Keys that work on a text that is only shown.
 _WHILE_RESTING = (_Standard.Copy, _Standard.Paste)
 _TEXTS = (QLineEdit, QPlainTextEdit)
-#: What is pressed, or chosen from, with Space.
+#: Widgets that Space presses or opens.
 _PRESSED = (QAbstractButton, QComboBox, QAbstractItemView)
 _HELD = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
 
@@ -295,7 +295,7 @@ class ShortcutsInFields(QObject):
                 return True
         elif event.key() == Qt.Key.Key_Space and not event.modifiers() & _HELD:
             if watched is self._used:
-                # What was chosen shall be heard; to choose again, the arrow keys do.
+                # Space plays what was chosen; the arrow keys choose again.
                 event.ignore()
             else:
                 event.accept()
@@ -311,7 +311,7 @@ class ShortcutsInFields(QObject):
             self._watched = None
         if new is not None and new is not self._used and not _is_popup_of(self._used, new):
             self._used = None
-        # A button that was clicked has the keyboard too, but nobody means it any more.
+        # A clicked button has the keyboard too, but the next key is not meant for it.
         clicked = isinstance(new, QAbstractButton) and bool(QApplication.mouseButtons())
         is_field = isinstance(new, (*_TEXTS, *_PRESSED)) and not clicked
         if is_field and new is not None and self._window.isAncestorOf(new):
@@ -332,11 +332,11 @@ class ShortcutsInFields(QObject):
 
 
 def _is_popup_of(field: QComboBox | None, widget: QWidget) -> bool:
-    """Whether a widget belongs to the list that drops down from a field."""
+    """Return whether a widget belongs to the list that drops down from a field."""
     # A field may be gone that was used last, and is watched no more.
     return field is not None and shiboken6.isValid(field) and field.isAncestorOf(widget)
 
 
 def _is_typed(event: QKeyEvent) -> bool:
-    """Whether a key puts something into a text."""
+    """Return whether a key types into a text."""
     return event.text().isprintable() and event.text() != "" and not event.modifiers() & _HELD

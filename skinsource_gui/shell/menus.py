@@ -113,9 +113,9 @@ class RecentMenu(QMenu):
 _EDGE_PX, _GAP_PX = 8, 16
 _NOTHING_FOUND = "Nothing found"
 _HINT = "Try another word, such as export, limb, mute or theme"
-#: Property of an action: other words by which it is found.
+#: Property of an action: keywords by which it is found.
 KEYWORDS = "keywords"
-#: Property of an action that only explains: it is found after all others.
+#: Property of an action that only explains something: it is listed after all others.
 BESIDES = "besides"
 
 
@@ -193,7 +193,7 @@ class Palette(QDialog):
         item = self.list.currentItem()
         action = None if item is None else item.data(Qt.ItemDataRole.UserRole)
         if action is not None:
-            # What is done may handle events: the line whose key this is stays until it returns.
+            # The action may handle events: the line that has the key is deleted after it returns.
             self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
             self.accept()
             action.trigger()
@@ -212,7 +212,7 @@ class _KeysAtTheRight(QStyledItemDelegate):
         self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
     ) -> None:
         super().initStyleOption(option, index)
-        # Asked for its size it has no width yet.
+        # While the size is computed there is no width yet.
         if option.rect.width() > 0:
             keys = option.fontMetrics.horizontalAdvance(_state_and_keys(index))
             room = option.rect.width() - keys - (_GAP_PX if keys else 0) - _EDGE_PX
@@ -278,7 +278,7 @@ def _label(action: QAction) -> str:
 
 
 def _nearness(action: QAction, typed: str) -> tuple[int, int]:
-    """How near the name of an action is to what is typed; the least is the nearest."""
+    """Return the distance of the name of an action from what is typed."""
     text = _label(action).lower().rstrip("…")
     # "Show panel: Library" is called "Library" by who looks for it.
     name = text.rpartition(": ")[2]
@@ -295,7 +295,7 @@ def _is_keyword(action: QAction, typed: str) -> bool:
 
 
 def score(letters: str, text: str) -> int | None:
-    """How far apart ``letters`` stand in ``text``, in this order; None where they do not."""
+    """Return the gaps between ``letters`` in ``text``; None where it has not all in order."""
     position, gaps, lowered = -1, 0, text.lower()
     for letter in letters.lower().replace(" ", ""):
         next_position = lowered.find(letter, position + 1)
@@ -317,14 +317,14 @@ class ActionSet(QObject):
     specs
         The table.
     document
-        What the conditions look at, and what edits change.
+        Its design and view are given to conditions and edits.
     capabilities
-        Who carries out commands, by name.
+        The objects that carry out commands, by name.
     window
         Where the shortcuts work; also the parent.
     """
 
-    #: An edit that an action asks for.
+    #: An edit that an action makes.
     edited = Signal(object)
 
     def __init__(
@@ -359,7 +359,7 @@ class ActionSet(QObject):
                 self.by_name[spec.name].setChecked(spec.checked(design, view))
 
     def _action(self, spec: ActionSpec, capabilities: Capabilities, window: QWidget) -> QAction:
-        # What follows a tab, a menu shows in its column of keys, and nothing is done by it.
+        # A menu shows the text after a tab in its column of keys.
         key_column = f"\t{spec.key_elsewhere}" if spec.key_elsewhere else ""
         action = QAction(f"{spec.text}{key_column}", window)
         action.setObjectName(spec.name)
@@ -384,7 +384,7 @@ class ActionSet(QObject):
         document = self._document
         if spec.edit is not None:
             self.edited.emit(spec.edit(document.design, document.view))
-        # A switch whose edit was refused is what it was.
+        # A switch whose edit was refused goes back.
         self.show_state()
 
     def _follow_steps(self, steps: QUndoStack) -> None:

@@ -61,7 +61,7 @@ class ChosenColours:
         self._opened, self._chosen = level_look(view).colours, ""
 
     def forget(self, view: View) -> None:
-        """Something else was opened, by hand: another show begins."""
+        """Begin another show: something else was opened by hand."""
         self._opened, self._chosen = level_look(view).colours, ""
 
     def on(self, view: View, left: View, *, of_file: bool) -> View:
@@ -137,14 +137,14 @@ class NotesWindow(QWidget):
 
 
 _OVERRIDE, _PRESSED = QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress
-# Where the keyboard may be by chance, as where a field went that was turned: the key of Play plays.
+# Widgets that have the keyboard by chance, after a mouse edit: the key of Play plays there.
 _PUSHED = (QAbstractButton, QComboBox, QAbstractItemView)
-# They know by themselves whether Esc gives up what is typed.
+# These widgets decide whether Esc gives up what is typed.
 _TEXTS = (QLineEdit, QPlainTextEdit, QTextEdit)
 
 
 class PresentingKeys(QObject):
-    """Takes keys from who has the keyboard, as long as it lives.
+    """Takes keys from the widget that has the keyboard, until its end.
 
     Clickers send Page Down and Page Up: plots go through time with them and numbers take large
     steps; a shortcut of the window would come after those.  The key of Play plays, also on a list,
@@ -187,7 +187,7 @@ class PresentingKeys(QObject):
         self._watch(None, QApplication.focusWidget())
 
     def end(self) -> None:
-        """Leave the keys to who has the keyboard."""
+        """Leave the keys to the widget that has the keyboard."""
         application = QApplication.instance()
         if isinstance(application, QApplication):
             application.focusChanged.disconnect(self._watch)
@@ -206,7 +206,7 @@ class PresentingKeys(QObject):
         if event.type() == _PRESSED:
             do()
         elif meaning in ("play", "leave"):
-            # Who listens for Esc Esc hears of it, and a shortcut of the window that is free.
+            # `EscapeTwice` and a shortcut of the window get the event too.
             return super().eventFilter(watched, event)
         event.accept()
         return True
@@ -273,7 +273,7 @@ class Step:
 
 
 def steps_of_folder(folder: Path) -> tuple[Step, ...]:
-    """The designs of a folder, by name; numbers in front of names put them in order."""
+    """Return the designs of a folder in the order of their names."""
     try:
         paths = sorted(path for path in folder.iterdir() if path.suffix == SUFFIX)
     except OSError:
@@ -282,7 +282,7 @@ def steps_of_folder(folder: Path) -> tuple[Step, ...]:
 
 
 def steps_of_paper() -> tuple[Step, ...]:
-    """The scenes that are shipped, in the order of the figures."""
+    """Return the scenes of the paper, in the order of the figures."""
     return tuple(
         Step(title=scene.heading, open=partial(_of_paper, scene.name))
         for scene in scenes.all_scenes()
@@ -323,37 +323,33 @@ class WholeScene:
 
     @classmethod
     def of(cls, document: Document) -> "WholeScene":
-        """What is open now."""
+        """Return the scene that is open now."""
         snapshots = {snapshot.number: snapshot.design for snapshot in document.view.snapshots}
         file = "" if document.path is None else document.path.stem
         return cls(document.design, snapshots, document.scene or file)
 
     def left(self, document: Document) -> str:
-        """What is said as it is left, if it has changes that no file holds."""
+        """Return the note for leaving it, if it has changes that no file holds."""
         if not document.modified or self == WholeScene.of(document):
             return ""
         return f"; changes to {self.title.partition(' · ')[0]} are not kept"
 
 
 class Presenter(QObject):
-    """Takes the bars away, and steps through scenes.
+    """Hides the bars of the window, and steps through scenes.
 
     Parameters
     ----------
     window
         What is presented in; also the parent.
     document
-        What scenes are opened into.
+        Scenes are opened into it.
     panels
-        Cover the maps that they draw.
-    preferences
-        Say how the panels stand.
+        Their maps are covered.
     files
-        Ask what becomes of the present design.
-    arrangements, layout
-        Where the panels stand.
+        Asks what becomes of unsaved work.
     actions
-        What has a key, once it is known.
+        Returns the actions by name, whose keys work while the menus are hidden.
 
     Attributes
     ----------
@@ -363,11 +359,11 @@ class Presenter(QObject):
         Whether the maps are, in all panels.
     """
 
-    #: What shall be said: of a scene, or how to leave.
+    #: A message on a scene, or on how to leave.
     done = Signal(str)
     #: Why a scene does not open.
     failed = Signal(str)
-    #: Whether somebody presents: as the bars go, and once they are back.
+    #: Whether it presents: emitted before the bars hide, and after they are back.
     presenting_changed = Signal(bool)
 
     def __init__(
@@ -544,7 +540,7 @@ class Presenter(QObject):
         if not 0 <= target < len(self._steps):
             self.done.emit("This is the last scene" if by > 0 else "This is the first scene")
             return
-        # Nobody is asked, in front of an audience, for what will not be.
+        # In front of an audience no question is asked on changes that are never saved.
         if self._unchanged is not None or self._files.may_lose_changes():
             self._open(target)
 
@@ -557,7 +553,7 @@ class Presenter(QObject):
             return
         left = "" if self._unchanged is None else self._unchanged.left(self._document)
         self._at, self._opening = number, True
-        # What was chosen in front of an audience stays, unless a file says something else.
+        # Colours chosen in front of an audience stay, unless a file has others.
         view = self._colours.on(shown.view, self._document.view, of_file=shown.of_file)
         self._document.start_over(shown.design, view, None, scene=step.title)
         self._files.leave_file()
