@@ -217,9 +217,9 @@ def facts(make_copy, tmp_path_factory, older_design):
         panels, imported, "from skinsource_gui.panels.loudest.settings import LoudestSettings\n"
     )
     line = (
-        '    PanelSpec(panel=LatePanel("loudest", "Loudest output"), settings=LoudestSettings),\n'
+        '    PanelSpec(panel=LazyPanel("loudest", "Loudest output"), settings=LoudestSettings),\n'
     )
-    copy.insert(panels, '    PanelSpec(panel=LatePanel("inspector"', line)
+    copy.insert(panels, '    PanelSpec(panel=LazyPanel("inspector"', line)
     # A module, and a line.
     export = copy.library / "export"
     copy.write(export / "loudest.py", EXPORT)
