@@ -1,4 +1,4 @@
-"""Ending the studio: by a signal, as when one logs out or a terminal closes, and for good."""
+"""Starts and ends the studio, and collects garbage in the GUI thread."""
 
 import gc
 import os
@@ -18,7 +18,7 @@ from skinsource.base.files import make_folder
 from skinsource.limbs.catalogue import available_limbs, default_limb
 from skinsource_gui.qt.screen_fit import ScreenFit
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.playing import one_is_stuck
+from skinsource_gui.state.playing import device_is_stuck
 from skinsource_gui.state.preferences import Preferences, settings_path, start_design
 
 _SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")
@@ -44,11 +44,11 @@ class EndSignals(QObject):
         for name in _SIGNALS:
             number = getattr(signal, name, None)  # Windows has no SIGHUP
             if number is not None:
-                signal.signal(number, _leave_it_to_the_socket)
+                signal.signal(number, _ignore_signal)
         self._notifier = QSocketNotifier(self._ours.fileno(), QSocketNotifier.Type.Read, self)
-        self._notifier.activated.connect(self._hear)
+        self._notifier.activated.connect(self._receive)
 
-    def _hear(self) -> None:
+    def _receive(self) -> None:
         self._ours.recv(64)
         self.received.emit()
 
@@ -58,17 +58,15 @@ def end_if_stuck(result: int) -> None:
 
     What is to be kept must have been written.
     """
-    if one_is_stuck():
+    if device_is_stuck():
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(result)
 
 
-def _leave_it_to_the_socket(_number: int, _frame: object) -> None:
+def _ignore_signal(_number: int, _frame: object) -> None:
     pass
 
-
-# Garbage is collected in the GUI thread alone, at moments when nothing is dragged.
 
 _LOOK_EVERY_MS = 1000
 #: As Python has it: so many new objects are looked through, and of so many times one time older
@@ -127,8 +125,6 @@ class GarbageCollector(QObject):
         dragged = QApplication.mouseButtons() != Qt.MouseButton.NoButton
         return _MIDDLE if self._middle < _TIMES or dragged else _OLD
 
-
-# Starts Qt and the window.
 
 #: While the worker computes, the window gets its turn after this time, and so does a device that
 #: plays, which asks every 5 ms (Python's own is 5 ms).

@@ -1,4 +1,4 @@
-"""Colours and size of words, in the whole studio."""
+"""Theme and text size of the studio; place, title and full screen of its window."""
 
 from collections.abc import Sequence
 
@@ -37,7 +37,7 @@ class Appearance(QObject):
         self._preferences = preferences
         self._room_scale = 1.0
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._follow_desktop)
-        # Of widgets that are there before the first time some would keep their letters.
+        # Some widgets that are made before the first time would keep their font.
         self.apply()
 
     @property
@@ -90,13 +90,11 @@ class Appearance(QObject):
             self.apply()
 
 
-# Windows that stood on a screen that is gone come back to one that is there.
-
 # Some desktops move windows themselves, a moment after they have told, and leave an edge in sight.
 _DESKTOP_MS = 400
-# Of which at least so much is seen stays where it is.
+# A window stays where it is if at least this share of it is in sight.
 _SEEN_SHARE = 0.5
-# What lies over a whole screen, desktops lay over another one.
+# Desktops move maximised and full-screen windows themselves.
 _WHOLE = Qt.WindowState.WindowFullScreen | Qt.WindowState.WindowMaximized
 
 
@@ -139,7 +137,7 @@ def place_in_sight(frame: QRect, rooms: Sequence[QRect]) -> QRect:
     shared = [_area(room.intersected(frame)) for room in rooms]
     if not rooms or max(shared) >= _SEEN_SHARE * _area(frame):
         return frame
-    room = min(rooms, key=lambda one: (one.center() - frame.center()).manhattanLength())
+    room = min(rooms, key=lambda screen: (screen.center() - frame.center()).manhattanLength())
     width, height = min(frame.width(), room.width()), min(frame.height(), room.height())
     left = min(max(frame.left(), room.left()), room.right() + 1 - width)
     top = min(max(frame.top(), room.top()), room.bottom() + 1 - height)
@@ -148,19 +146,16 @@ def place_in_sight(frame: QRect, rooms: Sequence[QRect]) -> QRect:
 
 def _bring(window: QWidget, rooms: Sequence[QRect]) -> None:
     frame = window.frameGeometry()
-    place = place_in_sight(frame, rooms)
-    if place == frame:
+    target = place_in_sight(frame, rooms)
+    if target == frame:
         return
     edges = frame.size() - window.size()
-    window.resize(place.size() - edges)
-    window.move(place.topLeft())
+    window.resize(target.size() - edges)
+    window.move(target.topLeft())
 
 
 def _area(of: QRect) -> int:
     return max(of.width(), 0) * max(of.height(), 0)
-
-
-# What is done with the window as a whole, and what its title says.
 
 
 class WindowFrame(QObject):
@@ -172,7 +167,7 @@ class WindowFrame(QObject):
         WindowsInSight(window)
         document.title_changed.connect(self._show_title)
         document.changed.connect(self._follow_title)
-        self._said = ""
+        self._shown_title = ""
         self._show_title()
 
     def close(self) -> None:
@@ -185,12 +180,12 @@ class WindowFrame(QObject):
         self._window.setWindowState(self._window.windowState() ^ Qt.WindowState.WindowFullScreen)
 
     def _follow_title(self) -> None:
-        if _title_of(self._document.design) != self._said:
+        if _title_of(self._document.design) != self._shown_title:
             self._show_title()
 
     def _show_title(self) -> None:
         path, design = self._document.path, self._document.design
-        self._said = title = _title_of(design)
+        self._shown_title = title = _title_of(design)
         # A scene has a title, or a name among others, and no file.
         name = printable(title or self._document.scene).strip() or "Untitled"
         recovered = self._document.recovered_from
@@ -208,5 +203,5 @@ class WindowFrame(QObject):
 
 
 def _title_of(design: Design) -> str:
-    # What knows the scenes is not read before one is open.
+    # The list of scenes is not read before a scene is open.
     return scenes.title_of(design) if design.title else ""

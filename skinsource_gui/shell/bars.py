@@ -1,4 +1,4 @@
-"""The row above the panels: limb, scaling, axes, method, levels."""
+"""The bar above the panels: limb, scaling, axes, method, levels, transport and a few actions."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -46,13 +46,13 @@ class SetupBar(QWidget):
         super().__init__(parent)
         self._design: Design | None = None
         self._view: View | None = None
-        self._words: tuple[Word, ...] = LIMBS
+        self._limb_options: tuple[Word, ...] = LIMBS
         self._measured, self._drive_unit_known = "xyz", True
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 0, 0)
         self._row.setSpacing(6)
         self._limb, self._scaling, self._axes, self._method, self._span = (
-            self._choice(label, sentence, words) for _, label, sentence, words in CHOICES
+            self._choice(label, sentence, options) for _, label, sentence, options in CHOICES
         )
         self._method_hint = self._method.toolTip()
         self._row.addStretch(1)
@@ -90,7 +90,7 @@ class SetupBar(QWidget):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        # Where there is too little room for all, what is chosen says more than what it is called.
+        # Where there is too little room, the labels are hidden rather than the choices.
         named = sum(title.sizeHint().width() + self._row.spacing() for title in self._titles)
         chosen = self._row.sizeHint().width()
         needed = chosen if self._titles[0].isVisibleTo(self) else chosen + named
@@ -99,46 +99,46 @@ class SetupBar(QWidget):
 
     @property
     def wanted_px(self) -> int:
-        """Width in which each choice is read whole, without what it is called."""
+        """Width of all choices in full, without their labels."""
         fields = self.findChildren(ChoiceField)
-        return sum(one.sizeHint().width() + 2 * self._row.spacing() for one in fields)
+        return sum(field.sizeHint().width() + 2 * self._row.spacing() for field in fields)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(_LEAST_PX, super().minimumSizeHint().height())
 
     def show_available(self, limbs: tuple[str, ...]) -> None:
         """Offer these limbs, and no others."""
-        words = (*LIMBS, *(limb_word(name) for name in own_limb_names()))
-        names = tuple(word.name for word in words)
-        if words != self._words:
-            self._words = words
-            self._limb.offer(_spec("Limb", "", words))
-            _explain(self._limb, words)
+        options = (*LIMBS, *(limb_word(name) for name in own_limb_names()))
+        names = tuple(word.name for word in options)
+        if options != self._limb_options:
+            self._limb_options = options
+            self._limb.offer(_spec("Limb", "", options))
+            _explain(self._limb, options)
         for index, name in enumerate(names):
             there = name in limbs
-            _offer(self._limb, index, there=there)
+            _set_enabled(self._limb, index, there=there)
             if name.startswith("measured-"):
                 hint = "" if there else f"{NOT_INSTALLED} Help > {TITLE}… installs them."
                 self._limb.setItemData(index, hint, Qt.ItemDataRole.ToolTipRole)
 
     def _offer_axes(self, limb: str) -> None:
-        """Let those axes be chosen along which the limb measures."""
+        """Enable the axes along which the limb was measured."""
         measured = facts_of(limb).axes
         if measured == self._measured:
             return
         self._measured = measured
         for index in range(self._axes.count()):
-            _offer(self._axes, index, there=set(self._axes.itemData(index)) <= set(measured))
+            _set_enabled(self._axes, index, there=set(self._axes.itemData(index)) <= set(measured))
 
     def _explain_scalings(self, unit_known: bool) -> None:
-        """Say what amplitudes mean on the limb."""
+        """Explain what amplitudes mean on the limb."""
         if unit_known == self._drive_unit_known:
             return
         self._drive_unit_known = unit_known
         _explain(self._scaling, scalings_on(drive_unit_known=unit_known))
 
     def choices(self, parent: QObject | None) -> list[QAction]:
-        """One action for each choice that can be made, owned by ``parent``."""
+        """Return an action for each choice, owned by ``parent``."""
         actions = []
         for field in (self._limb, self._scaling, self._axes, self._method, self._span):
             model = field.model()
@@ -152,12 +152,12 @@ class SetupBar(QWidget):
                 actions.append(action)
         return actions
 
-    def _choice(self, label: str, sentence: str, words: tuple[Word, ...]) -> ChoiceField:
-        field = ChoiceField(_spec(label, sentence, words))
+    def _choice(self, label: str, sentence: str, options: tuple[Word, ...]) -> ChoiceField:
+        field = ChoiceField(_spec(label, sentence, options))
         field.setObjectName(label.lower())
         field.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         field.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
-        _explain(field, words)
+        _explain(field, options)
         title = QLabel(label)
         title.setBuddy(field)
         self._row.addWidget(title)
@@ -178,24 +178,22 @@ def _spec(label: str, sentence: str, words: tuple[Word, ...]) -> ChoiceSpec:
     return ChoiceSpec(label=label, options=options, hint=sentence)
 
 
-def _explain(field: QComboBox, words: tuple[Word, ...]) -> None:
-    """Say of each entry what it means."""
-    for index, word in enumerate(words):
+def _explain(field: QComboBox, options: tuple[Word, ...]) -> None:
+    """Set a tooltip on what each entry means."""
+    for index, word in enumerate(options):
         field.setItemData(index, tooltip(word.sentence), Qt.ItemDataRole.ToolTipRole)
 
 
-def _offer(field: QComboBox, index: int, *, there: bool) -> None:
+def _set_enabled(field: QComboBox, index: int, *, there: bool) -> None:
     """Let an entry be chosen, or not.
 
-    Not by the item of the model: what Python knows of an item outlives it, and PySide then takes
-    whatever comes to stand at its address for that item.
+    The item of the model is not used: its Python wrapper outlives it, and PySide then takes another
+    object at the same address for that item.
     """
     field.setItemData(index, None if there else 0, _FLAGS)
 
 
-# The bar above the panels.
-
-#: Of the room that the choices want, so much is theirs before buttons stand beside them.
+#: The buttons fold where the choices would get less than this share of their width.
 _CHOICES_SHARE = 0.8
 _REFITTED = (QEvent.Type.LayoutRequest, QEvent.Type.FontChange, QEvent.Type.StyleChange)
 
@@ -212,8 +210,8 @@ class FoldedActions(QWidget):
     def __init__(self, groups: Sequence[Sequence[QAction]], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._buttons, row = QWidget(self), QHBoxLayout(self)
-        beside = QHBoxLayout(self._buttons)
-        for layout in (row, beside):
+        buttons = QHBoxLayout(self._buttons)
+        for layout in (row, buttons):
             layout.setContentsMargins(0, 0, 0, 0)
             layout.setSpacing(6)
         self.more = QToolButton(self)
@@ -226,18 +224,18 @@ class FoldedActions(QWidget):
             line = QFrame(self._buttons)
             line.setObjectName("bar_line")
             line.setFixedWidth(1)
-            beside.addWidget(line)
+            buttons.addWidget(line)
             menu.addSeparator()
             for action in group:
                 button = QToolButton(self._buttons)
                 button.setDefaultAction(action)
                 button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-                beside.addWidget(button)
+                buttons.addWidget(button)
                 menu.addAction(action)
         self.more.setMenu(menu)
-        words = ", ".join(action.iconText() for group in groups for action in group)
-        self.more.setAccessibleName(words)
-        show_tooltip(self.more, words)
+        names = ", ".join(action.iconText() for group in groups for action in group)
+        self.more.setAccessibleName(names)
+        show_tooltip(self.more, names)
         row.addWidget(self._buttons)
         row.addWidget(self.more)
         self.fold(folded=False)

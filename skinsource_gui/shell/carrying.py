@@ -1,4 +1,4 @@
-"""What pictures and numbers carry out of the studio: stimulus, limbs, and conditions not kept."""
+"""Pictures of panels, and the metadata that exports carry: stimulus, limbs, validity."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -35,14 +35,14 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Engine, on_limb, sources_of_levels, sources_shown, too_large
 from skinsource_gui.state.panel import Panel, PanelRegistry
 
-# What maps are drawn with between outputs: what asks for it draws one.
+# Maps between outputs are drawn with this quantity: a panel that needs it draws a map.
 _MAP = "surface"
 _EDITED = "Edited"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class _Shown:
-    """A design that a panel shows: what it is called there, and what evaluation starts from."""
+class _ShownDesign:
+    """A design that a panel shows: its name there, and the sources of its evaluation."""
 
     label: str
     given: Mapping[str, Any]
@@ -50,14 +50,10 @@ class _Shown:
 
 
 class ExportMetadata:
-    """Says what goes with whatever is taken out of a panel, and hands that to all of its exits.
+    """Makes the captions and lines that go with exports of a panel, and hands them to its exports.
 
     Parameters
     ----------
-    document, engine
-        Whose design, and who judges it.
-    panels
-        Each of them is told once it is made; those that compare say with what.
     catch_up
         Waits until the panels in sight show the present design.
     """
@@ -70,37 +66,37 @@ class ExportMetadata:
         catch_up: Callable[[], None],
     ) -> None:
         self._document, self._judging, self._catch_up = document, Judging(engine), catch_up
-        panels.each(self._equip)
+        panels.each(self._connect)
 
     def caption(self, *panels: Panel) -> str:
-        """What stands below a picture of these panels."""
-        found = self._shown(panels)
+        """Return the caption of a picture of these panels."""
+        designs = self._shown_designs(panels)
         design, compared = self._document.design, self._compared(panels)
-        named = [(_words(one), one.design) for one in compared]
-        words = caption_of(
+        named = [(_snapshot_label(snapshot), snapshot.design) for snapshot in compared]
+        text = caption_of(
             design,
             compared=named,
-            limbs=tuple(one.given["limb"] for one in found),
-            notes=in_short(self._judged(found, panels)),
+            limbs=tuple(design.given["limb"] for design in designs),
+            notes=in_short(self._judged(designs, panels)),
         )
         here = shown(compared, design)
         if not compared or all(panel.needs_of_snapshots for panel in panels):
-            return words
-        elsewhere = stimulus_text(design) if here is None else _words(here)
-        return f"{words} Other panels: {elsewhere}."
+            return text
+        elsewhere = stimulus_text(design) if here is None else _snapshot_label(here)
+        return f"{text} Other panels: {elsewhere}."
 
     def lines(self, *panels: Panel) -> tuple[str, ...]:
-        """What stands in a table of their numbers."""
-        return in_full(self._judged(self._shown(panels), panels))
+        """Return the lines on validity for a table of their numbers."""
+        return in_full(self._judged(self._shown_designs(panels), panels))
 
     @contextmanager
     def as_stored(self) -> Iterator[None]:
-        """Have panels show no matched levels while something of them is taken out."""
+        """Have panels show no matched levels while something is exported."""
         with self._document.as_stored():
             self._catch_up()
             yield
 
-    def _equip(self, panel: Panel) -> None:
+    def _connect(self, panel: Panel) -> None:
         caption, lines = partial(self.caption, panel), partial(self.lines, panel)
         panel.caption, panel.as_stored = caption, self.as_stored
         for exports in panel.findChildren(SignalExports):
@@ -108,62 +104,66 @@ class ExportMetadata:
         for button in panel.findChildren(CopyButton):
             button.lines, button.as_stored = lines, self.as_stored
 
-    def _judged(self, found: Sequence[_Shown], panels: Sequence[Panel]) -> list[Judged]:
+    def _judged(self, designs: Sequence[_ShownDesign], panels: Sequence[Panel]) -> list[Judged]:
         judged = [
-            Judged(label=one.label)
-            if too_large(one.given["limb"])
-            else self._judging.judge(one.label, one.given, present=one.present)
-            for one in found
+            Judged(label=entry.label)
+            if too_large(entry.given["limb"])
+            else self._judging.judge(entry.label, entry.given, present=entry.present)
+            for entry in designs
         ]
         maps = any(_MAP in _drawn(panel) for panel in panels)
-        return judged if maps else [one.without_maps() for one in judged]
+        return judged if maps else [judgement.without_maps() for judgement in judged]
 
     def _compared(self, panels: Sequence[Panel]) -> list[Snapshot]:
-        """Snapshots that these panels show side by side, and what is edited, as they stand."""
-        together_now = with_edited(self._document.view.snapshots, self._document.design)
+        """Return the snapshots, with the edited design, that these panels show side by side."""
+        snapshots = with_edited(self._document.view.snapshots, self._document.design)
         drawn = {
-            one.number: one
+            snapshot.number: snapshot
             for panel in panels
             if panel.needs_of_snapshots
-            for one in panel.snapshots_drawn(together_now)
+            for snapshot in panel.snapshots_drawn(snapshots)
         }
-        ordered = sorted(drawn.values(), key=lambda one: one.number)
+        ordered = sorted(drawn.values(), key=lambda snapshot: snapshot.number)
         return ordered if len(ordered) > 1 else []
 
-    def _shown(self, panels: Sequence[Panel]) -> list[_Shown]:
-        """The design in the window, where it is shown, and others that the panels show."""
+    def _shown_designs(self, panels: Sequence[Panel]) -> list[_ShownDesign]:
+        """Return the design in the window, where it is shown, and the others of the panels."""
         design, view = self._document.design, self._document.seen
         compared = self._compared(panels)
         here = shown(compared, design)
         label = short_limb_title(design.limb)
         if compared:
-            label = _EDITED if here is None else _words(here)
-        found = list[_Shown]()
-        if not compared or here is not None or not all(one.needs_of_snapshots for one in panels):
-            found.append(_Shown(label=label, given=sources_shown(design, view), present=True))
-        beside = dict.fromkeys(limb for panel in panels for limb in panel.needs_on_limbs)
-        for limb in beside:
-            asked = None if limb == design.limb else on_limb(design, view, limb)
-            if asked is not None and not isinstance(asked, str):
-                given = sources_of_levels(*asked, match_gain=view.match_gain(design))
-                found.append(_Shown(label=short_limb_title(limb), given=given))
-        for one in compared:
-            if here is None or one.number != here.number:
-                given = sources_of_levels(one.design, view)
-                found.append(_Shown(label=_words(one), given=given))
-        return found
+            label = _EDITED if here is None else _snapshot_label(here)
+        designs = list[_ShownDesign]()
+        if (
+            not compared
+            or here is not None
+            or not all(panel.needs_of_snapshots for panel in panels)
+        ):
+            designs.append(
+                _ShownDesign(label=label, given=sources_shown(design, view), present=True)
+            )
+        limbs = dict.fromkeys(limb for panel in panels for limb in panel.needs_on_limbs)
+        for limb in limbs:
+            limb_sources = None if limb == design.limb else on_limb(design, view, limb)
+            if limb_sources is not None and not isinstance(limb_sources, str):
+                given = sources_of_levels(*limb_sources, match_gain=view.match_gain(design))
+                designs.append(_ShownDesign(label=short_limb_title(limb), given=given))
+        for snapshot in compared:
+            if here is None or snapshot.number != here.number:
+                given = sources_of_levels(snapshot.design, view)
+                designs.append(_ShownDesign(label=_snapshot_label(snapshot), given=given))
+        return designs
 
 
-def _words(one: Snapshot) -> str:
-    return _EDITED if one.number == EDITED else f"Snapshot {one.number}"
+def _snapshot_label(snapshot: Snapshot) -> str:
+    return _EDITED if snapshot.number == EDITED else f"Snapshot {snapshot.number}"
 
 
 def _drawn(panel: Panel) -> frozenset[str]:
-    """All that it asks for."""
+    """Return all quantities that a panel needs."""
     return panel.needs.union(panel.needs_of_snapshots, *panel.needs_on_limbs.values())
 
-
-# Pictures of panels and of the whole window, as they are on the screen.
 
 _TITLE_PX, _EDGE_PX = 22, 6
 # The smallest letters of panels, as a part of usual ones: those of notes on the skin map.
@@ -171,24 +171,18 @@ _SMALLEST_LETTERS = 2 / 3
 
 
 class PanelPictures:
-    """Draws panels, one or all that are in sight.
+    """Draws pictures of one panel, or of all that are in sight.
 
     Parameters
     ----------
     frame
         The window in which the panels stand.
-    document, engine
-        Whose design, and who judges it: captions say what is played, and what that is not good for.
-    panels
-        All of them.
-    appearance
-        The colours in use.
     catch_up
         Waits until the panels in sight show the present design.
     docks
-        Where panels stand, by name.
+        By the name of their panel.
     in_use
-        Knows which of them is.
+        Knows the panel in use.
     """
 
     def __init__(
@@ -203,54 +197,56 @@ class PanelPictures:
         in_use: PanelInUse,
     ) -> None:
         self._frame, self._panels = frame, panels
-        self._carrying = ExportMetadata(document, engine, panels, catch_up)
+        self._metadata = ExportMetadata(document, engine, panels, catch_up)
         self._appearance, self._catch_up, self._docks = appearance, catch_up, docks
         self._in_use = in_use
 
     def picture_of(self, name: str) -> WholePicture:
-        """The picture of a panel, `IN_USE` or `ALL_IN_SIGHT`, with its caption."""
+        """Return the picture of a panel, `IN_USE` or `ALL_IN_SIGHT`, with its caption."""
         panel: Panel | None = None
         if name != ALL_IN_SIGHT:
             panel = self._in_use.panel if name == IN_USE else self._panels[name]
         self._catch_up()
-        caption = self._carrying.caption(*((panel,) if panel else self._in_the_window()))
+        caption = self._metadata.caption(*((panel,) if panel else self._docked_panels()))
         size: tuple[int, int] | None = None
         draw: Callable[..., None] = self._draw_all
         letters: Letters | None = None
         if panel is None:
             size = self._frame.width(), self._frame.height()
-            letters = partial(self._letters_px, caption)
+            letters = partial(self._smallest_letters_px, caption)
         else:
             draw = partial(self._draw_one, panel)
             likes = panel.size() if panel.isVisible() else usual_size(panel)
             size = None if name != IN_USE else (2 * likes.width(), 2 * likes.height())
-        seen = panel.map.stage.seen if isinstance(panel, SkinPanel) else None
+        result = panel.map.stage.seen if isinstance(panel, SkinPanel) else None
         draw = with_caption(draw, caption)
         return WholePicture(
             draw=draw,
             title="" if panel is None else panel.title,
             caption=caption,
             size_px=size,
-            seen=seen,
+            seen=result,
             letters_px=letters,
         )
 
-    def _in_the_window(self) -> list[Panel]:
-        """Panels in sight that stand in no window of their own."""
-        return [one for one in self._panels if one.isVisible() and one.window() is self._frame]
+    def _docked_panels(self) -> list[Panel]:
+        """Return the panels in sight that do not float."""
+        return [
+            panel for panel in self._panels if panel.isVisible() and panel.window() is self._frame
+        ]
 
     def _draw_one(
         self, panel: Panel, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:
-        """A panel, which need not be in sight."""
+        """Draw a panel, which need not be in sight."""
         if panel.isVisible():
-            with self._carrying.as_stored(), self._in_colours(theme):
+            with self._metadata.as_stored(), self._in_colours(theme):
                 panel.draw_picture(painter, width, height, theme)
             return
         stage = shown_off_screen(self._docks[panel.name], width, height)
-        with self._carrying.as_stored(), stage as make_room:
+        with self._metadata.as_stored(), stage as make_room:
             self._catch_up()
-            # Parts that come and go with results ask for their room now.
+            # Parts that depend on results take their room now.
             QApplication.processEvents(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
             make_room()
             QApplication.processEvents(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
@@ -258,42 +254,42 @@ class PanelPictures:
                 panel.draw_picture(painter, width, height, theme)
 
     def _draw_all(self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT) -> None:
-        """All panels in sight, each where it is, with its title."""
-        places, whole = self._places()
+        """Draw all panels in sight, each where it is, with its title."""
+        places, bounds = self._places()
         painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
-        if whole.isEmpty():
+        if bounds.isEmpty():
             return
-        scale = min(width / whole.width(), height / whole.height())
-        with self._carrying.as_stored(), self._in_colours(theme):
+        scale = min(width / bounds.width(), height / bounds.height())
+        with self._metadata.as_stored(), self._in_colours(theme):
             painter.save()
             painter.scale(scale, scale)
-            painter.translate(-whole.topLeft())
-            for panel, place in places.items():
-                _draw_titled(painter, panel, place, theme)
+            painter.translate(-bounds.topLeft())
+            for panel, area in places.items():
+                _draw_titled(painter, panel, area, theme)
             painter.restore()
 
     def _places(self) -> tuple[dict[Panel, QRect], QRect]:
-        """Where each panel in sight is, and a box around them and their titles."""
+        """Return the area of each panel in sight, and a box around them and their titles."""
         places = {
             panel: QRect(panel.mapTo(self._frame, QPoint()), panel.size())
-            for panel in self._in_the_window()
+            for panel in self._docked_panels()
         }
-        whole = QRect()
-        for place in places.values():
-            whole = whole.united(place.adjusted(0, -_TITLE_PX, 0, 0))
-        return places, whole
+        bounds = QRect()
+        for area in places.values():
+            bounds = bounds.united(area.adjusted(0, -_TITLE_PX, 0, 0))
+        return places, bounds
 
-    def _letters_px(self, caption: str, width: int, height: int) -> float:
-        """Height of the smallest letters of panels in a picture of all."""
-        _, whole = self._places()
+    def _smallest_letters_px(self, caption: str, width: int, height: int) -> float:
+        """Return the height of the smallest letters of panels in a picture of all."""
+        _, bounds = self._places()
         font = QApplication.font()
         above = height_above(caption, font, width, height)
-        scale = min(width / max(whole.width(), 1), above / max(whole.height(), 1))
+        scale = min(width / max(bounds.width(), 1), above / max(bounds.height(), 1))
         return scale * _SMALLEST_LETTERS * QFontInfo(font).pixelSize()
 
     @contextmanager
     def _in_colours(self, theme: Theme) -> Iterator[None]:
-        """Show the studio in other colours, and back; nothing of it comes onto the screen."""
+        """Put the studio in other colours for a while; nothing of that is painted on the screen."""
         application, before = QApplication.instance(), current_theme()
         if theme == before or not isinstance(application, QApplication):
             yield
@@ -306,16 +302,16 @@ class PanelPictures:
             apply_theme(application, before, text_scale)
 
 
-def _draw_titled(painter: QPainter, panel: Panel, place: QRect, theme: Theme) -> None:
+def _draw_titled(painter: QPainter, panel: Panel, area: QRect, theme: Theme) -> None:
     font = QFont(QApplication.font())
     font.setBold(True)
     painter.setFont(font)
     painter.setPen(QColor(theme.text))
-    head = QRectF(place.left() + _EDGE_PX, place.top() - _TITLE_PX, place.width(), _TITLE_PX)
+    head = QRectF(area.left() + _EDGE_PX, area.top() - _TITLE_PX, area.width(), _TITLE_PX)
     painter.drawText(head, Qt.AlignmentFlag.AlignVCenter, panel.title)
     painter.save()
-    painter.translate(place.topLeft())
-    painter.setClipRect(QRectF(0, 0, place.width(), place.height()))
+    painter.translate(area.topLeft())
+    painter.setClipRect(QRectF(0, 0, area.width(), area.height()))
     painter.setFont(QApplication.font())
-    panel.draw_picture(painter, place.width(), place.height(), theme)
+    panel.draw_picture(painter, area.width(), area.height(), theme)
     painter.restore()

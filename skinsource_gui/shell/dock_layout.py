@@ -1,4 +1,8 @@
-"""Which panels of an arrangement stand beside each other, and how much room each has."""
+"""The arrangements of the docks: which panels stand where, how much room each has.
+
+`Arrangements` puts docks into an arrangement, `DockSizes` knows whether the user has moved them
+since, and `DockLayout` stores the result between sessions and in design files.
+"""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -18,7 +22,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.arrangement_spec import (
     ARRANGEMENTS,
@@ -29,7 +32,7 @@ from skinsource_gui.shell.arrangement_spec import (
     Places,
 )
 from skinsource_gui.shell.docks import Dock, KeyboardKeeper
-from skinsource_gui.state.panel import PREPARING, Panel
+from skinsource_gui.state.panel import Panel
 from skinsource_gui.state.preferences import Preferences
 
 #: Panels that share a place, as tabs; the first one is in front.
@@ -40,7 +43,7 @@ Room = tuple[list[int], list[int], list[list[int]]]
 
 @dataclass(frozen=True, slots=True)
 class Folded:
-    """Where panels stand once those that have no room became tabs.
+    """The columns of an arrangement, in which panels without room became tabs.
 
     Attributes
     ----------
@@ -61,7 +64,7 @@ class Folded:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Needs:
-    """What the panels of an arrangement need.
+    """The room of an arrangement, and what its panels need.
 
     Attributes
     ----------
@@ -114,19 +117,19 @@ def folded(columns: Sequence[Sequence[str]], foot: Sequence[str], needs: Needs) 
     host = needs.spec.host
     hosted = any(host in column for column in columns)
     below = max((needs.least[panel].height() + needs.gap_px for panel in foot), default=0)
-    found = _stacked(stacks, needs, needs.room.height() - below)
-    if foot and hosted and found is None:
-        found = _stacked(stacks, needs, needs.room.height())
-        stacks = _behind_host(found or _tabbed(stacks), tuple(foot), host)
+    fitted = _stacked(stacks, needs, needs.room.height() - below)
+    if foot and hosted and fitted is None:
+        fitted = _stacked(stacks, needs, needs.room.height())
+        stacks = _behind_host(fitted or _tabbed(stacks), tuple(foot), host)
         foot = ()
     else:
-        stacks = found or _tabbed(stacks)
+        stacks = fitted or _tabbed(stacks)
     for panel in needs.spec.yields if hosted else ():
         if needs.widths(stacks) <= needs.room.width():
             break
         yielding = [column for column in stacks if any(panel in tabs for tabs in column)]
         stacks = [column for column in stacks if column not in yielding]
-        moved = tuple(one for column in yielding for tabs in column for one in tabs)
+        moved = tuple(panel for column in yielding for tabs in column for panel in tabs)
         stacks = _behind_host(stacks, moved, host)
     return Folded(tuple(stacks), tuple(foot))
 
@@ -164,8 +167,8 @@ def shared(whole: int, shares: Sequence[int], least: Sequence[int]) -> list[int]
     rest = whole - sum(need for need, is_short in zip(least, short, strict=True) if is_short)
     others = [k for k, is_short in enumerate(short) if not is_short]
     among = shared(rest, [shares[k] for k in others], [least[k] for k in others])
-    given = dict(zip(others, among, strict=True))
-    return [given.get(k, need) for k, need in enumerate(least)]
+    of_others = dict(zip(others, among, strict=True))
+    return [of_others.get(k, need) for k, need in enumerate(least)]
 
 
 def _column(column: Sequence[Tabs], needs: Needs) -> int:
@@ -175,15 +178,15 @@ def _column(column: Sequence[Tabs], needs: Needs) -> int:
 def _stacked(
     stacks: list[tuple[Tabs, ...]], needs: Needs, height: int
 ) -> list[tuple[Tabs, ...]] | None:
-    """Columns in that height, those as tabs that are too low; None where even that is too low."""
+    """Return columns that fit the height, as tabs where needed; None where nothing fits."""
     if needs.spec.stacks:
         return stacks
-    found = [
+    fitted = [
         column if needs.heights(column) <= height else as_tabs
         for column, as_tabs in zip(stacks, _tabbed(stacks), strict=True)
     ]
-    fit = all(needs.heights(column) <= height for column in found)
-    return found if fit else None
+    fit = all(needs.heights(column) <= height for column in fitted)
+    return fitted if fit else None
 
 
 def _tabbed(stacks: list[tuple[Tabs, ...]]) -> list[tuple[Tabs, ...]]:
@@ -195,8 +198,6 @@ def _behind_host(
 ) -> list[tuple[Tabs, ...]]:
     return [tuple(tabs + panels if host in tabs else tabs for tabs in column) for column in stacks]
 
-
-# Puts docks into an arrangement.
 
 _ACROSS, _DOWN = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
 # Around the letters of a dock's title, or of its tab; the frame of a dock.
@@ -215,18 +216,12 @@ class Arrangements(QObject):
     docks
         By the name of their panel, in the order in which they stand in a column.
     places
-        Where each stands in each arrangement.  A panel about which nothing is said stands at the
-        foot of the last column.
-
-    Attributes
-    ----------
-    keyboard
-        Who has it while docks come and go.
+        Where each stands in each arrangement; at the foot of the last column by default.
     """
 
-    #: The `ArrangementSpec` that is taken up; before that happens.
+    #: The `ArrangementSpec` that is about to be applied.
     chosen = Signal(object)
-    #: Size of words that belongs to it.
+    #: Its text scale.
     text_scaled = Signal(float)
 
     def __init__(self, window: QMainWindow, docks: Mapping[str, Dock], places: Places) -> None:
@@ -238,19 +233,22 @@ class Arrangements(QObject):
         self.keyboard = KeyboardKeeper(window, docks)
 
     def show(self, name: str) -> None:
-        """Take up the arrangement ``name``; the first one where it is not known."""
-        spec = next((one for one in ARRANGEMENTS if one.name == name), ARRANGEMENTS[0])
-        # Larger words would have them refitted before they stand.
+        """Apply the arrangement ``name``; the first one where it is not known."""
+        spec = next(
+            (arrangement for arrangement in ARRANGEMENTS if arrangement.name == name),
+            ARRANGEMENTS[0],
+        )
+        # Larger text would have them refitted before they stand.
         self._spec = None
         self.chosen.emit(spec)
         self.text_scaled.emit(spec.text_scale)
         self._spec = spec
         places = {panel: self._place(panel, spec) for panel in self._docks}
-        shown = {panel: one for panel, one in places.items() if isinstance(one, Place)}
+        shown = {panel: place for panel, place in places.items() if isinstance(place, Place)}
         self._room, self._folded = None, self._fold(spec)
         standing = self._folded
         with self.keyboard.kept():
-            self._put(standing)
+            self._place_docks(standing)
             for panel, place in places.items():
                 if isinstance(place, Behind):
                     self._window.tabifyDockWidget(self._docks[place.panel], self._docks[panel])
@@ -264,15 +262,15 @@ class Arrangements(QObject):
             self._window.activateWindow()
 
     def bring(self, panel: str) -> None:
-        """Bring a panel into sight, where it stands: no other one is moved."""
+        """Bring a panel into sight without moving others."""
         self._docks[panel].bring_forward()
 
     def refit(self) -> None:
-        """Share the room anew among panels that nobody has moved: words have another size."""
+        """Share the room anew among panels that were not moved: the text has another size."""
         if self._spec is None:
             return
         if self._fold(self._spec) != self._folded:
-            brought = self._brought(self._spec)
+            brought = self._added_panels(self._spec)
             self.show(self._spec.name)
             for panel in brought:
                 self.bring(panel)
@@ -280,7 +278,7 @@ class Arrangements(QObject):
             self.share_room()
 
     def share_room(self) -> None:
-        """Give the panels of the present arrangement the room that is theirs at first."""
+        """Give the panels of the present arrangement their first sizes."""
         spec, standing = self._spec, self._folded
         if spec is None or standing is None:
             return
@@ -297,7 +295,7 @@ class Arrangements(QObject):
         for column, parts in zip(standing.columns, heights, strict=True):
             self._window.resizeDocks([self._docks[tabs[0]] for tabs in column], parts, _DOWN)
 
-    def _brought(self, spec: ArrangementSpec) -> list[str]:
+    def _added_panels(self, spec: ArrangementSpec) -> list[str]:
         """Panels that the arrangement does not show by itself, those that lie behind first."""
         there = [panel for panel, dock in self._docks.items() if not dock.isHidden()]
         added = [panel for panel in there if not isinstance(self._place(panel, spec), Place)]
@@ -307,9 +305,13 @@ class Arrangements(QObject):
         places = self._places.get(panel, {})
         return places.get(spec.name, Place(len(spec.columns) - 1)) or Behind(spec.host)
 
-    def _fold(self, spec: ArrangementSpec) -> Folded:
+    def _shown_places(self, spec: ArrangementSpec) -> dict[str, Place]:
+        """Return the places of the panels that the arrangement shows by itself."""
         places = {panel: self._place(panel, spec) for panel in self._docks}
-        shown = {panel: one for panel, one in places.items() if isinstance(one, Place)}
+        return {panel: place for panel, place in places.items() if isinstance(place, Place)}
+
+    def _fold(self, spec: ArrangementSpec) -> Folded:
+        shown = self._shown_places(spec)
         foot = [panel for panel, place in shown.items() if place.at_foot]
         foot.sort(key=lambda panel: shown[panel].column)
         columns: list[list[str]] = [[] for _ in spec.columns]
@@ -322,19 +324,17 @@ class Arrangements(QObject):
         window = self._window
         bars = [window.menuBar(), window.statusBar(), *window.findChildren(QToolBar)]
         around = sum(bar.sizeHint().height() for bar in bars if not bar.isHidden())
-        shown = {panel: self._place(panel, spec) for panel in self._docks}
+        places = self._shown_places(spec)
         return Needs(
             room=window.size() - QSize(0, around),
             spec=spec,
-            places={panel: one for panel, one in shown.items() if isinstance(one, Place)},
-            least={
-                panel: self._least(panel) for panel, one in shown.items() if isinstance(one, Place)
-            },
+            places=places,
+            least={panel: self._least(panel) for panel in places},
             tab_px=window.fontMetrics().height() + _TITLE_PX,
             gap_px=window.style().pixelMetric(_GAP),
         )
 
-    def _put(self, standing: Folded) -> None:
+    def _place_docks(self, standing: Folded) -> None:
         for dock in self._docks.values():
             dock.setFloating(False)
             self._window.removeDockWidget(dock)
@@ -363,49 +363,47 @@ class Arrangements(QObject):
         return size + QSize(_EDGE_PX, title)
 
 
-# Where the docks of a window stand, to tell whether somebody has moved them.
-
 # What the sharing of room rounds away, px.
 _ROUNDING_PX = 3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class _One:
+class _DockState:
     hidden: bool
     floating: bool
     in_sight: bool
     place: QRect
 
-    def is_like(self, other: "_One", *, as_wide: bool, as_high: bool) -> bool:
-        mine = (self.hidden, self.floating, self.in_sight)
-        if mine != (other.hidden, other.floating, other.in_sight):
+    def is_like(self, other: "_DockState", *, as_wide: bool, as_high: bool) -> bool:
+        flags = (self.hidden, self.floating, self.in_sight)
+        if flags != (other.hidden, other.floating, other.in_sight):
             return False
         if not self.in_sight:
             return True
         corners = self.place.topLeft() - other.place.topLeft()
         sizes = self.place.size() - other.place.size()
         across, down = (corners.x(), sizes.width()), (corners.y(), sizes.height())
-        apart = (across if as_wide else ()) + (down if as_high else ())
-        return all(abs(one) <= _ROUNDING_PX for one in apart)
+        differences = (across if as_wide else ()) + (down if as_high else ())
+        return all(abs(difference) <= _ROUNDING_PX for difference in differences)
 
 
 @dataclass(frozen=True, slots=True)
 class DockPlaces:
-    """Where each dock stands in the room of all, which is less where bars of the window grow."""
+    """The state of each dock, and the room of all, which is less where bars grow."""
 
     room: QSize
-    docks: Mapping[str, _One]
+    docks: Mapping[str, _DockState]
 
     @classmethod
     def of(cls, docks: Mapping[str, Dock]) -> "DockPlaces":
-        """How it is now."""
+        """Return the present state."""
         here = [
             dock.geometry() for dock in docks.values() if dock.in_sight and not dock.isFloating()
         ]
         return cls(
             reduce(QRect.united, here, QRect()).size(),
             {
-                name: _One(
+                name: _DockState(
                     hidden=dock.isHidden(),
                     floating=dock.isFloating(),
                     in_sight=dock.in_sight,
@@ -416,20 +414,17 @@ class DockPlaces:
         )
 
     def is_like(self, other: "DockPlaces") -> bool:
-        """Whether nobody has moved a dock; in a room of another size, shown or hidden one."""
+        """Return whether no dock was moved; in a room of another size, shown or hidden."""
         as_wide = self.room.width() == other.room.width()
         as_high = self.room.height() == other.room.height()
         return all(
-            one.is_like(other.docks[name], as_wide=as_wide, as_high=as_high)
-            for name, one in self.docks.items()
+            state.is_like(other.docks[name], as_wide=as_wide, as_high=as_high)
+            for name, state in self.docks.items()
         )
 
 
-# Whether docks stand as they were arranged, and what becomes of those that do.
-
-
 class DockSizes(QObject):
-    """Shares the room once panels are as wide as they will be, and knows whether they were moved.
+    """Shares the room once panels have their widths, and knows whether docks were moved.
 
     Parameters
     ----------
@@ -445,9 +440,9 @@ class DockSizes(QObject):
         super().__init__(window)
         self._docks, self._arrangements = docks, arrangements
         arrangements.chosen.connect(self._begin)
-        # How the docks stand where nobody has moved them; None: they may have been.
+        # The state of the docks as they were arranged; None: they may have been moved.
         self._untouched: DockPlaces | None = None
-        # Whether nobody had moved them before words took another size.
+        # Whether no dock was moved before the text took another size.
         self._to_refit = False
         # How high some panels must be is known once they have their width.
         self._widened = QTimer(self, singleShot=True, interval=0)
@@ -458,30 +453,30 @@ class DockSizes(QObject):
 
     @property
     def untouched(self) -> bool:
-        """Whether nobody has moved a dock since they were arranged."""
+        """Whether no dock was moved since they were arranged."""
         if self._settled.isActive() or self._widened.isActive():
             return True
         now = DockPlaces.of(self._docks)
         return self._untouched is not None and now.is_like(self._untouched)
 
     def follow(self, appearance: Appearance) -> None:
-        """Arrange anew, whenever words have another size, what nobody has moved."""
+        """Arrange docks that were not moved anew whenever the text has another size."""
         appearance.changing.connect(self._look)
         appearance.changed.connect(self._refit)
 
     def refit(self) -> None:
-        """The window has another size: what nobody has moved is arranged anew for it."""
+        """Arrange docks that were not moved anew: the window has another size."""
         self._look()
         self._refit()
 
     def forget(self) -> None:
-        """The docks were put elsewhere."""
+        """Note that the docks were moved."""
         self._settled.stop()
         self._widened.stop()
         self._untouched = None
 
     def _look(self) -> None:
-        # Bars that grow with their words push docks, which then look as if they had been moved.
+        # Bars that grow with their text push docks, which then look as if they had been moved.
         self._to_refit = self.untouched
 
     def _refit(self) -> None:
@@ -501,14 +496,12 @@ class DockSizes(QObject):
         self._untouched = DockPlaces.of(self._docks)
 
 
-# Where the docks of a window stand: between sessions, and in the files of designs.
-
 _AS_AT_FIRST = "Panels as at first; {key} again brings yours back"
 _AS_LEFT = "Panels as you had them; {key} again shows them as at first"
 
 
 class DockLayout(QObject):
-    """Brings back what the window was like, and remembers it, for each arrangement.
+    """Stores and restores the layout of the docks, for each arrangement.
 
     Parameters
     ----------
@@ -517,15 +510,10 @@ class DockLayout(QObject):
     docks, arrangements
         Its docks, and what arranges them.
     preferences
-        Where it is remembered between sessions.
-
-    Attributes
-    ----------
-    settling
-        Knows whether somebody has moved the docks.
+        Store the layout between sessions.
     """
 
-    #: How the panels stand now, where that may surprise.
+    #: A message on how the panels stand now.
     done = Signal(str)
 
     def __init__(
@@ -541,20 +529,20 @@ class DockLayout(QObject):
         self.settling = DockSizes(window, docks, arrangements)
         arrangements.chosen.connect(self._note_arrangement)
         self._present: ArrangementSpec | None = None
-        # By arrangement, what the user made of it.
+        # The layout of the user, by the name of the arrangement.
         self._own: dict[str, bytes] = {}
         # What the user had before a scene took up its arrangement: its name, and where the docks
         # stood if they were moved; None: no scene has.
         self._before_scene: tuple[str, bytes] | None = None
         # Place of the window, arrangement and docks before they were presented; None: they are not.
-        self._held: tuple[QByteArray, str, bytes] | None = None
+        self._before_presenting: tuple[QByteArray, str, bytes] | None = None
 
     def choose(self, name: str) -> None:
         """Take up an arrangement as it was left; the present one as at first, and again as left.
 
         Nothing that the user made of an arrangement is lost by its key.
         """
-        before, touched = self._present, bool(self._kept())
+        before, touched = self._present, bool(self._store_own())
         self._before_scene = None
         own = self._own.get(name, b"")
         again = before is not None and before.name == name
@@ -563,8 +551,8 @@ class DockLayout(QObject):
             self.put(own)
         self._arrangements.keyboard.settle()
         if own and self._present is not None:
-            words = _AS_AT_FIRST if again and touched else _AS_LEFT
-            self.done.emit(words.format(key=self._present.keys[0]))
+            text = _AS_AT_FIRST if again and touched else _AS_LEFT
+            self.done.emit(text.format(key=self._present.keys[0]))
 
     def show_scene(self, arrangement: str, panels: Sequence[str]) -> None:
         """Take up the arrangement of a scene, as at first, and bring its panels in sight.
@@ -579,12 +567,12 @@ class DockLayout(QObject):
         panels
             Names of panels; the last of several in one place comes to the front.
         """
-        if self._held is not None:
+        if self._before_presenting is not None:
             self._arrangements.show(PRESENTATION)
         else:
-            kept = self._kept()
+            content = self._store_own()
             if self._before_scene is None and self._present is not None:
-                self._before_scene = (self._present.name, kept)
+                self._before_scene = (self._present.name, content)
             self._arrangements.show(arrangement)
         for panel in panels:
             if panel in self._docks:
@@ -595,38 +583,42 @@ class DockLayout(QObject):
 
         While they are presented they stay as people further off can read them.
         """
-        if self._before_scene is None or self._held is not None:
+        if self._before_scene is None or self._before_presenting is not None:
             return
-        self._kept()
+        self._store_own()
         (name, content), self._before_scene = self._before_scene, None
         self._arrangements.show(name)
         self.put(content)
         self._arrangements.keyboard.settle()
 
     def hold(self) -> None:
-        """Remember how all is now for the next session; what comes is for an audience."""
-        self._held = self._window.saveGeometry(), self._preferences.arrangement, self.own()
+        """Store the present layout for the next session: what follows is for an audience."""
+        self._before_presenting = (
+            self._window.saveGeometry(),
+            self._preferences.arrangement,
+            self.own(),
+        )
 
     def release(self) -> None:
-        """Remember again what comes."""
-        self._held = None
+        """Store again what follows."""
+        self._before_presenting = None
 
     def content(self) -> bytes:
-        """What `put` and `show_panels` take back."""
+        """Return the layout for `put` and `show_panels`."""
         return bytes(self._window.saveState().data())
 
     def own(self) -> bytes:
-        """What `put` takes back; empty where nobody moved a dock: it will be arranged again."""
+        """Return the layout for `put`; empty where no dock was moved."""
         return b"" if self.settling.untouched else self.content()
 
     def put(self, content: bytes) -> None:
-        """Put the docks where they stood in this very window, if anything is said about it."""
+        """Restore the layout ``content`` of this window; do nothing where it is empty."""
         if content:
             self._window.restoreState(QByteArray(content))
             self.settling.forget()
 
     def show_panels(self, content: bytes) -> None:
-        """Show and hide the panels that were shown and hidden, if anything is said about it.
+        """Show and hide panels as in the layout ``content``; do nothing where it is empty.
 
         Of panels that share a place, one that was in sight comes to the front.
 
@@ -649,7 +641,7 @@ class DockLayout(QObject):
         self._arrangements.keyboard.settle()
 
     def restore(self) -> None:
-        """Bring back the last session; its sizes only where its screen is there."""
+        """Restore the last session; its sizes only where its screen is there."""
         screen, layout = self._preferences.screen, self._preferences.layout
         fits = not screen or screen in map(screen_key, QGuiApplication.screens())
         if fits:
@@ -668,10 +660,10 @@ class DockLayout(QObject):
         return super().eventFilter(watched, event)
 
     def close(self) -> None:
-        """Remember this session for the next one; the window closes."""
+        """Store the layout for the next session, as the window closes."""
         now = self._window.saveGeometry(), self._preferences.arrangement, self.own()
         # The next session begins without an audience, and without a scene.
-        geometry, arrangement, content = self._held or now
+        geometry, arrangement, content = self._before_presenting or now
         arrangement, content = self._before_scene or (arrangement, content)
         self._preferences.geometry, self._preferences.arrangement = geometry, arrangement
         self._preferences.layout = QByteArray(content)
@@ -683,8 +675,8 @@ class DockLayout(QObject):
             if dock.isFloating():
                 dock.hide()
 
-    def _kept(self) -> bytes:
-        """Keep what the user made of the present arrangement; empty where nothing was moved."""
+    def _store_own(self) -> bytes:
+        """Store and return the layout of the present arrangement; empty where no dock was moved."""
         if self._present is None or self.settling.untouched:
             return b""
         content = self._own[self._present.name] = self.content()
@@ -708,30 +700,27 @@ class DockLayout(QObject):
 
 
 def screen_key(screen: QScreen) -> str:
-    """What sizes of windows depend on: the room on a screen and its scale."""
+    """Return a key of what window sizes depend on: the room on a screen and its scale."""
     room = screen.availableGeometry()
     return f"{room.width()} x {room.height()} at {screen.devicePixelRatio():g}"
 
 
-# Where a panel stands that is drawn and seen by nobody.
-
-
 def usual_size(panel: Panel) -> QSize:
-    """How large a panel likes to be, px."""
+    """Return the preferred size of a panel, px."""
     return panel.sizeHint().expandedTo(panel.minimumSizeHint()).expandedTo(panel.minimumSize())
 
 
 @contextmanager
 def shown_off_screen(dock: Dock, width: int, height: int) -> Iterator[Callable[[], None]]:
-    """Show the panel of a dock out of sight, for as long as it is drawn.
+    """Show the panel of a dock off the screen, for as long as it is drawn.
 
-    What was never shown has no layout, and is told nothing.  Gives what makes room for all that has
-    to be scrolled: how much that is, results tell.
+    A panel that was never shown has no layout and no results.  Yields a function that makes room
+    for what has to be scrolled; call it once the results are there.
 
     Parameters
     ----------
     dock
-        Whose panel; it is hidden there.
+        The dock, in which the panel is hidden.
     width, height
         Of the picture: the panel is of this shape, and as large as it likes to be at least.
     """
@@ -761,46 +750,5 @@ def _make_room(stage: QWidget) -> None:
         (area.verticalScrollBar().maximum() for area in stage.findChildren(QScrollArea)), default=0
     )
     high = stage.height() + hidden
-    # Of the same shape.
+    # The shape stays the same.
     stage.resize(round(stage.width() * high / max(stage.height(), 1)), high)
-
-
-# What a panel is told, and who hears it, when it is made.
-
-
-class PanelInstaller:
-    """Takes each panel into the window, after all others have met it.
-
-    Parameters
-    ----------
-    docks
-        By the name of their panel: where it goes.
-    do, complain, report
-        Does what the table of actions calls by a name; says what went wrong, and what was done.
-    files, preferences
-        Who hears of files that are written; folder and colours that it is told.
-    """
-
-    def __init__(
-        self,
-        docks: Mapping[str, Dock],
-        do: Callable[[str], None],
-        complain: Callable[[str], None],
-        report: Callable[[str], None],
-        files: FileActions,
-        preferences: Preferences,
-    ) -> None:
-        self._docks, self._do, self._complain, self._report = docks, do, complain, report
-        self._files, self._preferences = files, preferences
-
-    def __call__(self, panel: Panel) -> None:
-        """Take in a panel."""
-        panel.action_wanted.connect(self._do)
-        panel.failed.connect(self._complain)
-        panel.done.connect(self._report)
-        panel.written.connect(self._files.note_written)
-        self._files.folder_changed.connect(panel.show_folder)
-        panel.show_folder(self._preferences.folder)
-        if panel.needs:
-            panel.show_problem(PREPARING)
-        self._docks[panel.name].hold(panel)

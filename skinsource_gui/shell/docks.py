@@ -1,6 +1,10 @@
-"""Icons of the buttons of a dock, in the colours of the theme."""
+"""Docks, which hold the panels of the window: buttons, tabs, actions, and the keyboard in them.
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+A dock makes its panel when it first comes into sight. Docks that share a place are tabs of a bar
+that Qt makes.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import cache, partial
 from weakref import ref
@@ -45,7 +49,7 @@ _LINE_PX = 1.6
 
 @cache
 def close_icon(theme: Theme) -> QIcon:
-    """A cross."""
+    """Return the icon of a cross."""
     path = QPainterPath()
     path.moveTo(3.5, 3.5)
     path.lineTo(12.5, 12.5)
@@ -56,7 +60,7 @@ def close_icon(theme: Theme) -> QIcon:
 
 @cache
 def float_icon(theme: Theme) -> QIcon:
-    """A window in front of another one."""
+    """Return the icon of a window in front of another."""
     path = QPainterPath()
     path.addRect(QRectF(2.5, 6.0, 7.5, 7.5))
     path.moveTo(6.0, 3.0)
@@ -64,8 +68,6 @@ def float_icon(theme: Theme) -> QIcon:
     path.lineTo(13.0, 10.0)
     return drawn_icon(path, theme, line_px=_LINE_PX)
 
-
-# A dock: what holds a panel in the window.
 
 _BUTTONS = {
     "qt_dockwidget_closebutton": (
@@ -118,7 +120,7 @@ class Dock(QDockWidget):
 
     @property
     def panel(self) -> Panel:
-        """What it holds; made now, if nobody has looked at it before."""
+        """Its panel, which is made now if it was not before."""
         return self._panels[self.objectName()]
 
     @property
@@ -132,14 +134,14 @@ class Dock(QDockWidget):
         return not (self.isHidden() or self._behind)
 
     def hold(self, panel: Panel) -> None:
-        """Take its panel, which was just made and knows all that panels are told."""
+        """Take its panel, which was just made and connected."""
         self._area.setWidget(panel)
         panel.setVisible(not self._behind)
         self.sight_changed.emit()
 
     @contextmanager
     def lent(self) -> Iterator[Panel]:
-        """Its panel without a place in the window, to be shown elsewhere; it is taken back."""
+        """Yield its panel to be shown elsewhere, then take it back."""
         panel = self.panel
         self._area.takeWidget()
         try:
@@ -153,7 +155,7 @@ class Dock(QDockWidget):
         self.raise_()
 
     def show_tabbed(self, tabbed: bool) -> None:
-        """Say whether a tab names it, so that its title need not say the same below the tab."""
+        """Take over whether a tab names it; then its own title is empty."""
         if tabbed != self._tabbed:
             self._tabbed = tabbed
             self.update()
@@ -193,7 +195,7 @@ class Dock(QDockWidget):
         if not self.is_empty:
             self.panel.setVisible(not behind)
         elif self.in_sight and self.isVisible():
-            # To make it is to have it held.
+            # The window has the dock hold the panel that is made here.
             self._panels[self.objectName()]
         self.sight_changed.emit()
 
@@ -213,13 +215,11 @@ def _draw_buttons(dock: QDockWidget) -> None:
                 button.setIcon(drawn)
 
 
-# Lists of the panels in one place, for bars of tabs that are too narrow to show them all.
-
 #: What the button is called.
 BUTTON = "tab_list"
 # As Qt calls the arrows at the end of a bar.
 _ARROWS = ("ScrollLeftButton", "ScrollRightButton")
-_FOLLOWED = (QEvent.Type.Show, QEvent.Type.Hide, QEvent.Type.Move, QEvent.Type.Resize)
+_WATCHED = (QEvent.Type.Show, QEvent.Type.Hide, QEvent.Type.Move, QEvent.Type.Resize)
 _HINT = "List all panels in this place"
 
 
@@ -245,12 +245,12 @@ class TabLists(QObject):
         button.setArrowType(Qt.ArrowType.DownArrow)
         button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         button.hide()
-        button.clicked.connect(self._tell_below)
+        button.clicked.connect(self._request_below)
         for arrow in _arrows(bar):
             arrow.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        bar = watched.parent() if event.type() in _FOLLOWED else None
+        bar = watched.parent() if event.type() in _WATCHED else None
         if isinstance(bar, QTabBar):
             _share_room(bar)
         return False
@@ -258,7 +258,7 @@ class TabLists(QObject):
     def _tell(self, at: QPoint) -> None:
         self.wanted.emit(self.sender(), at)
 
-    def _tell_below(self) -> None:
+    def _request_below(self) -> None:
         button = self.sender()
         if isinstance(button, QWidget):
             self.wanted.emit(button.parent(), button.geometry().bottomLeft())
@@ -280,8 +280,8 @@ def tab_menu(bar: QTabBar, bring: Callable[[str], None], parent: QWidget) -> QMe
 
 
 def _arrows(bar: QTabBar) -> list[QToolButton]:
-    found = (bar.findChild(QToolButton, name) for name in _ARROWS)
-    return [one for one in found if isinstance(one, QToolButton)]
+    buttons = (bar.findChild(QToolButton, name) for name in _ARROWS)
+    return [button for button in buttons if isinstance(button, QToolButton)]
 
 
 def _share_room(bar: QTabBar) -> None:
@@ -292,12 +292,10 @@ def _share_room(bar: QTabBar) -> None:
     metric = QStyle.PixelMetric.PM_TabBarScrollButtonWidth
     room = 2 * bar.style().pixelMetric(metric, None, bar)
     each, left = room // 3, bar.width() - room
-    for k, one in enumerate((*arrows, button)):
-        # To be where it is already tells nobody: that ends it.
-        one.setGeometry(left + k * each, 0, each, bar.height())
+    for k, part in enumerate((*arrows, button)):
+        # A button that is there already emits no event, so that this ends.
+        part.setGeometry(left + k * each, 0, each, bar.height())
 
-
-# Docks that share a place: one is in front, tabs tell of the others.
 
 _NOTHING = "No panel shares its place with another one; View > Panels brings more"
 
@@ -313,10 +311,10 @@ class DockTabs(QObject):
         By the name of their panel, in the order in which the keyboard reaches them.
     """
 
-    #: What came of it, where that cannot be seen.
+    #: A message where nothing can be seen.
     done = Signal(str)
     #: The name of a panel that was brought to the front, or whose tab was clicked.
-    meant = Signal(str)
+    used = Signal(str)
 
     def __init__(self, window: QMainWindow, docks: Mapping[str, Dock]) -> None:
         super().__init__(window)
@@ -350,18 +348,18 @@ class DockTabs(QObject):
             if isinstance(bar, QTabBar):
                 _prepare(bar)
                 self._lists.add_to(bar)
-                bar.tabBarClicked.connect(self._mean)
+                bar.tabBarClicked.connect(self._note_click)
         return False
 
-    def _mean(self, index: int) -> None:
-        """Whoever clicks a tab means its panel, also where it was in front before."""
+    def _note_click(self, index: int) -> None:
+        """Give the keyboard to the panel of a clicked tab, also where it was in front before."""
         bar = self.sender()
         if isinstance(bar, QTabBar) and index >= 0:
             # Pressed; it comes to the front next.  Of the bar nothing is kept: Qt may delete it.
             QTimer.singleShot(0, self, partial(self._take_keyboard, bar.tabText(index)))
 
     def _take_keyboard(self, title: str) -> None:
-        dock = self._called(title)
+        dock = self._dock_titled(title)
         if dock.in_sight:
             self._enter(dock, Qt.FocusReason.MouseFocusReason)
 
@@ -370,7 +368,7 @@ class DockTabs(QObject):
         for name, dock in self._docks.items():
             if name in names:  # of the others no title is seen, and to ask Qt takes long
                 others = self._window.tabifiedDockWidgets(dock)
-                dock.show_tabbed(any(not one.isHidden() for one in others))
+                dock.show_tabbed(any(not other.isHidden() for other in others))
             if not dock.is_empty and dock.panel.in_sight != names:
                 dock.panel.show_in_sight(names)
 
@@ -383,16 +381,16 @@ class DockTabs(QObject):
         tab_menu(bar, self._bring, self._window).popup(bar.mapToGlobal(at))
 
     def _bring(self, title: str) -> None:
-        dock = self._called(title)
+        dock = self._dock_titled(title)
         dock.bring_forward()
         self._enter(dock, Qt.FocusReason.ShortcutFocusReason)
 
     def _enter(self, dock: Dock, reason: Qt.FocusReason) -> None:
         focus_into(dock.panel, reason)
-        self.meant.emit(dock.objectName())
+        self.used.emit(dock.objectName())
 
-    def _called(self, title: str) -> Dock:
-        return next(one for one in self._docks.values() if one.windowTitle() == title)
+    def _dock_titled(self, title: str) -> Dock:
+        return next(dock for dock in self._docks.values() if dock.windowTitle() == title)
 
     def _bar_in_use(self) -> QTabBar | None:
         """The bar where the keyboard is; else the first there is, if any."""
@@ -425,12 +423,9 @@ def _prepare(bar: QTabBar) -> None:
     bar.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     bar.setDrawBase(False)
     bar.setExpanding(False)
-    # Names that are cut to a letter tell nothing; where there is no room, arrows lead to the rest.
+    # Names are not cut; where there is no room, arrows lead to the others.
     bar.setElideMode(Qt.TextElideMode.ElideNone)
     bar.setUsesScrollButtons(True)
-
-
-# Actions that bring docks into sight, and hide them.
 
 
 def menu_toggles(docks: Iterable[Dock], parent: QObject) -> list[QAction]:
@@ -479,9 +474,6 @@ def _tick(dock: Dock, action: QAction) -> None:
     action.setChecked(not dock.isHidden())
 
 
-# Which panel is in use.
-
-
 class PanelInUse(QObject):
     """Knows the panel that was pressed last, or to which the keyboard went since.
 
@@ -506,9 +498,9 @@ class PanelInUse(QObject):
         super().__init__(window)
         self._window, self._docks, self._panels = window, docks, panels
         self._last = ""
-        # Where the keyboard was last in the window; that may be gone meanwhile.
+        # The last widget of the window with the keyboard; it may be deleted meanwhile.
         self._focused = ref[QWidget](window)
-        tabs.meant.connect(self._use)
+        tabs.used.connect(self._use)
         for dock in docks.values():
             dock.sight_changed.connect(partial(self._watch_window_of, dock))
         application = QApplication.instance()
@@ -553,7 +545,7 @@ class PanelInUse(QObject):
             return
         if new.window() is self._window:
             # From a menu, a page, a panel taken out or another program it comes back to where it
-            # was: nobody meant that.
+            # was: that is no use of the panel.
             came_back = new is self._focused()
             self._focused = ref(new)
             if came_back:
@@ -567,9 +559,6 @@ class PanelInUse(QObject):
 
     def _use(self, name: str) -> None:
         self._last = name
-
-
-# Where the keyboard goes when the panel that has it goes out of sight.
 
 
 class KeyboardKeeper(QObject):
@@ -591,9 +580,9 @@ class KeyboardKeeper(QObject):
     def __init__(self, window: QMainWindow, docks: Mapping[str, Dock]) -> None:
         super().__init__(window)
         self._window, self._docks = window, docks
-        # Who had it, and in which dock.
-        self._left: QWidget | None = None
-        self._before: Dock | None = None
+        # The widget that had the keyboard, and its dock.
+        self._last_widget: QWidget | None = None
+        self._last_dock: Dock | None = None
         # Docks come and go while they are arranged: only where they stand at the end counts.
         self._arranged = QTimer(self, singleShot=True, interval=0)
         self._arranged.timeout.connect(self._give_back)
@@ -609,12 +598,12 @@ class KeyboardKeeper(QObject):
         if dock.isVisible() and dock.in_sight:
             return
         if not self._arranged.isActive():
-            self._left, self._before = focused, dock
+            self._last_widget, self._last_dock = focused, dock
             self._arranged.start()
         focused.clearFocus()
 
     def settle(self) -> None:
-        """All stand where they shall: who comes next may ask at once where the keyboard is."""
+        """Give the keyboard back now: the docks are arranged."""
         if self._arranged.isActive():
             self._arranged.stop()
             self._give_back()
@@ -634,44 +623,23 @@ class KeyboardKeeper(QObject):
         yield
         if in_panel or nobody:
             self._arranged.stop()
-            self._left = self._before = None
+            self._last_widget = self._last_dock = None
             self._give_to(focused)
 
     def _give_back(self) -> None:
-        left, dock = self._left, self._before
-        self._left = self._before = None
+        left, dock = self._last_widget, self._last_dock
+        self._last_widget = self._last_dock = None
         if self._window.focusWidget() is None and self._window.isVisible():
             self._give_to(left, dock)
 
     def _give_to(self, left: QWidget | None, before: Dock | None = None) -> None:
-        """Give the keyboard to who had it, if that is in sight, or else to another panel."""
+        """Give the keyboard to the last widget, if that is in sight, or else to another panel."""
         if left is not None and isValid(left) and left.isVisible():
             left.setFocus(Qt.FocusReason.OtherFocusReason)
             return
         in_front = [] if before is None else self._window.tabifiedDockWidgets(before)
         in_sight = [dock for dock in self._docks.values() if dock.in_sight]
-        for dock in sorted(in_sight, key=lambda one: one not in in_front)[:1]:
+        for dock in sorted(in_sight, key=lambda dock: dock not in in_front)[:1]:
             if not focus_into(dock.panel, Qt.FocusReason.OtherFocusReason):
                 # A window that is not shown yet has no stops.
                 dock.panel.setFocus(Qt.FocusReason.OtherFocusReason)
-
-
-# Panels in the menu of a title or a bar: as in View > Panels, in the same order.
-
-
-class ListsPanels(QMainWindow):
-    """A window whose titles and bars have a menu of its panels.
-
-    Attributes
-    ----------
-    panel_toggles
-        What shows and hides each of them.
-    """
-
-    panel_toggles: Sequence[QAction] = ()
-
-    def createPopupMenu(self) -> QMenu:
-        # Qt's own lists docks as they were put into the window.
-        menu = QMenu(self)
-        menu.addActions(list(self.panel_toggles))
-        return menu

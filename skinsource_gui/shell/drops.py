@@ -1,4 +1,4 @@
-"""What is dragged from one panel onto another."""
+"""Clips that are dragged between panels or copied, and waveforms from the palette."""
 
 from functools import partial
 
@@ -34,7 +34,7 @@ class ClipDrops(QObject):
     def _find(self, dragged_from: Panel, at: QPoint | None) -> DropPlace | None:
         """Where something goes that is held over a place of the screen; None: it is let go."""
         below = None if at is None else QApplication.widgetAt(at)
-        found = None
+        drop_place = None
         for panel in self._panels:
             if panel is dragged_from:
                 continue
@@ -43,11 +43,8 @@ class ClipDrops(QObject):
             own = panel.mapFromGlobal(at) if is_there and at is not None else None
             panel.show_drop(own)
             if own is not None:
-                found = panel.drop_place(own)
-        return found
-
-
-# Clips and the clipboard, from the menu.
+                drop_place = panel.drop_place(own)
+        return drop_place
 
 
 class ClipsAndClipboard(QObject):
@@ -81,9 +78,6 @@ class ClipsAndClipboard(QObject):
     def _present(self) -> TimelineEdits:
         self._edits.show_state(self._document.design, self._document.view)
         return self._edits
-
-
-# What the selected inputs can play, as actions for the palette.
 
 
 def kind_choices(document: Document) -> list[QAction]:

@@ -1,7 +1,11 @@
-"""The way of the Tab key through a window.
+"""The keyboard in a window: the order of Tab, the way between panels, and shortcuts in fields.
 
-Qt follows the order in which widgets were made, and a panel that hands its focus on to its
-picture makes it skip what stands between.
+Qt follows the order in which widgets were made, and a panel that hands its focus on to its picture
+makes it skip what stands between.
+
+Shortcuts of the window work inside number fields and lines of text too. Keys without Ctrl or Alt
+that a widget needs stay with it: letters and spaces where a text is typed, Space on what is pressed
+with it, and on a list until something was chosen from it.
 """
 
 from collections.abc import Callable, Iterable, Sequence
@@ -38,15 +42,17 @@ def tab_stops(top: QWidget, regions: Sequence[QWidget]) -> list[QWidget]:
     regions
         Parts of ``top`` in the order of reading.  What lies in none of them comes last.
     """
-    found = [one for one in _chain(top) if top.isAncestorOf(one) and _takes_tab(one)]
-    _give_back(top.window())
+    stops = [
+        widget for widget in _focus_chain(top) if top.isAncestorOf(widget) and _takes_tab(widget)
+    ]
+    _restore_parents(top.window())
 
     def region_of(stop: QWidget) -> int:
         inside = (k for k, part in enumerate(regions) if part is stop or part.isAncestorOf(stop))
         return next(inside, len(regions))
 
     groups: list[list[QWidget]] = [[] for _ in range(len(regions) + 1)]
-    for stop in found:
+    for stop in stops:
         groups[region_of(stop)].append(stop)
     for part in (top, *regions):
         if getattr(part, "reads_down", False):
@@ -61,7 +67,7 @@ def move_focus(window: QMainWindow, regions: Sequence[QWidget], *, forward: bool
         return False
     here: QWidget | None = window.focusWidget()
     while here is not None and here not in stops:
-        # What is clicked but no stop, such as a number in a row that is not selected.
+        # A clicked widget may be no stop, such as a number in a row that is not selected.
         here = here.parentWidget()
     if here is None:
         target = stops[0 if forward else -1]
@@ -74,7 +80,7 @@ def move_focus(window: QMainWindow, regions: Sequence[QWidget], *, forward: bool
 
 
 def focus_into(part: QWidget, reason: Qt.FocusReason) -> bool:
-    """Give the keyboard to what stands for ``part``, else to its first stop; whether it has one."""
+    """Focus the proxy or the first stop of ``part``; return whether it has a stop."""
     stops = tab_stops(part, ())
     if stops:
         first = part.focusProxy()
@@ -82,12 +88,12 @@ def focus_into(part: QWidget, reason: Qt.FocusReason) -> bool:
     return bool(stops)
 
 
-def _chain(top: QWidget) -> list[QWidget]:
+def _focus_chain(top: QWidget) -> list[QWidget]:
     # Within one region, Qt's order is the right one.
     window = top.window()
     last = window.previousInFocusChain()
     ring: list[QWidget] = [window]
-    # No further: who asks the last one for the next takes the window for its child.
+    # Stop at the last: PySide would take the window for a child of it.
     while ring[-1] is not last and (after := ring[-1].nextInFocusChain()) is not None:
         ring.append(after)
     start = ring.index(top)
@@ -95,27 +101,27 @@ def _chain(top: QWidget) -> list[QWidget]:
 
 
 def _as_read(stops: Sequence[QWidget], part: QWidget) -> list[QWidget]:
-    """Stops inside ``part`` from top to bottom, those beside each other from left to right."""
+    """Return stops inside ``part`` from top to bottom, and from left to right in a line."""
     if not all(part.isAncestorOf(stop) for stop in stops):
         return list(stops)
     places = {stop: _place(stop, stops, part) for stop in stops}
     lines: list[list[QWidget]] = []
-    for stop in sorted(stops, key=lambda one: places[one].center().y()):
+    for stop in sorted(stops, key=lambda widget: places[widget].center().y()):
         above = places[lines[-1][0]] if lines else None
         if above is not None and places[stop].center().y() <= above.bottom():
             lines[-1].append(stop)
         else:
             lines.append([stop])
-    return [stop for line in lines for stop in sorted(line, key=lambda one: places[one].x())]
+    return [stop for line in lines for stop in sorted(line, key=lambda widget: places[widget].x())]
 
 
 def _place(stop: QWidget, stops: Sequence[QWidget], part: QWidget) -> QRect:
-    # What holds other stops, and scrolls them, is read before them, not half way down.
-    holds = any(stop is not one and stop.isAncestorOf(one) for one in stops)
+    # A widget that holds other stops comes before them, not half way down.
+    holds = any(stop is not other and stop.isAncestorOf(other) for other in stops)
     return QRect(stop.mapTo(part, QPoint()), QSize() if holds else stop.size())
 
 
-def _give_back(window: QWidget) -> None:
+def _restore_parents(window: QWidget) -> None:
     # PySide takes a widget for a child of the one that was asked for it - its neighbour in the
     # chain, what hands its focus on, a group - and takes it for deleted as soon as that one is.
     # What a window finds among its children it takes for a child of the window again.
@@ -134,9 +140,6 @@ def _takes_tab(widget: QWidget) -> bool:
     return widget.isVisible() and widget.isEnabled()
 
 
-# Moves the keyboard from panel to panel.
-
-
 class PanelFocus(QObject):
     """Gives the keyboard to the next panel, or the one before.
 
@@ -145,7 +148,7 @@ class PanelFocus(QObject):
     panels
         In the order in which the keyboard reaches them.
     bring
-        Brings a panel into sight, by its name.
+        Brings a panel of a name into sight.
     """
 
     def __init__(
@@ -153,8 +156,8 @@ class PanelFocus(QObject):
     ) -> None:
         super().__init__(parent)
         self._panels, self._bring = panels, bring
-        # Where the keyboard was before a panel was shown, and which panels it came in front of.
-        self._left: str | None = None
+        # The panel to go back to, and the panels that the shown one has covered.
+        self._return_to: str | None = None
         self._covered: frozenset[str] = frozenset()
 
     def next(self) -> None:
@@ -166,10 +169,10 @@ class PanelFocus(QObject):
         self._go(-1)
 
     def show(self, name: str) -> None:
-        """Bring a panel into sight, and go there; from there, back to where the keyboard was."""
+        """Bring a panel into sight and go there; if it has the keyboard, go back."""
         here = self._here()
-        if here == name and self._left is not None:
-            name, self._left = self._left, None
+        if here == name and self._return_to is not None:
+            name, self._return_to = self._return_to, None
             for covered in self._covered:
                 self._bring(covered)
             self._bring(name)
@@ -177,18 +180,18 @@ class PanelFocus(QObject):
             before = self._in_sight()
             self._bring(name)
             if here != name:
-                self._left, self._covered = here, before - self._in_sight()
+                self._return_to, self._covered = here, before - self._in_sight()
         self._panels[name].setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _in_sight(self) -> frozenset[str]:
         # A dock that comes to the front moves the one behind it away a moment later.
         QApplication.sendPostedEvents()
-        return frozenset(one.name for one in self._panels if one.isVisible())
+        return frozenset(panel.name for panel in self._panels if panel.isVisible())
 
     def _here(self) -> str | None:
-        """Name of the panel with the keyboard."""
+        """Return the name of the panel with the keyboard."""
         focused = QApplication.focusWidget()
-        names = (one.name for one in self._panels if focused and one.isAncestorOf(focused))
+        names = (panel.name for panel in self._panels if focused and panel.isAncestorOf(focused))
         return next(names, None)
 
     def _go(self, step: int) -> None:
@@ -203,8 +206,6 @@ class PanelFocus(QObject):
             focus_into(panel, Qt.FocusReason.ShortcutFocusReason)
 
 
-# From anywhere to the pen.
-
 _PANEL = "clip_editor"
 
 
@@ -214,9 +215,9 @@ class ClipDrawing(QObject):
     Parameters
     ----------
     panels
-        Of which one draws.
+        The clip editor is one of them.
     focus
-        Brings that into sight, and back to where the keyboard was.
+        Brings it into sight, and goes back.
     """
 
     def __init__(self, panels: PanelRegistry, focus: PanelFocus, parent: QObject) -> None:
@@ -232,28 +233,8 @@ class ClipDrawing(QObject):
         panel.use("pen")
 
 
-# What the menus can do with the keyboard's place.
-
-
-def focus_capabilities(
-    panels: PanelRegistry, bring: Callable[[str], None], window: QWidget
-) -> dict[str, QObject]:
-    """Those who carry it out, by the names that the table of actions has for them.
-
-    ``bring`` brings a panel into sight.
-    """
-    focus = PanelFocus(panels, bring, window)
-    return {"panel_focus": focus, "clip_drawing": ClipDrawing(panels, focus, window)}
-
-
-# Shortcuts of the window and the keys of the widget that has the keyboard: which goes first.
-#
-# Shortcuts work from inside number fields and lines of text too.  Keys without Ctrl or Alt that a
-# widget needs itself stay with it: letters and spaces where a text is typed, Space on what is
-# pressed with it, and on a list until something was chosen from it.
-
 _Standard = QKeySequence.StandardKey
-#: What these keys do to a text while it is typed.
+#: Keys that edit a text while it is typed.
 _WHILE_TYPING = (
     _Standard.Copy,
     _Standard.Cut,
@@ -264,10 +245,10 @@ _WHILE_TYPING = (
     _Standard.DeleteStartOfWord,
     _Standard.DeleteEndOfWord,
 )
-#: What they do to a text that is only shown.
+#: Keys that work on a text that is only shown.
 _WHILE_RESTING = (_Standard.Copy, _Standard.Paste)
 _TEXTS = (QLineEdit, QPlainTextEdit)
-#: What is pressed, or chosen from, with Space.
+#: Widgets that Space presses or opens.
 _PRESSED = (QAbstractButton, QComboBox, QAbstractItemView)
 _HELD = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
 
@@ -314,7 +295,7 @@ class ShortcutsInFields(QObject):
                 return True
         elif event.key() == Qt.Key.Key_Space and not event.modifiers() & _HELD:
             if watched is self._used:
-                # What was chosen shall be heard; to choose again, the arrow keys do.
+                # Space plays what was chosen; the arrow keys choose again.
                 event.ignore()
             else:
                 event.accept()
@@ -330,10 +311,10 @@ class ShortcutsInFields(QObject):
             self._watched = None
         if new is not None and new is not self._used and not _is_popup_of(self._used, new):
             self._used = None
-        # A button that was clicked has the keyboard too, but nobody means it any more.
+        # A clicked button has the keyboard too, but the next key is not meant for it.
         clicked = isinstance(new, QAbstractButton) and bool(QApplication.mouseButtons())
-        wanted = isinstance(new, (*_TEXTS, *_PRESSED)) and not clicked
-        if wanted and new is not None and self._window.isAncestorOf(new):
+        is_field = isinstance(new, (*_TEXTS, *_PRESSED)) and not clicked
+        if is_field and new is not None and self._window.isAncestorOf(new):
             self._watched = new
             new.installEventFilter(self)
             new.destroyed.connect(self._forget)
@@ -351,11 +332,11 @@ class ShortcutsInFields(QObject):
 
 
 def _is_popup_of(field: QComboBox | None, widget: QWidget) -> bool:
-    """Whether a widget belongs to the list that drops down from a field."""
+    """Return whether a widget belongs to the list that drops down from a field."""
     # A field may be gone that was used last, and is watched no more.
     return field is not None and shiboken6.isValid(field) and field.isAncestorOf(widget)
 
 
 def _is_typed(event: QKeyEvent) -> bool:
-    """Whether a key puts something into a text."""
+    """Return whether a key types into a text."""
     return event.text().isprintable() and event.text() != "" and not event.modifiers() & _HELD

@@ -1,4 +1,4 @@
-"""The page on unsaved work that earlier studios left."""
+"""Copies of unsaved work, and the page that lists the copies that earlier sessions left."""
 
 from collections.abc import Callable
 from functools import partial
@@ -36,7 +36,7 @@ _ROLE = QDialogButtonBox.ButtonRole
 
 
 def picture_of(left: UnsavedWork) -> QPixmap:
-    """What the work looked like; empty where nobody knows."""
+    """Return the picture of the work; empty without one."""
     picture = QPixmap()
     # The stubs of PySide ask for bytes, which it does not take.
     loaded: Any = picture
@@ -48,20 +48,20 @@ def picture_of(left: UnsavedWork) -> QPixmap:
 
 
 def work_description(left: UnsavedWork) -> str:
-    """What is known of it, in two lines."""
+    """Return name, age and file of the work, in two lines."""
     where = named(left.file) if left.file else "never saved under a name"
     return f"{left.name}, kept {left.age()}\n{where}"
 
 
 class UnsavedWorkPage(QDialog):
-    """Lists left-over work with its picture and age, to be opened or discarded.
+    """Lists unsaved work with its picture and age, to be opened or discarded.
 
     Parameters
     ----------
     look
-        Gives what there is.
+        Returns the unsaved work there is.
     open_it, discard
-        Do it with one of them.
+        Open or discard an entry.
     parent
         In front of which the page opens.
     """
@@ -129,20 +129,18 @@ class UnsavedWorkPage(QDialog):
         self._fill()
 
 
-# What sees to it that no work is lost: copies of it, and what is offered after a crash.
-
 _LOGS = "Logs (*.log)"
 
 
 class AutosaveAndRecovery(QObject):
-    """Keeps copies of unsaved work, and offers those that earlier studios left.
+    """Saves copies of unsaved work, and offers those that earlier sessions left.
 
     Parameters
     ----------
     document, engine, runner
-        The work, who evaluates it, and what else is done.
+        The work, its predictions, and the long jobs, before which a copy is saved.
     files, layout
-        Before files are opened a copy is kept; and how the window is arranged.
+        Before files are opened a copy is saved, with the layout of the docks.
     interval_s
         See `Autosave`.
     window
@@ -180,56 +178,57 @@ class AutosaveAndRecovery(QObject):
         runner.starting.connect(self.autosave.keep_now)
 
     def connect_to(self, conductor: Conductor, reports: Reports) -> None:
-        """Draw what is predicted, and say what happens."""
+        """Draw the picture of the work from its results, and report what happens."""
         conductor.delivered.connect(self._note_results)
         self.autosave.failed.connect(reports.complain)
         self.recovery.failed.connect(reports.complain)
         self.recovery.done.connect(reports.report)
 
     def offer(self, notice: Notice) -> None:
-        """Offer what a studio left that did not end as it should, if there is anything."""
-        found, logs = self.recovery.look(), crashed_logs(self._folder)
-        sentences, choices = _offers(found)
-        picture = None
-        if len(found.left) == 1:
-            (left,) = found.left
+        """Offer the unsaved work and the log of a session that crashed, if there are any."""
+        leftover, logs = self.recovery.look(), crashed_logs(self._folder)
+        sentences, picture = _offers(leftover), None
+        choices: list[Choice] = []
+        if len(leftover.left) == 1:
+            (left,) = leftover.left
             picture = picture_of(left)
             choices = [
                 ("Open it", partial(self.recovery.open, left)),
                 ("Discard it", partial(self.recovery.discard, left)),
             ]
-        elif found.left:
+        elif leftover.left:
             choices = [("Show them…", self.show)]
         if logs:
-            kept = "" if found.left else " No copy of unsaved work is left."
-            sentences.append(f"The studio crashed; a log says where.{kept}")
+            no_copy = "" if leftover.left else " No copy of unsaved work is left."
+            sentences.append(f"The studio crashed; a log says where.{no_copy}")
             choices.append(("Save the log…", partial(self._save_log, logs[0])))
             for log in logs:
                 note_offered(log)
         if sentences:
-            # As of a file that could not be opened at the start.
-            sentences = [said for said in (notice.text,) if said] + sentences
+            if notice.text:
+                # As of a file that could not be opened at the start.
+                sentences.insert(0, notice.text)
             notice.say(" ".join(sentences), "warning", choices, picture)
 
     def show(self) -> None:
-        """Open the page on unsaved work of earlier studios."""
+        """Open the page on unsaved work of earlier sessions."""
         recovery = self.recovery
         UnsavedWorkPage(
             lambda: recovery.look().left, recovery.open, recovery.discard, self._window
         ).open()
 
     def end(self) -> None:
-        """The window closes, and the user has answered for what is not saved."""
+        """End as the window closes, after the user was asked about unsaved work."""
         self.recovery.end()
         self.autosave.end()
         self._files.held.keep_only(None)
 
     def end_unasked(self) -> bool:
-        """The window is told to close: keep what is unsaved for the next start."""
-        kept = self.autosave.keep_now()
+        """End without a question; save a copy of unsaved work, and return whether that worked."""
+        is_saved = self.autosave.keep_now()
         self.recovery.end()
         self.autosave.end(forget=False)
-        return kept
+        return is_saved
 
     def _suggest(self, file: Path | None) -> None:
         self._files.leave_file()
@@ -251,20 +250,20 @@ class AutosaveAndRecovery(QObject):
             self._files.note_written(path)
 
 
-def _offers(found: Found) -> tuple[list[str], list[Choice]]:
+def _offers(leftover: Found) -> list[str]:
     sentences = [
         f"{copy.name} stopped the studio when it was opened; it was set aside: {named(copy)}."
-        for copy in found.set_aside
+        for copy in leftover.set_aside
     ]
-    if len(found.left) == 1:
-        left: UnsavedWork = found.left[0]
+    if len(leftover.left) == 1:
+        left: UnsavedWork = leftover.left[0]
         sentences.append(
             f"The studio ended before your work on {left.name} was saved. "
             f"A copy was kept {left.age()}."
         )
-    elif found.left:
+    elif leftover.left:
         sentences.append(
             "The studio ended before your work was saved. Copies were kept of "
-            f"{len(found.left)} designs."
+            f"{len(leftover.left)} designs."
         )
-    return sentences, []
+    return sentences

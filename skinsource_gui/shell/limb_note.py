@@ -31,7 +31,7 @@ class LimbNote(QLabel):
         self._measured = False
         self._synthetic = False
         self._limb = self._note = self._own = self._missing = ""
-        self._said: tuple[object, ...] = ()
+        self._shown_state: tuple[object, ...] = ()
         # Words and their HTML, longest first.
         self._phrases: tuple[tuple[str, str], ...] = (("", ""),)
         self.setTextFormat(Qt.TextFormat.RichText)
@@ -41,7 +41,7 @@ class LimbNote(QLabel):
     def show_available(self, limbs: tuple[str, ...]) -> None:
         """Take over which limbs are installed."""
         self._measured = any(name.startswith("measured") for name in limbs)
-        self._say()
+        self._show_text()
 
     def show_limb(self, name: str) -> None:
         """Show what there is to say about the limb ``name``."""
@@ -51,19 +51,19 @@ class LimbNote(QLabel):
         self._synthetic = facts.synthetic
         self._own = facts.sentence if facts.own else ""
         self._missing = missing_limb(name, "") if facts.missing else ""
-        self._say()
+        self._show_text()
 
     def show_outcome(self, outcome: Outcome) -> None:
         """Show what there is to note of the limb that was looked at."""
         note = outcome.values["limb_data"].note if outcome.values else ""
         if note != self._note:
             self._note = note
-            self._say()
+            self._show_text()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
-            self._say()
+            self._show_text()
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
@@ -71,8 +71,8 @@ class LimbNote(QLabel):
             # Straight to the link, which Enter follows then.
             super().focusNextPrevChild(True)
 
-    def _say(self) -> None:
-        said = (
+    def _show_text(self) -> None:
+        state = (
             self._synthetic,
             self._note,
             self._own,
@@ -80,32 +80,32 @@ class LimbNote(QLabel):
             self._measured,
             current_theme(),
         )
-        if said == self._said:
+        if state == self._shown_state:
             return  # else the window is laid out anew at each edit
-        self._said = said
+        self._shown_state = state
         self.setVisible(any((self._synthetic, self._note, self._own, self._missing)))
         note = f"{self._note[:1].upper()}{self._note[1:]}"
         self.setToolTip(self._missing or f"{self._own} {note}".strip() or _SYNTHETIC)
         colour = current_theme().warning
         other = ("OWN LIMB",) if self._own else ("NOT VERIFIED AS PUBLISHED", "NOT VERIFIED")
-        ways = ("SYNTHETIC LIMB",) if self._synthetic else other
+        labels = ("SYNTHETIC LIMB",) if self._synthetic else other
         # What was noted of the results before is of another limb.
-        ways = ("LIMB MISSING",) if self._missing else ways
-        words = ways[0]
-        self._phrases = tuple((one, f"<b>{one}</b>") for one in ways)
+        labels = ("LIMB MISSING",) if self._missing else labels
+        label = labels[0]
+        self._phrases = tuple((label, f"<b>{label}</b>") for label in labels)
         linked = self._synthetic and not self._measured and not self._own
         if linked:
             start = f"<a href='#get' style='color:{colour}'>"
             self._phrases = (
                 (
-                    f"{words} · {NOT_INSTALLED} How to get them",
-                    f"<b>{words}</b> · {NOT_INSTALLED} {start}How to get them</a>",
+                    f"{label} · {NOT_INSTALLED} How to get them",
+                    f"<b>{label}</b> · {NOT_INSTALLED} {start}How to get them</a>",
                 ),
                 (
-                    f"{words} · Measured limbs",
-                    f"<b>{words}</b> · {start}Measured limbs</a>",
+                    f"{label} · Measured limbs",
+                    f"<b>{label}</b> · {start}Measured limbs</a>",
                 ),
-                (words, f"<b>{start}{words}</a></b>"),
+                (label, f"<b>{start}{label}</a></b>"),
             )
         # Without a link there is nothing for the keyboard.
         self.setTextInteractionFlags(_LINKS if linked else Qt.TextInteractionFlag.NoTextInteraction)
@@ -123,14 +123,14 @@ class LimbNote(QLabel):
         self._choose()
 
     def _choose(self) -> None:
-        fitting = (html for words, html in self._phrases if self._width_of(words) <= self.width())
+        fitting = (html for text, html in self._phrases if self._width_of(text) <= self.width())
         html = next(fitting, self._phrases[-1][1])
         text = f"<span style='color:{current_theme().warning}'>{html}</span>"
         if text != self.text():
             self.setText(text)
 
-    def _width_of(self, words: str) -> int:
+    def _width_of(self, text: str) -> int:
         # As if all of it were bold: rather a little too wide.
         font = QFont(self.font())
         font.setBold(True)
-        return QFontMetrics(font).horizontalAdvance(words) + 4
+        return QFontMetrics(font).horizontalAdvance(text) + 4

@@ -1,4 +1,4 @@
-"""The menu bar, made from the table of actions."""
+"""Actions, menus and the palette, made from the table of actions."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
@@ -67,10 +67,10 @@ def fill_menu_bar(
         if spec.separated:
             menu.addSeparator()
         if spec.submenu:
-            place = spec.menu, spec.submenu
-            if place not in within:
-                within[place] = menu.addMenu(spec.submenu)
-            menu = within[place]
+            path = spec.menu, spec.submenu
+            if path not in within:
+                within[path] = menu.addMenu(spec.submenu)
+            menu = within[path]
         menu.addAction(actions[spec.name])
         if spec.name == "open_design":
             menu.addMenu(recent)
@@ -79,9 +79,6 @@ def fill_menu_bar(
         shown.addAction(action)
     first = QShortcut(QKeySequence(MENU_KEY), bar)
     first.activated.connect(lambda: bar.setActiveAction(menus[MENUS[0]].menuAction()))
-
-
-# The menu of files that were opened or saved lately.
 
 
 class RecentMenu(QMenu):
@@ -112,15 +109,13 @@ class RecentMenu(QMenu):
             self.chosen.emit(Path(entry.data()))
 
 
-# Finds any action by a few letters of its name.
-
 # Right of the keys, and at least so much between them and the name.
 _EDGE_PX, _GAP_PX = 8, 16
 _NOTHING_FOUND = "Nothing found"
 _HINT = "Try another word, such as export, limb, mute or theme"
-#: Property of an action: other words by which it is found.
+#: Property of an action: keywords by which it is found.
 KEYWORDS = "keywords"
-#: Property of an action that only explains: it is found after all others.
+#: Property of an action that only explains something: it is listed after all others.
 BESIDES = "besides"
 
 
@@ -178,8 +173,8 @@ class Palette(QDialog):
 
     def _narrow(self, letters: str) -> None:
         self.list.clear()
-        for action in matching([one for one in self._actions if one.isEnabled()], letters):
-            item = QListWidgetItem(_words(action))
+        for action in matching([action for action in self._actions if action.isEnabled()], letters):
+            item = QListWidgetItem(_label(action))
             item.setToolTip(action.toolTip())
             item.setData(Qt.ItemDataRole.UserRole, action)
             self.list.addItem(item)
@@ -189,8 +184,8 @@ class Palette(QDialog):
             self._say_nothing_found()
 
     def _say_nothing_found(self) -> None:
-        for words in (_NOTHING_FOUND, _HINT, f"{shortcut_text('show_keys')} shows all keys"):
-            item = QListWidgetItem(words)
+        for text in (_NOTHING_FOUND, _HINT, f"{shortcut_text('show_keys')} shows all keys"):
+            item = QListWidgetItem(text)
             item.setFlags(Qt.ItemFlag.NoItemFlags)
             self.list.addItem(item)
 
@@ -198,7 +193,7 @@ class Palette(QDialog):
         item = self.list.currentItem()
         action = None if item is None else item.data(Qt.ItemDataRole.UserRole)
         if action is not None:
-            # What is done may handle events: the line whose key this is stays until it returns.
+            # The action may handle events: the line that has the key is deleted after it returns.
             self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
             self.accept()
             action.trigger()
@@ -217,7 +212,7 @@ class _KeysAtTheRight(QStyledItemDelegate):
         self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
     ) -> None:
         super().initStyleOption(option, index)
-        # Asked for its size it has no width yet.
+        # While the size is computed there is no width yet.
         if option.rect.width() > 0:
             keys = option.fontMetrics.horizontalAdvance(_state_and_keys(index))
             room = option.rect.width() - keys - (_GAP_PX if keys else 0) - _EDGE_PX
@@ -232,19 +227,19 @@ class _KeysAtTheRight(QStyledItemDelegate):
         index: QModelIndex | QPersistentModelIndex,
     ) -> None:
         super().paint(painter, option, index)
-        words = _state_and_keys(index)
+        text = _state_and_keys(index)
         chosen = option.state & QStyle.StateFlag.State_Selected
         role = QPalette.ColorRole.HighlightedText if chosen else QPalette.ColorRole.PlaceholderText
         painter.save()
         painter.setPen(option.palette.color(role))
-        place = option.rect.adjusted(0, 0, -_EDGE_PX, 0)
+        area = option.rect.adjusted(0, 0, -_EDGE_PX, 0)
         flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        painter.drawText(place, flags, words)
+        painter.drawText(area, flags, text)
         painter.restore()
 
 
 def _state_and_keys(index: QModelIndex | QPersistentModelIndex) -> str:
-    """What stands at the right of an action; empty beside what is none."""
+    """Return the text at the right of an action; "" at other rows."""
     action = index.data(Qt.ItemDataRole.UserRole)
     if action is None:
         return ""
@@ -262,33 +257,37 @@ def matching(actions: Sequence[QAction], letters: str) -> list[QAction]:
     only where there is neither, those that say them scattered.  What only explains comes last.
     """
     typed = letters.strip().lower()
-    besides = [one for one in actions if one.property(BESIDES) and typed in _words(one).lower()]
-    actions = [one for one in actions if not one.property(BESIDES)]
-    said = [one for one in actions if typed in _words(one).lower()]
-    meant = [one for one in actions if one not in said and _is_keyword(one, typed)]
-    if not (said or meant or besides):
-        scores = ((one, score(letters, _words(one))) for one in actions)
-        gaps = {one: gap for one, gap in scores if gap is not None}
-        return sorted(gaps, key=lambda one: gaps[one])
-    return [*sorted(said, key=lambda one: _nearness(one, typed)), *meant, *besides]
+    besides = [
+        action for action in actions if action.property(BESIDES) and typed in _label(action).lower()
+    ]
+    actions = [action for action in actions if not action.property(BESIDES)]
+    by_name = [action for action in actions if typed in _label(action).lower()]
+    by_keyword = [
+        action for action in actions if action not in by_name and _is_keyword(action, typed)
+    ]
+    if not (by_name or by_keyword or besides):
+        scores = ((action, score(letters, _label(action))) for action in actions)
+        gaps = {action: gap for action, gap in scores if gap is not None}
+        return sorted(gaps, key=lambda action: gaps[action])
+    return [*sorted(by_name, key=lambda action: _nearness(action, typed)), *by_keyword, *besides]
 
 
-def _words(action: QAction) -> str:
-    """What an action is called; its menu may have a key after that."""
+def _label(action: QAction) -> str:
+    """Return the name of an action without the key that a menu has after it."""
     return action.text().partition("\t")[0]
 
 
 def _nearness(action: QAction, typed: str) -> tuple[int, int]:
-    """How near the name of an action is to what is typed; the least is the nearest."""
-    text = _words(action).lower().rstrip("…")
+    """Return the distance of the name of an action from what is typed."""
+    text = _label(action).lower().rstrip("…")
     # "Show panel: Library" is called "Library" by who looks for it.
     name = text.rpartition(": ")[2]
-    place = text.find(typed)
+    position = text.find(typed)
     if typed in (text, name):
-        return 0, place
+        return 0, position
     if text.startswith(typed) or name.startswith(typed):
-        return 1, place
-    return (2 if text[place - 1] in " (" else 3), place
+        return 1, position
+    return (2 if text[position - 1] in " (" else 3), position
 
 
 def _is_keyword(action: QAction, typed: str) -> bool:
@@ -296,18 +295,16 @@ def _is_keyword(action: QAction, typed: str) -> bool:
 
 
 def score(letters: str, text: str) -> int | None:
-    """How far apart ``letters`` stand in ``text``, in this order; None where they do not."""
-    place, gaps, lowered = -1, 0, text.lower()
+    """Return the gaps between ``letters`` in ``text``; None where it has not all in order."""
+    position, gaps, lowered = -1, 0, text.lower()
     for letter in letters.lower().replace(" ", ""):
-        found = lowered.find(letter, place + 1)
-        if found < 0:
+        next_position = lowered.find(letter, position + 1)
+        if next_position < 0:
             return None
-        gaps += found - place - 1
-        place = found
+        gaps += next_position - position - 1
+        position = next_position
     return gaps
 
-
-# The actions of a window, made from the table of actions.
 
 Capabilities = Mapping[str, QObject]
 
@@ -320,14 +317,14 @@ class ActionSet(QObject):
     specs
         The table.
     document
-        What the conditions look at, and what edits change.
+        Its design and view are given to conditions and edits.
     capabilities
-        Who carries out commands, by name.
+        The objects that carry out commands, by name.
     window
         Where the shortcuts work; also the parent.
     """
 
-    #: An edit that an action asks for.
+    #: An edit that an action makes.
     edited = Signal(object)
 
     def __init__(
@@ -362,9 +359,9 @@ class ActionSet(QObject):
                 self.by_name[spec.name].setChecked(spec.checked(design, view))
 
     def _action(self, spec: ActionSpec, capabilities: Capabilities, window: QWidget) -> QAction:
-        # What follows a tab, a menu shows in its column of keys, and nothing is done by it.
-        beside = f"\t{spec.key_elsewhere}" if spec.key_elsewhere else ""
-        action = QAction(f"{spec.text}{beside}", window)
+        # A menu shows the text after a tab in its column of keys.
+        key_column = f"\t{spec.key_elsewhere}" if spec.key_elsewhere else ""
+        action = QAction(f"{spec.text}{key_column}", window)
         action.setObjectName(spec.name)
         if spec.short:
             action.setIconText(spec.short)
@@ -379,15 +376,15 @@ class ActionSet(QObject):
         else:
             capability, _, method = spec.command.partition(".")
             command = getattr(capabilities[capability], method)
-            words = (spec.argument,) if spec.argument else ()
-            action.triggered.connect(partial(_run, command, words))
+            arguments = (spec.argument,) if spec.argument else ()
+            action.triggered.connect(partial(_run, command, arguments))
         return action
 
     def _edit(self, spec: ActionSpec, _checked: bool = False) -> None:
         document = self._document
         if spec.edit is not None:
             self.edited.emit(spec.edit(document.design, document.view))
-        # A switch whose edit was refused is what it was.
+        # A switch whose edit was refused goes back.
         self.show_state()
 
     def _follow_steps(self, steps: QUndoStack) -> None:
@@ -400,8 +397,10 @@ class ActionSet(QObject):
             text_change.connect(partial(_name_step, action))
 
 
-def _run(command: Callable[..., object], words: tuple[str, ...], _checked: bool = False) -> None:
-    command(*words)
+def _run(
+    command: Callable[..., object], arguments: tuple[str, ...], _checked: bool = False
+) -> None:
+    command(*arguments)
 
 
 def _name_step(action: QAction, step: str) -> None:

@@ -1,4 +1,4 @@
-"""The one way to tell the user that something went wrong, or what is offered."""
+"""What the studio reports: errors, hints, results of jobs, and what is offered."""
 
 import logging
 from collections.abc import Callable, Sequence
@@ -35,42 +35,41 @@ from skinsource_gui.state.engine import Outcome
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import INSTALLATIONS, InstalledLimbs, Preferences
 
-#: How long good news stay, which nobody need close; bad ones stay until they are dealt with.
+#: How long a message stays in the status bar.
 PASSING_MS = 5000
-#: How long a passing notice stays at least, and for each of its letters besides.
+#: How long a passing notice stays at least, and in addition for each letter.
 _LEAST_MS, _LETTER_MS = 4000, 60
-#: A click so soon belongs to what the notice is about, and takes nothing away.
+#: A click so soon is not meant for the notice, and does not hide it.
 _FRESH_MS = 700
-#: What can be done about it: words of the button, and what it does.
+#: A button of a notice: its text, and what it does.
 Choice = tuple[str, Callable[[], object]]
 _LAID_OUT = (QEvent.Type.Resize, QEvent.Type.LayoutRequest)
 
 
 class Notice(QObject):
-    """Words at the edge of a window; they stay until closed, replaced or outdated.
+    """A text at the edge of a window, which stays until it is closed, replaced or out of date.
 
-    No panel lies below them.  What passes by itself lies over the status bar, or, while that is
-    away, over the upper right corner, where no panel has its title; what stays gets room below the
-    status bar.  A click on the words reaches nothing else, nor does one where a button of theirs
-    has just been.
+    It covers no panel.  A passing notice lies over the status bar, or, while that is hidden, over
+    the upper right corner, where no panel has its title; another notice gets room below the status
+    bar.  A click on the notice, or where one of its buttons has just been, reaches nothing else.
 
     Parameters
     ----------
     window
-        At whose edge they are; also the parent.
+        The window; also the parent.
     """
 
-    #: The user has closed it, with its cross.
+    #: The user has closed it with its cross.
     closed = Signal()
 
     def __init__(self, window: QMainWindow) -> None:
         super().__init__(window)
         self._window = window
         self._kind, self._passes = "info", False
-        self._words = QLabel(window)
-        self._words.setObjectName("notice")
-        self._words.setWordWrap(True)
-        self._words.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        self._label = QLabel(window)
+        self._label.setObjectName("notice")
+        self._label.setWordWrap(True)
+        self._label.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self._picture = QLabel(window)
         self._picture.setObjectName("notice_picture")
         self.buttons = QWidget(window)
@@ -96,8 +95,8 @@ class Notice(QObject):
 
     @property
     def text(self) -> str:
-        """What it says; empty while hidden."""
-        return self._words.text() if not self._words.isHidden() else ""
+        """The text; "" while it is hidden."""
+        return self._label.text() if not self._label.isHidden() else ""
 
     def say(
         self,
@@ -110,16 +109,16 @@ class Notice(QObject):
     ) -> None:
         """Show ``text``; ``kind`` is ``"error"``, ``"warning"`` or ``"info"``.
 
-        A ``picture`` stands before the words.  What ``passes`` goes by itself after a while, which
-        is long enough to read it, or at the next click anywhere.
+        A ``picture`` stands before the text.  A notice that ``passes`` is hidden after a while,
+        which is long enough to read it, or at the next click anywhere.
         """
         self._kind, self._passes = kind, passes
         self._offer(choices)
         self._picture.setPixmap(picture or QPixmap())
         self._picture.setHidden(picture is None or picture.isNull())
-        self._words.setText(text)
-        set_tone(self._words, self._kind)
-        for part in (self._words, self.buttons):
+        self._label.setText(text)
+        set_tone(self._label, self._kind)
+        for part in (self._label, self.buttons):
             part.show()
             part.raise_()
         self._picture.raise_()
@@ -127,16 +126,16 @@ class Notice(QObject):
         self._let_pass(_LEAST_MS + _LETTER_MS * len(text) if passes else None)
 
     def pass_now(self) -> None:
-        """Take away what would go by itself."""
+        """Hide a passing notice."""
         if self._passes:
             self.be_quiet()
 
     def be_quiet(self) -> None:
-        """Take away what it says."""
+        """Hide the notice."""
         if self.buttons.isAncestorOf(self._window.focusWidget()):
             self._window.setFocus()
         self._let_pass(None)
-        for part in (self._words, self.buttons, self._picture):
+        for part in (self._label, self.buttons, self._picture):
             part.hide()
         self._window.setContentsMargins(0, 0, 0, 0)
 
@@ -150,9 +149,9 @@ class Notice(QObject):
         return super().eventFilter(watched, event)
 
     def _let_pass(self, after_ms: int | None) -> None:
-        """Go after a while, or at a click; None: stay."""
+        """Hide it after a while, or at a click; None: let it stay."""
         application = QApplication.instance()
-        # Looking at each event of the studio is worth it for some seconds only.
+        # A filter on all events of the studio is installed for some seconds only.
         if application is not None and self._watches:
             application.removeEventFilter(self)
         self._passing.stop()
@@ -166,8 +165,8 @@ class Notice(QObject):
             button.hide()
             button.deleteLater()
         self._choices = []
-        for words, act in choices:
-            button = QPushButton(words)
+        for text, act in choices:
+            button = QPushButton(text)
             button.setObjectName("notice_choice")
             button.setAutoDefault(False)
             button.clicked.connect(partial(self._choose, act))
@@ -188,20 +187,20 @@ class Notice(QObject):
         size = self.buttons.sizeHint()
         shown = QSize() if self._picture.isHidden() else self._picture.sizeHint()
         left = shown.width() + 2 * UNIT_PX if shown.isValid() else UNIT_PX
-        self._words.setContentsMargins(left, UNIT_PX // 2, size.width() + 2 * UNIT_PX, 4)
+        self._label.setContentsMargins(left, UNIT_PX // 2, size.width() + 2 * UNIT_PX, 4)
         least = max(size.height(), shown.height()) + (2 if self._passes else UNIT_PX)
         if self._passes and not at_top:
             least = max(least, status.height())
         width = whole
         if at_top:
             # Beside a border a label indents words by half a letter: in one line they cover least.
-            metrics = self._words.fontMetrics()
-            words = metrics.horizontalAdvance(self._words.text()) + metrics.horizontalAdvance("x")
-            width = min(whole, words + left + size.width() + 4 * UNIT_PX)
-        needed = max(self._words.heightForWidth(width), least)
+            metrics = self._label.fontMetrics()
+            text_px = metrics.horizontalAdvance(self._label.text()) + metrics.horizontalAdvance("x")
+            width = min(whole, text_px + left + size.width() + 4 * UNIT_PX)
+        needed = max(self._label.heightForWidth(width), least)
         start, top = whole - width, 0 if at_top else height - needed
         self._picture.setGeometry(QRect(QPoint(start + UNIT_PX, top + UNIT_PX // 4), shown))
-        self._words.setGeometry(start, top, width, needed)
+        self._label.setGeometry(start, top, width, needed)
         middle = top + (needed - size.height()) // 2
         self.buttons.setGeometry(
             whole - size.width() - UNIT_PX, middle, size.width(), size.height()
@@ -209,8 +208,6 @@ class Notice(QObject):
         over = needed if at_top else status.height() if self._passes else 0
         self._window.setContentsMargins(0, 0, 0, max(0, needed - over))
 
-
-# Three hints on the first start, which come back only when they are asked for.
 
 HINTS = (
     "Click a place on the hand: an input is added there, and the skin map shows what reaches the "
@@ -225,19 +222,19 @@ LATER = "First steps come once nobody presents"
 
 
 class FirstHints(QObject):
-    """Says three hints, one after the other, where the studio was never started before.
+    """Shows three hints, one after the other, on the first start of the studio.
 
-    The next one comes with its button, or once what the hint says was done.  While somebody
-    presents they are put away: an audience is not to be told how to begin.
+    The next one comes with its button, or once the hint was followed.  While somebody presents, the
+    hints are hidden from the audience.
 
     Parameters
     ----------
     preferences
-        Know whether it was; they remember that the hints were shown as soon as the first one is.
+        Store that the hints were shown, as soon as the first one is.
     notice
-        Says them; also the parent.
+        Shows them; also the parent.
     document
-        Tells what was done.
+        Its changes tell whether a hint was followed.
     """
 
     def __init__(self, preferences: Preferences, notice: Notice, document: Document) -> None:
@@ -248,13 +245,13 @@ class FirstHints(QObject):
         self._design, self._view = document.design, document.view
 
     def offer(self) -> None:
-        """Begin, unless it was done before or there is something more urgent to say."""
+        """Begin, unless they were shown before or the notice shows something else."""
         if self._preferences.hinted or self._notice.text:
             return
         self.show()
 
     def show(self) -> None:
-        """Begin with the first one, whatever was shown before."""
+        """Begin with the first hint, also if they were shown before."""
         self._preferences.hinted = True
         self._preferences.flush()
         self._end()
@@ -265,7 +262,7 @@ class FirstHints(QObject):
             self._notice.say(LATER, passes=True)
 
     def put_away(self, away: bool) -> None:
-        """Put them away, whichever is said, or say it again."""
+        """Hide the present hint, or show it again."""
         self._away = away
         if self._step is None:
             return
@@ -283,21 +280,21 @@ class FirstHints(QObject):
         self._design, self._view = self._document.design, self._document.view
         if self._away:
             return
-        words = f"{step + 1} of {len(HINTS)}: {HINTS[step]}"
+        text = f"{step + 1} of {len(HINTS)}: {HINTS[step]}"
         last = step == len(HINTS) - 1
         choices: tuple[tuple[str, Callable[[], None]], ...]
         if last:
             choices = ((DONE, self._end),)
         else:
             choices = ((NEXT, lambda: self._say(step + 1)), (ENOUGH, self._end))
-        self._notice.say(words, choices=choices)
+        self._notice.say(text, choices=choices)
 
     def _follow(self) -> None:
-        """Say what is next where a hint was followed; say it again where an edit took it away."""
+        """Show the next hint where this one was followed; show this one again if an edit hid it."""
         if self._step is None or self._away:
             return
         design, view = self._document.design, self._document.view
-        if not _followed(self._step, self._design, self._view, design, view):
+        if not _was_followed(self._step, self._design, self._view, design, view):
             if not self._notice.text:
                 self._say(self._step)
         elif self._step + 1 < len(HINTS):
@@ -308,15 +305,15 @@ class FirstHints(QObject):
                 self._notice.be_quiet()
 
     def _end(self) -> None:
-        """Nothing is left to say: the notice has gone already, or goes by itself."""
+        """End the hints; the notice is hidden by whoever ends them."""
         if self._step is not None:
             self._step = None
             self._notice.closed.disconnect(self._end)
             self._document.settled.disconnect(self._follow)
 
 
-def _followed(step: int, was: Design, looked: View, design: Design, view: View) -> bool:
-    """Whether what hint ``step`` says was done since it was said."""
+def _was_followed(step: int, was: Design, looked: View, design: Design, view: View) -> bool:
+    """Return whether hint ``step`` was followed since it was shown."""
     if step == 0:
         return len(design.inputs) > len(was.inputs)
     if step == 1:
@@ -324,20 +321,18 @@ def _followed(step: int, was: Design, looked: View, design: Design, view: View) 
     return bool(view.outputs) and view.outputs != looked.outputs
 
 
-# What the studio says: what went wrong, what went well, what an evaluation gave.
-
 _log = logging.getLogger(__name__)
 
 
 class Reports(QObject):
-    """Brings news to the notice, the status bar and the status line.
+    """Shows errors, messages and outcomes in the notice and the status bar.
 
     Parameters
     ----------
     document
-        An edit of it outdates what was said before.
+        Its edits hide notices on an older design.
     notice, status_bar, status_line, accuracy
-        Where it is said.
+        The parts of the window that show reports.
     """
 
     def __init__(
@@ -352,101 +347,100 @@ class Reports(QObject):
         self._document, self._notice, self._status_bar = document, notice, status_bar
         self._status_line, self._accuracy = status_line, accuracy
         self._impossible = ""
-        self._said_of: Design = document.design
+        self._reported_design: Design = document.design
         document.changed.connect(self._forget_outdated)
         document.told.connect(self.report)
         document.title_changed.connect(status_bar.clearMessage)
 
     def complain(self, reason: str) -> None:
-        """Show what went wrong, where the user looks."""
-        self._status_bar.clearMessage()
-        self._said_of = self._document.design
-        self._notice.say(reason, "error")
+        """Show an error until it is dealt with."""
+        self._show(reason, "error")
 
     def refuse(self, reason: str) -> None:
-        """Show why an edit was not made; it goes again after a while, or at the next click."""
-        self._status_bar.clearMessage()
-        self._said_of = self._document.design
-        self._notice.say(reason, "error", passes=True)
+        """Show why an edit was not made; it passes after a while, or at the next click."""
+        self._show(reason, "error", passes=True)
 
-    def report(self, words: str) -> None:
-        """Show what went well, for some seconds."""
+    def report(self, text: str) -> None:
+        """Show a message for some seconds."""
         self._notice.be_quiet()
         if self._status_bar.isHidden():  # while presenting
-            self._said_of = self._document.design
-            self._notice.say(words, "info", passes=True)
+            self.explain(text)
         else:
-            self._status_bar.showMessage(words, PASSING_MS)
+            self._status_bar.showMessage(text, PASSING_MS)
 
-    def explain(self, words: str) -> None:
-        """Show what is no fault and may be long, whole: the status bar would cut it."""
-        self._status_bar.clearMessage()
-        self._said_of = self._document.design
-        self._notice.say(words, "info", passes=True)
+    def explain(self, text: str) -> None:
+        """Show a text that is no error and may be too long for the status bar."""
+        self._show(text, "info", passes=True)
 
     def show_impossible(self, reason: str) -> None:
-        """Say why there are no results."""
+        """Show why there are no results."""
         self._impossible = reason
         self._status_line.show_no_outcome()
         self.complain(reason)
 
     def show_outcome(self, outcome: Outcome) -> None:
-        """Take over what the panels show now, and say which inputs it is without."""
-        words = unplayable_text((outcome.values or {}).get(UNPLAYABLE, ()))
-        if words != self._impossible:
+        """Take over the outcome that panels show, and report inputs that cannot be played."""
+        text = unplayable_text((outcome.values or {}).get(UNPLAYABLE, ()))
+        if text != self._impossible:
             if self._impossible and self._notice.text == self._impossible:
                 self._notice.be_quiet()
-            self._impossible = words
-            if words:
-                self.complain(words)
+            self._impossible = text
+            if text:
+                self.complain(text)
         self._status_line.show_outcome(outcome)
         self._accuracy.show_outcome(outcome)
 
     def log_fault(self, outcome: Outcome) -> None:
-        """Write down a mistake of the studio."""
+        """Log an error that is a fault of the studio."""
         if outcome.error is not None and not isinstance(outcome.error, SkinSourceError):
             _log.error("an evaluation failed", exc_info=outcome.error)
 
+    def _show(self, text: str, kind: str, *, passes: bool = False) -> None:
+        self._status_bar.clearMessage()
+        self._reported_design = self._document.design
+        self._notice.say(text, kind, passes=passes)
+
     def _forget_outdated(self) -> None:
-        # Why there are no results, or none of an input, stays until there are some.
-        edited = self._document.design is not self._said_of
+        # The reason for missing results stays until they are there.
+        edited = self._document.design is not self._reported_design
         if edited and self._notice.text and self._notice.text != self._impossible:
             self._notice.be_quiet()
 
 
-# What becomes of an installation of limbs: the page that started it may be closed by then.
-
-
 class Installations(QObject):
-    """Has the limbs looked for once they are installed, and says how it went.
+    """Updates the limbs after installations, and reports their results.
+
+    The page that started an installation may be closed by then.
 
     Parameters
     ----------
     runner
-        Carries installations out; also the parent.
+        Runs installations; also the parent.
     limbs, reports
-        Who looks, and who says it.
+        The installed limbs, and the reports of the window.
     """
 
     def __init__(self, runner: JobRunner, limbs: InstalledLimbs, reports: Reports) -> None:
         super().__init__(runner)
         self._limbs, self._reports = limbs, reports
-        self._known = limbs.names
+        self._limb_names = limbs.names
         limbs.changed.connect(self._note_changed)
         runner.done.connect(self._note_done)
         runner.failed.connect(self._note_failed)
 
     def _note_changed(self) -> None:
-        """Say which limbs came or went, whoever installed or removed them."""
-        before, self._known = self._known, self._limbs.names
-        come = [_title(one) for one in self._known if one not in before]
-        gone = [_title(one) for one in before if one not in self._known]
-        words = []
-        if come:
-            words.append(f"{', '.join(come)}: installed, choose it under Limb above the panels")
-        if gone:
-            words.append(f"{', '.join(gone)}: no longer installed")
-        self._reports.report(". ".join(words))
+        """Report which limbs were installed or removed, also from outside the studio."""
+        before, self._limb_names = self._limb_names, self._limbs.names
+        installed = [_title(limb) for limb in self._limb_names if limb not in before]
+        removed = [_title(limb) for limb in before if limb not in self._limb_names]
+        sentences = []
+        if installed:
+            sentences.append(
+                f"{', '.join(installed)}: installed, choose it under Limb above the panels"
+            )
+        if removed:
+            sentences.append(f"{', '.join(removed)}: no longer installed")
+        self._reports.report(". ".join(sentences))
 
     def _note_done(self, job: Job[Any], result: object) -> None:
         if job.title in INSTALLATIONS:
@@ -461,20 +455,17 @@ class Installations(QObject):
 
 
 def _title(limb: str) -> str:
-    """What the window calls a limb."""
+    """Return the title of a limb in the window."""
     return next((word.title for word in LIMBS if word.name == limb), limb)
 
 
-# The long jobs of one window: cancelling them, and closing while they run.
-
-
 class RunningJobs(QObject):
-    """Cancels what runs, and asks before the window takes it along.
+    """Cancels running jobs, and asks before the window closes while they run.
 
     Parameters
     ----------
     runner
-        Carries the jobs out.
+        Runs the jobs.
     window
         In front of which questions are asked; also the parent.
     """
@@ -486,19 +477,19 @@ class RunningJobs(QObject):
         super().__init__(window)
         self._runner, self._window = runner, window
         self._ended = False
-        runner.changed.connect(self._tell)
+        runner.changed.connect(self._emit_can_cancel)
 
     def show_on(self, cancel: QAction) -> None:
-        """Let that action be chosen only while there is something to cancel."""
+        """Enable that action only while there is something to cancel."""
         cancel.setEnabled(self._runner.current is not None)
         self.can_cancel.connect(cancel.setEnabled)
 
     def cancel(self) -> None:
-        """Stop the job that is being carried out; the next one begins."""
+        """Stop the running job; the next one begins."""
         self._runner.cancel()
 
     def may_close(self) -> bool:
-        """Whether the window may go: nothing is being done, or the user gives it up."""
+        """Return whether the window may close: no job runs, or the user gives it up."""
         titles = "; ".join(job.title for job in self._runner.unfinished)
         if not titles or self._ended:
             return True
@@ -506,12 +497,12 @@ class RunningJobs(QObject):
         return agreed(self._window, "Something is running", question)
 
     def end(self) -> None:
-        """Stop all for good; nothing unfinished is left."""
+        """Stop all jobs for good, and clear them away."""
         self._ended = True
         if self._runner.busy:
-            # To clear away a gigabyte can take a second.
+            # It can take a second to clear away a gigabyte.
             self._window.hide()
         self._runner.close()
 
-    def _tell(self) -> None:
+    def _emit_can_cancel(self) -> None:
         self.can_cancel.emit(self._runner.current is not None)

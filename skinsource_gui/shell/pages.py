@@ -1,6 +1,6 @@
-"""Pages of help: keys and mouse, about."""
+"""The pages that open in front of the window, and the two of help that are made here."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from functools import partial
 from html import escape
 from typing import Any
@@ -12,8 +12,10 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayo
 from skinsource.version import __version__
 from skinsource_gui import pages
 from skinsource_gui.qt.keys import KEYS, MOUSE, native_text
+from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.actions.spec import ActionSpec
 from skinsource_gui.shell.menus import BESIDES, Palette
+from skinsource_gui.shell.status import StatusLine
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import InstalledLimbs, Preferences
@@ -30,11 +32,11 @@ and its dataset,
 
 
 def keys_page(actions: Iterable[ActionSpec], parent: QWidget, heading: str = "") -> QDialog:
-    """Every shortcut and what the mouse does, on one page; ``heading`` is at its top."""
+    """Return the page of all shortcuts and of what the mouse does, scrolled to ``heading``."""
     rows: list[tuple[str, str | None]] = []
-    for place in (*MOUSE.values(), *KEYS.values()):
-        rows += [(place.heading, None)]
-        rows += [(gesture.shown, gesture.effect) for gesture in place.gestures.values()]
+    for group in (*MOUSE.values(), *KEYS.values()):
+        rows += [(group.heading, None)]
+        rows += [(gesture.shown, gesture.effect) for gesture in group.gestures.values()]
     rows += [("Everywhere", None)]
     rows += [
         (native_text(action.keys), f"{action.text} – {action.hint}")
@@ -48,14 +50,9 @@ def keys_page(actions: Iterable[ActionSpec], parent: QWidget, heading: str = "")
         for left, right in rows
     )
     page = _page("Keys and mouse", f"<table cellpadding=2>{cells}</table>", parent)
-    # Where a heading lies is known once the page has its size.
+    # A heading has its place once the page has its size.
     QTimer.singleShot(0, page, partial(_scroll_to, page, heading))
     return page
-
-
-def about_page(parent: QWidget) -> QDialog:
-    """Version, licence, and what to cite."""
-    return _page("About SkinSource studio", _ABOUT, parent)
 
 
 def _scroll_to(page: QDialog, heading: str) -> None:
@@ -81,12 +78,6 @@ def _page(title: str, html: str, parent: QWidget) -> QDialog:
     return dialog
 
 
-# The pages that open in front of the window, or beside it.
-
-#: Makes a page in front of a window.
-MakePage = Callable[[QWidget], QDialog]
-
-
 class Pages(QObject):
     """Opens the pages of one window.
 
@@ -94,30 +85,26 @@ class Pages(QObject):
     ----------
     window
         In front of which they open; also the parent.
-    specs
-        What the keys page lists.
     findable
-        Gives what the palette finds; actions without a parent are the palette's.
-    make_accuracy, make_dataset, make_limbs, make_check, make_motion
-        Make the pages that take long to import, once they are wanted.
+        Gives the actions that the palette finds; actions without a parent are the palette's.
+    document, preferences, runner, limbs, status_line
+        What the pages show and use.
     """
 
     def __init__(
         self,
         window: QWidget,
-        specs: Sequence[ActionSpec],
         findable: Callable[[], list[QAction]],
-        make_accuracy: MakePage,
-        make_dataset: MakePage,
-        make_limbs: MakePage,
-        make_check: MakePage,
-        make_motion: MakePage,
+        document: Document,
+        preferences: Preferences,
+        runner: JobRunner,
+        limbs: InstalledLimbs,
+        status_line: StatusLine,
     ) -> None:
         super().__init__(window)
-        self._window, self._specs, self._findable = window, specs, findable
-        self._make_accuracy, self._make_dataset = make_accuracy, make_dataset
-        self._make_limbs, self._make_motion = make_limbs, make_motion
-        self._make_check = make_check
+        self._window, self._findable = window, findable
+        self._document, self._preferences = document, preferences
+        self._runner, self._limbs, self._status_line = runner, limbs, status_line
         self.accuracy: Any = None
 
     def search(self) -> None:
@@ -125,48 +112,51 @@ class Pages(QObject):
         Palette([*self._findable(), *self._gestures()], self._window).open()
 
     def show_accuracy(self) -> None:
-        """Open the page on errors and times, which stands beside the window."""
+        """Open the page on errors and times, a window of its own."""
         if self.accuracy is None:
-            # It keeps what was measured while it is closed.
-            self.accuracy = self._make_accuracy(self._window)
+            # One page for the session: while it is closed it holds what was measured.
+            self.accuracy = pages.AccuracyPage(
+                self._runner, self._status_line, self._preferences, self._document, self._window
+            )
         self.accuracy.show()
         self.accuracy.raise_()
         self.accuracy.activateWindow()
 
     def show_keys(self, heading: str = "") -> None:
         """Open the page of keys and mouse, with a heading at its top."""
-        keys_page(self._specs, self._window, heading).open()
+        keys_page(ACTIONS, self._window, heading).open()
 
     def show_dataset(self) -> None:
         """Open the page on the measured limbs."""
-        self._make_dataset(self._window).open()
+        pages.DatasetPage(self._runner, self._limbs, self._window).open()
 
     def show_limbs(self) -> None:
         """Open the page on limbs of one's own."""
-        self._make_limbs(self._window).open()
+        pages.LimbPage(self._runner, self._limbs, self._window).open()
 
     def show_check(self) -> None:
-        """Open the page that holds predictions against recordings."""
-        self._make_check(self._window).open()
+        """Open the page that compares predictions with recordings."""
+        page = pages.CheckingPage(self._runner, self._document, self._preferences, self._window)
+        page.open()
 
     def show_motion(self) -> None:
-        """Open the page that makes up a motion."""
-        self._make_motion(self._window).open()
+        """Open the page that makes a motion."""
+        pages.MotionPage(self._document, self._window).open()
 
     def show_about(self) -> None:
         """Open the page on version, licence and citation."""
-        about_page(self._window).open()
+        _page("About SkinSource studio", _ABOUT, self._window).open()
 
     def _gestures(self) -> list[QAction]:
-        """What the mouse does, to be found; each leads to where the keys page says it."""
+        """Return an action for each gesture of the mouse, which opens the keys page there."""
         entries = []
-        for place in MOUSE.values():
-            for gesture in place.gestures.values():
+        for group in MOUSE.values():
+            for gesture in group.gestures.values():
                 movement = f"{gesture.shown[:1].lower()}{gesture.shown[1:]}"
                 entry = QAction(f"Mouse: {gesture.effect} – {movement}")
-                entry.setToolTip(f"{place.heading}; Enter shows all of them")
+                entry.setToolTip(f"{group.heading}; Enter shows all of them")
                 entry.setProperty(BESIDES, True)
-                entry.triggered.connect(partial(self._show_gestures, place.heading))
+                entry.triggered.connect(partial(self._show_gestures, group.heading))
                 entries.append(entry)
         return entries
 
@@ -174,20 +164,6 @@ class Pages(QObject):
         self.show_keys(heading)
 
     def end(self) -> None:
-        """Close what stands beside the window, and stop what runs."""
+        """Close the page on errors and times."""
         if self.accuracy is not None:
             self.accuracy.close()
-
-
-def limb_pages(
-    runner: JobRunner,
-    limbs: InstalledLimbs,
-    document: Document,
-    preferences: Preferences,
-) -> tuple[MakePage, MakePage, MakePage]:
-    """What makes the pages on the measured limbs, on one's own, and on recordings of them."""
-    return (
-        lambda parent: pages.DatasetPage(runner, limbs, parent),
-        lambda parent: pages.LimbPage(runner, limbs, parent),
-        lambda parent: pages.CheckingPage(runner, document, preferences, parent),
-    )

@@ -26,7 +26,7 @@ class PanelSpec:
     Attributes
     ----------
     panel
-        What makes it: a `LazyPanel`, so that its modules are imported when somebody looks at it, or
+        What makes it: a `LazyPanel`, so that its modules are imported when it is first used, or
         its class.
     settings
         Class of what only it looks at, a frozen dataclass made with `skinsource.specs.fields`; None
@@ -44,7 +44,9 @@ class PanelSpec:
         if not (self.panel.name and self.panel.title):
             raise ValueError(f"{self.panel!r} has no name or no title")
         if self.settings is not None:
-            unsaved = {one.name for one in fields(self.settings)} - set(specs_of(self.settings))
+            unsaved = {field_.name for field_ in fields(self.settings)} - set(
+                specs_of(self.settings)
+            )
             if unsaved:
                 raise ValueError(
                     f"{self.settings.__name__} has fields that designs cannot hold: "

@@ -1,4 +1,4 @@
-"""Esc Esc: whatever else Esc means where the keyboard is, twice in a row it stops what plays."""
+"""Playback in the window: transport, panic key, rigs, and the connection of player and panel."""
 
 from functools import partial
 from pathlib import Path
@@ -59,12 +59,12 @@ _WITHIN_S = 0.6
 
 
 class EscapeTwice(QObject):
-    """Listens where the keyboard is, while it is asked to.
+    """Emits when Esc is pressed twice, whatever it means to the widget with the keyboard.
 
     Parameters
     ----------
     window
-        Where it listens if no widget has the keyboard; also the parent.
+        It listens there if no widget has the keyboard; also the parent.
     """
 
     #: Esc was pressed twice within 0.6 s.
@@ -78,7 +78,7 @@ class EscapeTwice(QObject):
         self._last_s = -_WITHIN_S
 
     def watch(self, on: bool) -> None:
-        """Listen, or no longer."""
+        """Begin or stop to listen."""
         if on == self._on:
             return
         self._on, self._last_s = on, -_WITHIN_S
@@ -87,7 +87,7 @@ class EscapeTwice(QObject):
             return
         if on:
             application.focusChanged.connect(self._follow)
-            self._take(QApplication.focusWidget())
+            self._follow(None, QApplication.focusWidget())
         else:
             application.focusChanged.disconnect(self._follow)
             self._forget()
@@ -110,46 +110,31 @@ class EscapeTwice(QObject):
             self.pressed.emit()
 
     def _follow(self, _old: QWidget | None, new: QWidget | None) -> None:
-        self._take(new)
-
-    def _take(self, widget: QWidget | None) -> None:
         self._forget()
-        self._watched = widget or self._window
+        self._watched = new or self._window
         self._watched.installEventFilter(self)
-        self._watched.destroyed.connect(self._lose)
+        self._watched.destroyed.connect(self._note_destroyed)
 
     def _forget(self) -> None:
         if self._watched is not None:
             self._watched.removeEventFilter(self)
-            self._watched.destroyed.disconnect(self._lose)
+            self._watched.destroyed.disconnect(self._note_destroyed)
             self._watched = None
 
-    def _lose(self) -> None:
+    def _note_destroyed(self) -> None:
         self._watched = None
 
-
-# Opens the page on which a rig is described, and responses that were measured.
 
 # The panel that it is looked at in, and the longest title there.
 _PANEL, _LONGEST_TITLE = "actuator", 100
 
 
 class RigPages(QObject):
-    """Few describe a rig: the page is imported when it is first wanted.
-
-    Parameters
-    ----------
-    document
-        What can be predicted through a rig.
-    settings
-        What this machine plays for.
-    window
-        In front of which the page opens; also the parent.
-    """
+    """Opens the page of rigs, and measured responses of actuators."""
 
     #: Why a response was not opened.
     failed = Signal(str)
-    #: What was opened, in words.
+    #: A message on what was opened.
     opened = Signal(str)
 
     def __init__(self, document: Document, settings: SoundSettings, window: QWidget) -> None:
@@ -162,7 +147,7 @@ class RigPages(QObject):
         pages.RigPage(self._document, self._settings, self._window).open()
 
     def open_response(self) -> None:
-        """Ask for a response that was measured, and look at it in the actuator's panel."""
+        """Ask for a measured response, and show it in the panel of the actuator."""
         name, _ = QFileDialog.getOpenFileName(
             self._window, "Response of the actuator", "", RESPONSE_FILES
         )
@@ -175,14 +160,14 @@ class RigPages(QObject):
         self._thread.end(lambda: None)
 
     def _look_at(
-        self, path: Path, found: "MeasuredResponse | None", error: SkinSourceError | None
+        self, path: Path, response: "MeasuredResponse | None", error: SkinSourceError | None
     ) -> None:
-        if found is None:
+        if response is None:
             self.failed.emit(str(error))
             return
         design, view = self._document.design, self._document.view
         before = settings_of(view, _PANEL, actuator_demand.ActuatorSettings)
-        after = before.with_measured(found, path.stem[:_LONGEST_TITLE])
+        after = before.with_measured(response, path.stem[:_LONGEST_TITLE])
         view = with_settings(view, _PANEL, after)
         through = design.actuated
         if through is None or through != actuator_demand.actuation_of(
@@ -190,7 +175,7 @@ class RigPages(QObject):
         ):
             self._document.look(view)
         else:
-            # What is predicted goes with what the panel shows.
+            # The prediction follows the response that the panel shows.
             outcome = predict_through(design, view, actuator_demand.actuation_of(after))
             if isinstance(outcome, Refusal):
                 self.failed.emit(outcome.sentence)
@@ -198,8 +183,6 @@ class RigPages(QObject):
             self._document.apply(outcome)
         self.opened.emit(f"Opened {printable(path.name)}.")
 
-
-# Play, repeat and gain, in the bar above the panels.
 
 GAIN = NumberSpec(
     label="Gain",
@@ -220,11 +203,11 @@ _REPEAT = (
 
 
 class Transport(QWidget):
-    """Shows what is played, and asks for it."""
+    """Play, repeat and gain, in the bar above the panels."""
 
     play_wanted = Signal()
     repeat_wanted = Signal()
-    #: The gain that is wanted, dB.
+    #: The new gain, dB.
     gain_wanted = Signal(float)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -257,7 +240,7 @@ class Transport(QWidget):
         self._show_icons()
 
     def show_played(self, played: Played) -> None:
-        """Take over what is played, and how loud."""
+        """Take over the state of playback."""
         if played.playing != self._played.playing:
             self._played = played
             self._show_icons()
@@ -293,15 +276,13 @@ class Transport(QWidget):
         self.gain_wanted.emit(gain_db)
 
 
-# Brings what is played to those who show it, and what they want to the player.
-
 _PLAYBACK_PANEL = "playback"
 # How often levels are shown.
 _STEP_MS = 50
 
 
 class Playback(QObject):
-    """The player of one window, its bar and its panel; costs nothing while nothing is played.
+    """Connects the player of a window with its bar, its panel and the reports.
 
     Parameters
     ----------
@@ -334,7 +315,7 @@ class Playback(QObject):
         self._escape.pressed.connect(self.player.stop_at_once)
 
     def capabilities(self) -> dict[str, QObject]:
-        """Who carries out its actions, by the names that their table has for them."""
+        """Return the objects that carry out its actions, by their names in the table of actions."""
         return {
             "player": self.player,
             "gain": self.player.gain,
@@ -344,13 +325,13 @@ class Playback(QObject):
         }
 
     def end(self) -> None:
-        """Stop for good, and let go of the device."""
+        """Stop for good, and release the device."""
         self.matching.end()
         self.rigs.end()
         self.player.end()
 
     def connect_to(self, panels: PanelRegistry, reports: Reports) -> None:
-        """Show it in its panel, while that is visible, and say in ``reports`` what goes wrong."""
+        """Connect the bar, the panel once it is made, and ``reports``."""
         player, bar = self.player, self.bar
         bar.play_wanted.connect(player.play_or_stop)
         bar.repeat_wanted.connect(player.toggle_loop)
@@ -359,9 +340,9 @@ class Playback(QObject):
         player.changed.connect(self._follow)
         player.failed.connect(reports.complain)
         self.rigs.failed.connect(reports.complain)
-        # What went wrong with the file before is over.
+        # An error of the file before is over.
         self.rigs.opened.connect(reports.report)
-        player.told.connect(reports.explain)
+        player.message.connect(reports.explain)
         panels.each(self._meet)
         self._document.changed.connect(self._show_places)
         self._follow()
@@ -398,7 +379,7 @@ class Playback(QObject):
             self._show()
 
     def _look(self) -> None:
-        """Find out what there is, when somebody first wants to know."""
+        """Look for rig and devices when the panel is first in sight."""
         if self._panel is not None and self._panel.isVisible():
             self.player.settings.look_for_rig()
             self._show()

@@ -1,4 +1,4 @@
-"""Colours of levels that are chosen in front of an audience: they stay through the show."""
+"""Presenting: the window without its bars, scenes by one key, maps that can be covered, notes."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -49,7 +49,7 @@ from skinsource_gui.state.preferences import Preferences
 
 
 class ChosenColours:
-    """Tells what was chosen in the window from what a file or a scene brought.
+    """Keeps the level colours that were chosen in the window through a show.
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ class ChosenColours:
         self._opened, self._chosen = level_look(view).colours, ""
 
     def forget(self, view: View) -> None:
-        """Something else was opened, by hand: another show begins."""
+        """Begin another show: something else was opened by hand."""
         self._opened, self._chosen = level_look(view).colours, ""
 
     def on(self, view: View, left: View, *, of_file: bool) -> View:
@@ -78,8 +78,6 @@ class ChosenColours:
         self._opened = level_look(shown).colours
         return shown
 
-
-# What the speaker reads, on a window of its own for another screen.
 
 _LARGE = 1.6
 _SIZE = 560, 420
@@ -128,7 +126,7 @@ class NotesWindow(QWidget):
 
     def show_beside(self, window: QWidget) -> None:
         """Show it on another screen than ``window``, where there is one."""
-        others = [one for one in QGuiApplication.screens() if one is not window.screen()]
+        others = [screen for screen in QGuiApplication.screens() if screen is not window.screen()]
         if others:
             self.move(others[0].availableGeometry().center() - self.rect().center())
         self.show()
@@ -138,17 +136,15 @@ class NotesWindow(QWidget):
         self.closed.emit()
 
 
-# Keys that mean the same while somebody presents, whatever has the keyboard.
-
-_ASKED, _PRESSED = QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress
-# Where the keyboard may be by chance, as where a field went that was turned: the key of Play plays.
+_OVERRIDE, _PRESSED = QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress
+# Widgets that have the keyboard by chance, after a mouse edit: the key of Play plays there.
 _PUSHED = (QAbstractButton, QComboBox, QAbstractItemView)
-# They know by themselves whether Esc gives up what is typed.
+# These widgets decide whether Esc gives up what is typed.
 _TEXTS = (QLineEdit, QPlainTextEdit, QTextEdit)
 
 
 class PresentingKeys(QObject):
-    """Takes keys from who has the keyboard, as long as it lives.
+    """Takes keys from the widget that has the keyboard, until its end.
 
     Clickers send Page Down and Page Up: plots go through time with them and numbers take large
     steps; a shortcut of the window would come after those.  The key of Play plays, also on a list,
@@ -177,7 +173,7 @@ class PresentingKeys(QObject):
     ) -> None:
         super().__init__(parent)
         self._play = play
-        self._doing = {
+        self._handlers = {
             "next": following,
             "previous": previous,
             "play": play.trigger,
@@ -191,7 +187,7 @@ class PresentingKeys(QObject):
         self._watch(None, QApplication.focusWidget())
 
     def end(self) -> None:
-        """Leave the keys to who has the keyboard."""
+        """Leave the keys to the widget that has the keyboard."""
         application = QApplication.instance()
         if isinstance(application, QApplication):
             application.focusChanged.disconnect(self._watch)
@@ -199,18 +195,18 @@ class PresentingKeys(QObject):
         self.deleteLater()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() not in (_ASKED, _PRESSED) or not isinstance(event, QKeyEvent):
+        if event.type() not in (_OVERRIDE, _PRESSED) or not isinstance(event, QKeyEvent):
             return super().eventFilter(watched, event)
         plays = QKeySequence(event.keyCombination()) in self._play.shortcuts()
         meaning = "play" if plays else meaning_of("presenting", event)
-        do = self._doing.get(meaning)
+        do = self._handlers.get(meaning)
         elsewhere = QApplication.activeModalWidget() or QApplication.activePopupWidget()
-        if do is None or elsewhere or not _is_taken(watched, meaning):
+        if do is None or elsewhere or not _belongs_to_presenter(watched, meaning):
             return super().eventFilter(watched, event)
         if event.type() == _PRESSED:
             do()
         elif meaning in ("play", "leave"):
-            # Who listens for Esc Esc hears of it, and a shortcut of the window that is free.
+            # `EscapeTwice` and a shortcut of the window get the event too.
             return super().eventFilter(watched, event)
         event.accept()
         return True
@@ -228,26 +224,13 @@ class PresentingKeys(QObject):
         self._watched = None
 
 
-def unless_dragging(do: Callable[[], None]) -> Callable[[], None]:
-    """Do it unless a button of the mouse is down: Esc is meant for what is dragged."""
-
-    def act() -> None:
-        if not QApplication.mouseButtons():
-            do()
-
-    return act
-
-
-def _is_taken(watched: QObject, meaning: str) -> bool:
-    """Whether a key is not for who has the keyboard."""
+def _belongs_to_presenter(watched: QObject, meaning: str) -> bool:
+    """Return whether a key is not for the widget with the keyboard."""
     if meaning == "play":
         return isinstance(watched, _PUSHED)
     if meaning == "leave":
         return not isinstance(watched, _TEXTS) and not QApplication.mouseButtons()
     return True
-
-
-# The scenes that are stepped through: designs of a folder, or those of the paper.
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -290,7 +273,7 @@ class Step:
 
 
 def steps_of_folder(folder: Path) -> tuple[Step, ...]:
-    """The designs of a folder, by name; numbers in front of names put them in order."""
+    """Return the designs of a folder in the order of their names."""
     try:
         paths = sorted(path for path in folder.iterdir() if path.suffix == SUFFIX)
     except OSError:
@@ -299,9 +282,10 @@ def steps_of_folder(folder: Path) -> tuple[Step, ...]:
 
 
 def steps_of_paper() -> tuple[Step, ...]:
-    """The scenes that are shipped, in the order of the figures."""
+    """Return the scenes of the paper, in the order of the figures."""
     return tuple(
-        Step(title=one.heading, open=partial(_of_paper, one.name)) for one in scenes.all_scenes()
+        Step(title=scene.heading, open=partial(_of_paper, scene.name))
+        for scene in scenes.all_scenes()
     )
 
 
@@ -319,9 +303,6 @@ def _of_paper(name: str) -> PresentedScene:
         arrangement=known.arrangement,
         panels=known.panels,
     )
-
-
-# A scene as it was when it was presented, to tell whether it was changed meanwhile.
 
 
 @dataclass(frozen=True, slots=True)
@@ -342,40 +323,33 @@ class WholeScene:
 
     @classmethod
     def of(cls, document: Document) -> "WholeScene":
-        """What is open now."""
-        snapshots = {one.number: one.design for one in document.view.snapshots}
+        """Return the scene that is open now."""
+        snapshots = {snapshot.number: snapshot.design for snapshot in document.view.snapshots}
         file = "" if document.path is None else document.path.stem
         return cls(document.design, snapshots, document.scene or file)
 
     def left(self, document: Document) -> str:
-        """What is said as it is left, if it has changes that no file holds."""
+        """Return the note for leaving it, if it has changes that no file holds."""
         if not document.modified or self == WholeScene.of(document):
             return ""
         return f"; changes to {self.title.partition(' · ')[0]} are not kept"
 
 
-# Presenting: the window without its bars, scenes by one key, maps that can be covered.
-
-
 class Presenter(QObject):
-    """Takes the bars away, and steps through scenes.
+    """Hides the bars of the window, and steps through scenes.
 
     Parameters
     ----------
     window
         What is presented in; also the parent.
     document
-        What scenes are opened into.
+        Scenes are opened into it.
     panels
-        Cover the maps that they draw.
-    preferences
-        Say how the panels stand.
+        Their maps are covered.
     files
-        Ask what becomes of the present design.
-    arrangements, layout
-        Where the panels stand.
+        Asks what becomes of unsaved work.
     actions
-        What has a key, once it is known.
+        Returns the actions by name, whose keys work while the menus are hidden.
 
     Attributes
     ----------
@@ -385,11 +359,11 @@ class Presenter(QObject):
         Whether the maps are, in all panels.
     """
 
-    #: What shall be said: of a scene, or how to leave.
+    #: A message on a scene, or on how to leave.
     done = Signal(str)
     #: Why a scene does not open.
     failed = Signal(str)
-    #: Whether somebody presents: as the bars go, and once they are back.
+    #: Whether it presents: emitted before the bars hide, and after they are back.
     presenting_changed = Signal(bool)
 
     def __init__(
@@ -418,12 +392,12 @@ class Presenter(QObject):
         self._panels: tuple[str, ...] = ()
         # The scene that is open, as it was when it was presented: what is turned in it meanwhile is
         # not kept.  None: there is work in it that is asked about.
-        self._whole: WholeScene | None = None
+        self._unchanged: WholeScene | None = None
         self._opening = False
         self._colours = ChosenColours(document.view)
         self._notes: NotesWindow | None = None
         self._keys: list[QShortcut] = []
-        self._taken: PresentingKeys | None = None
+        self._presenting_keys: PresentingKeys | None = None
         document.jumped.connect(self._look)
 
     def toggle(self) -> None:
@@ -436,7 +410,7 @@ class Presenter(QObject):
         self.presenting = True
         is_scene = self._at >= 0 or self._document.path is not None
         whole = is_scene and not self._document.modified
-        self._whole = WholeScene.of(self._document) if whole else None
+        self._unchanged = WholeScene.of(self._document) if whole else None
         self._layout.hold()
         self._before, self._arranged = self._layout.own(), self._preferences.arrangement
         self._size, self._focused = window.size(), window.focusWidget()
@@ -451,7 +425,7 @@ class Presenter(QObject):
             if keyboard is not None:
                 self._listen(keyboard)
         steps = self.next_scene, self.previous_scene
-        self._taken = PresentingKeys(*steps, self._actions()["play"], self.end, self)
+        self._presenting_keys = PresentingKeys(*steps, self._actions()["play"], self.end, self)
         following = KEYS["presenting"].gestures["next"].shown
         cover = key_text("presenting", "cover")
         leave = f"{shortcut_text('present')} or {key_text('presenting', 'leave')}"
@@ -460,7 +434,7 @@ class Presenter(QObject):
     def end(self) -> None:
         """Bring back bars, panels where they stood, with those of the scene, and the map."""
         window = self._window
-        self.presenting, self._whole = False, None
+        self.presenting, self._unchanged = False, None
         self._layout.release()
         for action in self._actions().values():
             window.removeAction(action)
@@ -468,9 +442,9 @@ class Presenter(QObject):
             key.setEnabled(False)
             key.deleteLater()
         self._keys.clear()
-        if self._taken is not None:
-            self._taken.end()
-            self._taken = None
+        if self._presenting_keys is not None:
+            self._presenting_keys.end()
+            self._presenting_keys = None
         window.setWindowState(window.windowState() & ~Qt.WindowState.WindowFullScreen)
         # What was told meanwhile would lie over what the line says.
         window.statusBar().clearMessage()
@@ -507,7 +481,7 @@ class Presenter(QObject):
     def note_scene(self, name: str) -> None:
         """A scene of the paper was opened elsewhere: the next one comes after it."""
         self._steps = steps_of_paper()
-        self._at = [one.name for one in scenes.all_scenes()].index(name)
+        self._at = [scene.name for scene in scenes.all_scenes()].index(name)
         self._panels = scenes.scene(name).panels
 
     def show_notes(self) -> None:
@@ -537,12 +511,17 @@ class Presenter(QObject):
         window = self._window
         return [window.menuBar(), window.statusBar(), *window.findChildren(QToolBar, "setup")]
 
+    def _end_unless_dragging(self) -> None:
+        # During a drag Esc is meant for what is dragged.
+        if not QApplication.mouseButtons():
+            self.end()
+
     def _listen(self, widget: QWidget) -> None:
         doing: dict[str, Callable[[], None]] = {
             "next": self.next_scene,
             "previous": self.previous_scene,
             "cover": self.cover,
-            "leave": unless_dragging(self.end),
+            "leave": self._end_unless_dragging,
         }
         for name, do in doing.items():
             for text in KEYS["presenting"].gestures[name].keys:
@@ -554,16 +533,16 @@ class Presenter(QObject):
         if not self._steps:
             path = self._document.path
             self._steps = (() if path is None else steps_of_folder(path.parent)) or steps_of_paper()
-            titles = [one.title for one in self._steps]
+            titles = [step.title for step in self._steps]
             here = "" if path is None else path.stem
             self._at = titles.index(here) if here in titles else -1
-        wanted = self._at + by
-        if not 0 <= wanted < len(self._steps):
+        target = self._at + by
+        if not 0 <= target < len(self._steps):
             self.done.emit("This is the last scene" if by > 0 else "This is the first scene")
             return
-        # Nobody is asked, in front of an audience, for what will not be.
-        if self._whole is not None or self._files.may_lose_changes():
-            self._open(wanted)
+        # In front of an audience no question is asked on changes that are never saved.
+        if self._unchanged is not None or self._files.may_lose_changes():
+            self._open(target)
 
     def _open(self, number: int) -> None:
         step = self._steps[number]
@@ -572,14 +551,14 @@ class Presenter(QObject):
         except SkinSourceError as error:
             self.failed.emit(str(error))
             return
-        left = "" if self._whole is None else self._whole.left(self._document)
+        left = "" if self._unchanged is None else self._unchanged.left(self._document)
         self._at, self._opening = number, True
-        # What was chosen in front of an audience stays, unless a file says something else.
+        # Colours chosen in front of an audience stay, unless a file has others.
         view = self._colours.on(shown.view, self._document.view, of_file=shown.of_file)
         self._document.start_over(shown.design, view, None, scene=step.title)
         self._files.leave_file()
         self._opening, self._panels = False, shown.panels
-        self._whole = WholeScene.of(self._document) if self.presenting else None
+        self._unchanged = WholeScene.of(self._document) if self.presenting else None
         if shown.arrangement:
             self._layout.show_scene(shown.arrangement, shown.panels)
         self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {step.title}{left}")
@@ -588,14 +567,14 @@ class Presenter(QObject):
     def _look(self) -> None:
         # With another design the history is empty; with a step of it, it is not.
         if not self._opening and self._document.undo_stack.count() == 0:
-            self._whole, self._steps, self._at, self._panels = None, (), -1, ()
+            self._unchanged, self._steps, self._at, self._panels = None, (), -1, ()
             self._colours.forget(self._document.view)
 
     def _show_notes(self) -> None:
         if self._notes is None:
             return
         design, following = self._document.design, self._at + 1
-        titles = [one.title for one in self._steps]
+        titles = [step.title for step in self._steps]
         heading = titles[self._at] if 0 <= self._at < len(titles) else design.title or "Notes"
         after = titles[following] if 0 < following < len(titles) else ""
         self._notes.show_scene(heading, design.notes, after)

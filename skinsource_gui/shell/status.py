@@ -1,4 +1,4 @@
-"""Checks what is on screen, when there is time for it."""
+"""The status bar: times of edits, what was computed, the error, running jobs, and notes."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -40,9 +40,9 @@ _IDLE_MS = 600
 
 
 class Accuracy(QObject):
-    """Has some samples of the shown traces computed again, exactly, once edits pause."""
+    """Has some samples of the shown traces computed again exactly when edits pause."""
 
-    #: The `TraceError` of what is on screen, or None while nobody knows it.
+    #: The `TraceError` of the traces on screen, or None while it is not known.
     checked = Signal(object)
 
     def __init__(self, engine: Engine, parent: QObject):
@@ -54,13 +54,13 @@ class Accuracy(QObject):
         engine.finished.connect(self._note)
 
     def show_outcome(self, outcome: Outcome) -> None:
-        """Take over what the panels show now; its error is not known yet."""
+        """Take over the outcome that panels show, whose error is not known yet."""
         self.checked.emit(None)
         self._shown = outcome.request if "selected_traces" in outcome.request.wanted else None
         self._idle.start()
 
     def _check(self) -> None:
-        # It waits until there is nothing to show.
+        # The engine evaluates this after all that is to be shown.
         if self._shown is not None:
             wanted = frozenset({"trace_error"})
             self._engine.request(replace(self._shown, wanted=wanted, purpose=Purpose.CHECK))
@@ -72,9 +72,7 @@ class Accuracy(QObject):
             self.checked.emit(outcome.values["trace_error"])
 
 
-# What an evaluation computed and what it left out, in words.
-
-#: Quantities that it asks for beside those of the panels.
+#: Quantities that the status line needs beside those of the panels.
 NEEDS = frozenset({"limb_data", "streamed"})
 _IN_TIME = frozenset({"selected_traces", "selected_spectra", "selected_axis_spectra"})
 #: The selected input, and all others together.
@@ -87,7 +85,7 @@ class Scope:
 
     Attributes
     ----------
-    inputs, heard
+    inputs, audible
         Inputs of the design, and those that are neither muted nor beside a solo one.
     channels
         Outputs times axes that were brought back to time; 0 where no panel shows them.
@@ -102,7 +100,7 @@ class Scope:
     """
 
     inputs: int
-    heard: int
+    audible: int
     channels: int
     all_channels: int
     has_map: bool
@@ -121,18 +119,22 @@ class Scope:
         return max(self.work.inverse_transforms - others, 0)
 
     def phrases(self) -> tuple[str, ...]:
-        """Words for the status bar, from all to the least."""
+        """Return texts for the status bar, from the longest to the shortest."""
         if not self.inputs:
             return ("No input yet", "No input")
-        felt = heard_inputs_text(self.inputs, self.heard)
+        audible_text = audible_inputs_text(self.inputs, self.audible)
         long = " · long scene, summed piece by piece" if self.streamed else ""
-        return (*([f"{felt} · up to date{long}"] if long else []), f"{felt} · up to date", felt)
+        return (
+            *([f"{audible_text} · up to date{long}"] if long else []),
+            f"{audible_text} · up to date",
+            audible_text,
+        )
 
     def sentences(self) -> str:
-        """All of it in whole sentences, one on a line."""
-        silent = self.inputs - self.heard
+        """Return all of it in sentences, one on a line."""
+        silent = self.inputs - self.audible
         lines = [
-            f"{self.heard} of {self.inputs} inputs are felt"
+            f"{self.audible} of {self.inputs} inputs are felt"
             + (f"; {silent} muted or silenced by solo cost nothing." if silent else "."),
             f"{self.channels} of {self.all_channels} channels were brought back to time: the "
             "selected outputs, on the chosen axes."
@@ -167,21 +169,21 @@ class Scope:
         )
 
 
-def heard_inputs_text(inputs: int, heard: int) -> str:
-    """Say how many inputs there are, and how many of them are felt."""
-    words = "input" if inputs == 1 else "inputs"
-    return f"{inputs} {words}" if heard == inputs else f"{heard} of {inputs} {words} felt"
+def audible_inputs_text(inputs: int, audible: int) -> str:
+    """Return the text on how many inputs there are, and how many are felt."""
+    text = "input" if inputs == 1 else "inputs"
+    return f"{inputs} {text}" if audible == inputs else f"{audible} of {inputs} {text} felt"
 
 
 def scope_of(outcome: Outcome) -> Scope:
-    """What ``outcome`` has computed."""
+    """Return what ``outcome`` has computed."""
     given, wanted = outcome.request.given, outcome.request.wanted
     values = outcome.values or {}
     limb: Limb = values["limb_data"]
     shows_channels = bool(wanted & _IN_TIME)
     return Scope(
         inputs=len(given["inputs"]),
-        heard=len(audible_inputs(given["inputs"])),
+        audible=len(audible_inputs(given["inputs"])),
         channels=len(given["outputs"]) * len(given["axes"]) if shows_channels else 0,
         all_channels=limb.n_outputs * limb.n_axes,
         has_map="output_levels_db" in wanted,
@@ -190,13 +192,9 @@ def scope_of(outcome: Outcome) -> Scope:
     )
 
 
-# How often what the status bar says may change.
-
 #: Numbers that change faster cannot be read, ms.
 PAUSE_MS = 250
 
-
-# A small picture of the last times.
 
 #: One frame of most screens.
 FRAME_S = 0.016
@@ -211,7 +209,7 @@ class Sparkline(QWidget):
     Parameters
     ----------
     about
-        Makes the words that describe the times; asked when somebody wants them.
+        Returns the text that describes the times.
     """
 
     def __init__(self, about: Callable[[], str], parent: QWidget | None = None) -> None:
@@ -269,8 +267,6 @@ class Sparkline(QWidget):
             self._pause.start()
 
 
-# How long the last edit took until it was seen.
-
 _WIDEST = "8888 ms"
 
 
@@ -282,7 +278,7 @@ class TimingLabel(QLabel):
     window
         The window whose painting is waited for.
     engine
-        Results are taken to be in the window's thread when it has finished.
+        Its `finished` signal is the time at which results arrive.
     """
 
     #: An edit was painted: the times are new.
@@ -301,14 +297,14 @@ class TimingLabel(QLabel):
         self._delivered: tuple[Outcome, float] | None = None
         self._is_first = True
         self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
-        self._pause.timeout.connect(self._say)
+        self._pause.timeout.connect(self._show_text)
         self._fit()
         window.installEventFilter(self)
         engine.finished.connect(self._note_arrival)
 
     def show_outcome(self, outcome: Outcome) -> None:
         """Wait until results, which the panels have by now, are painted."""
-        # What nobody sees is painted when the window comes back: no time of an edit.
+        # A hidden window is painted when it comes back: that is no time of an edit.
         if self._window.isVisible() and not self._window.isMinimized():
             known = self._arrived is not None and self._arrived[0] is outcome
             arrived_s = self._arrived[1] if known and self._arrived else perf_counter()
@@ -317,10 +313,10 @@ class TimingLabel(QLabel):
     def show_no_outcome(self) -> None:
         """Forget the last time: there are no results."""
         self._delivered, self.last = None, None
-        self._say()
+        self._show_text()
 
     def about_times(self) -> str:
-        """Words about the last edits."""
+        """Return a text about the times of the last edits."""
         return summary(self.times.seconds())
 
     def changeEvent(self, event: QEvent) -> None:
@@ -349,31 +345,29 @@ class TimingLabel(QLabel):
             total_s=now_s - outcome.request.since_s,
         )
         if self._is_first:
-            # The first picture follows no edit: how long it took says nothing about edits.
+            # The first picture follows no edit, so its time is not counted.
             self._is_first, self.last = False, None
             return
         self.times.note(self.last.total_s)
         self.noted.emit()
         if not self._pause.isActive():
-            self._say()
+            self._show_text()
             self._pause.start()
 
-    def _say(self) -> None:
-        words = "" if self.last is None else milliseconds(self.last.total_s)
-        if words != self.text():
-            self.setText(words)
+    def _show_text(self) -> None:
+        text = "" if self.last is None else milliseconds(self.last.total_s)
+        if text != self.text():
+            self.setText(text)
             self._fit()
         sentence = "" if self.last is None else self.last.sentence()
         self.setToolTip(f"{sentence}\n{self.about_times()}".strip())
 
     def _fit(self) -> None:
-        """Stay of one size: else the whole window is laid out anew for each time that is said."""
+        """Keep one size: else the whole window is laid out anew for each time."""
         metrics = self.fontMetrics()
-        words = max(map(metrics.horizontalAdvance, (_WIDEST, self.text())))
-        self.setFixedSize(words, metrics.height())
+        width = max(map(metrics.horizontalAdvance, (_WIDEST, self.text())))
+        self.setFixedSize(width, metrics.height())
 
-
-# The line under the panels: what the last edit cost, what it computed, how wrong it can be.
 
 _OLDER = "The panels show the design before the last edits"
 
@@ -389,9 +383,9 @@ class StatusLine(QWidget):
         Whose results it is about.
     """
 
-    #: Quantities that it asks for beside those of the panels.
+    #: Quantities that it needs beside those of the panels.
     needs = NEEDS
-    #: Something that it tells is new; at most some times a second.
+    #: Its text has changed; at most some times a second.
     changed = Signal()
 
     def __init__(self, window: QWidget, engine: Engine) -> None:
@@ -405,12 +399,12 @@ class StatusLine(QWidget):
         self._work.setObjectName("work")
         self._work.setAccessibleName("What was computed")
         self._work.setFont(tabular(self._work.font()))
-        self._heard = ""
-        self._lateness = Staleness(self)
-        self._lateness.changed.connect(self._follow_lateness)
+        self._audible = ""
+        self._staleness = Staleness(self)
+        self._staleness.changed.connect(self._follow_staleness)
         self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
-        self._pause.timeout.connect(self._say)
-        # Until something is edited there is no time to tell.
+        self._pause.timeout.connect(self._show_text)
+        # Before the first edit there is no time to show.
         self._times = QWidget()
         self._times.hide()
         times = QHBoxLayout(self._times)
@@ -433,33 +427,33 @@ class StatusLine(QWidget):
 
     def show_design(self, design: Design) -> None:
         """Count the inputs of ``design``, where nothing is known of results."""
-        count, heard = len(design.inputs), len(audible_inputs(design.inputs))
-        self._heard = heard_inputs_text(count, heard) if count else "No input yet"
+        count, audible = len(design.inputs), len(audible_inputs(design.inputs))
+        self._audible = audible_inputs_text(count, audible) if count else "No input yet"
         if self.scope is None:
-            self._say()
+            self._show_text()
 
     def show_outcome(self, outcome: Outcome) -> None:
         """Take over what the panels show now."""
         self.scope = scope_of(outcome)
         self.timing.show_outcome(outcome)
-        self._say_soon()
+        self._show_text_soon()
 
     def show_no_outcome(self) -> None:
         """Forget the last results: there are none."""
         self.scope = None
         self.timing.show_no_outcome()
         self.error.show_error(None)
-        self._say()
+        self._show_text()
 
     def show_stale(self, stale: bool) -> None:
-        """Say whether what is told is older than the design."""
-        self._lateness.set_stale(stale)
+        """Take over whether the results are older than the design."""
+        self._staleness.set_stale(stale)
 
     def show_error(self, error: TraceError | None) -> None:
-        """Take over what is known of the error; None: nothing yet."""
+        """Take over the error; None: not known yet."""
         if error is not self.error.error:
             self.error.show_error(error)
-            self._say_soon()
+            self._show_text_soon()
 
     def times_and_error(self) -> str:
         """Times of the latest edits, and the error of the traces, as a sentence or two."""
@@ -469,22 +463,22 @@ class StatusLine(QWidget):
         return f"{times}{known}"
 
     def _note_times(self) -> None:
-        self._times.setVisible(not self._lateness.late)
+        self._times.setVisible(not self._staleness.late)
         self._sparkline.show_times(self.timing.times.seconds())
 
     def _about_times(self) -> str:
         times = self.timing.about_times() or "Nothing was edited yet."
         return f"{times}\nOne bar for each edit, the thin line is one frame ({FRAME_S * 1e3:g} ms)."
 
-    def _follow_lateness(self, late: bool) -> None:
-        # Time and error of the results before would be read as those of what is awaited.
-        self._times.setVisible(not late and bool(self.timing.times.seconds()))
-        self.error.setVisible(not late)
-        self._say()
+    def _follow_staleness(self, stale: bool) -> None:
+        # Time and error of the old results would be read as those of the new ones.
+        self._times.setVisible(not stale and bool(self.timing.times.seconds()))
+        self.error.setVisible(not stale)
+        self._show_text()
 
-    def _say_soon(self) -> None:
+    def _show_text_soon(self) -> None:
         if not self._pause.isActive():
-            self._say()
+            self._show_text()
             self._pause.start()
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -499,13 +493,13 @@ class StatusLine(QWidget):
             # As the bar itself hides it, so that it comes back with the end of the message.
             self.setAttribute(Qt.WidgetAttribute.WA_WState_ExplicitShowHide, False)
 
-    def _say(self) -> None:
+    def _show_text(self) -> None:
         scope = self.scope
         if scope is None:
-            self._work.show_phrases((self._heard,))
+            self._work.show_phrases((self._audible,))
             self._work.setToolTip("")
-        elif self._lateness.late:
-            self._work.show_phrases((f"{self._heard} · computing…", "computing…"))
+        elif self._staleness.late:
+            self._work.show_phrases((f"{self._audible} · computing…", "computing…"))
             self._work.setToolTip(_OLDER)
         else:
             self._work.show_phrases(scope.phrases())
@@ -513,22 +507,20 @@ class StatusLine(QWidget):
         self.changed.emit()
 
 
-# Says in the status bar that the sound of a long design is prepared, and how to stop that.
-
 _WORDS = "Preparing the sound…"
 _HINT = "It is brought to the rate of the device from beginning to end, and plays then"
 
 
 class PreparingNote(QWidget):
-    """Words and Cancel; they come where it takes long, and go with the first sound."""
+    """A text and Cancel, shown while the sound of a long design is prepared."""
 
     cancel_wanted = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("preparing_sound")
-        words = QLabel(_WORDS)
-        words.setToolTip(_HINT)
+        label = QLabel(_WORDS)
+        label.setToolTip(_HINT)
         self._cancel = QPushButton("Cancel")
         self._cancel.setObjectName("cancel_preparing")
         self._cancel.setToolTip(f"Do not play ({shortcut_text('play')})")
@@ -539,24 +531,22 @@ class PreparingNote(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(UNIT_PX, 0, 0, 0)
         row.setSpacing(UNIT_PX)
-        row.addWidget(words)
+        row.addWidget(label)
         row.addWidget(self._cancel)
-        self._lateness = Staleness(self)
-        self._lateness.changed.connect(self._follow)
+        self._staleness = Staleness(self)
+        self._staleness.changed.connect(self._follow)
         self.hide()
 
     def show_preparing(self, preparing: bool) -> None:
-        """Say whether something is about to be played; a short while is not worth a word."""
-        self._lateness.set_stale(preparing)
+        """Take over whether the sound is being prepared; shown after a while."""
+        self._staleness.set_stale(preparing)
 
-    def _follow(self, late: bool) -> None:
+    def _follow(self, stale: bool) -> None:
         # The keyboard goes back to where work is done.
-        if not late and self._cancel.hasFocus():
+        if not stale and self._cancel.hasFocus():
             self.window().setFocus()
-        self.setVisible(late)
+        self.setVisible(stale)
 
-
-# Says in the status bar that a snapshot is shown louder or softer than it is, to match another.
 
 _ABOUT = (
     "What is shown and played has this gain; the design, its file and all exports have the "
@@ -565,12 +555,12 @@ _ABOUT = (
 
 
 class MatchNote(QToolButton):
-    """The gain; its menu keeps it or takes it off.  It takes no room where there is none.
+    """The gain of a matched snapshot; its menu keeps or removes it.  Hidden where there is none.
 
     Parameters
     ----------
     actions
-        What can be done about it.
+        The actions of its menu.
     parent
         As in Qt.
     """
@@ -587,24 +577,22 @@ class MatchNote(QToolButton):
         self.hide()
 
     def show_state(self, design: Design, view: View) -> None:
-        """Say with what gain ``design`` is shown."""
+        """Show the gain with which ``design`` is shown."""
         gain = view.match_gain(design)
-        words = match_text(gain)
-        if words != self.accessibleName():
-            self.setText(words)
-            self.setAccessibleName(words)
-            self.setToolTip(f"{words}. {_ABOUT}" if words else "")
-        self.setVisible(bool(words))
+        text = match_text(gain)
+        if text != self.accessibleName():
+            self.setText(text)
+            self.setAccessibleName(text)
+            self.setToolTip(f"{text}. {_ABOUT}" if text else "")
+        self.setVisible(bool(text))
 
-
-# How far a long job is, and the way to stop it.
 
 _BAR_PX, _NAME_PX = 96, 200
 _STEPS = 1000
 
 
 class JobBar(QWidget):
-    """What is being done, a bar, the time left, and Cancel; hidden while nothing is done."""
+    """The running job: title, progress, time left, and Cancel; hidden while no job runs."""
 
     def __init__(self, runner: JobRunner, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -629,7 +617,7 @@ class JobBar(QWidget):
         self._cancel.setAccessibleName("Cancel what is being done")
         self._cancel.setAutoDefault(False)
         self._cancel.clicked.connect(self._stop)
-        # Where the bar it stands in has room to spare, it is not for this.
+        # It does not grow where the status bar has room to spare.
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         row = QHBoxLayout(self)
         row.setContentsMargins(UNIT_PX, 0, 0, 0)
@@ -662,7 +650,7 @@ class JobBar(QWidget):
         total = progress.total
         self._bar.setRange(0, _STEPS if total else 0)
         self._bar.setValue(_STEPS * progress.done // total if total else 0)
-        # A bar that only moves looks full.
+        # Without a total, a bar that only moves looks full.
         self._bar.setVisible(bool(total))
         left = time_left_text(progress.seconds_left)
         percent = f"{100 * progress.done // total} %" if total else f"{progress.text.lower()}…"

@@ -1,4 +1,7 @@
-"""Lamps in a row, and which of them have words where there is more or less room."""
+"""Lamps in the status bar: the conditions of the measurement, and whether the design keeps them.
+
+The lamps are lit when edits pause. A card explains each condition, with a button that repairs it.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -55,8 +58,8 @@ NAMES = {
     "noise": "SNR",
     "scaling": "scaling",
 }
-# Whose lamps have words, where there is less and less room: of the last one only the worst.
-_SAID = (("left", "unknown", "kept"), ("left", "unknown"), ("left",), ())
+# States whose lamps have names, with less and less room; in the last row only the worst lamp.
+_NAMED_STATES = (("left", "unknown", "kept"), ("left", "unknown"), ("left",), ())
 _WORST = ("left", "unknown")
 _DOT_PX, _MARGIN_PX = 8.0, UNIT_PX // 2
 
@@ -78,65 +81,65 @@ class LampRow:
 
     @property
     def lamps(self) -> tuple[Finding, ...]:
-        """What has a lamp, in their order."""
-        return tuple(one for one in self.findings if one.name in NAMES)
+        """The findings that have a lamp, in order."""
+        return tuple(finding for finding in self.findings if finding.name in NAMES)
 
     @property
     def whole_px(self) -> int:
-        """Width in which all have words."""
-        return self._width(self._said(0))
+        """Width in which all lamps have names."""
+        return self._width(self._names_shown(0))
 
     @property
     def least_px(self) -> int:
-        """Width in which the worst one alone has words."""
-        return self._width(self._said(-1))
+        """Width in which only the worst lamp has its name."""
+        return self._width(self._names_shown(-1))
 
     def places(self, room: QRectF) -> list[tuple[Finding, QRectF]]:
-        """Where each lamp stands, with its words if there is room for them."""
-        rows = [self._said(k) for k in range(len(_SAID))]
-        words = next((one for one in rows if self._width(one) <= room.width()), rows[-1])
-        found, x = [], room.left() + _MARGIN_PX
-        for one in self.lamps:
-            wide = self._lamp_width(one, words)
-            found.append((one, QRectF(x, room.top(), wide, room.height())))
-            x += wide + UNIT_PX
-        return found
+        """Return the area of each lamp, with its name if there is room for it."""
+        rows = [self._names_shown(k) for k in range(len(_NAMED_STATES))]
+        named = next((names for names in rows if self._width(names) <= room.width()), rows[-1])
+        places, x = [], room.left() + _MARGIN_PX
+        for lamp in self.lamps:
+            width = self._lamp_width(lamp, named)
+            places.append((lamp, QRectF(x, room.top(), width, room.height())))
+            x += width + UNIT_PX
+        return places
 
     def at(self, x_px: float, room: QRectF) -> Finding | None:
-        """The lamp that is meant there."""
+        """Return the lamp at this position, or the nearest within a few pixels."""
         near = (
-            (abs(place.center().x() - x_px) - place.width() / 2, one.name, one)
-            for one, place in self.places(room)
+            (abs(area.center().x() - x_px) - area.width() / 2, lamp.name, lamp)
+            for lamp, area in self.places(room)
         )
         best = min(near, default=None)
         return None if best is None or best[0] > UNIT_PX else best[2]
 
-    def _said(self, row: int) -> frozenset[str]:
-        """Names of the lamps that have words in a row of the table, the worst one among them."""
+    def _names_shown(self, row: int) -> frozenset[str]:
+        """Return the lamps that have names in a row of the table, the worst one among them."""
         lamps = self.lamps
-        said = {one.name for one in lamps if one.state in _SAID[row]}
-        worst = (one.name for state in _WORST for one in lamps if one.state == state)
-        return frozenset(said | set(islice(worst, 1)))
+        names = {lamp.name for lamp in lamps if lamp.state in _NAMED_STATES[row]}
+        worst = (lamp.name for state in _WORST for lamp in lamps if lamp.state == state)
+        return frozenset(names | set(islice(worst, 1)))
 
-    def _lamp_width(self, one: Finding, words: frozenset[str]) -> float:
-        if one.name not in words:
+    def _lamp_width(self, lamp: Finding, named: frozenset[str]) -> float:
+        if lamp.name not in named:
             return _DOT_PX
-        return _DOT_PX + 4 + self.metrics.horizontalAdvance(NAMES[one.name])
+        return _DOT_PX + 4 + self.metrics.horizontalAdvance(NAMES[lamp.name])
 
-    def _width(self, words: frozenset[str]) -> int:
+    def _width(self, named: frozenset[str]) -> int:
         lamps = self.lamps
         if not lamps:
             return 0
-        wide = sum(self._lamp_width(one, words) for one in lamps)
-        return round(wide + UNIT_PX * (len(lamps) - 1) + 2 * _MARGIN_PX)
+        width = sum(self._lamp_width(lamp, named) for lamp in lamps)
+        return round(width + UNIT_PX * (len(lamps) - 1) + 2 * _MARGIN_PX)
 
 
-def paint_lamp(painter: QPainter, finding: Finding, place: QRectF, theme: Theme) -> None:
-    """Draw a lamp, and its name where its place is wide enough.
+def paint_lamp(painter: QPainter, finding: Finding, area: QRectF, theme: Theme) -> None:
+    """Draw a lamp, and its name where its place is width enough.
 
-    Amber: left; a ring: nothing is known; a dim dot: kept.
+    Amber: a caution; a ring: unknown; a dim dot: the condition is kept.
     """
-    dot = QRectF(place.left(), place.center().y() - _DOT_PX / 2, _DOT_PX, _DOT_PX)
+    dot = QRectF(area.left(), area.center().y() - _DOT_PX / 2, _DOT_PX, _DOT_PX)
     if finding.state == "left":
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(theme.warning))
@@ -147,13 +150,11 @@ def paint_lamp(painter: QPainter, finding: Finding, place: QRectF, theme: Theme)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(theme.border))
     painter.drawEllipse(dot.adjusted(0.5, 0.5, -0.5, -0.5))
-    if place.width() > _DOT_PX + 1:
+    if area.width() > _DOT_PX + 1:
         painter.setPen(QColor(theme.warning if finding.state == "left" else theme.dim))
-        words = place.adjusted(_DOT_PX + 3, 0, 0, 0)
-        painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, NAMES[finding.name])
+        text_area = area.adjusted(_DOT_PX + 3, 0, 0, 0)
+        painter.drawText(text_area, Qt.AlignmentFlag.AlignVCenter, NAMES[finding.name])
 
-
-# Lamps in the status bar: conditions of the measurement, and whether the design keeps them.
 
 STATES = {"kept": "kept", "left": "caution", "unknown": "unknown"}
 _OLDER = "updating: of an older design"
@@ -162,9 +163,9 @@ _TEXT, _PALE = 0.92, 0.45
 
 
 class ValidityLamps(QWidget):
-    """Shows a `LampRow`, tells which lamp is meant, and says what is of an older design."""
+    """Shows a `LampRow`, emits which lamp was chosen, and shows stale findings pale."""
 
-    #: The name of a lamp was chosen, and where its explanation shall stand, on the screen.
+    #: The name of the chosen lamp, and the position of its explanation on the screen.
     chosen = Signal(str, QPoint)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -175,46 +176,46 @@ class ValidityLamps(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.findings: Findings = ()
-        self._lateness = Staleness(self)
-        self._lateness.changed.connect(self._follow_lateness)
+        self._staleness = Staleness(self)
+        self._staleness.changed.connect(self._follow_staleness)
 
     @property
-    def words_font(self) -> QFont:
-        """Of the names, as large as letters are now."""
+    def text_font(self) -> QFont:
+        """The font of the names, of the present size."""
         return scaled(self.font(), _TEXT)
 
     @property
     def row(self) -> LampRow:
-        """What was found, in letters of the present size."""
-        return LampRow(findings=self.findings, metrics=QFontMetrics(self.words_font))
+        """The lamps of the present findings."""
+        return LampRow(findings=self.findings, metrics=QFontMetrics(self.text_font))
 
     @property
     def places(self) -> list[tuple[Finding, QRectF]]:
-        """Where each lamp stands."""
+        """The area of each lamp."""
         return self.row.places(QRectF(self.rect()))
 
     def show_findings(self, findings: Findings) -> None:
-        """Take over what was found."""
-        self._lateness.set_stale(False)
+        """Take over new findings."""
+        self._staleness.set_stale(False)
         if findings != self.findings:
             self.findings = findings
             self._describe()
-            lit = sum(one.state == "left" for one in self.row.lamps)
+            lit = sum(lamp.state == "left" for lamp in self.row.lamps)
             self.setAccessibleName(f"{_NAME}: {lit or 'no'} caution{'' if lit == 1 else 's'}")
             self.updateGeometry()
         self.update()
 
     def set_stale(self, stale: bool) -> None:
-        """Say whether what was found belongs to an older design; told after a while."""
-        self._lateness.set_stale(stale)
+        """Take over whether the findings belong to an older design; shown after a while."""
+        self._staleness.set_stale(stale)
 
-    def _follow_lateness(self) -> None:
+    def _follow_staleness(self) -> None:
         self._describe()
         self.update()
 
     def _describe(self) -> None:
-        said = [f"{NAMES[one.name]}: {STATES[one.state]}" for one in self.row.lamps]
-        self.setAccessibleDescription("; ".join([_OLDER] * self._lateness.late + said))
+        states = [f"{NAMES[lamp.name]}: {STATES[lamp.state]}" for lamp in self.row.lamps]
+        self.setAccessibleDescription("; ".join([_OLDER] * self._staleness.late + states))
 
     def sizeHint(self) -> QSize:
         return self._size(self.row.whole_px)
@@ -224,23 +225,23 @@ class ValidityLamps(QWidget):
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
-            found = self.row.at(event.pos().x(), QRectF(self.rect()))
-            words = "" if found is None else _words_of(found, late=self._lateness.late)
-            QToolTip.showText(event.globalPos(), words, self)
+            finding = self.row.at(event.pos().x(), QRectF(self.rect()))
+            text = "" if finding is None else _lamp_text(finding, stale=self._staleness.late)
+            QToolTip.showText(event.globalPos(), text, self)
             return True
         return super().event(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        found = self.row.at(event.position().x(), QRectF(self.rect()))
-        if event.button() == Qt.MouseButton.LeftButton and found is not None:
-            self._choose(found)
+        finding = self.row.at(event.position().x(), QRectF(self.rect()))
+        if event.button() == Qt.MouseButton.LeftButton and finding is not None:
+            self._choose(finding)
         else:
             super().mousePressEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         keys = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
         if event.key() in keys and (lamps := self.row.lamps):
-            lit = (one for one in lamps if one.state == "left")
+            lit = (lamp for lamp in lamps if lamp.state == "left")
             self._choose(next(lit, lamps[0]))
         else:
             super().keyPressEvent(event)
@@ -248,29 +249,27 @@ class ValidityLamps(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setFont(self.words_font)
-        painter.setOpacity(_PALE if self._lateness.late else 1.0)
-        for finding, place in self.places:
-            paint_lamp(painter, finding, place, current_theme())
+        painter.setFont(self.text_font)
+        painter.setOpacity(_PALE if self._staleness.late else 1.0)
+        for finding, area in self.places:
+            paint_lamp(painter, finding, area, current_theme())
         if self.hasFocus():
             paint_focus_frame(painter, QRectF(self.rect()), current_theme())
         painter.end()
 
     def _size(self, width_px: int) -> QSize:
-        return QSize(width_px, QFontMetrics(self.words_font).height() + 2)
+        return QSize(width_px, QFontMetrics(self.text_font).height() + 2)
 
     def _choose(self, finding: Finding) -> None:
         self.chosen.emit(finding.name, self.mapToGlobal(QPoint(0, 0)))
 
 
-def _words_of(finding: Finding, *, late: bool = False) -> str:
+def _lamp_text(finding: Finding, *, stale: bool = False) -> str:
     name = NAMES[finding.name]
     head = f"{name[:1].upper()}{name[1:]}: {STATES[finding.state]}"
-    head = f"{head} · {_OLDER}" if late else head
+    head = f"{head} · {_OLDER}" if stale else head
     return f"{head}\n{finding.sentence}\nClick to see what can be done."
 
-
-# What is said of each condition, and a button where something can be done.
 
 _TITLES = {
     "inputs": "Inputs",
@@ -281,20 +280,20 @@ _TITLES = {
     "limb": "Limb",
     "scaling": "Scaling",
 }
-_MENDS = {
+_REPAIRS = {
     "band_limit": "Limit to the band",
     "quieter": "Play within it",
     "probe_scaling": "Use probe scaling",
     "deselect": "Deselect them",
 }
-_WORDS_EM = 28
+_TEXT_EM = 28
 
 
 class ValidityCard(QFrame):
-    """A card over the status bar; it goes at the next click elsewhere, or with Esc."""
+    """A card over the status bar; it closes at the next click elsewhere, or with Esc."""
 
-    #: The `Finding` that shall be mended.
-    mend_wanted = Signal(object)
+    #: The `Finding` whose cause is to be repaired.
+    repair_wanted = Signal(object)
 
     def __init__(self, findings: Findings, first: str, parent: QWidget) -> None:
         super().__init__(parent, Qt.WindowType.Popup)
@@ -306,47 +305,45 @@ class ValidityCard(QFrame):
         grid.setHorizontalSpacing(2 * UNIT_PX)
         grid.setVerticalSpacing(UNIT_PX)
         grid.setColumnStretch(1, 1)
-        for row, one in enumerate(findings):
-            self._add(grid, row, one, chosen=one.name == first)
+        for row, finding in enumerate(findings):
+            self._add(grid, row, finding, chosen=finding.name == first)
 
-    def open_above(self, place: QPoint) -> None:
-        """Show it with its lower edge at a place of the screen."""
+    def open_above(self, position: QPoint) -> None:
+        """Show it with its lower edge at a position of the screen."""
         self.adjustSize()
         screen = self.screen().availableGeometry()
-        left = min(max(place.x(), screen.left()), screen.right() - self.width())
-        self.move(left, max(place.y() - self.height() - 2, screen.top()))
+        left = min(max(position.x(), screen.left()), screen.right() - self.width())
+        self.move(left, max(position.y() - self.height() - 2, screen.top()))
         self.show()
 
-    def _add(self, grid: QGridLayout, row: int, one: Finding, *, chosen: bool) -> None:
-        title = QLabel(f"{_TITLES[one.name]}\n{STATES[one.state]}")
-        set_tone(title, "warning" if one.state == "left" else "dim")
+    def _add(self, grid: QGridLayout, row: int, finding: Finding, *, chosen: bool) -> None:
+        title = QLabel(f"{_TITLES[finding.name]}\n{STATES[finding.state]}")
+        set_tone(title, "warning" if finding.state == "left" else "dim")
         font = title.font()
         font.setBold(chosen)
         title.setFont(font)
-        words = QLabel(one.sentence)
-        words.setObjectName(f"validity_{one.name}")
-        words.setWordWrap(True)
-        # Wrapped words are as high as their width makes them, which grids forget.
-        wide = _WORDS_EM * self.fontMetrics().horizontalAdvance("m")
-        words.setFixedWidth(wide)
-        words.setFixedHeight(words.heightForWidth(wide))
+        label = QLabel(finding.sentence)
+        label.setObjectName(f"validity_{finding.name}")
+        label.setWordWrap(True)
+        # Grids do not take the height of wrapped text into account.
+        width = _TEXT_EM * self.fontMetrics().horizontalAdvance("m")
+        label.setFixedWidth(width)
+        label.setFixedHeight(label.heightForWidth(width))
         top = Qt.AlignmentFlag.AlignTop
         grid.addWidget(title, row, 0, top)
-        grid.addWidget(words, row, 1, top)
-        if one.mend:
-            button = QPushButton(_MENDS[one.mend])
-            button.setObjectName(f"mend_{one.name}")
-            button.clicked.connect(partial(self._mend, one))
+        grid.addWidget(label, row, 1, top)
+        if finding.mend:
+            button = QPushButton(_REPAIRS[finding.mend])
+            button.setObjectName(f"mend_{finding.name}")
+            button.clicked.connect(partial(self._repair, finding))
             grid.addWidget(button, row, 2, top)
             if chosen:
                 button.setFocus()
 
-    def _mend(self, finding: Finding) -> None:
+    def _repair(self, finding: Finding) -> None:
         self.close()
-        self.mend_wanted.emit(finding)
+        self.repair_wanted.emit(finding)
 
-
-# Has it judged, when there is time for it, what the present prediction is not good for.
 
 _IDLE_MS = 400
 _WANTED = frozenset({"validity"})
@@ -357,17 +354,10 @@ class Validity(QObject):
 
     Parameters
     ----------
-    document, engine
-        Whose design, and who evaluates.
     panels
-        Of these the skin map hatches what is mostly noise.
+        The skin map among them hatches outputs that are mostly noise.
     status_bar
-        Where the lamps stand.
-
-    Attributes
-    ----------
-    lamps
-        The lamps.
+        Shows the lamps.
     """
 
     def __init__(
@@ -383,7 +373,7 @@ class Validity(QObject):
         self._noisy: tuple[int, ...] = ()
         panels.each(lambda panel: panel.show_noisy(self._noisy))
         self._shown: Request | None = None
-        # What the lamps were lit from; None: they are not.
+        # The sources of the present findings; None without findings.
         self._judged: Mapping[str, Any] | None = None
         self.lamps = ValidityLamps()
         status_bar.addPermanentWidget(self.lamps)
@@ -394,7 +384,7 @@ class Validity(QObject):
         self.lamps.chosen.connect(self._explain)
 
     def _follow(self) -> None:
-        """Say whether what is lit would be judged from something else now."""
+        """Show whether the findings would have other sources now."""
         if self._judged is None:
             return
         now = sources_shown(self._document.design, self._document.view)
@@ -407,11 +397,11 @@ class Validity(QObject):
             judged = outcome.values is not None and not too_large(request.given["limb"])
             self._shown = request if judged else None
             if self._shown is None:
-                self._tell(None)
+                self._show_outcome(None)
             else:
                 self._idle.start()
         elif request.place == (FIRST_SLOT, Purpose.JUDGE) and self._is_shown(request):
-            self._tell(outcome)
+            self._show_outcome(outcome)
 
     def _is_shown(self, request: Request) -> bool:
         return self._shown is not None and request.given == self._shown.given
@@ -420,20 +410,20 @@ class Validity(QObject):
         if self._shown is not None and self.lamps.isVisible():
             self._engine.request(replace(self._shown, wanted=_WANTED, purpose=Purpose.JUDGE))
 
-    def _tell(self, outcome: Outcome | None) -> None:
-        found = () if outcome is None or outcome.values is None else outcome.values["validity"]
-        self.lamps.show_findings(found)
+    def _show_outcome(self, outcome: Outcome | None) -> None:
+        findings = () if outcome is None or outcome.values is None else outcome.values["validity"]
+        self.lamps.show_findings(findings)
         self._judged = None if outcome is None else outcome.request.given
-        # There may have been edits since.
+        # The design may have been edited since.
         self._follow()
-        self._noisy = next((one.outputs for one in found if one.name == "noise"), ())
+        self._noisy = next((finding.outputs for finding in findings if finding.name == "noise"), ())
         for panel in self._panels:
             panel.show_noisy(self._noisy)
 
-    def _explain(self, name: str, place: QPoint) -> None:
+    def _explain(self, name: str, position: QPoint) -> None:
         card = ValidityCard(self.lamps.findings, name, self.lamps)
-        card.mend_wanted.connect(self._mend)
-        card.open_above(place)
+        card.repair_wanted.connect(self._repair)
+        card.open_above(position)
 
-    def _mend(self, finding: Finding) -> None:
+    def _repair(self, finding: Finding) -> None:
         self._document.apply(edits.mend(self._document.design, self._document.view, finding))

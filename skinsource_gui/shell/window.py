@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QEventLoop, QObject
 from PySide6.QtGui import QAction, QCloseEvent
+from PySide6.QtWidgets import QMainWindow, QMenu
 
 from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource.engine.quantities import graphs_that_share
-from skinsource_gui import pages
 from skinsource_gui.pages.actions import (
     FileDrops,
     ImportActions,
@@ -24,12 +24,12 @@ from skinsource_gui.shell.appearance import Appearance, WindowFrame
 from skinsource_gui.shell.bars import SetupBar, StudioBar
 from skinsource_gui.shell.carrying import PanelPictures
 from skinsource_gui.shell.drops import ClipDrops, ClipsAndClipboard, kind_choices
-from skinsource_gui.shell.focus import ShortcutsInFields, focus_capabilities, move_focus
+from skinsource_gui.shell.focus import ClipDrawing, PanelFocus, ShortcutsInFields, move_focus
 from skinsource_gui.shell.keeping import AutosaveAndRecovery
 from skinsource_gui.shell.limb_note import LimbNote
 from skinsource_gui.shell.menus import ActionSet, RecentMenu, fill_menu_bar
 from skinsource_gui.shell.notices import FirstHints, Installations, Notice, Reports, RunningJobs
-from skinsource_gui.shell.pages import Pages, limb_pages
+from skinsource_gui.shell.pages import Pages
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.playing import Playback
 from skinsource_gui.shell.presenting import Presenter
@@ -41,14 +41,14 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FirstPaintEngine
 from skinsource_gui.state.historian import Historian
 from skinsource_gui.state.job_runner import JobRunner, WaveletLevelling
-from skinsource_gui.state.panel import Panel, PanelRegistry
+from skinsource_gui.state.panel import PREPARING, Panel, PanelRegistry
 from skinsource_gui.state.preferences import InstalledLimbs, Preferences
 
 _LARGEST_AT_FIRST = (1600, 940)
 
 
-class MainWindow(docks.ListsPanels):
-    """Puts document, engine, panels and actions together; decides nothing else."""
+class MainWindow(QMainWindow):
+    """Connects document, engine, panels and actions; decides nothing else."""
 
     def __init__(
         self,
@@ -77,8 +77,9 @@ class MainWindow(docks.ListsPanels):
         self.status_line = StatusLine(self, self.engine)
         self.job_bar = JobBar(self.runner)
         self.accuracy = Accuracy(self.engine, self)
-        said_in = self.notice, self.statusBar(), self.status_line
-        self.reports = Reports(self.document, *said_in, self.accuracy)
+        self.reports = Reports(
+            self.document, self.notice, self.statusBar(), self.status_line, self.accuracy
+        )
         self._limb_note = LimbNote()
         self._make_capabilities()
         self.action_set = ActionSet(ACTIONS, self.document, self._capabilities(), self)
@@ -91,24 +92,21 @@ class MainWindow(docks.ListsPanels):
         Historian(self.document, self.panels)
         self._connect()
         self.appearance.apply()
-        told = self.reports.report, self.files, preferences
-        self.panels.each(
-            dock_layout.PanelInstaller(self.docks, self.do, self.reports.complain, *told)
-        )
+        self.panels.each(self._install)
         self.layout_of_docks.restore()
         self._show_limbs()
         self._show_state()
 
     def panel(self, name: str) -> Panel:
-        """The panel of that name; it is made if nobody has looked at it before."""
+        """Return the panel of that name, which is made now if it was not in sight before."""
         return self.panels[name]
 
     def do(self, name: str) -> None:
-        """Do what the table of actions calls ``name``, if it can be done now."""
+        """Trigger the action ``name``, if it is enabled."""
         self.actions_by_name[name].trigger()
 
     def close_unasked(self) -> None:
-        """Close as the user would, but ask nothing; what is not saved is lost."""
+        """Close without a question; unsaved work is lost."""
         self.running_jobs.end()
         self.document.mark_saved(self.document.path)
         self.close()
@@ -122,41 +120,66 @@ class MainWindow(docks.ListsPanels):
 
     def _make_capabilities(self) -> None:
         places = {spec.panel.name: spec.places for spec in PANELS}
-        self.arrangements = arranged = dock_layout.Arrangements(self, self.docks, places)
+        self.arrangements = dock_layout.Arrangements(self, self.docks, places)
         self.dock_tabs = docks.DockTabs(self, self.docks)
-        self.layout_of_docks = dock_layout.DockLayout(self, self.docks, arranged, self.preferences)
-        content = self.layout_of_docks.content
-        self.files = FileActions(self.document, self.preferences, self, content)
+        self.layout_of_docks = dock_layout.DockLayout(
+            self, self.docks, self.arrangements, self.preferences
+        )
+        self.files = FileActions(
+            self.document, self.preferences, self, self.layout_of_docks.content
+        )
         saving = self.document, self.preferences, self.files
-        in_use = docks.PanelInUse(self, self.docks, self.panels, self.dock_tabs)
-        own = self.engine, self.panels, self.appearance, self.catch_up, self.docks, in_use
-        self.pictures = PanelPictures(self, self.document, *own)
+        self.pictures = PanelPictures(
+            self,
+            self.document,
+            self.engine,
+            self.panels,
+            self.appearance,
+            self.catch_up,
+            self.docks,
+            docks.PanelInUse(self, self.docks, self.panels, self.dock_tabs),
+        )
         self.exports = ExportActions(*saving, self.runner, self.pictures.picture_of, self)
         self.stimuli = StimulusActions(*saving, self.runner, self)
-        show = self.layout_of_docks.show_scene
-        self.scenes = SceneActions(*saving, self.limbs, show, self)
+        self.scenes = SceneActions(*saving, self.limbs, self.layout_of_docks.show_scene, self)
         self.comparison = Comparison(self.document, self.engine, self.panels)
-        kept = self.document, self.engine, self.runner, self.files, self.layout_of_docks
-        self.keeping = AutosaveAndRecovery(*kept, self.preferences.autosave_s, self)
+        self.keeping = AutosaveAndRecovery(
+            self.document,
+            self.engine,
+            self.runner,
+            self.files,
+            self.layout_of_docks,
+            self.preferences.autosave_s,
+            self,
+        )
         self.imports = ImportActions(self.document, self.preferences, self)
         self.library = LibraryActions(self.document, self)
         self.playback = Playback(self.document, self.preferences, self)
         self.running_jobs = RunningJobs(self.runner, self)
         self.levelling = WaveletLevelling(self.document, self.runner, self)
-        stage = self.document, self.panels, self.preferences, self.files, arranged
-        self.presenter = Presenter(self, *stage, self.layout_of_docks, lambda: self.actions_by_name)
-        measured = self.runner, self.status_line, self.preferences, self.document
+        self.presenter = Presenter(
+            self,
+            self.document,
+            self.panels,
+            self.preferences,
+            self.files,
+            self.arrangements,
+            self.layout_of_docks,
+            lambda: self.actions_by_name,
+        )
         self.pages = Pages(
             self,
-            ACTIONS,
             self._findable,
-            lambda parent: pages.AccuracyPage(*measured, parent),
-            *limb_pages(self.runner, self.limbs, *saving[:2]),
-            lambda parent: pages.MotionPage(self.document, parent),
+            self.document,
+            self.preferences,
+            self.runner,
+            self.limbs,
+            self.status_line,
         )
 
     def _capabilities(self) -> dict[str, QObject]:
         # By the names that the table of actions has for them.
+        panel_focus = PanelFocus(self.panels, self.arrangements.bring, self)
         return {
             "files": self.files,
             "exports": self.exports,
@@ -172,7 +195,8 @@ class MainWindow(docks.ListsPanels):
             "steps": self.document.undo_stack,
             "layout_of_docks": self.layout_of_docks,
             "dock_tabs": self.dock_tabs,
-            **focus_capabilities(self.panels, self.arrangements.bring, self),
+            "panel_focus": panel_focus,
+            "clip_drawing": ClipDrawing(self.panels, panel_focus, self),
             "clips": ClipsAndClipboard(self.document, self),
             "appearance": self.appearance,
             "pages": self.pages,
@@ -185,16 +209,28 @@ class MainWindow(docks.ListsPanels):
         actions = self.actions_by_name
         recent = RecentMenu(self.files.recent, self)
         recent.chosen.connect(self.files.open)
-        self.panel_toggles = docks.menu_toggles(self.docks.values(), self)
-        fill_menu_bar(self.menuBar(), ACTIONS, actions, recent, self.panel_toggles)
+        self._panel_toggles = docks.menu_toggles(self.docks.values(), self)
+        fill_menu_bar(self.menuBar(), ACTIONS, actions, recent, self._panel_toggles)
         groups = [[actions["undo"], actions["redo"]], [actions["find_action"]]]
         self._bar = StudioBar(self.setup_bar, self.playback.bar, groups, self)
         self.statusBar().addWidget(self.status_line, 1)
         self._match_note = MatchNote([actions["keep_match_gain"], actions["match_levels"]])
-        for told in (self._match_note, self.playback.note, self.job_bar):
-            self.statusBar().addPermanentWidget(told)
+        for widget in (self._match_note, self.playback.note, self.job_bar):
+            self.statusBar().addPermanentWidget(widget)
         self.validity = Validity(self.document, self.engine, self.panels, self.statusBar())
         self.statusBar().addPermanentWidget(self._limb_note)
+
+    def _install(self, panel: Panel) -> None:
+        """Connect a panel that was just made, after all others have met it, and show it."""
+        panel.action_wanted.connect(self.do)
+        panel.failed.connect(self.reports.complain)
+        panel.done.connect(self.reports.report)
+        panel.written.connect(self.files.note_written)
+        self.files.folder_changed.connect(panel.show_folder)
+        panel.show_folder(self.preferences.folder)
+        if panel.needs:
+            panel.show_problem(PREPARING)
+        self.docks[panel.name].hold(panel)
 
     def _connect(self) -> None:
         document, reports = self.document, self.reports
@@ -206,9 +242,9 @@ class MainWindow(docks.ListsPanels):
         self.arrangements.text_scaled.connect(self.appearance.fit_room)
         self.layout_of_docks.settling.follow(self.appearance)
         self.setup_bar.edited.connect(document.apply)
-        # What a scene arranged goes before panels are shown that a file names.
-        for left in (self.files.started_over, self.files.opened):
-            left.connect(self.layout_of_docks.leave_scene)
+        # The arrangement of a scene is left before the panels of a file are shown.
+        for leaves_scene in (self.files.started_over, self.files.opened):
+            leaves_scene.connect(self.layout_of_docks.leave_scene)
         self.files.opened.connect(self.layout_of_docks.show_panels)
         self.scenes.opened.connect(self.presenter.note_scene)
         for begins_or_ends in (self.notice.pass_now, self.hints.put_away):
@@ -235,12 +271,12 @@ class MainWindow(docks.ListsPanels):
         self.accuracy.checked.connect(self.status_line.show_error)
         self.engine.finished.connect(reports.log_fault)
         Installations(self.runner, self.limbs, reports)
-        # What could not be computed before is tried again.
+        # With other limbs, predictions that failed are tried again.
         for follow in (self._show_limbs, self.comparison.forget_problems, document.changed):
             self.limbs.changed.connect(follow)
 
     def _findable(self) -> list[QAction]:
-        others = [one for name, one in self.actions_by_name.items() if name != "find_action"]
+        others = [action for name, action in self.actions_by_name.items() if name != "find_action"]
         panels = docks.toggles(self.docks.values())
         return [*others, *panels, *self.setup_bar.choices(None), *kind_choices(self.document)]
 
@@ -260,6 +296,12 @@ class MainWindow(docks.ListsPanels):
         self.setup_bar.show_available(self.limbs.names)
         self._limb_note.show_available(self.limbs.names)
 
+    def createPopupMenu(self) -> QMenu:
+        # Qt's own menu lists docks in the order in which they were added to the window.
+        menu = QMenu(self)
+        menu.addActions(self._panel_toggles)
+        return menu
+
     def focusNextPrevChild(self, forward: bool) -> bool:
         bars = self.notice.buttons, self.setup_bar, self.playback.bar, self._bar
         regions = (*bars, *self.panels, self.statusBar())
@@ -269,8 +311,9 @@ class MainWindow(docks.ListsPanels):
         if not (self.files.may_lose_changes() and self.running_jobs.may_close()):
             event.ignore()
             return
-        first = (self.keeping.end, self.layout_of_docks.close, self.engine.close)
-        rest = (self.playback, self.running_jobs, self.pages, self.imports, self.stimuli)
-        for end in (*first, *(one.end for one in rest)):
-            end()
+        self.keeping.end()
+        self.layout_of_docks.close()
+        self.engine.close()
+        for part in (self.playback, self.running_jobs, self.pages, self.imports, self.stimuli):
+            part.end()
         super().closeEvent(event)

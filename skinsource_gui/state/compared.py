@@ -12,9 +12,9 @@ from skinsource.design.design import Design
 from skinsource.design.signal_path import unplayable_text
 from skinsource.design.view import View
 
-#: What is said where designs are shown as loud as each other.
+#: The note where designs are shown with matched levels.
 LEVELS_MATCHED = "levels matched"
-#: What stands where one would be shown that drives nothing.
+#: The note in place of a design that drives nothing.
 SILENT = "Silent: nothing is driven"
 #: Why two designs have no difference map.
 SILENCE = "One of them is silent: there is no difference in dB."
@@ -50,39 +50,39 @@ class Compared:
 
     @property
     def left_out(self) -> str:
-        """What its values are without: a sentence, or ""."""
+        """A sentence on the inputs that its values are without; "" where there are none."""
         return unplayable_text((self.values or {}).get("unplayable_inputs", ()))
 
     @property
     def name(self) -> str:
-        """What a card calls it."""
+        """Its name on a card."""
         return "Edited" if self.snapshot.number == EDITED else str(self.snapshot.number)
 
 
 def is_silent(compared: Compared) -> bool:
-    """Whether it is known that nothing moves: no other one can be matched to it, or minus it."""
+    """Return whether the design is known to be silent: nothing can be matched to it."""
     values = compared.values
     return values is not None and float(np.max(values["output_levels_db"])) <= FLOOR_DB
 
 
 def have_matching_level(compared: Sequence[Compared], *, matched: bool) -> bool:
-    """Whether designs that shall be ``matched`` are: what they are matched to has a level."""
-    first = min(compared, key=lambda one: one.snapshot.number, default=None)
+    """Return whether levels are ``matched``, and the first design has a level to match."""
+    first = min(compared, key=lambda design: design.snapshot.number, default=None)
     return matched and first is not None and not (is_silent(first) or first.problem)
 
 
 def display_gain_text(design: Design | None, view: View) -> str:
-    """What is said where the design in the window is shown louder or softer than it is."""
+    """Return the note on the gain with which the design in the window is shown."""
     return "" if design is None else match_text(view.match_gain(design))
 
 
 def matched_text(compared: Sequence[Compared]) -> str:
-    """By how much which of them are shown louder or softer: ``"2: −3.2 dB, matched"``; or ""."""
-    gains = [(one.name, gain_text(one.gain)) for one in compared]
-    said = ", ".join(f"{name}: {gain}" for name, gain in gains if gain)
-    return f"{said}, matched" if said else ""
+    """Return the gains with which designs are shown: ``"2: −3.2 dB, matched"``; or ""."""
+    gains = [(design.name, gain_text(design.gain)) for design in compared]
+    text = ", ".join(f"{name}: {gain}" for name, gain in gains if gain)
+    return f"{text}, matched" if text else ""
 
 
 def gain_db(compared: Compared) -> float:
-    """How much louder than it was stored it is shown, dB."""
+    """Return the gain with which a design is shown, dB."""
     return float(20.0 * np.log10(compared.gain))

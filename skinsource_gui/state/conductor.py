@@ -1,4 +1,4 @@
-"""Keeps the visible panels in step with the document."""
+"""Keeps the visible panels in step with the document, and the document with what panels want."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -34,19 +34,17 @@ WAIT_FOR_RESULTS_S = 0.016
 
 
 class Conductor(QObject):
-    """Tells visible panels the state, asks the engine for what they need, and hands it to them.
+    """Shows visible panels the state, and requests and delivers the results that they need.
 
-    Those that are hidden are told nothing: they take over all of it when they come into sight.
+    Hidden panels are shown nothing until they come into sight.
 
     Parameters
     ----------
-    document, engine, panels
-        Whose design, who evaluates, and who draws.
     also
         Quantities that come with whatever panels need.
     """
 
-    #: The reason, when what is wanted cannot be computed.
+    #: Why the results cannot be computed.
     failed = Signal(str)
     #: The `Outcome` that the panels now show.
     delivered = Signal(object)
@@ -63,18 +61,18 @@ class Conductor(QObject):
         super().__init__(document)
         self._document, self._engine, self._panels = document, engine, panels
         self._also = also
-        self._asked: Request | None = None
+        self._request: Request | None = None
         self._awaited = False
         self._shown: dict[Panel, tuple[Any, ...]] = {}
-        # What they needed, and the values it was computed from.
-        self._answered: dict[Panel, tuple[frozenset[str], Mapping[str, Any]]] = {}
-        # Panels whose next results have nothing to do with what they show.
-        self._anew: set[Panel] = set()
-        # Those whose needs take too long on the limb of the document.
-        self._refused: list[Panel] = []
-        # Those that know the present state.
-        self._told: set[Panel] = set()
-        document.jumped.connect(self._begin_anew)
+        # The needs of each panel, and the sources of its results.
+        self._delivered_to: dict[Panel, tuple[frozenset[str], Mapping[str, Any]]] = {}
+        # Panels whose next results do not continue what they show.
+        self._restarting: set[Panel] = set()
+        # Panels whose needs take too long on the limb of the document.
+        self._too_large: list[Panel] = []
+        # Panels that know the present state.
+        self._informed: set[Panel] = set()
+        document.jumped.connect(self._note_jump)
         document.changed.connect(self._follow)
         document.settled.connect(self._wait_for_results)
         document.playhead_moved.connect(self._follow_playhead)
@@ -86,13 +84,13 @@ class Conductor(QObject):
         self._tell(panel)
 
     def _tell(self, panel: Panel) -> None:
-        self._told.add(panel)
+        self._informed.add(panel)
         panel.show_state(self._document.design, self._document.seen)
 
     def _note_visibility(self, panel: Panel) -> None:
-        if panel.isVisible() and panel not in self._told:
+        if panel.isVisible() and panel not in self._informed:
             self._tell(panel)
-        self._ask()
+        self._request_results()
 
     def _follow(self) -> None:
         since_s = perf_counter()
@@ -100,11 +98,11 @@ class Conductor(QObject):
             if panel.isVisibleTo(panel.window()):
                 self._tell(panel)
             else:
-                self._told.discard(panel)
-        self._ask(since_s)
+                self._informed.discard(panel)
+        self._request_results(since_s)
 
     def _wait_for_results(self) -> None:
-        """Let results that are quick be there before anything is painted."""
+        """Wait a moment for quick results, so that they are painted with the edit."""
         awaited, self._awaited = self._awaited, False
         if awaited:
             self._engine.wait(WAIT_FOR_RESULTS_S)
@@ -114,20 +112,20 @@ class Conductor(QObject):
             if panel.isVisible():
                 panel.show_playhead(self._document.seen)
             else:
-                self._told.discard(panel)
+                self._informed.discard(panel)
 
-    def _begin_anew(self) -> None:
-        self._anew.update(self._panels)
+    def _note_jump(self) -> None:
+        self._restarting.update(self._panels)
 
-    def _ask(self, since_s: float | None = None) -> None:
-        """Ask for what is not known yet."""
+    def _request_results(self, since_s: float | None = None) -> None:
+        """Request the results that are not known yet."""
         visible = [panel for panel in self._panels if panel.isVisible()]
         for panel in self._panels:
             if panel not in visible:
                 self._shown.pop(panel, None)
         if not any(panel.needs for panel in visible):
             return
-        visible = self._without_refused(visible)
+        visible = self._without_too_large(visible)
         given = sources_shown(self._document.design, self._document.seen)
         wanted = self._also.union(*(panel.needs for panel in visible))
         if not wanted:
@@ -135,10 +133,10 @@ class Conductor(QObject):
         request = Request(
             wanted | {UNPLAYABLE}, given, perf_counter() if since_s is None else since_s
         )
-        behind = any(panel.needs and panel not in self._shown for panel in visible)
-        if self._asked == request and not behind:
+        is_missing = any(panel.needs and panel not in self._shown for panel in visible)
+        if self._request == request and not is_missing:
             return
-        self._asked = request
+        self._request = request
         for panel in visible:
             if panel.needs:
                 panel.show_stale(self._is_stale(panel))
@@ -146,23 +144,23 @@ class Conductor(QObject):
         self._engine.request(request)
         self._awaited = True
 
-    def _without_refused(self, visible: list[Panel]) -> list[Panel]:
-        """Those that can be shown what they need; the others are told why not."""
+    def _without_too_large(self, visible: list[Panel]) -> list[Panel]:
+        """Return the panels whose needs can be computed; the others show why not."""
         reason = too_large(self._document.design.limb)
-        self._refused = [
+        self._too_large = [
             panel
             for panel in visible
             if reason and FROM_THE_LIMB & self._engine.upstream_of(panel.needs)
         ]
-        self._explain(self._refused, reason)
-        return [panel for panel in visible if panel not in self._refused]
+        self._explain(self._too_large, reason)
+        return [panel for panel in visible if panel not in self._too_large]
 
     def _is_stale(self, panel: Panel) -> bool:
-        """Whether what a panel shows would be computed from something else now."""
-        if self._asked is None or panel not in self._answered:
+        """Return whether the results of a panel would have other sources now."""
+        if self._request is None or panel not in self._delivered_to:
             return True
-        needs, then = self._answered[panel]
-        now = self._asked.given
+        needs, then = self._delivered_to[panel]
+        now = self._request.given
         return needs != panel.needs or any(
             then[name] != now[name] for name in self._engine.upstream_of(needs) & now.keys()
         )
@@ -171,14 +169,14 @@ class Conductor(QObject):
         if outcome.request.place != (FIRST_SLOT, Purpose.SHOW):
             return
         visible = [panel for panel in self._panels if panel.isVisible() and panel.needs]
-        visible = [panel for panel in visible if panel not in self._refused]
+        visible = [panel for panel in visible if panel not in self._too_large]
         for panel in visible:
             panel.show_unplayable(outcome.values[UNPLAYABLE] if outcome.values else ())
         if outcome.values is None:
             reason = _reason(outcome.error)
             self._explain(visible, reason)
             self.failed.emit(reason)
-            self.stale.emit(outcome.request is not self._asked)
+            self.stale.emit(outcome.request is not self._request)
             return
         faults = [
             fault
@@ -187,15 +185,15 @@ class Conductor(QObject):
             and (fault := self._show_or_explain(panel, outcome, outcome.values)) is not None
         ]
         self.delivered.emit(outcome)
-        self.stale.emit(outcome.request is not self._asked)
+        self.stale.emit(outcome.request is not self._request)
         for fault in faults:
-            # The others show theirs; whoever looks for mistakes hears of this one.
+            # The other panels show their results; the fault is still reported.
             raise fault
 
     def _show_or_explain(
         self, panel: Panel, outcome: Outcome, values: Mapping[str, Any]
     ) -> Exception | None:
-        """Let a panel show its results; where it makes a mistake it says so, until the next."""
+        """Have a panel show its results; after an exception it shows that, and returns it."""
         fault: Exception | None = None
         try:
             self._show(panel, values)
@@ -203,9 +201,9 @@ class Conductor(QObject):
             fault = error
             self._shown.pop(panel, None)
             panel.show_problem(f"This panel cannot show it. {_reason(error)}")
-        self._answered[panel] = panel.needs, outcome.request.given
-        if outcome.request is self._asked:
-            self._anew.discard(panel)
+        self._delivered_to[panel] = panel.needs, outcome.request.given
+        if outcome.request is self._request:
+            self._restarting.discard(panel)
         stale = fault is None and self._is_stale(panel)
         panel.show_stale(stale)
         if stale:
@@ -213,19 +211,21 @@ class Conductor(QObject):
         return fault
 
     def _show(self, panel: Panel, values: Mapping[str, Any]) -> None:
-        # What has not changed is not drawn again.
-        held = tuple(values[name] for name in sorted(panel.needs))
+        # Results that have not changed are not drawn again.
+        results = tuple(values[name] for name in sorted(panel.needs))
         before = self._shown.get(panel, ())
-        if len(held) != len(before) or any(a is not b for a, b in zip(held, before, strict=True)):
-            if panel in self._anew:
+        if len(results) != len(before) or any(
+            a is not b for a, b in zip(results, before, strict=True)
+        ):
+            if panel in self._restarting:
                 panel.begin_anew()
             panel.show_results(values)
-            self._shown[panel] = held
+            self._shown[panel] = results
 
     def _explain(self, visible: list[Panel], reason: str) -> None:
         for panel in visible:
             self._shown.pop(panel, None)
-            self._answered.pop(panel, None)
+            self._delivered_to.pop(panel, None)
             panel.show_problem(reason)
             panel.show_stale(False)
 
@@ -237,19 +237,8 @@ def _reason(error: Exception | None) -> str:
     return f"{reason}. Undo the last edit, or choose something else; please report this."
 
 
-# What panels want of the document.
-
-
 class PanelController(QObject):
-    """Has the document do what panels want, and tells each where another one points.
-
-    Parameters
-    ----------
-    document
-        Whose design is edited; also the parent.
-    panels
-        Those who want something.
-    """
+    """Applies the edits of panels to the document, and shows panels where another one points."""
 
     def __init__(self, document: Document, panels: PanelRegistry) -> None:
         super().__init__(document)
@@ -280,6 +269,6 @@ class PanelController(QObject):
                 panel.show_pointed_input(input_id)
 
     def _with_playhead(self, view: View) -> View:
-        # While it moves, most panels know where it was, not where it is.
+        # While it moves, most panels have a view with an older playhead.
         playhead_s = self._document.view.playhead_s
         return view if view.playhead_s == playhead_s else replace(view, playhead_s=playhead_s)

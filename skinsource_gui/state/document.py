@@ -1,4 +1,4 @@
-"""Where a step of the history begins or ends."""
+"""The open design, the view on it, and their history."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -19,34 +19,34 @@ from skinsource_gui.state.history import MOST_STEPS
 
 
 class HistoryState:
-    """A design and a view, of which the history keeps selections and snapshots."""
+    """A design and a view, whose selections and snapshots the history brings back."""
 
     def __init__(self, design: Design, view: View):
         self.design, self.view = design, view
 
     def is_same(self, other: "HistoryState") -> bool:
-        """Whether the history need not tell them apart: going on to ``other`` loses nothing."""
+        """Return whether a step to ``other`` would lose nothing, so that none is needed."""
         mine, theirs = self.view, other.view
         same = mine.outputs == theirs.outputs and self.design == other.design
         if not same:
             return False
-        # How loud one was shown last is nothing that could be lost.
-        kept = {one.number: one.design for one in theirs.snapshots}
-        return all(kept.get(one.number) == one.design for one in mine.snapshots)
+        # The gain with which a snapshot was shown last is no loss.
+        designs = {snapshot.number: snapshot.design for snapshot in theirs.snapshots}
+        return all(designs.get(snapshot.number) == snapshot.design for snapshot in mine.snapshots)
 
     def is_before(self, other: "HistoryState") -> bool:
-        """Whether ``other`` goes on from this one, with the same inputs and clips selected."""
+        """Return whether ``other`` continues this state with the same inputs and clips."""
         return (
             self.design is other.design
             and self.view.selected_inputs == other.view.selected_inputs
             and self.view.selected_clips == other.view.selected_clips
         )
 
-    def seen_as(self, view: View, other: "HistoryState") -> View:
-        """Return ``view`` with the inputs, clips and outputs that were selected then.
+    def shown_with(self, view: View, other: "HistoryState") -> View:
+        """Return ``view`` with the inputs, clips and outputs that were selected in this state.
 
-        It has the snapshots as they were then where they differ from those of the ``other`` end of
-        the step, and all others as they are now.
+        Snapshots that differ from those at the ``other`` end of the step are taken from this state,
+        the others from ``view``.
         """
         return replace(
             view,
@@ -57,34 +57,32 @@ class HistoryState:
         )
 
 
-# The open design, its history, and the view on it.
-
 # Gestures count from 1, and -1 tells Qt that a step joins no other.
-_NO_GESTURE = -1
+_SINGLE_STEP = -1
 
 
 class Document(QObject):
     """Holds one immutable design and one immutable view.
 
     Edits swap both at once.  A step of the history brings back the design, the selected outputs,
-    inputs and clips, and those snapshots that it replaced or forgot; what else the view holds is
-    only looked at, and never undone.  To keep one more snapshot is no step: nothing is lost by it,
-    and none is lost by what is undone later.
+    inputs and clips, and those snapshots that it replaced or forgot; the rest of the view
+    is never undone.  To store one more snapshot is no step: nothing is lost by it, and undoing
+    later steps does not remove it.
     """
 
     changed = Signal()
-    #: An edit or a look is done, and everybody was told.
+    #: An edit or a change of the view is done, after `changed` was emitted.
     settled = Signal()
     #: The playhead alone has moved; then `changed` is not emitted.
     playhead_moved = Signal()
-    #: What comes does not go on from what was: a step was taken back or done again, or another file
-    #: is open.  Emitted before `changed`.
+    #: A step was undone or redone, or another file is open: the next state does not continue the
+    #: last one.  Emitted before `changed`.
     jumped = Signal()
-    #: The path, or whether there is something unsaved, has changed.
+    #: The path, or `modified`, has changed.
     title_changed = Signal()
     #: Why an edit was not made, in one sentence.
     refused = Signal(str)
-    #: What an edit that was made says of itself.
+    #: A message of an edit that was made.
     told = Signal(str)
 
     def __init__(self, design: Design, view: View | None = None, parent: QObject | None = None):
@@ -94,37 +92,37 @@ class Document(QObject):
         self._path: Path | None = None
         #: The file that the history begins with; None: it began with a new design.
         self.opened: Path | None = None
-        #: What it is called among the scenes it was opened from; "": it is none of them.
+        #: Name of the scene; "" where it is none.
         self.scene = ""
-        #: The file whose unsaved work was left over and is open now, until it is saved; else None.
+        #: The file whose recovered work is open, until it is saved; else None.
         self.recovered_from: Path | None = None
         self._saved_view = self._view
-        self._was_modified = self._lost = self._read_only = self._on_the_way = False
+        self._was_modified = self._lost = self._read_only = self._jumping = False
         self._as_stored = False
-        # Whether something else than what was saved has been made since, and not taken back.
-        self._made = False
+        # Whether the design was edited since it was saved, and the edit not undone.
+        self._edited = False
         self.undo_stack = QUndoStack(self)
         self.undo_stack.setUndoLimit(MOST_STEPS)
-        self.undo_stack.cleanChanged.connect(self._tell_title)
+        self.undo_stack.cleanChanged.connect(self._emit_title)
 
     @property
     def design(self) -> Design:
-        """The design as it is now."""
+        """The present design."""
         return self._design
 
     @property
     def view(self) -> View:
-        """What is looked at now."""
+        """The present view."""
         return self._view
 
     @property
     def seen(self) -> View:
-        """What panels show: the view, and no matched levels where they were `as_stored`."""
+        """The view that panels show; inside `as_stored` without matched levels."""
         return replace(self._view, levels_matched=False) if self._as_stored else self._view
 
     @contextmanager
     def as_stored(self) -> Iterator[None]:
-        """Let panels show snapshots as loud as they were stored; what is played stays as it is."""
+        """Have panels show snapshots as loud as they were stored; playback does not change."""
         if self._as_stored or not self._view.levels_matched:
             yield
             return
@@ -143,26 +141,26 @@ class Document(QObject):
 
     @property
     def read_only(self) -> bool:
-        """Whether another studio has that file."""
+        """Whether another studio has locked that file."""
         return self._read_only
 
     @property
     def modified(self) -> bool:
-        """Whether there are edits, or snapshots, that no file holds; choosing outputs is none."""
-        if self._lost or not _holds_snapshots(self._saved, self._saved_view, self._view):
+        """Whether there are edits or snapshots that no file holds; selections do not count."""
+        if self._lost or not _has_saved_snapshots(self._saved, self._saved_view, self._view):
             return True
         if self.undo_stack.isClean():
             return False
-        # What was made and removed by hand is in no file; a new design without it is no proof.
-        if self._made and self._path is None:
+        # A new design that was edited and is as at first counts as modified: no file holds it.
+        if self._edited and self._path is None:
             return True
         return self._design != self._saved
 
     def apply(self, outcome: Edit | Refusal, gesture: int | None = None) -> None:
-        """Take over what an edit leads to, or tell why there was none.
+        """Apply an edit, or emit why it was refused.
 
-        Edits of the same ``gesture`` (one drag of one handle) undo as one step; whoever selects
-        something else ends the gesture.
+        Edits of the same ``gesture`` (one drag of one handle) undo as one step; another selection
+        ends the gesture.
         """
         if isinstance(outcome, Refusal):
             self.refused.emit(outcome.sentence)
@@ -188,10 +186,10 @@ class Document(QObject):
 
     def look(self, view: View) -> None:
         """Replace the view."""
-        kept = self._view.snapshots
+        snapshots = self._view.snapshots
         self._show(self._design, view)
-        if self._view.snapshots is not kept:
-            self._tell_title()
+        if self._view.snapshots is not snapshots:
+            self._emit_title()
         self.settled.emit()
 
     def start_over(
@@ -216,56 +214,56 @@ class Document(QObject):
         self.recovered_from = recovered_from
         self._design, self._view = design, _existing(view, design)
         self._saved_view = self._view
-        self._made = False
+        self._edited = False
         self.jumped.emit()
         self.changed.emit()
         self._was_modified = self._lost = False
         self.title_changed.emit()
 
     def mark_saved(self, path: Path | None) -> None:
-        """Note that ``path`` holds the present design; None: no file shall, nothing is unsaved."""
+        """Note that ``path`` holds the present design; None: no file is needed."""
         self._path, self._saved, self._read_only = path, self._design, False
         self.recovered_from = None
         self._saved_view = self._view
         self.undo_stack.setClean()
-        self._was_modified = self._lost = self._made = False
+        self._was_modified = self._lost = self._edited = False
         self.title_changed.emit()
 
     def mark_lost(self) -> None:
-        """Note that the file is gone: nothing holds the design but this document."""
+        """Note that the file is lost, so that only this document holds the design."""
         self._lost = True
-        self._tell_title()
+        self._emit_title()
 
     def go_to(self, count: int) -> None:
-        """Take back, or do again, until ``count`` steps are done; tells once."""
+        """Undo or redo until ``count`` steps are done; `changed` is emitted once."""
         before = self._design, self._view
-        self._on_the_way = True
+        self._jumping = True
         try:
             self.undo_stack.setIndex(min(max(count, 0), self.undo_stack.count()))
         finally:
-            self._on_the_way = False
+            self._jumping = False
         if before != (self._design, self._view):
             self.changed.emit()
-        self._tell_title()
+        self._emit_title()
 
     def show_step(self, design: Design, view: View) -> None:
-        """Put these in place of the present ones; for steps of the history only."""
-        self._made = self._made or design != self._saved
+        """Replace design and view; for steps of the history only."""
+        self._edited = self._edited or design != self._saved
         self._show(design, view)
-        self._tell_title()
+        self._emit_title()
 
     def _show(self, design: Design, view: View) -> None:
         view = _existing(view, design)
         if (design, view) != (self._design, self._view):
             alone = design is self._design and _same_but_for_playhead(view, self._view)
             self._design, self._view = design, view
-            if not self._on_the_way:
+            if not self._jumping:
                 (self.playhead_moved if alone else self.changed).emit()
 
-    def _tell_title(self, clean: bool = False) -> None:
-        # Said by the history; while a step is done, it does not know yet what it will be.
-        self._made = self._made and not clean
-        if self._on_the_way:
+    def _emit_title(self, clean: bool = False) -> None:
+        # The history emits this before a step is complete.
+        self._edited = self._edited and not clean
+        if self._jumping:
             return
         if self.modified != self._was_modified:
             self._was_modified = self.modified
@@ -273,7 +271,7 @@ class Document(QObject):
 
 
 class ReplaceDesign(QUndoCommand):
-    """The only undo command there is: put that design in place of this one."""
+    """The only undo command: it replaces design and view."""
 
     def __init__(
         self,
@@ -286,24 +284,24 @@ class ReplaceDesign(QUndoCommand):
         super().__init__(label)
         self._document = document
         self._before, self._after = before, after
-        self._done_before = False
-        self._gesture = _NO_GESTURE if gesture is None else gesture
+        self._was_done = False
+        self._gesture = _SINGLE_STEP if gesture is None else gesture
         self.at_s = time()
 
     def redo(self) -> None:
         step = self._after
-        # The first time, all of the view is new.
+        # The first time, the whole view of the step is shown.
         view = step.view
-        if self._done_before:
-            view = step.seen_as(self._document.view, self._before)
+        if self._was_done:
+            view = step.shown_with(self._document.view, self._before)
             self._document.jumped.emit()
-        self._done_before = True
+        self._was_done = True
         self._document.show_step(step.design, view)
 
     def undo(self) -> None:
         step = self._before
         self._document.jumped.emit()
-        view = step.seen_as(self._document.view, self._after)
+        view = step.shown_with(self._document.view, self._after)
         self._document.show_step(step.design, view)
 
     def id(self) -> int:
@@ -322,15 +320,15 @@ def _same_but_for_playhead(view: View, other: View) -> bool:
     return replace(view, playhead_s=other.playhead_s) == other
 
 
-def _holds_snapshots(saved: Design, saved_view: View, view: View) -> bool:
-    """Whether what was saved holds the snapshots of ``view``, and ``view`` all that were saved.
+def _has_saved_snapshots(saved: Design, saved_view: View, view: View) -> bool:
+    """Return whether the saved designs are the snapshots of ``view``, so that none can be lost.
 
-    One more of a design that was saved is nothing that could be lost.
+    A further snapshot of a design that was saved does not count.
     """
     if view.snapshots == saved_view.snapshots:
         return True
-    then = {one.number: one.design for one in saved_view.snapshots}
-    now = {one.number: one.design for one in view.snapshots}
+    then = {snapshot.number: snapshot.design for snapshot in saved_view.snapshots}
+    now = {snapshot.number: snapshot.design for snapshot in view.snapshots}
     if any(now.get(number) != design for number, design in then.items()):
         return False
     held = (saved, *then.values())
@@ -339,20 +337,20 @@ def _holds_snapshots(saved: Design, saved_view: View, view: View) -> bool:
 
 def _existing(view: View, design: Design) -> View:
     """Return ``view`` with those selected inputs, clips, outputs and axes that exist."""
-    chosen = tuple(one for one in view.selected_inputs if one in design.ids)
-    clip_ids = {one.id for one in design.clips} if view.selected_clips else set()
-    clips = tuple(one for one in view.selected_clips if one in clip_ids)
+    chosen = tuple(track_id for track_id in view.selected_inputs if track_id in design.ids)
+    clip_ids = {clip.id for clip in design.clips} if view.selected_clips else set()
+    clips = tuple(clip_id for clip_id in view.selected_clips if clip_id in clip_ids)
     outputs = outputs_on(design.limb, view.outputs)
-    found: dict[str, Any] = {
+    existing: dict[str, Any] = {
         "selected_inputs": chosen,
         "selected_clips": clips,
         "outputs": outputs,
         "axes": axes_on(design.limb, view.axes),
     }
-    if all(getattr(view, name) == value for name, value in found.items()):
+    if all(getattr(view, name) == value for name, value in existing.items()):
         return view
-    return replace(view, **found)
+    return replace(view, **existing)
 
 
-def _same_limb(one: Design, other: Design) -> bool:
-    return (one.limb, one.limb_digest) == (other.limb, other.limb_digest)
+def _same_limb(design: Design, other: Design) -> bool:
+    return (design.limb, design.limb_digest) == (other.limb, other.limb_digest)

@@ -35,7 +35,7 @@ class EditTime:
         return max(self.total_s - self.compute_s - self.draw_s, 0.0)
 
     def sentence(self) -> str:
-        """Words for people."""
+        """Return a sentence on the times."""
         return (
             f"On screen {milliseconds(self.total_s)} after the edit: "
             f"{milliseconds(self.queue_s)} waiting, {milliseconds(self.compute_s)} computing, "
@@ -50,16 +50,16 @@ class EditTimes:
         self._seconds: deque[float] = deque(maxlen=MOST_EDITS)
 
     def note(self, seconds: float) -> None:
-        """Remember one more."""
+        """Store a time."""
         self._seconds.append(seconds)
 
     def seconds(self) -> tuple[float, ...]:
-        """All that are remembered."""
+        """Return the stored times."""
         return tuple(self._seconds)
 
 
 def summary(seconds: tuple[float, ...]) -> str:
-    """Words for people about some times; empty where there are none."""
+    """Return a sentence on several times; "" where there are none."""
     if not seconds:
         return ""
     count = "Last edit" if len(seconds) == 1 else f"Last {len(seconds)} edits"
@@ -70,12 +70,12 @@ def summary(seconds: tuple[float, ...]) -> str:
 
 
 def most_within(seconds: tuple[float, ...]) -> float:
-    """Time within which 95 % of ``seconds`` are: one that occurred, never between two."""
+    """Return the time within which 95 % of ``seconds`` are, one of those that occurred."""
     return sorted(seconds)[-(-95 * len(seconds) // 100) - 1]
 
 
 def milliseconds(seconds: float) -> str:
-    """Words such as ``0.4 ms``, ``12 ms`` or ``1.3 s``."""
+    """Return a text such as ``0.4 ms``, ``12 ms`` or ``1.3 s``."""
     shown = seconds * _MS
     if shown >= _A_SECOND_MS:
         return f"{seconds:.1f} s"

@@ -1,4 +1,8 @@
-"""Work for a page: away from the GUI thread, and only what is wanted last."""
+"""Evaluation away from the GUI thread: the engine of a window, and the worker of a page.
+
+Requests name quantities and sources. Each design that is predicted beside the others has a slot,
+and of each slot and purpose only the newest request waits.
+"""
 
 from collections import deque
 from collections.abc import Callable, Mapping
@@ -13,8 +17,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
 from skinsource.base.errors import SkinSourceError, Stopped
-from skinsource.base.work import Work as WorkWork
-from skinsource.base.work import counted
+from skinsource.base.work import Work, counted
 from skinsource.design import edits
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Refusal
@@ -24,12 +27,12 @@ from skinsource.engine.quantities import sources
 from skinsource.limbs.limb import LIVE_INPUTS, LIVE_OUTPUTS
 from skinsource.limbs.own_limbs import axes_on, facts_of
 
-#: Does something in the worker thread; may raise `Stopped` once it is `LatestWins.outdated`.
-Work = Callable[[], None]
+#: Runs in the worker thread; may raise `Stopped` once it is `LatestWins.outdated`.
+Task = Callable[[], None]
 
 
 class LatestWins(QObject):
-    """Does one thing at a time; what is wanted meanwhile takes the place of what was wanted before.
+    """Runs one task at a time; of those that wait, the newest replaces the others.
 
     Parameters
     ----------
@@ -37,7 +40,7 @@ class LatestWins(QObject):
         Of the thread.
     """
 
-    #: What was wanted, and a sentence that says why it cannot be had.
+    #: The subject of a task, and a sentence on why it failed.
     failed = Signal(object, str)
     _told = Signal(object, object)  # from the worker thread: a signal and its arguments
 
@@ -45,36 +48,36 @@ class LatestWins(QObject):
         super().__init__(parent)
         self._pool = ThreadPoolExecutor(1, thread_name_prefix=name)
         self._lock = Lock()
-        self._wanted: tuple[object, Work] | None = None
-        self._besides: Work | None = None
+        self._wanted: tuple[object, Task] | None = None
+        self._besides: Task | None = None
         self._working = False
         self._closed = Event()
         self._told.connect(self._tell, Qt.ConnectionType.QueuedConnection)
 
     @property
     def busy(self) -> bool:
-        """Whether something is wanted that is not there yet."""
+        """Whether a task runs or waits."""
         with self._lock:
             return self._working
 
     @property
     def closed(self) -> bool:
-        """Whether nobody wants anything any more."""
+        """Whether it was closed."""
         return self._closed.is_set()
 
     @property
     def outdated(self) -> bool:
-        """Whether what is being done is not what is wanted last."""
+        """Whether a newer task waits, or it was closed."""
         return self.closed or self._wanted is not None
 
-    def want(self, subject: object, work: Work) -> None:
-        """Do ``work``, instead of whatever was wanted before; ``failed`` names the ``subject``."""
+    def want(self, subject: object, work: Task) -> None:
+        """Run ``work`` in place of tasks that wait; ``failed`` names the ``subject``."""
         with self._lock:
             self._wanted = subject, work
         self._begin()
 
-    def want_besides(self, work: Work) -> None:
-        """Do ``work`` once nothing else is wanted; what stops it begins it anew later."""
+    def want_besides(self, work: Task) -> None:
+        """Run ``work`` once nothing else waits; a task that stops it starts it anew later."""
         with self._lock:
             self._besides = work
         self._begin()
@@ -84,7 +87,7 @@ class LatestWins(QObject):
         self._told.emit(signal, arguments)
 
     def close(self) -> None:
-        """Give up what is being done, and wait until it has ended."""
+        """Stop the running task, and wait until it has ended."""
         self._closed.set()
         self._pool.shutdown(wait=True)
 
@@ -100,15 +103,15 @@ class LatestWins(QObject):
             signal.emit(*arguments)
 
     def _work(self) -> None:
-        """Do what is wanted until nothing is."""
+        """Run tasks until none waits."""
         while True:
             with self._lock:
-                wanted, self._wanted = self._wanted, None
+                latest, self._wanted = self._wanted, None
                 besides = self._besides
-                if (wanted is None and besides is None) or self.closed:
+                if (latest is None and besides is None) or self.closed:
                     self._working = False
                     return
-            subject, work = wanted if wanted is not None else (None, besides)
+            subject, work = latest if latest is not None else (None, besides)
             try:
                 if work is not None:
                     work()
@@ -117,7 +120,7 @@ class LatestWins(QObject):
             except Exception as error:  # noqa: BLE001  shown to the user
                 self.tell(self.failed, subject, _sentence(error))
             with self._lock:
-                if wanted is None and self._besides is besides:
+                if latest is None and self._besides is besides:
                     self._besides = None
 
 
@@ -127,15 +130,12 @@ def _sentence(error: Exception) -> str:
     return f"The studio made a mistake ({type(error).__name__}: {error}). Please report this."
 
 
-# Evaluates quantities away from the GUI thread.
-
-#: One that has taken longer gives way to a newer one: it is no part of a drag that wants to see
-#: each step.
+#: An evaluation that has taken longer is abandoned for a newer one: it is no step of a drag.
 _ABANDONED_AFTER_S = 0.5
 
 
 class Purpose(IntEnum):
-    """What a request is for; of those that wait, the first of these goes first."""
+    """Purpose of a request, in the order in which waiting requests are evaluated."""
 
     SHOW = 0
     CHECK = 1
@@ -143,13 +143,13 @@ class Purpose(IntEnum):
     EXPORT = 3
 
 
-#: What is asked about what is shown, and asked again about what is shown after that.
+#: Requests about what is shown; they are of no use once something else is shown.
 _ABOUT_WHAT_IS_SHOWN = (Purpose.CHECK, Purpose.JUDGE)
 
 
 @dataclass(frozen=True, slots=True)
 class Slot:
-    """One of several designs that are looked at side by side; each has a graph of its own."""
+    """One of the designs that are predicted side by side; each has a graph of its own."""
 
     name: str
 
@@ -160,10 +160,9 @@ FIRST_SLOT = Slot("A")
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """The quantities that are wanted, and the values to start from.
+    """The quantities that are wanted, and the sources that are given.
 
-    ``since_s`` is when the user wanted something else than before, by `time.perf_counter`;
-    ``purpose`` tells what it is for, ``slot`` which of the designs side by side it is about.
+    ``since_s`` is the time of the edit by `time.perf_counter`.
     """
 
     wanted: frozenset[str]
@@ -174,22 +173,22 @@ class Request:
 
     @property
     def place(self) -> tuple[Slot, Purpose]:
-        """Where it waits: of those that want the same place, the newest takes it."""
+        """The key under which it waits: a newer request of the same key replaces it."""
         return self.slot, self.purpose
 
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What became of a request: its values, or the error that prevented them.
+    """The result of a request: its values, or the error that prevented them.
 
-    ``compute_s`` is the time the evaluation took, ``work`` what it did.
+    ``compute_s`` is the time the evaluation took, ``work`` its counts.
     """
 
     request: Request
     values: Mapping[str, Any] | None = None
     error: Exception | None = None
     compute_s: float = 0.0
-    work: WorkWork = field(default_factory=WorkWork)
+    work: Work = field(default_factory=Work)
 
 
 class Engine(QObject):
@@ -197,8 +196,8 @@ class Engine(QObject):
 
     A running evaluation is allowed to finish, so that a long drag shows a steady stream of results
     instead of none until the mouse stops; only one that has taken long already is abandoned for a
-    newer one of its place, or put back for one that goes before it.  To check or judge what is no
-    longer shown is of no use, and would be computed in place of what is: such a request is dropped.
+    newer one of its place, or put back for one that goes before it.  A request to check or judge
+    what is no longer shown is dropped.
 
     Parameters
     ----------
@@ -210,7 +209,7 @@ class Engine(QObject):
 
     finished = Signal(object)  # Outcome, in the GUI thread
     rested = Signal()  # nothing is evaluated and nothing waits
-    _landed = Signal()  # from the worker thread
+    _returned = Signal()  # from the worker thread
 
     def __init__(self, new_graph: Callable[[], Graph], parent: QObject | None = None):
         super().__init__(parent)
@@ -225,13 +224,13 @@ class Engine(QObject):
         self._running: Request | None = None
         self._newest: Request | None = None
         self._waiting: dict[tuple[Slot, Purpose], Request] = {}
-        # What each slot was asked last to show.
+        # The last request of each slot to show something.
         self._to_show: dict[Slot, Request] = {}
-        # Of evaluations that have ended and are not told yet; None: abandoned.
+        # Outcomes that are not delivered yet; None: abandoned.
         self._ended: deque[Outcome | None] = deque()
         self._lock, self._awaited = Lock(), False
         self._worker = ThreadPoolExecutor(max_workers=1, thread_name_prefix="skinsource-engine")
-        self._landed.connect(self._land, Qt.ConnectionType.QueuedConnection)
+        self._returned.connect(self._receive, Qt.ConnectionType.QueuedConnection)
 
     @property
     def busy(self) -> bool:
@@ -239,9 +238,9 @@ class Engine(QObject):
         return self._running is not None
 
     def upstream_of(self, quantities: frozenset[str]) -> frozenset[str]:
-        """Names of all that ``quantities`` depend on, computed or given."""
+        """Return the names of all that ``quantities`` depend on, computed or given."""
         if quantities not in self._upstream:
-            # Those of the slots belong to the worker; this one computes nothing.
+            # The graphs of the slots belong to the worker; this graph computes nothing.
             self._plan = self._plan or self._new_graph()
             self._upstream[quantities] = self._plan.upstream_of(quantities)
         return self._upstream[quantities]
@@ -256,7 +255,7 @@ class Engine(QObject):
         if self._running is None:
             self._start(request)
             return
-        # One that is replaced hands on its turn: no slot waits for ever.
+        # The new request takes the turn of the old one, so that no slot waits for ever.
         self._waiting[request.place] = request
         running = self._running
         if request.place == running.place or request.purpose < running.purpose:
@@ -264,8 +263,8 @@ class Engine(QObject):
 
     def release(self, slot: Slot) -> None:
         """Forget what was computed for ``slot``, and what waits for it."""
-        for place in [place for place in self._waiting if place[0] == slot]:
-            del self._waiting[place]
+        for key in [key for key in self._waiting if key[0] == slot]:
+            del self._waiting[key]
         self._to_show.pop(slot, None)
         if not self._closing.is_set():
             self._worker.submit(self._graphs.pop, slot, None)
@@ -273,8 +272,8 @@ class Engine(QObject):
     def wait(self, longest_s: float) -> None:
         """Sleep until the newest request is evaluated, if nothing else has to be before.
 
-        Its results are told by `finished` before this returns: scenes of graphics views have
-        themselves painted as soon as the event loop runs, each for itself.
+        `finished` is emitted before this returns, so that all parts are painted with the results:
+        scenes of graphics views are painted as soon as the event loop runs, each for itself.
         """
         if self._running is None or self._running is not self._newest:
             return
@@ -283,10 +282,10 @@ class Engine(QObject):
         self._done.wait(longest_s)
         with self._lock:
             self._awaited = False
-        self._land()
+        self._receive()
 
     def close(self) -> None:
-        """Stop at the next rule and wait for the worker to end; what it had is told to nobody."""
+        """Stop at the next rule and wait for the worker to end; its result is dropped."""
         self._waiting.clear()
         self._closing.set()
         self._worker.shutdown(wait=True)
@@ -315,31 +314,31 @@ class Engine(QObject):
             outcome = Outcome(request, values, compute_s=took_s, work=replace(graph.work))
         with self._lock:
             self._ended.append(outcome)
-            # To tell who looks for himself would leave an event to an engine that may be gone.
+            # With a waiting caller no event is sent: the engine might be deleted before it arrives.
             alone = not self._awaited
         self._done.set()
         if alone:
-            self._landed.emit()
+            self._returned.emit()
 
     def _should_stop(self) -> bool:
         if self._closing.is_set():
             return True
         return self._superseded.is_set() and perf_counter() - self._started_s > _ABANDONED_AFTER_S
 
-    def _land(self) -> None:
+    def _receive(self) -> None:
         if self._closing.is_set() or not self._ended:
-            # Who would show it may be gone; or it was shown to one who waited.
+            # The receivers may be gone, or `wait` has delivered the outcome already.
             return
         outcome = self._ended.popleft()
         ended, self._running = self._running, None
         if outcome is None and ended is not None:
-            # Abandoned: it goes on later, unless a newer one has its place.
+            # Abandoned: it waits again, unless a newer request has its place.
             self._waiting.setdefault(ended.place, ended)
         self._waiting = {
-            place: one for place, one in self._waiting.items() if not self._is_outdated(one)
+            key: request for key, request in self._waiting.items() if not self._is_outdated(request)
         }
         if self._waiting:
-            first = min(self._waiting, key=lambda place: place[1])
+            first = min(self._waiting, key=lambda key: key[1])
             self._start(self._waiting.pop(first))
         if outcome is not None:
             self.finished.emit(outcome)
@@ -350,9 +349,6 @@ class Engine(QObject):
         shown = self._to_show.get(request.slot)
         about = request.purpose in _ABOUT_WHAT_IS_SHOWN
         return about and shown is not None and shown.given != request.given
-
-
-# An engine that lets the window be painted first.
 
 
 class FirstPaintEngine(Engine):
@@ -389,7 +385,7 @@ class FirstPaintEngine(Engine):
 
     def close(self) -> None:
         """Stop at the next rule and wait for the worker to end."""
-        # What is asked from now on is refused there.
+        # Later requests are ignored by the closed engine.
         self._painted = True
         self._first.clear()
         super().close()
@@ -408,11 +404,9 @@ class FirstPaintEngine(Engine):
             self.request(request)
 
 
-# What a prediction beside the one of the window starts from, and why there may be none.
-
-#: Of these is made what takes long on a large limb; drives and clips are not.
+#: The quantities that take long on a large limb, with all that depends on them.
 FROM_THE_LIMB = frozenset({"driven_limb", "surface"})
-#: What is of the selected outputs, of all that is wanted of designs beside the one of the window.
+#: Quantities of the selected outputs, of those that designs beside the one of the window need.
 OF_OUTPUTS = frozenset({"axis_traces", "shown_outputs"})
 #: What levels depend on.
 _DEPENDS_ON = (
@@ -430,7 +424,7 @@ _DEPENDS_ON = (
 
 
 def sources_shown(design: Design, view: View) -> dict[str, Any]:
-    """What evaluation of the design in the window starts from: as loud as it is shown.
+    """Return the sources of the design in the window, as loud as it is shown.
 
     Here and in `sources_of_levels` an input that cannot be played is left out, and named by
     ``unplayable_inputs``: the others are still seen.
@@ -441,22 +435,21 @@ def sources_shown(design: Design, view: View) -> dict[str, Any]:
 def sources_of_levels(
     design: Design, view: View, *, match_gain: float = 1.0, with_outputs: bool = False
 ) -> dict[str, Any]:
-    """What evaluation starts from: of the view only what levels depend on.
+    """Return the sources of evaluation, with the part of the view that levels depend on.
 
-    The rest of it changes while one looks around.  A design on a limb that has not been measured
-    along the axes of the view is looked at along those that it has.  ``match_gain``: see
-    `skinsource.engine.quantities.sources`.  ``with_outputs``: what is wanted is also of the
-    selected outputs, as traces are.
+    A limb that has not been measured along the axes of the view is evaluated along those it has.
+    ``match_gain``: see `skinsource.engine.quantities.sources`.  ``with_outputs``: the selected
+    outputs are among the sources, as traces need them.
     """
     axes = axes_on(design.limb, view.axes)
-    seen = View(axes=axes, method=view.method, span=view.span, selected_inputs=())
+    levels_view = View(axes=axes, method=view.method, span=view.span, selected_inputs=())
     if with_outputs:
-        seen = replace(seen, outputs=view.outputs)
-    return sources(design, seen, match_gain=match_gain, leave_out_unplayable=True)
+        levels_view = replace(levels_view, outputs=view.outputs)
+    return sources(design, levels_view, match_gain=match_gain, leave_out_unplayable=True)
 
 
 def on_limb(design: Design, view: View, limb: str) -> tuple[Design, View] | str:
-    """The design on a limb and how it is looked at there; or why there is no such thing."""
+    """Return the design on a limb and the view there, or why there are none."""
     if limb == design.limb:
         return design, view
     edit = edits.change_limb(design, view, limb)
@@ -464,12 +457,12 @@ def on_limb(design: Design, view: View, limb: str) -> tuple[Design, View] | str:
 
 
 def key_of_levels(given: Mapping[str, Any]) -> tuple[Any, ...]:
-    """What the same levels have in common, of what an evaluation starts from."""
+    """Return the sources that levels depend on: equal keys have equal levels."""
     return tuple(given[name] for name in _DEPENDS_ON)
 
 
 def too_large(limb: str) -> str:
-    """Why a limb is not computed while one edits, in a sentence; empty if it is."""
+    """Return why a limb is too large to be computed at each edit; "" where it is not."""
     facts = facts_of(limb)
     if facts.live:
         return ""
@@ -481,7 +474,7 @@ def too_large(limb: str) -> str:
 
 
 def reason_of(error: Exception | None) -> str:
-    """Why there are no values, in words for the user."""
+    """Return why there are no values, as a text for the user."""
     if isinstance(error, SkinSourceError):
         return str(error)
     return f"The studio made a mistake: {type(error).__name__}: {error}"

@@ -27,15 +27,17 @@ class Historian(QObject):
         super().__init__(document)
         self._document = document
         self._shown: list[Panel] = []
-        document.undo_stack.indexChanged.connect(self._tell)
-        document.title_changed.connect(self._tell)
+        document.undo_stack.indexChanged.connect(self._show_history)
+        document.title_changed.connect(self._show_history)
         panels.each(self._meet)
 
     def history(self) -> History:
         """All that can be taken back or done again now."""
         document, stack = self._document, self._document.undo_stack
         done = (stack.command(k) for k in range(stack.count()))
-        steps = tuple(Step(one.text(), one.at_s) for one in done if isinstance(one, ReplaceDesign))
+        steps = tuple(
+            Step(entry.text(), entry.at_s) for entry in done if isinstance(entry, ReplaceDesign)
+        )
         start = f"Scene: {printable(document.scene)}" if document.scene else "New design"
         if document.opened:
             start = f"Opened {document.opened.name}"
@@ -53,12 +55,12 @@ class Historian(QObject):
             panel.step_wanted.connect(self._document.go_to)
 
     def _note_visibility(self, panel: Panel) -> None:
-        self._shown = [one for one in self._shown if one is not panel]
+        self._shown = [other for other in self._shown if other is not panel]
         if panel.isVisible():
             self._shown.append(panel)
             panel.show_history(self.history())
 
-    def _tell(self) -> None:
+    def _show_history(self) -> None:
         if self._shown:
             history = self.history()
             for panel in self._shown:

@@ -1,4 +1,8 @@
-"""Long jobs, one after another, away from the GUI thread."""
+"""Long jobs, one after another, away from the GUI thread.
+
+`PageJob` follows the job of one page, `WaveletLevelling` edits a wavelet train after its
+prediction.
+"""
 
 from collections import deque
 from concurrent.futures import ThreadPoolExecutor
@@ -21,8 +25,8 @@ from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.engine.levelling import MEASURE, wavelet_levels_db
 from skinsource_gui.state.document import Document
 
-# What changes faster cannot be seen.
-_BETWEEN_PROGRESS_S = 0.05
+# Progress that changes faster cannot be seen.
+_PROGRESS_INTERVAL_S = 0.05
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,56 +50,56 @@ class JobProgress:
 
     @property
     def seconds_left(self) -> float | None:
-        """How long it will still take; None while that cannot be said."""
+        """The time that is left; None while it is not known."""
         return seconds_left(self.done, self.total, self.elapsed_s)
 
 
 class JobRunner(QObject):
-    """Carries out jobs in the order in which they came."""
+    """Runs jobs in the order in which they were added."""
 
     #: A job begins once this returns.
     starting = Signal()
-    #: Another job is being carried out, or none, or more of them wait.
+    #: Another job runs, or none, or other jobs wait.
     changed = Signal()
     #: The job, and its `JobProgress`.
     progressed = Signal(object, object)
     #: The job that is finished, and its result.
     done = Signal(object, object)
-    #: The job that was cancelled: nothing is left of it.
+    #: The job that was cancelled.
     cancelled = Signal(object)
     #: The job that failed, and the error.
     failed = Signal(object, object)
-    _told = Signal(object, object)  # from the worker thread, as are those below
+    _progressed = Signal(object, object)  # from the worker thread, as are those below
     _stopping = Signal(object)
-    _landed = Signal(object, object, object)
+    _returned = Signal(object, object, object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._waiting: deque[Job[Any]] = deque()
         self._running: Job[Any] | None = None
         self._stop, self._closed = Event(), False
-        # No thread before there is something to do.
+        # The thread is made for the first job.
         self._worker: ThreadPoolExecutor | None = None
         self.current: Job[Any] | None = None
         queued = Qt.ConnectionType.QueuedConnection
-        self._told.connect(self._tell, queued)
+        self._progressed.connect(self._tell, queued)
         self._stopping.connect(self._note_stopping, queued)
-        self._landed.connect(self._land, queued)
+        self._returned.connect(self._receive, queued)
 
     @property
     def busy(self) -> bool:
-        """Whether a job is being carried out, or cleared away, or waits."""
+        """Whether a job runs, is cleared away, or waits."""
         return self._running is not None
 
     @property
     def unfinished(self) -> tuple[Job[Any], ...]:
-        """The job that is being carried out, if any, and those that wait; none once closed."""
+        """The running job, if any, and those that wait; empty after `close`."""
         if self._closed:
             return ()
         return (*([self.current] if self.current else []), *self._waiting)
 
     def add(self, job: Job[Any]) -> None:
-        """Carry out ``job`` when those before it are done."""
+        """Run ``job`` after those that were added before."""
         self._waiting.append(job)
         if self._running is None:
             self._start_next()
@@ -103,7 +107,7 @@ class JobRunner(QObject):
             self.changed.emit()
 
     def cancel(self, job: Job[Any] | None = None) -> None:
-        """Stop ``job``, or the one that is being carried out; the next one begins."""
+        """Stop ``job``, or the running one; the next one begins."""
         if job is None or job is self.current:
             self._stop.set()
         elif job in self._waiting:
@@ -112,10 +116,10 @@ class JobRunner(QObject):
             self.cancelled.emit(job)
 
     def close(self) -> None:
-        """Forget all jobs, stop the present one, and wait until nothing is left of it."""
+        """Drop all jobs, stop the running one, and wait until it is cleared away."""
         self._waiting.clear()
         self._stop.set()
-        # What the thread says at its end is heard only once events are looked at again.
+        # The signals of the thread arrive only with the next events.
         self._closed = True
         if self._worker is not None:
             self._worker.shutdown(wait=True)
@@ -124,7 +128,7 @@ class JobRunner(QObject):
         self._running = self.current = self._waiting.popleft() if self._waiting else None
         if self._running is not None:
             self.starting.emit()
-            # An event of its own: the thread may still look at that of the job before.
+            # A new event: the thread may still check that of the job before.
             self._stop = Event()
             if self._worker is None:
                 self._worker = ThreadPoolExecutor(1, thread_name_prefix="skinsource-job")
@@ -137,7 +141,7 @@ class JobRunner(QObject):
             result = job.run(self._progress_of(job), self._stop_of(job, stop))
         except Exception as fault:  # noqa: BLE001  shown to the user by whoever listens
             error = fault
-        self._landed.emit(job, result, error)
+        self._returned.emit(job, result, error)
 
     def _progress_of(self, job: Job[Any]) -> Progress:
         start_s, last_s = perf_counter(), 0.0
@@ -145,23 +149,23 @@ class JobRunner(QObject):
         def tell(done: int, total: int, text: str) -> None:
             nonlocal last_s
             now_s = perf_counter()
-            if now_s - last_s >= _BETWEEN_PROGRESS_S:
+            if now_s - last_s >= _PROGRESS_INTERVAL_S:
                 last_s = now_s
-                self._told.emit(job, JobProgress(done, total, text, now_s - start_s))
+                self._progressed.emit(job, JobProgress(done, total, text, now_s - start_s))
 
         return tell
 
     def _stop_of(self, job: Job[Any], stop: Event) -> Stop:
-        told = False
+        is_stopping = False
 
         def should_stop() -> bool:
-            nonlocal told
-            if stop.is_set() and not told:
-                # From here on nothing is written.  To clear away what was may take longer than
-                # the user should have to wait.
-                told = True
+            nonlocal is_stopping
+            if stop.is_set() and not is_stopping:
+                # From here on nothing is written.  To clear away may take longer than the user
+                # should have to wait.
+                is_stopping = True
                 self._stopping.emit(job)
-            return told
+            return is_stopping
 
         return should_stop
 
@@ -175,7 +179,7 @@ class JobRunner(QObject):
             self.changed.emit()
             self.cancelled.emit(job)
 
-    def _land(self, job: Job[Any], result: object, error: Exception | None) -> None:
+    def _receive(self, job: Job[Any], result: object, error: Exception | None) -> None:
         was_cancelled = self.current is not job
         self._start_next()
         if was_cancelled:
@@ -188,23 +192,14 @@ class JobRunner(QObject):
             self.failed.emit(job, error)
 
 
-# The job of a page: started, followed, given up.
-
-
 class PageJob(QObject):
-    """One job at a time.
+    """Runs one job of a page at a time, and emits signals for that job alone."""
 
-    Parameters
-    ----------
-    runner
-        Carries it out; of its other jobs nothing is told.
-    """
-
-    #: Its `JobProgress`.
+    #: `JobProgress` of the job.
     progressed = Signal(object)
-    #: Its result.
+    #: Result of the job.
     done = Signal(object)
-    #: Why it ended without a result.
+    #: Why the job ended without a result.
     ended = Signal(str)
 
     def __init__(self, runner: JobRunner, parent: QObject) -> None:
@@ -218,16 +213,16 @@ class PageJob(QObject):
 
     @property
     def runs(self) -> bool:
-        """Whether it is being carried out, or waits."""
+        """Whether the job runs or waits."""
         return self._job is not None
 
     def start(self, job: Job[Any]) -> None:
-        """Carry out ``job`` when those before it are done."""
+        """Run ``job`` after those that were added before."""
         self._job = job
         self._runner.add(job)
 
     def give_up(self) -> None:
-        """Stop it; nothing more is told."""
+        """Stop the job; no more signals are emitted."""
         job, self._job = self._job, None
         if job is not None:
             self._runner.cancel(job)
@@ -252,82 +247,77 @@ class PageJob(QObject):
             self.ended.emit("It was given up; nothing was changed")
 
 
-# Wavelets of a train made alike on the skin: predicted away from the GUI thread, then edited.
-
 _CHANGED = "The wavelet train was changed while it was predicted; equalise it once more."
 
 
 @dataclass(frozen=True, slots=True)
-class _Asked:
-    """What is predicted, as it was when the user asked for it."""
+class _LevelRequest:
+    """The design and clip that are predicted."""
 
     design: Design
     clip_id: int
 
     def is_as_in(self, design: Design) -> bool:
-        """Whether the levels hold for this design too."""
-        return _what_counts(self.design, self.clip_id) == _what_counts(design, self.clip_id)
+        """Return whether the levels hold for this design too."""
+        return _level_sources(self.design, self.clip_id) == _level_sources(design, self.clip_id)
 
 
 class WaveletLevelling(QObject):
-    """Gives the wavelets of the selected clip gains with which all arrive alike.
+    """Gives the wavelets of the selected train gains with which all are equally loud on the skin.
 
-    Parameters
-    ----------
-    document, runner
-        What is edited; who predicts.
+    They are predicted in a job; the edit follows.
     """
 
-    #: Why nothing came of it.
+    #: Why the wavelets were not equalised.
     failed = Signal(str)
 
     def __init__(self, document: Document, runner: JobRunner, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._runner = document, runner
-        self._asked: dict[Job[Any], _Asked] = {}
+        self._requests: dict[Job[Any], _LevelRequest] = {}
         runner.done.connect(self._apply)
         runner.cancelled.connect(self._forget)
         runner.failed.connect(self._tell)
 
     def equalise(self) -> None:
-        """Predict each wavelet of the selected train alone; the edit follows."""
+        """Predict each wavelet of the selected train alone, then edit their gains."""
         design = self._document.design
         clip = selected_train(design, self._document.view)
         if clip is not None:
             job = Job("Equalising wavelets", partial(wavelet_levels_db, design, clip.id))
-            self._asked[job] = _Asked(design, clip.id)
+            self._requests[job] = _LevelRequest(design, clip.id)
             self._runner.add(job)
 
     def _apply(self, job: Job[Any], levels_db: tuple[float, ...]) -> None:
-        asked = self._asked.pop(job, None)
-        if asked is None:
+        request = self._requests.pop(job, None)
+        if request is None:
             return
         design, view = self._document.design, self._document.view
-        if asked.is_as_in(design):
-            outcome = edits.equalise_on_skin(design, view, asked.clip_id, levels_db, MEASURE)
+        if request.is_as_in(design):
+            outcome = edits.equalise_on_skin(design, view, request.clip_id, levels_db, MEASURE)
             self._document.apply(outcome)
         else:
             self.failed.emit(_CHANGED)
 
     def _tell(self, job: Job[Any], error: Exception) -> None:
-        if self._asked.pop(job, None) is not None:
+        if self._requests.pop(job, None) is not None:
             self.failed.emit(str(error))
 
     def _forget(self, job: Job[Any]) -> None:
-        self._asked.pop(job, None)
+        self._requests.pop(job, None)
 
 
 def selected_train(design: Design, view: View) -> Clip | None:
-    """The clip that stands apart, if it plays a wavelet train."""
+    """Return the selected clip, if it plays a wavelet train."""
     if view.selected_input not in design.ids:
         return None
     clip = clip_of(design.input(view.selected_input), view)
     return clip if clip is not None and isinstance(clip.waveform, WaveletTrain) else None
 
 
-def _what_counts(design: Design, clip_id: int) -> object:
-    """All of a design that the level of a wavelet on the skin depends on."""
-    if clip_id not in {one.id for one in design.clips}:
+def _level_sources(design: Design, clip_id: int) -> object:
+    """Return all of a design that the level of a wavelet on the skin depends on."""
+    if clip_id not in {clip.id for clip in design.clips}:
         return None
     clip, track = design.clip(clip_id), design.track_of(clip_id)
     train = clip.waveform

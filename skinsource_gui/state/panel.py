@@ -1,4 +1,4 @@
-"""What tells the eye that it shows results of an older design, and hands none of them out."""
+"""What a panel is, how it is imported when first used, and the registry of those that were made."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
@@ -26,71 +26,124 @@ from skinsource_gui.state.history import History
 
 
 class ShowsStaleness(PointsAtInputs):
-    """Is told whether what it shows is out of date.
+    """Shows whether its results are out of date.
 
-    What has been so for a while is veiled and cannot be copied; what comes into sight so, at once.
+    Results that are stale for a while get an overlay and cannot be copied; a panel that comes into
+    sight with stale results gets it at once.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        #: Parts that are veiled, as they say nothing themselves of what belongs to which design.
+        #: Parts that get the overlay, as they do not show themselves that they are stale.
         self.computed: tuple[QWidget, ...] = ()
-        #: Whether somebody begins to look now: what was drawn meanwhile was never seen to change.
+        #: Whether it comes into sight just now.
         self.comes_into_sight = False
-        self._veils: list[StaleOverlay] = []
+        self._overlays: list[StaleOverlay] = []
         self._lateness = Staleness(self)
-        self._lateness.changed.connect(self._follow_lateness)
+        self._lateness.changed.connect(self._follow_staleness)
 
     @property
     def late(self) -> bool:
-        """Whether it tells that what it shows belongs to an older design."""
+        """Whether it is shown that the results belong to an older design."""
         return self._lateness.late
 
     def show_stale(self, stale: bool) -> None:
-        """Say whether what is drawn belongs to an older design than the present one."""
+        """Take over whether the results belong to an older design than the present one."""
         self._lateness.set_stale(stale, at_once=self.comes_into_sight)
 
     def show_newer(self) -> None:
-        """Newer results were drawn, if not the newest: it is given time for those anew."""
+        """Begin the waiting time anew: newer results were drawn, though not the newest."""
         self._lateness.count_anew()
 
-    def show_late(self, late: bool) -> None:
-        """Let it be seen that what is drawn belongs to an older design, or does no more."""
-        while self._veils:
-            self._veils.pop().take_away()
-        if late:
-            self._veils = [StaleOverlay(part) for part in self.computed]
+    def show_late(self, stale: bool) -> None:
+        """Show or remove the overlays of stale results."""
+        while self._overlays:
+            self._overlays.pop().take_away()
+        if stale:
+            self._overlays = [StaleOverlay(part) for part in self.computed]
 
-    def _follow_lateness(self, late: bool) -> None:
+    def _follow_staleness(self, stale: bool) -> None:
         for button in self.findChildren(CopyButton):
-            button.show_late(late)
-        self.show_late(late)
+            button.show_late(stale)
+        self.show_late(stale)
 
 
-# What wants to know of more designs than the one in the window.
+#: What a panel shows until the first prediction.
+PREPARING = "Preparing…"
 
 
-class ComparesDesigns(ShowsStaleness):
-    """Names what it needs of snapshots, and of the present design on limbs; is told while visible.
+class Panel(ShowsStaleness):
+    """A view of the design and of computed quantities.
 
-    Nothing is computed of either unless something is needed of it.
+    A panel names the quantities that it ``needs`` and draws them.  It starts no computation, and
+    while it is hidden nothing is computed for it.  What the user wants is emitted as signals.
+
+    A panel may also need quantities of the snapshots, and of the present design on other limbs.
+    They are computed only while something is needed of them.
     """
+
+    #: Title of the dock; its `objectName`.
+    title: ClassVar[str] = ""
+    name: ClassVar[str] = ""
+    #: Whether it lists the history, see `show_history`.
+    lists_history: ClassVar[bool] = False
+    #: Whether Tab goes from top to bottom, as its fields stand, whenever each was made.
+    reads_down: ClassVar[bool] = False
+
+    #: `Edit` or `Refusal`, number of the gesture or None.
+    edited = Signal(object, object)
+    #: The new `View`.
+    view_changed = Signal(object)
+    #: The name of an action of the window, such as "export_picture".
+    action_wanted = Signal(str)
+    #: The new time of the playhead, s; the other signals do not move it.
+    playhead_wanted = Signal(float)
+    visibility_changed = Signal()
+    #: How many steps of the history are to be done.
+    step_wanted = Signal(int)
+    #: Number of the snapshot to show.
+    snapshot_wanted = Signal(int)
+    #: Why something that the user wanted of this panel was not done, a sentence.
+    failed = Signal(str)
+    #: What this panel did for the user; an error before that is over.
+    done = Signal(str)
+    #: `Path` of a file that this panel wrote for the user.
+    written = Signal(object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        #: Names of the panels in sight.
+        self.in_sight = USUALLY_IN_SIGHT
+        #: Parts that show what the skin map shows: they are covered together with it.
+        self.guessed: tuple[QWidget, ...] = ()
+        self._covers: list[Cover] = []
+        # Without it, each change would paint the window behind again.
+        self.setAutoFillBackground(True)
+        #: Returns the caption of its picture; set by the window.
+        self.caption: Callable[[], str] = str
+        #: Inside this context it shows no matched levels, as exports need it; set by the window.
+        self.as_stored: Callable[[], AbstractContextManager[None]] = nullcontext
+        #: Returns where another panel would put what is dragged from here to a point of the
+        #: screen; called with None at the end.  Set by the window.
+        self.held_over: Callable[[QPoint | None], DropPlace | None] = _nowhere
+
+    @property
+    def needs(self) -> frozenset[str]:
+        """Names of the quantities that `show_results` draws."""
+        return frozenset()
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
-        """Names of the quantities of each snapshot that `show_snapshots` draws; none: not told."""
+        """Names of the quantities of each snapshot that `show_snapshots` draws; empty: none."""
         return frozenset()
 
     @property
     def needs_on_limbs(self) -> Mapping[str, frozenset[str]]:
-        """Names of the quantities that `show_on_limbs` draws of the design on limbs, by limb.
-
-        None: it is not told.
-        """
+        """Names of the quantities that `show_on_limbs` draws, by limb; empty: none."""
         return {}
 
     def snapshots_drawn(self, snapshots: Sequence[Snapshot]) -> Sequence[Snapshot]:
-        """Which of the designs that it is told of it draws."""
+        """Return which of these designs it draws."""
         return snapshots
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
@@ -99,85 +152,21 @@ class ComparesDesigns(ShowsStaleness):
     def show_on_limbs(self, compared: Sequence[Compared]) -> None:
         """Draw the present design on the limbs of `needs_on_limbs`; called while it is visible."""
 
-
-# What every panel is.
-
-#: What a panel is told in place of a problem while nothing has been predicted yet.
-PREPARING = "Preparing…"
-
-
-class Panel(ComparesDesigns):
-    """A view of the design and of computed quantities.
-
-    A panel names what it ``needs`` and draws what it is given.  It starts no computation, and
-    while it is hidden nothing is computed for it.  What the user wants is told by signals.
-    """
-
-    #: Words of the dock's title; `objectName` of the dock; a sentence for its tooltip.
-    title: ClassVar[str] = ""
-    name: ClassVar[str] = ""
-    #: Whether it wants to know the history, see `show_history`.
-    lists_history: ClassVar[bool] = False
-    #: Whether Tab goes from top to bottom, as its fields stand, whenever each was made.
-    reads_down: ClassVar[bool] = False
-
-    #: `Edit` or `Refusal`, number of the gesture or None.
-    edited = Signal(object, object)
-    #: The new `View`, of what is only looked at.
-    view_changed = Signal(object)
-    #: The name of an action of the window, such as "export_picture".
-    action_wanted = Signal(str)
-    #: Where the playhead shall be, s.  What else a panel tells leaves it where it is.
-    playhead_wanted = Signal(float)
-    visibility_changed = Signal()
-    #: How many steps of the history shall be done.
-    step_wanted = Signal(int)
-    #: Number of the snapshot that shall be shown.
-    snapshot_wanted = Signal(int)
-    #: A sentence that says why something the user asked this panel for was not done.
-    failed = Signal(str)
-    #: Words on what the user asked this panel for, and it did: what had failed before is over.
-    done = Signal(str)
-    #: A file that the user asked this panel for was written there, `Path`.
-    written = Signal(object)
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        #: Names of the panels that can be used beside it.
-        self.in_sight = USUALLY_IN_SIGHT
-        #: Parts that show what the map of the skin shows: they are covered together with it.
-        self.guessed: tuple[QWidget, ...] = ()
-        self._covers: list[Cover] = []
-        # The window behind is not painted again for each change in here.
-        self.setAutoFillBackground(True)
-        #: What stands below a picture of it; the window says how to find out.
-        self.caption: Callable[[], str] = str
-        #: While this lasts it shows no matched levels: it is for what is taken out of it.
-        self.as_stored: Callable[[], AbstractContextManager[None]] = nullcontext
-        #: Where something would go in another panel that is dragged from here and held over a
-        #: place of the screen; None: it is let go.  The window says how to find out.
-        self.held_over: Callable[[QPoint | None], DropPlace | None] = _nowhere
-
-    @property
-    def needs(self) -> frozenset[str]:
-        """Names of the quantities that `show_results` draws."""
-        return frozenset()
-
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view, before any results.
 
-        Called when it is made and at each change while it is visible; what has changed while it
-        was hidden is told when it comes into sight.
+        Called when it is made, at each change while it is visible, and when it comes into sight
+        after a change.
         """
 
     def show_playhead(self, view: View) -> None:
-        """Take over a view in which the playhead alone has moved; at each step while it plays.
+        """Take over a view in which only the playhead has moved, at each step while it plays.
 
-        `show_state` tells where it is too, but is not called for this.
+        `show_state` is not called for that.
         """
 
     def begin_anew(self) -> None:
-        """Let the next results be drawn as if there had been none before: nothing is held."""
+        """Draw the next results as the first ones: nothing is held from before."""
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         """Draw ``results``, which holds at least the quantities in ``needs``."""
@@ -186,35 +175,35 @@ class Panel(ComparesDesigns):
         """Empty the picture and say why there is none."""
 
     def show_noisy(self, outputs: tuple[int, ...]) -> None:
-        """Take over at which outputs the prediction is mostly noise; once that was judged."""
+        """Take over the outputs at which the prediction is mostly noise."""
 
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
-        """Take over which inputs cannot be played; the results that follow are without them."""
+        """Take over the inputs that cannot be played; the next results are without them."""
 
     def show_history(self, history: History) -> None:
-        """Take over what was done; called while it is visible, where it lists that."""
+        """Take over the history; called while it is visible, if it ``lists_history``."""
 
     def show_in_sight(self, names: frozenset[str]) -> None:
-        """Take over which panels are in sight, so that no words lead to one that is not."""
+        """Take over which panels are in sight, so that no text refers to a hidden one."""
         self.in_sight = names
 
     def show_covered(self, covered: bool) -> None:
-        """Hide what is to be guessed, in front of an audience; or reveal it."""
+        """Cover the parts that an audience is to guess, or reveal them."""
         while self._covers:
             self._covers.pop().take_away()
         if covered:
             self._covers = [Cover(part) for part in self.guessed]
 
     def show_folder(self, folder: Path) -> None:
-        """Take over where the next file is to be suggested."""
+        """Take over the folder to suggest for the next file."""
 
     def drop_place(self, at: QPoint) -> DropPlace | None:
-        """Where something that is dropped at ``at`` goes; None: nowhere in particular."""
+        """Return where something that is dropped at ``at`` goes; None: nowhere in particular."""
         del at
         return None
 
     def show_drop(self, at: QPoint | None) -> None:
-        """Show where something would go that is held over ``at``; None: it is elsewhere."""
+        """Show where something held over ``at`` would go; None: it is elsewhere."""
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -228,24 +217,16 @@ class Panel(ComparesDesigns):
 
 
 def _nowhere(at: QPoint | None) -> None:
-    """Without a window there is no other panel."""
+    """Return None: without a window there is no other panel."""
     del at
-
-
-# A panel that is imported when it is first made.
 
 
 @dataclass(frozen=True, slots=True)
 class LazyPanel:
-    """What a window has to know of a panel before it is there.
+    """Name and title of a panel that is imported when it is first made.
 
-    Called, it makes the panel: the class that has its name, with "Panel" behind, in the module
-    ``panel`` of its folder.
-
-    Attributes
-    ----------
-    name, title
-        Those of its class.
+    A call makes the panel: its class is called by its name, with "Panel" behind, and stands in the
+    module ``panel`` of its folder.
     """
 
     name: str
@@ -253,77 +234,73 @@ class LazyPanel:
 
     @property
     def type(self) -> type[Panel]:
-        """Its class, imported now if it was not before."""
+        """The class of the panel, which is imported now if it was not before."""
         module = import_module(f"skinsource_gui.panels.{self.name}.panel")
         words = (word.capitalize() for word in self.name.split("_"))
-        found: type[Panel] = getattr(module, f"{''.join(words)}Panel")
-        if (found.name, found.title) != (self.name, self.title):
+        panel_type: type[Panel] = getattr(module, f"{''.join(words)}Panel")
+        if (panel_type.name, panel_type.title) != (self.name, self.title):
             raise ValueError(
-                f"{found.__name__} says of itself {found.name!r}, {found.title!r}; the table of "
-                f"panels says {self.name!r}, {self.title!r}. Make them the same."
+                f"{panel_type.__name__} says of itself {panel_type.name!r}, "
+                f"{panel_type.title!r}; the table of panels says {self.name!r}, {self.title!r}. "
+                "Make them the same."
             )
-        return found
+        return panel_type
 
     def __call__(self) -> Panel:
         return self.type()
 
 
-# The panels of a window that somebody has looked at.
-
-#: Does what is to be done once with each panel.
+#: Is called once with each panel.
 Meet = Callable[[Panel], object]
 
 
 class PanelRegistry:
-    """Makes each panel when it first comes into sight or is asked for, and knows those it made.
-
-    What has to do with panels goes through those there are, each time anew, and says with `each`
-    what is to be done with one when it is made.
+    """Makes each panel when it is first used; iterating gives those that were made.
 
     Parameters
     ----------
     makers
-        What makes each, by its name, in the order in which the keyboard reaches them.
+        Functions that make the panels, by name, in the order in which the keyboard reaches them.
     """
 
     def __init__(self, makers: Mapping[str, Callable[[], Panel]]) -> None:
         self._makers = makers
         self._made: dict[str, Panel] = {}
         self._in_order: tuple[Panel, ...] = ()
-        self._meetings: list[Meet] = []
+        self._callbacks: list[Meet] = []
 
     @classmethod
     def of(cls, *panels: Panel) -> "PanelRegistry":
-        """Panels that stand already."""
-        made = cls({panel.name: partial(_itself, panel) for panel in panels})
+        """Return a registry of panels that are made already."""
+        made = cls({panel.name: partial(_same, panel) for panel in panels})
         for panel in panels:
             made[panel.name]
         return made
 
     def __iter__(self) -> Iterator[Panel]:
-        # One that is made meanwhile does not come into it.
+        # A panel that is made meanwhile is not part of the iteration.
         return iter(self._in_order)
 
     def __contains__(self, name: str) -> bool:
-        """Whether the panel of that name was made."""
+        """Return whether the panel of that name was made."""
         return name in self._made
 
     def __getitem__(self, name: str) -> Panel:
-        """The panel of that name; it is made if nobody has wanted it before."""
+        """Return the panel of that name, which is made now if it was not before."""
         panel = self._made.get(name)
         if panel is None:
             panel = self._made[name] = self._makers[name]()
-            self._in_order = tuple(self._made[one] for one in self._makers if one in self._made)
-            for meet in tuple(self._meetings):
+            self._in_order = tuple(self._made[name] for name in self._makers if name in self._made)
+            for meet in tuple(self._callbacks):
                 meet(panel)
         return panel
 
     def each(self, meet: Meet) -> None:
-        """Have ``meet`` called for each panel there is, and for each other once it is made."""
-        self._meetings.append(meet)
+        """Call ``meet`` with each panel that was made, and later with each new one."""
+        self._callbacks.append(meet)
         for panel in self._in_order:
             meet(panel)
 
 
-def _itself(panel: Panel) -> Panel:
+def _same(panel: Panel) -> Panel:
     return panel

@@ -1,4 +1,8 @@
-"""What panels are told of what is played."""
+"""Playback of the open design: the player, its session and thread, its gain, playhead and device.
+
+The session waits for devices in one thread of its own. The design is rendered anew at each edit,
+and the playhead of the view runs in step with what the device plays.
+"""
 
 import threading
 from collections.abc import Callable
@@ -32,34 +36,28 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Played:
-    """What is played, on what, and how.
+    """The state of playback that is shown to the panels.
 
     Attributes
     ----------
-    playing
-        Whether anything is.
     looked
         Whether devices were looked for.
-    devices
-        What can be played on.
     missing
         Why nothing can be heard, and what to do; "" where it can.
-    output
-        What this machine plays on.
     rates_hz
-        Rates that its device takes; none while that is not known.
+        Rates that the device takes; empty while they are not known.
     wired
         Pairs of a place of the design and the output that drives it.
     rig_title, calibration
-        The rig of this machine, "" without one; whether what is played is calibrated, in words.
+        The rig of this machine, "" without one; whether the output is calibrated, as a text.
     names
-        Words for what each output plays now, "" where it is silent.
+        What each output plays now; "" where it is silent.
     levels, delay
-        How loud each output is, and how late an edit comes; None while nothing is heard.
+        How loud each output is, and how late an edit is heard; None while nothing is heard.
     underruns
         How often the device ran out of samples since playing began.
-    gain_db, loops
-        The gain; whether a design without a loop is played again and again.
+    loops
+        Whether a design without a loop is played again and again.
     """
 
     playing: bool = False
@@ -79,20 +77,15 @@ class Played:
     loops: bool = False
 
 
-# How loud it is played; kept by nobody, so that each studio begins softly.
-
-#: Digits behind the point: nobody hears, or reads, more.
+#: Digits behind the decimal point: nobody hears, or reads, more.
 DECIMALS = 2
 _STEP_DB = 1.0
 
 
 class GainSetting(QObject):
-    """A gain, in dB: at 0 dB an amplitude of 1 is full scale.
+    """The gain of playback in dB: at 0 dB an amplitude of 1 is full scale.
 
-    Attributes
-    ----------
-    gain_db
-        The gain.
+    It is not stored, so that each session begins softly.
     """
 
     #: The new gain, dB.
@@ -103,35 +96,32 @@ class GainSetting(QObject):
         self.gain_db = START_DB
 
     def put(self, gain_db: float) -> None:
-        """Choose a gain; the nearest that can be, in hundredths of a dB."""
-        wanted_db = round(min(max(gain_db, LOWEST_DB), HIGHEST_DB), DECIMALS)
-        if wanted_db != self.gain_db:
-            self.gain_db = wanted_db
-            self.changed.emit(wanted_db)
+        """Set the gain, clipped to the possible range and rounded to hundredths of a dB."""
+        nearest_db = round(min(max(gain_db, LOWEST_DB), HIGHEST_DB), DECIMALS)
+        if nearest_db != self.gain_db:
+            self.gain_db = nearest_db
+            self.changed.emit(nearest_db)
 
-    def start_anew(self) -> None:
-        """Go back to where it starts."""
+    def reset(self) -> None:
+        """Set the gain to its first value."""
         self.put(START_DB)
 
     def turn_up(self) -> None:
-        """Make it louder by 1 dB."""
+        """Raise the gain by 1 dB."""
         self.put(self.gain_db + _STEP_DB)
 
     def turn_down(self) -> None:
-        """Make it softer by 1 dB."""
+        """Lower the gain by 1 dB."""
         self.put(self.gain_db - _STEP_DB)
 
 
-# The session of a player, once it plays.
-
-
 class LazySession:
-    """Makes the session when it is first asked for: the studio starts without what plays.
+    """Makes the session when it is first used: the studio starts without the audio modules.
 
     Parameters
     ----------
     finished
-        What the session tells of a stream that plays no more.
+        Is called by the session with each stream that has ended.
     """
 
     def __init__(self, finished: "Callable[[Stream], None]") -> None:
@@ -140,53 +130,48 @@ class LazySession:
 
     @property
     def made(self) -> "Session":
-        """The session."""
+        """The session, which is made now if it was not used before."""
         if self._session is None:
             self._session = session.Session(self._finished)
         return self._session
 
     def close(self) -> None:
-        """End what is played, if anything ever was."""
+        """Close the session, if it was made."""
         if self._session is not None:
             self._session.close()
 
 
-# What is played of a document.
-
-
 def played_of(document: Document) -> Design:
-    """The design, as loud as the skin is shown: with the gain by which snapshots match."""
+    """Return the design with the gain that matches snapshots, as the skin map shows it."""
     return louder(document.design, document.view.match_gain(document.design))
 
 
-# One thread for all that may wait for a device.
-
 _NAME = "skinsource-sound"
-#: How long the end waits for a device; one that is stuck may never answer.
+#: How long `SoundThread.end` waits for a device; a stuck device may never answer.
 LONGEST_END_S = 3.0
-#: Told the result, or the error where there is none.
+#: Is called with the result, or with the error where there is none.
 Then = Callable[[Any, SkinSourceError | None], None]
 
 
-def one_is_stuck() -> bool:
-    """Whether a thread still waits for its device, though nobody plays any more."""
-    return any(one.name.startswith(_NAME) for one in threading.enumerate())
+def device_is_stuck() -> bool:
+    """Return whether a sound thread still runs: after the end, its device is stuck."""
+    return any(thread.name.startswith(_NAME) for thread in threading.enumerate())
 
 
 class SoundThread(QObject):
-    """Carries out what it is given, in order, and tells in the GUI thread what came of it."""
+    """Runs functions in order in a thread; their results arrive in the GUI thread."""
 
-    _landed = Signal(object, object, object)  # from the thread
+    _returned = Signal(object, object, object)  # from the thread
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        # No thread before there is something to do.
+        # The thread is made for the first function.
         self._worker: ThreadPoolExecutor | None = None
         self._ended = False
-        self._landed.connect(self._land, Qt.ConnectionType.QueuedConnection)
+        self._returned.connect(self._receive, Qt.ConnectionType.QueuedConnection)
 
     def do(self, work: Callable[[], Any], then: Then) -> None:
-        """Carry out ``work``, then tell ``then``; nothing any more once it has ended."""
+        """Run ``work``, then call ``then``; do nothing after the end."""
         if self._ended:
             return
         if self._worker is None:
@@ -194,11 +179,11 @@ class SoundThread(QObject):
         self._worker.submit(self._work, work, then)
 
     def end(self, last: Callable[[], Any]) -> None:
-        """Carry out ``last``, wait for it unless the device is stuck, and tell nobody any more."""
+        """Run ``last``, wait for it at most `LONGEST_END_S`, and deliver no more results."""
         if self._ended:
             return
         self._ended = True
-        self._landed.disconnect(self._land)
+        self._returned.disconnect(self._receive)
         if self._worker is not None:
             ended = wait([self._worker.submit(last)], LONGEST_END_S).done
             self._worker.shutdown(wait=bool(ended))
@@ -206,36 +191,33 @@ class SoundThread(QObject):
 
     def _work(self, work: Callable[[], Any], then: Then) -> None:
         try:
-            self._landed.emit(then, work(), None)
+            self._returned.emit(then, work(), None)
         except SkinSourceError as error:
-            self._landed.emit(then, None, error)
+            self._returned.emit(then, None, error)
 
-    def _land(self, then: Then, result: Any, error: SkinSourceError | None) -> None:
+    def _receive(self, then: Then, result: Any, error: SkinSourceError | None) -> None:
         then(result, error)
 
 
-# What is played follows what is edited.
-
-
 class LiveEdits(QObject):
-    """Renders the design anew at each edit, away from the GUI thread; the last one counts.
+    """Renders the design anew at each edit, in the sound thread; only the last edit counts.
 
     Parameters
     ----------
     document
-        What is followed.
+        The document whose edits are heard.
     session, thread
-        Who renders, and where.
+        The session that renders, and the thread in which it does.
 
     Attributes
     ----------
     render_s
-        How long the last edit took until the device could have it; 0: there was none.
+        Time from the last edit until it was rendered; 0 before the first edit.
     """
 
-    #: What plays the edited design.
+    #: The `Playing` of the edited design.
     replaced = Signal(object)
-    #: Why an edit is not heard: what was played before goes on.
+    #: Why an edit is not heard; the design before it is played on.
     failed = Signal(str)
 
     def __init__(
@@ -249,53 +231,53 @@ class LiveEdits(QObject):
         self._rig: Rig | None = None
         self._busy = False
         self._edited_s = self.render_s = 0.0
-        # When the first edit was made that waits for the one before it.
+        # When the first edit was made that waits until the edit before it is rendered.
         self._waiting_s: float | None = None
 
     def begin(
         self, playing: "Playing", design: Design, output: Output, rig: "Rig | None", *, loops: bool
     ) -> None:
-        """Follow the document, of which ``design`` is what is played."""
+        """Follow the document, whose ``design`` is played now."""
         self._playing, self._output, self._loops, self._rig = playing, output, loops, rig
         self._rendered, self.render_s, self._waiting_s = (design, loops), 0.0, None
         self._document.changed.connect(self._follow)
         self._follow()
 
     def end(self) -> None:
-        """Follow no longer."""
+        """Stop following the document."""
         if self._playing is not None:
             self._playing = None
             self._document.changed.disconnect(self._follow)
 
     def loop(self, *, loops: bool) -> None:
-        """Play a design without a loop again and again, or once."""
+        """Repeat a design without a loop, or play it once."""
         self._loops = loops
         if self._playing is not None:
             self._follow()
 
     def _follow(self) -> None:
-        wanted = played_of(self._document), self._loops
-        if self._playing is None or self._rendered == wanted:
-            self._waiting_s = None if self._rendered == wanted else self._waiting_s
+        latest = played_of(self._document), self._loops
+        if self._playing is None or self._rendered == latest:
+            self._waiting_s = None if self._rendered == latest else self._waiting_s
             return
         since_s = perf_counter() if self._waiting_s is None else self._waiting_s
         if self._busy:
-            # Its delay begins now, not when its turn comes.
+            # The delay of this edit begins now, not when it is rendered.
             self._waiting_s = since_s
             return
-        self._busy, self._rendered = True, wanted
+        self._busy, self._rendered = True, latest
         self._edited_s, self._waiting_s = since_s, None
         change = partial(
             self._session.made.change,
             self._playing,
-            wanted[0],
+            latest[0],
             self._output,
-            loops=wanted[1],
+            loops=latest[1],
             rig=self._rig,
         )
-        self._thread.do(partial(_timed, change), self._take)
+        self._thread.do(partial(_timed, change), self._receive)
 
-    def _take(
+    def _receive(
         self, timed: "tuple[Playing | None, float] | None", error: SkinSourceError | None
     ) -> None:
         self._busy = False
@@ -307,35 +289,30 @@ class LiveEdits(QObject):
             self.render_s = timed[1] - self._edited_s
             self._playing = timed[0]
             self.replaced.emit(timed[0])
-        # What was edited meanwhile.
+        # Edits were perhaps made meanwhile.
         self._follow()
 
 
 def _timed(change: "partial[Playing | None]") -> "tuple[Playing | None, float]":
-    """What ``change`` returns, and when."""
+    """Return the result of ``change``, and the time when it was there."""
     return change(), perf_counter()
 
 
-# The playhead while it runs: in step with what is heard, and back where it began at the end.
-
 # Sixty times a second.
 _STEP_MS = 16
-# At least as long as what fades in before the place where it begins.
+# At least as long as the fade-in, which begins before the playhead.
 _FADE_IN_S = 0.01
 
 
 class RunningPlayhead(QObject):
-    """Puts the playhead where playing is; makes no steps of the history.
+    """Moves the playhead of a document while it plays, and back where it was at the end.
 
-    Parameters
-    ----------
-    document
-        Whose playhead it is.
+    Its moves are no steps of the history.
     """
 
-    #: The user has put it elsewhere, s.
+    #: The user has moved the playhead to this time, s.
     moved_away = Signal(float)
-    #: It has moved by itself.
+    #: The playhead was moved along with the sound.
     stepped = Signal()
 
     def __init__(self, document: Document, parent: QObject) -> None:
@@ -347,26 +324,26 @@ class RunningPlayhead(QObject):
         self._timer.timeout.connect(self._step)
 
     def run(self, position: Callable[[], float | None]) -> None:
-        """Follow ``position``, which tells a time of the design in s, or None."""
+        """Follow ``position``, which returns a time of the design in s, or None."""
         if self._position is None:
             self._from_s = self._put_s = self._document.view.playhead_s
-            self._document.playhead_moved.connect(self._look)
-            self._document.changed.connect(self._look)
+            self._document.playhead_moved.connect(self._note_move)
+            self._document.changed.connect(self._note_move)
         self._position = position
         self._timer.start()
 
     def rest(self) -> None:
-        """Go back to where it ran from; the same can then be played once more."""
+        """Put the playhead back where it started, so that the same can be played again."""
         if self._position is None:
             return
         self._timer.stop()
         self._position = None
-        self._document.playhead_moved.disconnect(self._look)
-        self._document.changed.disconnect(self._look)
+        self._document.playhead_moved.disconnect(self._note_move)
+        self._document.changed.disconnect(self._note_move)
         self._put(self._from_s)
 
     def stay(self) -> None:
-        """Come to rest where it is now, not where it ran from."""
+        """Make the present time the one to which `rest` returns."""
         self._from_s = self._put_s
 
     def _step(self) -> None:
@@ -382,45 +359,37 @@ class RunningPlayhead(QObject):
         if view.playhead_s != time_s:
             self._document.look(replace(view, playhead_s=time_s))
 
-    def _look(self) -> None:
+    def _note_move(self) -> None:
         time_s = self._document.view.playhead_s
         if time_s != self._put_s:
             self._from_s = self._put_s = time_s
             self.moved_away.emit(time_s)
 
 
-# What this machine plays on: chosen once, kept, and never part of a design.
-
-
 class SoundSettings(QObject):
-    """The device, its rate and the channel map of this machine.
+    """The device, its rate, the channel map and the rig of this machine.
 
-    Parameters
-    ----------
-    preferences
-        Where they are kept.
-    session, thread
-        Who knows devices, and the thread that may ask it.
+    They are stored in the preferences, never in a design. Devices are looked up in the sound
+    thread.
 
     Attributes
     ----------
-    output
-        What is played on.
     looked, devices, rates_hz
-        Whether devices were looked for; those that were found, and the rates of the chosen one.
+        Whether devices were looked for; the devices, and the rates of the chosen one.
     missing
-        Why there are none, or not the chosen one.
+        Why there are no devices, or not the chosen one.
     rig, rig_problem
-        What is wired to the device, None: not known; why the rig of this machine cannot be read.
+        The wiring of the device, None where it is not known; why the rig cannot be read.
     """
 
-    #: Something else is known, or chosen.
+    #: Any of the attributes has changed.
     changed = Signal()
-    #: What is played on was chosen anew.
+    #: Another output or rig was chosen.
     output_changed = Signal()
-    #: Another device: what was loud enough for one may be too much for the other.
+    #: Another device or rig was chosen: the gain of the one may be too high for the
+    #: is_other_device.
     device_changed = Signal()
-    #: Why a rig was not taken.
+    #: Why a rig was not opened.
     refused = Signal(str)
 
     def __init__(
@@ -428,24 +397,24 @@ class SoundSettings(QObject):
     ) -> None:
         super().__init__(parent)
         self._preferences, self._session, self._thread = preferences, session, thread
-        self.output = _kept(preferences)
+        self.output = _stored_output(preferences)
         self.looked = False
         self.devices: tuple[Device, ...] = ()
         self.rates_hz: tuple[int, ...] = ()
-        self.missing = self._not_found = ""
+        self.missing = self._search_error = ""
         self.rig: Rig | None = None
         self.rig_title, self.rig_problem = "", ""
-        self._rig_looked = False
+        self._rig_was_read = False
 
     @property
     def rig_path(self) -> Path | None:
-        """Where the rig of this machine is; None: there is none."""
-        kept = self._preferences.rig_path
-        return Path(kept) if kept else None
+        """The rig file of this machine; None without one."""
+        path = self._preferences.rig_path
+        return Path(path) if path else None
 
     @property
     def sensor_text(self) -> str:
-        """What actuators are measured with on this machine, as the page of that wrote it."""
+        """The sensor of this machine, as the page that measures actuators wrote it."""
         return self._preferences.sensor_text
 
     @sensor_text.setter
@@ -453,77 +422,76 @@ class SoundSettings(QObject):
         self._preferences.sensor_text = text
 
     def look_for_rig(self) -> None:
-        """Read the rig of this machine, when somebody first wants to know."""
-        if self._rig_looked:
+        """Read the rig of this machine, unless that was done before."""
+        if self._rig_was_read:
             return
-        self._rig_looked = True
+        self._rig_was_read = True
         if self._preferences.rig_path:
             try:
-                self._take_rig(Path(self._preferences.rig_path))
+                self._open_rig(Path(self._preferences.rig_path))
             except SkinSourceError as error:
                 self.rig_problem = f"The rig of this machine cannot be read: {error}"
 
     def rig_is_read(self) -> bool:
-        """Whether what is wired is known, or nothing shall be; else it says why not."""
+        """Return whether the rig was read, or there is none; else emit `refused`."""
         self.look_for_rig()
         if self.rig_problem:
             self.refused.emit(f"{self.rig_problem} Choose another rig, or none.")
         return not self.rig_problem
 
     def choose_rig(self, path: Path | None) -> None:
-        """Play for another rig from now on; None: nothing is known of what is wired."""
-        self._rig_looked = True
+        """Use another rig from now on; None: no rig."""
+        self._rig_was_read = True
         try:
-            self._take_rig(path)
+            self._open_rig(path)
         except SkinSourceError as error:
             self.refused.emit(str(error))
             return
         self._preferences.rig_path = "" if path is None else str(path)
         self.output_changed.emit()
         self.changed.emit()
-        # What is loud enough for one may be too much for another.
         self.device_changed.emit()
 
-    def _take_rig(self, path: Path | None) -> None:
-        found = None if path is None else rigs.open_rig(path)
-        self.rig, self.rig_problem = found, ""
-        self.rig_title = "" if found is None or path is None else found.title or path.stem
+    def _open_rig(self, path: Path | None) -> None:
+        rig = None if path is None else rigs.open_rig(path)
+        self.rig, self.rig_problem = rig, ""
+        self.rig_title = "" if rig is None or path is None else rig.title or path.stem
 
     def choose(self, output: Output) -> None:
-        """Play on something else from now on."""
+        """Use another output from now on."""
         before, self.output = self.output, output
         if before == output:
             return
         self._preferences.output_text = output.to_text()
-        other = (before.device, before.host_api) != (output.device, output.host_api)
-        if other:
-            # What was wrong with the one before is nothing to this one.
-            self.missing = self._not_found
-            self._ask_rates()
+        is_other_device = (before.device, before.host_api) != (output.device, output.host_api)
+        if is_other_device:
+            # A problem of the device before is none of this one.
+            self.missing = self._search_error
+            self._request_rates()
         self.output_changed.emit()
         self.changed.emit()
-        if other:
+        if is_other_device:
             self.device_changed.emit()
 
     def look(self) -> None:
-        """Look for devices; what is played ends."""
-        self._thread.do(self._session.made.devices, self._take_devices)
+        """Look for devices; playback ends."""
+        self._thread.do(self._session.made.devices, self._receive_devices)
 
     def note_missing(self, reason: str) -> None:
-        """Take over why nothing was heard; "": it was."""
+        """Store why nothing was heard; "" where it was heard."""
         if reason != self.missing:
             self.missing = reason
             self.changed.emit()
 
-    def _take_devices(
-        self, found: "tuple[Device, ...] | None", error: SkinSourceError | None
+    def _receive_devices(
+        self, found_devices: "tuple[Device, ...] | None", error: SkinSourceError | None
     ) -> None:
-        self.looked, self.devices, self.rates_hz = True, found or (), ()
-        self.missing = self._not_found = "" if error is None else str(error)
-        self._ask_rates()
+        self.looked, self.devices, self.rates_hz = True, found_devices or (), ()
+        self.missing = self._search_error = "" if error is None else str(error)
+        self._request_rates()
         self.changed.emit()
 
-    def _ask_rates(self) -> None:
+    def _request_rates(self) -> None:
         if not self.looked:
             return
         try:
@@ -531,64 +499,50 @@ class SoundSettings(QObject):
         except SkinSourceError as error:
             self.missing = self.missing or str(error)
             return
-        self._thread.do(partial(devices.rates_of, device), self._take_rates)
+        self._thread.do(partial(devices.rates_of, device), self._receive_rates)
 
-    def _take_rates(self, found: tuple[int, ...] | None, error: SkinSourceError | None) -> None:
-        self.rates_hz = found or ()
+    def _receive_rates(
+        self, rates_hz: tuple[int, ...] | None, error: SkinSourceError | None
+    ) -> None:
+        self.rates_hz = rates_hz or ()
         self.changed.emit()
 
 
-def _kept(preferences: Preferences) -> Output:
+def _stored_output(preferences: Preferences) -> Output:
     try:
         return output_from_text(preferences.output_text)
     except InvalidInputError:
-        # Nothing is kept yet, or by another version of the studio.
+        # Nothing was stored yet, or another version of the studio stored it.
         return Output()
 
 
-# Plays the open design, and tells what happens.
-
-_GONE = (
+_DEVICE_LOST = (
     "The device does not ask for sound any more: it may have been unplugged. Connect it, look for "
     "devices again (View > Panels > Playback), and play."
 )
-# How often it is looked whether the device is still there.
+# How often the device is checked to be still there.
 _WATCH_MS = 250
 
 
 class Player(QObject):
-    """Space, loop, gain and panic.
-
-    Parameters
-    ----------
-    document
-        What is played.
-    preferences
-        Where it is kept what this machine plays on.
+    """Plays the open design, and stops it.
 
     Attributes
     ----------
-    now, preparing
-        What is being played, if anything; whether it is about to play: what is played is made, the
-        device opened.
-    settings
-        What it is played on.
-    edits
-        What follows the edits.
-    gain
-        How loud.
+    now
+        What is being played; None where nothing is.
+    preparing
+        Whether the sound is being rendered and the device opened.
     loops
         Whether a design without a loop is played again and again.
-    playhead
-        What runs while it plays.
     """
 
-    #: Playing began or ended, or something else that can be told, but levels and times.
+    #: Playback began or ended, or its settings changed; not emitted for levels and times.
     changed = Signal()
-    #: Why something is not played, or was stopped.
+    #: Why nothing is played, or why it was stopped.
     failed = Signal(str)
-    #: What else there is to say.
-    told = Signal(str)
+    #: A message that is no error.
+    message = Signal(str)
     _finished = Signal(object)  # from the thread of the device
 
     def __init__(self, document: Document, preferences: Preferences, parent: QObject) -> None:
@@ -601,19 +555,18 @@ class Player(QObject):
         self.playhead = RunningPlayhead(document, self)
         self.now: Playing | None = None
         self.preparing = False
-        # Another one each time that something is about to be played.
+        # A new object for each start, to tell whether it was stopped meanwhile.
         self._start: object = None
-        # A stream that was over before its thread had said that it plays.
+        # A stream that ended before the sound thread delivered it.
         self._over_early: Stream | None = None
         self.gain, self.loops = GainSetting(self), False
         self._watcher = QTimer(self, interval=_WATCH_MS)
         self._watcher.timeout.connect(self._watch)
-        self._finished.connect(self._end_of, Qt.ConnectionType.QueuedConnection)
+        self._finished.connect(self._note_end, Qt.ConnectionType.QueuedConnection)
         self.settings.changed.connect(self.changed)
         self.settings.refused.connect(self.failed)
         self.settings.output_changed.connect(self.stop)
-        # What is loud enough for one device may be too much for another.
-        self.settings.device_changed.connect(self.gain.start_anew)
+        self.settings.device_changed.connect(self.gain.reset)
         self.gain.changed.connect(self._pass_gain)
         self.edits.replaced.connect(self._replace)
         self.edits.failed.connect(self.failed)
@@ -621,18 +574,18 @@ class Player(QObject):
 
     @property
     def playing(self) -> bool:
-        """Whether it plays, or is about to."""
+        """Whether it plays, or prepares to."""
         return self.preparing or self.now is not None
 
     def play_or_stop(self) -> None:
-        """Play from the playhead on; or fade out, or wait for the device no longer."""
+        """Play from the playhead, or stop."""
         if self.playing:
             self.stop()
         else:
             self.play()
 
     def play(self) -> None:
-        """Play from the playhead on, in place of what is played; as slowly as the view says."""
+        """Play from the playhead in the slow motion of the view, in place of what is played now."""
         if not self.settings.rig_is_read():
             return
         design, view = played_of(self._document), self._document.view
@@ -659,42 +612,42 @@ class Player(QObject):
         self._begin(play, follow, start)
 
     def play_tone(self, number: int) -> None:
-        """Play the test tone on one output, instead of all else."""
+        """Play the test tone on one output, in place of what is played now."""
         if not self.preparing and self.settings.rig_is_read():
-            self._leave()
+            self._end_playing()
             output, gain_db, rig = self.settings.output, self.gain.gain_db, self.settings.rig
             tone = partial(self._session.made.tone, number, output, gain_db, rig)
             self._begin(tone, None, object())
 
     def stop(self) -> None:
-        """Fade out; what is about to be played is not."""
+        """Fade out, or give up preparing."""
         self.preparing, self._start = False, None
         stream = None if self.now is None else self.now.stream
         if stream is None or stream.gone:
-            self._leave()
+            self._end_playing()
         else:
-            # The device tells when it has become silent.
+            # `_finished` follows when the device is silent.
             stream.deck.stop()
 
     def stop_at_once(self) -> None:
-        """Be silent within a millisecond; the gain goes back to where it starts."""
+        """Be silent within a millisecond, and reset the gain."""
         self.preparing, self._start = False, None
         if self.now is not None and self.now.stream is not None:
             self.now.stream.deck.stop_at_once()
         else:
-            self._leave()
-        self.gain.start_anew()
+            self._end_playing()
+        self.gain.reset()
 
     def toggle_loop(self) -> None:
-        """Play a design that has no loop again and again, or once."""
+        """Switch whether a design without a loop is repeated."""
         self.loops = not self.loops
         self.edits.loop(loops=self.loops)
         self.changed.emit()
 
     def end(self) -> None:
-        """Stop for good, and let go of the device."""
+        """Stop for good, and release the device."""
         self.preparing, self._start = False, None
-        self._leave()
+        self._end_playing()
         self._thread.end(self._session.close)
 
     def _begin(
@@ -704,9 +657,9 @@ class Player(QObject):
 
         def take(playing: "Playing | None", error: SkinSourceError | None) -> None:
             if self._start is not start:
-                # It was stopped before it began; what is played next ends it by itself.
+                # It was stopped before it began. A start after that ends it by itself.
                 if playing is not None and not self.preparing:
-                    self._thread.do(self._session.close, _nothing_more)
+                    self._thread.do(self._session.close, _ignore_result)
             elif playing is None:
                 self.preparing = False
                 self.failed.emit(str(error))
@@ -715,13 +668,13 @@ class Player(QObject):
                 if playing.reason or playing.stream is not None:
                     self.settings.note_missing(playing.reason)
                 if playing.reason:
-                    self.told.emit(f"In silence: {playing.reason}")
+                    self.message.emit(f"In silence: {playing.reason}")
                 if follow is not None:
                     follow()
-                # A device that goes while a tone is played tells nobody.
+                # A device that is unplugged during a tone emits nothing.
                 self._watcher.start()
                 if playing.stream is not None and playing.stream is self._over_early:
-                    self._end_of(playing.stream)
+                    self._note_end(playing.stream)
             self._over_early = None
             self.changed.emit()
 
@@ -743,12 +696,12 @@ class Player(QObject):
     def _watch(self) -> None:
         now = self.now
         if now is not None and now.over:
-            self._leave()
+            self._end_playing()
             if now.stream is not None:
-                self._thread.do(partial(self._session.made.let_go, now.stream), _nothing_more)
-                self.failed.emit(_GONE)
+                self._thread.do(partial(self._session.made.let_go, now.stream), _ignore_result)
+                self.failed.emit(_DEVICE_LOST)
 
-    def _end_of(self, stream: "Stream") -> None:
+    def _note_end(self, stream: "Stream") -> None:
         if stream.closed or self.now is None or self.now.stream is not stream:
             self._over_early = stream if self.preparing else None
             return
@@ -756,46 +709,35 @@ class Player(QObject):
         natural = ending is not None and ending.reason == "end"
         seen_on = self.now.seen_on(self._document.view.playhead_s) if natural else None
         if seen_on is None:
-            self._leave()
+            self._end_playing()
         else:
             # The last waves are still on their way.
             self.now = seen_on
-        self._thread.do(partial(self._session.made.let_go, stream), _nothing_more)
+        self._thread.do(partial(self._session.made.let_go, stream), _ignore_result)
         if ending is None:
-            self.failed.emit(_GONE)
+            self.failed.emit(_DEVICE_LOST)
         elif ending.reason == "panic":
-            self.told.emit(ending.sentence)
+            self.message.emit(ending.sentence)
         elif ending.sentence:
             self.failed.emit(ending.sentence)
 
-    def _leave(self) -> None:
+    def _end_playing(self) -> None:
         self.edits.end()
         self.playhead.rest()
-        if self.now is not None:
-            self.now = None
+        self.now = None
         self.changed.emit()
 
 
-def _nothing_more(_result: object, _error: SkinSourceError | None) -> None:
-    """All there is to say was said."""
+def _ignore_result(_result: object, _error: SkinSourceError | None) -> None:
+    """Do nothing: there is nothing to report."""
 
 
-# Where playing goes on, and how fast: what is put elsewhere, paused, or slowed down.
-
-#: What can be chosen: as fast as it happens, and so many times slower.
+#: Choices of slow motion: real time, and how many times slower.
 PACES = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)
 
 
 class PlaybackPace(QObject):
-    """Pause, slower, faster; follows the playhead and the slow motion of the view.
-
-    Parameters
-    ----------
-    document
-        Whose view says how slowly.
-    player
-        Who plays.
-    """
+    """Pauses the player, and has it follow the playhead and the slow motion of the view."""
 
     def __init__(self, document: Document, player: Player, parent: QObject) -> None:
         super().__init__(parent)
@@ -805,7 +747,7 @@ class PlaybackPace(QObject):
         document.changed.connect(self._follow)
 
     def pause(self) -> None:
-        """Stop, and leave the playhead where it is; or play on from there."""
+        """Stop and leave the playhead where it is, or play on from there."""
         if self._player.now is not None:
             self._player.playhead.stay()
             self._player.stop()
@@ -813,18 +755,20 @@ class PlaybackPace(QObject):
             self._player.play_or_stop()
 
     def slower(self) -> None:
-        """Take the next slower pace."""
-        self._take(next((one for one in PACES if one > self._now + 1e-9), PACES[-1]))
+        """Play at the next slower pace."""
+        self._set_slow_motion(next((pace for pace in PACES if pace > self._now + 1e-9), PACES[-1]))
 
     def faster(self) -> None:
-        """Take the next faster pace."""
-        self._take(next((one for one in reversed(PACES) if one < self._now - 1e-9), PACES[0]))
+        """Play at the next faster pace."""
+        self._set_slow_motion(
+            next((pace for pace in reversed(PACES) if pace < self._now - 1e-9), PACES[0])
+        )
 
     @property
     def _now(self) -> float:
         return self._document.view.slow_motion
 
-    def _take(self, slow_motion: float) -> None:
+    def _set_slow_motion(self, slow_motion: float) -> None:
         design, view = self._document.design, self._document.view
         self._document.apply(edits.play_slower(design, view, slow_motion))
 
@@ -840,25 +784,22 @@ class PlaybackPace(QObject):
         if now.silent is not None and 1.0 not in (before, self._now):
             now.silent.run_at(self._now)
         else:
-            # Only what runs as fast as it happens is heard.
+            # Only playback in real time is heard: it has to begin or end.
             self._player.play()
 
 
-# What can be told of a player.
-
-
 def _calibration(settings: SoundSettings, design: Design) -> str:
-    """Whether m/s² follow from what is played, in words."""
+    """Return the text on whether m/s² follow from the output."""
     if settings.rig_problem:
         return settings.rig_problem
     if settings.rig is None:
         return ""
-    places = tuple(dict.fromkeys(one.location for one in design.inputs))
+    places = tuple(dict.fromkeys(track.location for track in design.inputs))
     return rigs.calibration_words(settings.rig, places)
 
 
 def played_by(player: Player, design: Design) -> Played:
-    """What is played now, on what, and how loud."""
+    """Return the state of playback for the panels."""
     settings, stream = player.settings, player.now.stream if player.now else None
     mix = None if stream is None else stream.deck.mix
     render_s = player.edits.render_s

@@ -1,4 +1,4 @@
-"""What the studio remembers between sessions: theme, window, recent files."""
+"""Settings that are stored between sessions, the first design, and the installed limbs."""
 
 import os
 from collections.abc import Mapping
@@ -124,8 +124,8 @@ class Preferences:
     def own_arrangements(self) -> dict[str, bytes]:
         """By the name of an arrangement, where the user's docks stand in it."""
         names = str(self.settings.value("own_arrangements", "")).split()
-        found = {name: bytes(self._bytes(f"own_arrangement_{name}").data()) for name in names}
-        return {name: layout for name, layout in found.items() if layout}
+        layouts = {name: bytes(self._bytes(f"own_arrangement_{name}").data()) for name in names}
+        return {name: layout for name, layout in layouts.items() if layout}
 
     @own_arrangements.setter
     def own_arrangements(self, layouts: Mapping[str, bytes]) -> None:
@@ -145,10 +145,10 @@ class Preferences:
     @property
     def recent_names(self) -> list[str]:
         """What is remembered of recent files, as they stand."""
-        found = self.settings.value("recent", [])
-        if isinstance(found, str):
-            return [found]
-        return [str(one) for one in found] if isinstance(found, list) else []
+        names = self.settings.value("recent", [])
+        if isinstance(names, str):
+            return [names]
+        return [str(name) for name in names] if isinstance(names, list) else []
 
     @recent_names.setter
     def recent_names(self, names: list[str]) -> None:
@@ -176,15 +176,10 @@ class Preferences:
         return value if isinstance(value, QByteArray) else QByteArray()
 
 
-# What the first window shows.
-
-
 def start_design(limb: str) -> Design:
     """Design of the first window: a 100 Hz tone on the pad of digit II (input 7)."""
     return Design(limb=limb, inputs=(track(7, Tone(frequency_hz=100.0)),))
 
-
-# Which limbs can be loaded.
 
 #: Titles of the jobs that install limbs: from a folder, and by download.
 INSTALLATIONS = ("Installing the measured limbs", "Downloading the measured limbs")
@@ -227,9 +222,9 @@ class InstalledLimbs(QObject):
             self.look()
 
     def look(self) -> None:
-        """Look which limbs are there now."""
-        found = available_limbs()
-        shown = tuple(facts_of(name) for name in found)
+        """Look up which limbs are installed now."""
+        limbs = available_limbs()
+        shown = tuple(facts_of(name) for name in limbs)
         if shown != self._shown:
-            self.names, self._shown = found, shown
+            self.names, self._shown = limbs, shown
             self.changed.emit()

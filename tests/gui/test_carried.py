@@ -81,9 +81,9 @@ def test_another_scaling_says_what_it_hides(make_window):
 
 def test_each_limb_of_a_comparison_is_named_with_what_there_is_to_note_of_it(window, monkeypatch):
     notes = {"synthetic-1": "", "synthetic-2": "made anew", "synthetic-3": "made anew"}
-    judge = window.pictures._carrying._judging.judge
+    judge = window.pictures._metadata._judging.judge
     monkeypatch.setattr(
-        window.pictures._carrying._judging,
+        window.pictures._metadata._judging,
         "judge",
         lambda label, given, *, present: replace(
             judge(label, given, present=present), note=notes.get(given["limb"], "")

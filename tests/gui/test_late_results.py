@@ -123,7 +123,7 @@ def test_what_comes_into_sight_with_older_results_says_so_until_the_newer_ones_a
         studio.settled()
         qtbot.waitUntil(lambda one=panel: not one.late)
         assert offers(panel) == offered, name
-        assert not panel.findChildren(StaleOverlay) or not panel._veils, name
+        assert not panel.findChildren(StaleOverlay) or not panel._overlays, name
         studio.hide_panel(name)
 
 

@@ -163,7 +163,7 @@ def test_edits_lay_nothing_out_in_the_window(window, qtbot, qapp):
     label.noted.connect(lambda: told.append(label.text()))
     for hz in (103.0, 104.0, 105.0):
         edit(hz)
-        label._say()
+        label._show_text()
     qapp.removeEventFilter(spy)
     assert told
     assert [one for one in spy.seen if one[1] == "LayoutRequest"] == []

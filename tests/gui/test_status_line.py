@@ -39,7 +39,7 @@ def edit(window, **changes):
 def scope(**changes):
     given = {
         "inputs": 20,
-        "heard": 4,
+        "audible": 4,
         "channels": 6,
         "all_channels": 216,
         "has_map": True,
@@ -166,7 +166,7 @@ def test_transforms_beyond_those_of_channels_and_search_are_the_maps():
 
 
 def test_every_phrasing_is_shorter_than_the_one_before():
-    for one in (scope(), scope(streamed=True), scope(has_map=False), scope(inputs=0, heard=0)):
+    for one in (scope(), scope(streamed=True), scope(has_map=False), scope(inputs=0, audible=0)):
         lengths = [len(words) for words in one.phrases()]
         assert lengths == sorted(set(lengths), reverse=True)
 

@@ -1,9 +1,10 @@
-"""What the Edit menu does with clips and the clipboard.
+"""The entries of the Edit menu.
 
-The usual keys are those of the timeline: elsewhere they belong to texts and tables.
+The usual keys of the clipboard belong to the timeline: elsewhere they belong to texts and tables.
 """
 
 from collections.abc import Callable, Iterable
+from functools import partial
 
 from skinsource.design import edits
 from skinsource.design.comparing import NUMBERS
@@ -19,11 +20,78 @@ def _has_clips(design: Design, view: View) -> bool:
     return bool(design.clips)
 
 
-def _hint(words: str, name: str) -> str:
-    return f"{words} ({key_text('timeline', name)}, in the timeline)"
+def _hint(text: str, name: str) -> str:
+    return f"{text} ({key_text('timeline', name)}, in the timeline)"
 
 
-CLIPBOARD: tuple[ActionSpec, ...] = (
+def _has_snapshots(design: Design, view: View) -> bool:
+    return bool(view.snapshots)
+
+
+def _toggle_match(design: Design, view: View) -> Edit | Refusal:
+    return edits.match_levels(design, view, not view.levels_matched)
+
+
+def _has_match_gain(design: Design, view: View) -> bool:
+    return view.match_gain(design) != 1.0
+
+
+def _matched(design: Design, view: View) -> bool:
+    return view.levels_matched
+
+
+def _has_inputs(design: Design, view: View) -> bool:
+    return bool(design.inputs)
+
+
+def _has_outputs(design: Design, view: View) -> bool:
+    return bool(view.outputs)
+
+
+def _selected(design: Design, view: View) -> list[Input]:
+    return [track for track in design.inputs if track.id in view.selected_inputs]
+
+
+def _has_selected(design: Design, view: View) -> bool:
+    return bool(view.selected_inputs)
+
+
+def _has_train(design: Design, view: View) -> bool:
+    return selected_train(design, view) is not None
+
+
+def _all_muted(design: Design, view: View) -> bool:
+    chosen = _selected(design, view)
+    return bool(chosen) and all(track.muted for track in chosen)
+
+
+def _all_solo(design: Design, view: View) -> bool:
+    chosen = _selected(design, view)
+    return bool(chosen) and all(track.solo for track in chosen)
+
+
+def _of_selected(
+    edit: Callable[[Design, View, Iterable[int]], Edit | Refusal],
+) -> Callable[[Design, View], Edit | Refusal]:
+    """Return ``edit`` of the inputs that are selected."""
+
+    def of_selected(design: Design, view: View) -> Edit | Refusal:
+        return edit(design, view, view.selected_inputs)
+
+    return of_selected
+
+
+def _select_no_outputs(design: Design, view: View) -> Edit | Refusal:
+    return edits.select_outputs(design, view, ())
+
+
+def _key(name: str) -> str:
+    return key_text("inputs", name)
+
+
+EDIT: tuple[ActionSpec, ...] = (
+    action("undo", "Edit", "Undo", "Take the last edit back", "Ctrl+Z", command="steps.undo"),
+    action("redo", "Edit", "Redo", "Do it again", "Ctrl+Shift+Z", "Ctrl+Y", command="steps.redo"),
     action(
         "cut_clips",
         "Edit",
@@ -54,150 +122,6 @@ CLIPBOARD: tuple[ActionSpec, ...] = (
         key_elsewhere=key_text("timeline", "paste"),
         keywords="clipboard insert",
     ),
-)
-
-
-# What the Edit menu does with snapshots of the design.
-
-
-def _has_snapshots(design: Design, view: View) -> bool:
-    return bool(view.snapshots)
-
-
-def _toggle_match(design: Design, view: View) -> Edit | Refusal:
-    return edits.match_levels(design, view, not view.levels_matched)
-
-
-def _has_match_gain(design: Design, view: View) -> bool:
-    return view.match_gain(design) != 1.0
-
-
-def _matched(design: Design, view: View) -> bool:
-    return view.levels_matched
-
-
-SNAPSHOTS: tuple[ActionSpec, ...] = (
-    *(
-        ActionSpec(
-            name=f"store_snapshot_{number}",
-            menu="Edit",
-            text=f"Store snapshot {number}",
-            hint="Keep the design as it is now, to compare others with it",
-            keys=(f"Ctrl+{number}",),
-            keywords="a/b compare keep variant version",
-            command="comparison.store",
-            argument=str(number),
-            separated=number == NUMBERS[0],
-        )
-        for number in NUMBERS
-    ),
-    action(
-        "take_snapshot",
-        "Edit",
-        "Snapshot from a file…",
-        "Keep the design of a file as a snapshot, to compare this one with it",
-        command="files.take_snapshot",
-        keywords="a/b compare design file side by side open",
-    ),
-    action(
-        "toggle_snapshots",
-        "Edit",
-        "Compare with the one before",
-        "Show the other one of the last two snapshots that were shown",
-        "X",
-        command="comparison.toggle",
-        enabled=_has_snapshots,
-        keywords="a/b toggle switch exchange snapshot",
-    ),
-    action(
-        "match_levels",
-        "Edit",
-        "Match levels of snapshots",
-        "Show snapshots as loud as each other at their loudest output",
-        edit=_toggle_match,
-        checked=_matched,
-        keywords="a/b loudness gain equal snapshot",
-    ),
-    action(
-        "keep_match_gain",
-        "Edit",
-        "Keep the match gain",
-        "Give the design the amplitudes that it is shown with to match another snapshot",
-        edit=edits.keep_match_gain,
-        enabled=_has_match_gain,
-        keywords="a/b loudness level snapshot amplitude",
-    ),
-)
-
-
-# What the Edit menu does.
-
-
-def _has_inputs(design: Design, view: View) -> bool:
-    return bool(design.inputs)
-
-
-def _edit_menu_has_clips(design: Design, view: View) -> bool:
-    return any(one.clips for one in design.inputs)
-
-
-def _has_outputs(design: Design, view: View) -> bool:
-    return bool(view.outputs)
-
-
-def _selected(design: Design, view: View) -> list[Input]:
-    return [one for one in design.inputs if one.id in view.selected_inputs]
-
-
-def _has_selected(design: Design, view: View) -> bool:
-    return bool(view.selected_inputs)
-
-
-def _has_train(design: Design, view: View) -> bool:
-    return selected_train(design, view) is not None
-
-
-def _all_muted(design: Design, view: View) -> bool:
-    chosen = _selected(design, view)
-    return bool(chosen) and all(one.muted for one in chosen)
-
-
-def _all_solo(design: Design, view: View) -> bool:
-    chosen = _selected(design, view)
-    return bool(chosen) and all(one.solo for one in chosen)
-
-
-def _of_selected(
-    edit: Callable[[Design, View, Iterable[int]], Edit | Refusal],
-) -> Callable[[Design, View], Edit | Refusal]:
-    """Return ``edit`` of the inputs that are selected."""
-
-    def of_selected(design: Design, view: View) -> Edit | Refusal:
-        return edit(design, view, view.selected_inputs)
-
-    return of_selected
-
-
-def _select_no_outputs(design: Design, view: View) -> Edit | Refusal:
-    return edits.select_outputs(design, view, ())
-
-
-def _shift_up(design: Design, view: View) -> Edit | Refusal:
-    return edits.shift_inputs(design, view, view.selected_inputs, down=False)
-
-
-def _shift_down(design: Design, view: View) -> Edit | Refusal:
-    return edits.shift_inputs(design, view, view.selected_inputs, down=True)
-
-
-def _key(name: str) -> str:
-    return key_text("inputs", name)
-
-
-EDIT: tuple[ActionSpec, ...] = (
-    action("undo", "Edit", "Undo", "Take the last edit back", "Ctrl+Z", command="steps.undo"),
-    action("redo", "Edit", "Redo", "Do it again", "Ctrl+Shift+Z", "Ctrl+Y", command="steps.redo"),
-    *CLIPBOARD,
     action(
         "make_motion",
         "Edit",
@@ -213,7 +137,7 @@ EDIT: tuple[ActionSpec, ...] = (
         "Save to library…",
         "Keep the selected clips, a track or the whole design as a preset",
         command="library.ask_and_save",
-        enabled=_edit_menu_has_clips,
+        enabled=_has_clips,
         keywords="preset keep store template reuse",
     ),
     action(
@@ -284,7 +208,7 @@ EDIT: tuple[ActionSpec, ...] = (
         "Edit",
         "Move input up in the list",
         f"List the selected inputs one place further up ({_key('shift_up')}, in the list)",
-        edit=_shift_up,
+        edit=_of_selected(partial(edits.shift_inputs, down=False)),
         enabled=_has_selected,
         keywords="reorder order sort before",
         separated=True,
@@ -294,7 +218,7 @@ EDIT: tuple[ActionSpec, ...] = (
         "Edit",
         "Move input down in the list",
         f"List the selected inputs one place further down ({_key('shift_down')}, in the list)",
-        edit=_shift_down,
+        edit=_of_selected(partial(edits.shift_inputs, down=True)),
         enabled=_has_selected,
         keywords="reorder order sort after",
     ),
@@ -329,5 +253,54 @@ EDIT: tuple[ActionSpec, ...] = (
         keywords="deselect sensors clear",
         separated=True,
     ),
-    *SNAPSHOTS,
+    *(
+        ActionSpec(
+            name=f"store_snapshot_{number}",
+            menu="Edit",
+            text=f"Store snapshot {number}",
+            hint="Keep the design as it is now, to compare others with it",
+            keys=(f"Ctrl+{number}",),
+            keywords="a/b compare keep variant version",
+            command="comparison.store",
+            argument=str(number),
+            separated=number == NUMBERS[0],
+        )
+        for number in NUMBERS
+    ),
+    action(
+        "take_snapshot",
+        "Edit",
+        "Snapshot from a file…",
+        "Keep the design of a file as a snapshot, to compare this one with it",
+        command="files.take_snapshot",
+        keywords="a/b compare design file side by side open",
+    ),
+    action(
+        "toggle_snapshots",
+        "Edit",
+        "Compare with the one before",
+        "Show the other one of the last two snapshots that were shown",
+        "X",
+        command="comparison.toggle",
+        enabled=_has_snapshots,
+        keywords="a/b toggle switch exchange snapshot",
+    ),
+    action(
+        "match_levels",
+        "Edit",
+        "Match levels of snapshots",
+        "Show snapshots as loud as each other at their loudest output",
+        edit=_toggle_match,
+        checked=_matched,
+        keywords="a/b loudness gain equal snapshot",
+    ),
+    action(
+        "keep_match_gain",
+        "Edit",
+        "Keep the match gain",
+        "Give the design the amplitudes that it is shown with to match another snapshot",
+        edit=edits.keep_match_gain,
+        enabled=_has_match_gain,
+        keywords="a/b loudness level snapshot amplitude",
+    ),
 )

@@ -1,4 +1,4 @@
-"""What the File menu does."""
+"""The entries of the File menu."""
 
 from skinsource.design.design import Design, audible_inputs
 from skinsource.design.view import View
@@ -6,7 +6,7 @@ from skinsource_gui.pages.files.exports import EXPORTS
 from skinsource_gui.shell.actions.spec import ActionSpec, action
 
 
-def _is_heard(design: Design, view: View) -> bool:
+def _has_audible_inputs(design: Design, view: View) -> bool:
     return bool(audible_inputs(design.inputs))
 
 
@@ -97,7 +97,7 @@ FILE: tuple[ActionSpec, ...] = (
         "Ctrl+Alt+E",
         command="stimuli.show",
         keywords="save write drive wav flac csv npz mat hdf5 header bids sound play actuator",
-        enabled=_is_heard,
+        enabled=_has_audible_inputs,
         separated=True,
     ),
     *(

@@ -1,4 +1,4 @@
-"""What the Help menu does."""
+"""The entries of the Help menu."""
 
 from skinsource_gui.pages.dataset import TITLE
 from skinsource_gui.shell.actions.spec import ActionSpec, action

@@ -1,4 +1,4 @@
-"""What the Play menu does."""
+"""The entries of the Play menu."""
 
 from skinsource_gui.qt.keys import KEYS
 from skinsource_gui.shell.actions.spec import ActionSpec, action

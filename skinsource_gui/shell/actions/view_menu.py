@@ -1,4 +1,4 @@
-"""What the View menu does."""
+"""The entries of the View menu."""
 
 from functools import partial
 
@@ -27,8 +27,8 @@ def _delay_removed(design: Design, view: View) -> bool:
 
 
 def _has_clip(design: Design, view: View) -> bool:
-    one = view.selected_input
-    return one in design.ids and clip_of(design.input(one), view) is not None
+    track_id = view.selected_input
+    return track_id in design.ids and clip_of(design.input(track_id), view) is not None
 
 
 VIEW: tuple[ActionSpec, ...] = (

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 from skinsource.design.edits.edit import Edit
 from skinsource.perception.validity import Finding
 from skinsource_gui.qt.theme import DARK, scaled
-from skinsource_gui.shell.validity_lamps import ValidityCard, ValidityLamps, _words_of
+from skinsource_gui.shell.validity_lamps import ValidityCard, ValidityLamps, _lamp_text
 from skinsource_gui.state.engine import FIRST_SLOT
 
 FINDINGS = (
@@ -36,7 +36,7 @@ def lamps(qtbot):
 
 
 def test_a_lamp_is_called_in_its_explanation_as_beside_it():
-    heads = [_words_of(one).splitlines()[0] for one in FINDINGS[:3]]
+    heads = [_lamp_text(one).splitlines()[0] for one in FINDINGS[:3]]
     assert heads == ["Band: caution", "Drive: unknown", "SNR: kept"]
 
 
@@ -73,7 +73,7 @@ def test_lamps_are_explained_and_mended_with_one_click(window, qtbot):
 
 def awaits(lamps):
     """Whether lamps are pale, or will be: they wait for what replaces them."""
-    return lamps._lateness.late or lamps._lateness._timer.isActive()
+    return lamps._staleness.late or lamps._staleness._timer.isActive()
 
 
 def test_lamps_are_pale_only_until_what_they_depend_on_is_judged_anew(window, qtbot, settle):
@@ -168,6 +168,6 @@ def test_the_card_offers_a_button_only_where_something_can_be_done(qtbot):
     card.open_above(QPoint(50, 500))
     card.grab()
     wanted = []
-    card.mend_wanted.connect(wanted.append)
+    card.repair_wanted.connect(wanted.append)
     card.findChild(QPushButton, "mend_drive").click()
     assert wanted == [FINDINGS[1]]

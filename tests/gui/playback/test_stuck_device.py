@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject
 
 from skinsource_gui.app import app
 from skinsource_gui.state import playing
-from skinsource_gui.state.playing import SoundThread, one_is_stuck
+from skinsource_gui.state.playing import SoundThread, device_is_stuck
 
 
 @pytest.fixture
@@ -16,7 +16,7 @@ def device(qtbot):
     answers = threading.Event()
     yield answers
     answers.set()
-    qtbot.waitUntil(lambda: not one_is_stuck())
+    qtbot.waitUntil(lambda: not device_is_stuck())
 
 
 def test_the_end_does_not_wait_for_a_device_that_is_stuck(device, monkeypatch, qtbot):
@@ -26,11 +26,11 @@ def test_the_end_does_not_wait_for_a_device_that_is_stuck(device, monkeypatch, q
     thread.do(device.wait, lambda *_: None)
     thread.end(closed.set)
     assert not closed.is_set()
-    assert one_is_stuck()
+    assert device_is_stuck()
     # One that answers after all is closed in order.
     device.set()
     assert closed.wait(20)
-    qtbot.waitUntil(lambda: not one_is_stuck())
+    qtbot.waitUntil(lambda: not device_is_stuck())
 
 
 def test_the_end_waits_for_a_device_that_answers(device):
@@ -39,13 +39,13 @@ def test_the_end_waits_for_a_device_that_answers(device):
     thread.do(lambda: done.append("played"), lambda *_: None)
     thread.end(lambda: done.append("closed"))
     assert done == ["played", "closed"]
-    assert not one_is_stuck()
+    assert not device_is_stuck()
 
 
 @pytest.mark.parametrize("stuck", [True, False])
 def test_only_a_stuck_device_ends_the_process_at_once(monkeypatch, stuck):
     ended = []
-    monkeypatch.setattr(app, "one_is_stuck", lambda: stuck)
+    monkeypatch.setattr(app, "device_is_stuck", lambda: stuck)
     monkeypatch.setattr(app.os, "_exit", ended.append)
     app.end_if_stuck(3)
     assert ended == ([3] if stuck else [])
