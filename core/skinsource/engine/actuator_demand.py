@@ -122,17 +122,17 @@ class ActuatorSettings:
     def profile(self) -> ActuatorProfile:
         """What the library knows of the actuator; the usual one where its name is not known."""
         if self.actuator == MEASURED:
-            found = _measured(self.measured, self.measured_from)
-            if found is not None:
-                return found
+            measured = _measured(self.measured, self.measured_from)
+            if measured is not None:
+                return measured
         known = self.actuator in (*names(), *shape_names())
         return profile(self.actuator if known else USUAL)
 
     @property
     def measured_title(self) -> str:
         """What the response that was measured is called; "" where none can be looked at."""
-        found = _measured(self.measured, self.measured_from)
-        return "" if found is None else found.title
+        measured = _measured(self.measured, self.measured_from)
+        return "" if measured is None else measured.title
 
     @property
     def model(self) -> Actuator | None:
@@ -154,10 +154,10 @@ class ActuatorSettings:
             return PolePairReplacement(*resonance_of(model), self.new_quality)
         return None
 
-    def with_measured(self, found: MeasuredResponse, title: str) -> "ActuatorSettings":
+    def with_measured(self, response: MeasuredResponse, title: str) -> "ActuatorSettings":
         """Look at all of a response that was measured; of very many points, at some."""
-        step = -(-len(found.points) // _MOST_POINTS)
-        points = found.points[::step]
+        step = -(-len(response.points) // _MOST_POINTS)
+        points = response.points[::step]
         return replace(
             self,
             actuator=MEASURED,
@@ -198,10 +198,10 @@ def actuator_spec(measured: str = "") -> ChoiceSpec:
     """The actuators that can be chosen: complete ones first, then ``measured`` if there is one."""
     moving = tuple((name, profile(name).title) for name in names())
     shapes = tuple((name, f"{profile(name).title} (shape)") for name in shape_names())
-    own = ((MEASURED, f"{measured} (measured)"),) if measured else ()
+    from_file = ((MEASURED, f"{measured} (measured)"),) if measured else ()
     return ChoiceSpec(
         label="Actuator",
-        options=(*moving, *own, *shapes),
+        options=(*moving, *from_file, *shapes),
         hint="Of shapes only the resonance is known: nothing is predicted in volts",
     )
 
@@ -242,20 +242,20 @@ class Demand:
 
 def demand_location(placed: Sequence[Placed], selected_input: int | None) -> int | None:
     """Place of the selected input, else of the first that plays."""
-    for one in placed:
-        if one.voice.id == selected_input:
-            return one.voice.location
+    for voice in placed:
+        if voice.voice.id == selected_input:
+            return voice.voice.location
     return placed[0].voice.location if placed else None
 
 
-def drive_at(placed: Sequence[Placed], place: int) -> Floats:
+def drive_at(placed: Sequence[Placed], location: int) -> Floats:
     """All that is played at a place, (n_times,), from time 0 on."""
-    here = [one for one in placed if one.voice.location == place]
-    total = np.zeros(max((one.end for one in here), default=0))
-    for one in here:
-        factor = one.voice.amplitude * one.drive.factor
+    here = [voice for voice in placed if voice.voice.location == location]
+    total = np.zeros(max((voice.end for voice in here), default=0))
+    for voice in here:
+        factor = voice.voice.amplitude * voice.drive.factor
         if factor:
-            total[one.start : one.end] += factor * one.drive.samples
+            total[voice.start : voice.end] += factor * voice.drive.samples
     return total
 
 
@@ -294,11 +294,11 @@ def demand_of(
         if equaliser is None:
             voltage = settings.volts * shown
         else:
-            asked = settings.strength_m_per_s2 * shown
+            acceleration = settings.strength_m_per_s2 * shown
             voltage = equalised(
-                asked, sample_rate_hz, model, equaliser, band_hz=band, lead_s=0.1, tail_s=0.1
+                acceleration, sample_rate_hz, model, equaliser, band_hz=band, lead_s=0.1, tail_s=0.1
             )
-        (found,) = predicted(
+        (figures,) = predicted(
             voltage,
             int(sample_rate_hz),
             model,
@@ -307,22 +307,22 @@ def demand_of(
         )
     except InvalidInputError as error:
         rest = net_velocity(shown, sample_rate_hz, band[0])
-        left = settings.equaliser != "none" and not rest.returns
-        words = str(error)
-        refusal = f"{words[:1].upper()}{words[1:]}"
-        return Demand(place=place, part=part, refusal=refusal, leaves_velocity=left)
+        leaves_velocity = settings.equaliser != "none" and not rest.returns
+        text = str(error)
+        refusal = f"{text[:1].upper()}{text[1:]}"
+        return Demand(place=place, part=part, refusal=refusal, leaves_velocity=leaves_velocity)
     # Of the drive itself: what the filter rings for before and after is no part of the design.
-    found = replace(found, duty=duty_of(drive, sample_rate_hz))
-    return Demand(place=place, part=part, figures=found)
+    figures = replace(figures, duty=duty_of(drive, sample_rate_hz))
+    return Demand(place=place, part=part, figures=figures)
 
 
 def strongest(drive: Floats, sample_rate_hz: float) -> Floats:
     """The drive, or where it is long the part around its peak."""
-    most = int(LONGEST_S * sample_rate_hz)
-    if drive.size <= most:
+    longest = int(LONGEST_S * sample_rate_hz)
+    if drive.size <= longest:
         return drive if drive.size else np.zeros(1)
-    start = min(max(int(np.abs(drive).argmax()) - most // 2, 0), drive.size - most)
-    return drive[start : start + most]
+    start = min(max(int(np.abs(drive).argmax()) - longest // 2, 0), drive.size - longest)
+    return drive[start : start + longest]
 
 
 # Between what is looked at and what a design is predicted through.
@@ -334,8 +334,8 @@ def actuation_of(settings: ActuatorSettings) -> Actuation | None:
     if model is None:
         return None
     equaliser: Any = settings.made(model)
-    one = ActuatorAt(actuator=settings.profile.title, model=model)
-    return Actuation(actuators=(one,), equaliser=equaliser)
+    actuator = ActuatorAt(actuator=settings.profile.title, model=model)
+    return Actuation(actuators=(actuator,), equaliser=equaliser)
 
 
 def settings_through(settings: ActuatorSettings, actuated: Actuation | None) -> ActuatorSettings:
@@ -345,25 +345,25 @@ def settings_through(settings: ActuatorSettings, actuated: Actuation | None) -> 
     """
     if actuated is None or len(actuated.actuators) > 1:
         return settings
-    (one,) = actuated.actuators
-    if isinstance(one.model, MeasuredResponse):
-        found = settings.with_measured(one.model, one.actuator)
-        found = replace(found, **_of(actuated.equaliser))
-        return found if actuation_of(found) == actuated else settings
-    listed = next((name for name in names() if profile(name).title == one.actuator), None)
-    if listed is None or type(profile(listed).model) is not type(one.model):
+    (actuator,) = actuated.actuators
+    if isinstance(actuator.model, MeasuredResponse):
+        through = settings.with_measured(actuator.model, actuator.actuator)
+        through = replace(through, **_of(actuated.equaliser))
+        return through if actuation_of(through) == actuated else settings
+    listed = next((name for name in names() if profile(name).title == actuator.actuator), None)
+    if listed is None or type(profile(listed).model) is not type(actuator.model):
         return settings
     before = profile(listed).model
     changed = tuple(
-        (name, getattr(one.model, name))
-        for name in specs_of(one.model)
-        if getattr(one.model, name) != getattr(before, name)
+        (name, getattr(actuator.model, name))
+        for name in specs_of(actuator.model)
+        if getattr(actuator.model, name) != getattr(before, name)
     )
-    found = replace(settings, actuator=listed, parameters=changed, **_of(actuated.equaliser))
+    through = replace(settings, actuator=listed, parameters=changed, **_of(actuated.equaliser))
     # The same values in another order are the same settings.
-    if dict(found.parameters) == dict(settings.parameters):
-        found = replace(found, parameters=settings.parameters)
-    return found if actuation_of(found) == actuated else settings
+    if dict(through.parameters) == dict(settings.parameters):
+        through = replace(through, parameters=settings.parameters)
+    return through if actuation_of(through) == actuated else settings
 
 
 def _of(equaliser: Equaliser | None) -> dict[str, Any]:

@@ -84,12 +84,12 @@ def actuator_looked_at(
     actuator_settings: ActuatorSettings, actuation: Actuation | None
 ) -> ActuatorSettings:
     """Actuator and equaliser, and what an amplitude of 1 is; not how they are drawn."""
-    found = settings_through(actuator_settings, actuation)
-    if actuation is not None and actuation == actuation_of(found):
+    settings = settings_through(actuator_settings, actuation)
+    if actuation is not None and actuation == actuation_of(settings):
         # Amplitudes are what the contactor, or the coil, gets.
-        found = replace(found, strength_m_per_s2=1.0, volts=1.0)
+        settings = replace(settings, strength_m_per_s2=1.0, volts=1.0)
     usual = ActuatorSettings()
-    return replace(found, picture=usual.picture, layout=usual.layout, zoom=None)
+    return replace(settings, picture=usual.picture, layout=usual.layout, zoom=None)
 
 
 def actuator_demand(
@@ -116,17 +116,17 @@ def place_drives(
 
     In probe scaling that is the acceleration of the probe, m/s².
     """
-    moving = [one for one in placed if one.moves]
-    to_places = responses.to(one.voice.location for one in moving)
+    moving = [voice for voice in placed if voice.moves]
+    to_places = responses.to(voice.voice.location for voice in moving)
     gains = responses.gains(
-        [one.sounding(to) for one, to in zip(moving, to_places, strict=True)], stop
+        [voice.sounding(to) for voice, to in zip(moving, to_places, strict=True)], stop
     )
-    length = max((one.end for one in moving), default=0)
-    found: dict[int, Floats] = {}
-    for one, gain in zip(moving, gains, strict=True):
-        total = found.setdefault(one.voice.location, np.zeros(length))
-        total[one.start : one.end] += one.voice.amplitude * gain * one.drive.samples
-    return tuple(found.items())
+    length = max((voice.end for voice in moving), default=0)
+    played: dict[int, Floats] = {}
+    for voice, gain in zip(moving, gains, strict=True):
+        total = played.setdefault(voice.voice.location, np.zeros(length))
+        total[voice.start : voice.end] += voice.voice.amplitude * gain * voice.drive.samples
+    return tuple(played.items())
 
 
 def noise_energy(
@@ -171,7 +171,7 @@ def above_noise_db(record_rms: Floats, output_noise_rms: Floats | None) -> Float
 NOISE_RULES = (place_drives, noise_energy, output_noise_rms, above_noise_db)
 
 
-def place_noise(limb: Limb, place: int) -> Floats | None:
+def place_noise(limb: Limb, location: int) -> Floats | None:
     """RMS of the noise in the responses to a place, (n_outputs, n_axes); None: not known.
 
     Synthetic limbs have none, and some of one's own too few samples before the pulse.
@@ -179,16 +179,16 @@ def place_noise(limb: Limb, place: int) -> Floats | None:
     rate, before_s = limb.sample_rate_hz, limb.pre_trigger_delay_s
     if limb.synthetic or not tells_noise(rate, before_s):
         return None
-    return noise_rms(limb.response_to(place), rate, before_s)
+    return noise_rms(limb.response_to(location), rate, before_s)
 
 
 def noise_of_places(
     place_drives: tuple[tuple[int, Floats], ...], limb: Limb
 ) -> dict[int, Floats] | None:
     """Noise of the responses to each place that plays; None: nothing does, or one is not known."""
-    found = {place: place_noise(limb, place) for place, _ in place_drives}
-    noise = {place: one for place, one in found.items() if one is not None}
-    return noise if noise and len(noise) == len(found) else None
+    noise_by_place = {location: place_noise(limb, location) for location, _ in place_drives}
+    noise = {location: rms for location, rms in noise_by_place.items() if rms is not None}
+    return noise if noise and len(noise) == len(noise_by_place) else None
 
 
 def projected_rms(energy: Floats, projection: Projection, n_times: int) -> Floats:
@@ -211,7 +211,7 @@ def probe_inverse(n_taps: int, sample_rate_hz: float) -> Floats:
     return per_probe_acceleration(pulse, sample_rate_hz)
 
 
-def noise_path(limb: Limb, scaling: Scaling, actuation: Actuation | None, place: int) -> Floats:
+def noise_path(limb: Limb, scaling: Scaling, actuation: Actuation | None, location: int) -> Floats:
     """Impulse response that the noise in the responses to a place goes through, (n,).
 
     In probe scaling that is the inverse pulse, with its middle at half of its length; through an
@@ -224,7 +224,7 @@ def noise_path(limb: Limb, scaling: Scaling, actuation: Actuation | None, place:
     if actuation is None:
         return path
     transfers = transfers_of(actuation, rate, limb.band_hz)
-    return scipy.signal.oaconvolve(path, transfers[actuation.at(place).place].samples)
+    return scipy.signal.oaconvolve(path, transfers[actuation.at(location).place].samples)
 
 
 def shaped_drives(
@@ -235,8 +235,8 @@ def shaped_drives(
 ) -> dict[int, Floats]:
     """What the noise of the responses is convolved with, by place: see `noise_path`."""
     return {
-        place: scipy.signal.oaconvolve(played, noise_path(limb, scaling, actuation, place))
-        for place, played in place_drives
+        location: scipy.signal.oaconvolve(played, noise_path(limb, scaling, actuation, location))
+        for location, played in place_drives
     }
 
 
@@ -257,7 +257,8 @@ def axis_record_rms(
 ) -> tuple[Floats, ...]:
     """RMS over the whole record along each axis, (n_outputs,) each, in m/s²."""
     return tuple(
-        level_rules.record_rms(moments, one, total_spectrum, record_samples) for one in single_axes
+        level_rules.record_rms(moments, axis, total_spectrum, record_samples)
+        for axis in single_axes
     )
 
 
@@ -271,13 +272,13 @@ def axis_levels_db(
     stop: Stop,
 ) -> tuple[Floats, ...]:
     """RMS level along each axis, (n_outputs,) each, in dB re 1 m/s²: as if it alone were chosen."""
-    found = []
-    for one, record in zip(single_axes, axis_record_rms, strict=True):
+    levels_db = []
+    for axis, record in zip(single_axes, axis_record_rms, strict=True):
         loudest = level_rules.loudest_rms(
-            span, limb_data, one, total_spectrum, streamed_vibration, stop
+            span, limb_data, axis, total_spectrum, streamed_vibration, stop
         )
-        found.append(level_rules.output_levels_db(level_rules.output_rms(record, loudest)))
-    return tuple(found)
+        levels_db.append(level_rules.output_levels_db(level_rules.output_rms(record, loudest)))
+    return tuple(levels_db)
 
 
 def axis_surface_levels_db(
@@ -295,8 +296,8 @@ def axis_above_noise_db(
 ) -> tuple[Floats | None, ...]:
     """Level along each axis above that of its noise, (n_outputs,) each, dB; None: not known."""
     return tuple(
-        above_noise_db(record, output_noise_rms(noise_energy, one, record_samples))
-        for one, record in zip(single_axes, axis_record_rms, strict=True)
+        above_noise_db(record, output_noise_rms(noise_energy, axis, record_samples))
+        for axis, record in zip(single_axes, axis_record_rms, strict=True)
     )
 
 
@@ -314,7 +315,7 @@ AXIS_RULES = (
 
 def stimulus_start_s(placed: tuple[Placed, ...], sample_rate_hz: float) -> float:
     """When the first input that is heard starts, s; 0 where none is."""
-    return min((one.start for one in placed if one.moves), default=0) / sample_rate_hz
+    return min((voice.start for voice in placed if voice.moves), default=0) / sample_rate_hz
 
 
 def output_statistics(
@@ -337,9 +338,9 @@ def output_statistics(
     peak = np.abs(selected_traces).max(axis=-1, initial=0.0)
     n_times = selected_traces.shape[-1]
     dominant_hz = np.empty(len(shown_outputs))
-    for row, of_axes in enumerate(axis_traces):
+    for row, traces in enumerate(axis_traces):
         stop_if(stop)
-        spectra = forward(of_axes, n_times)
+        spectra = forward(traces, n_times)
         if selected_projection.directions is None:
             power = np.sum(np.square(np.abs(spectra)), axis=0)
         else:
@@ -358,8 +359,8 @@ def spectrogram_output(
     shown_outputs: tuple[int, ...], spectrogram_settings: SpectrogramSettings
 ) -> int:
     """Which output the spectrogram is of; 0 where none is selected."""
-    wanted = spectrogram_settings.output
-    return wanted if wanted in shown_outputs else (shown_outputs or (0,))[-1]
+    chosen = spectrogram_settings.output
+    return chosen if chosen in shown_outputs else (shown_outputs or (0,))[-1]
 
 
 def spectrogram_window_s(spectrogram_settings: SpectrogramSettings) -> float:
@@ -470,7 +471,7 @@ def sensation(
     rate = limb_data.sample_rate_hz
     band_hz = limb_data.band_hz or (table[0][0], table[-1][0])
     offsets: dict[Any, Floats] = {} if table else {**site_offsets_db(limb_data.name)}
-    found: dict[Any, Floats] = {}
+    levels_db: dict[Any, Floats] = {}
     for channel in (_OWN,) if table else CHANNELS:
 
         def weights(frequency_hz: Floats, channel: str = channel) -> Floats:
@@ -479,11 +480,11 @@ def sensation(
         energy = _loudest(total_spectrum, streamed_vibration, limb_data, weights, stop)
         with np.errstate(divide="ignore"):
             level = 10.0 * np.log10(energy / window_samples(rate))
-        found[channel] = np.maximum(level - offsets.get(channel, 0.0), SILENT_DB)
+        levels_db[channel] = np.maximum(level - offsets.get(channel, 0.0), SILENT_DB)
     return Sensation(
-        by_channel=found,
-        level_db=np.array(list(found.values())).max(axis=0),
-        strength=None if table else sensation_magnitude(found),
+        by_channel=levels_db,
+        level_db=np.array(list(levels_db.values())).max(axis=0),
+        strength=None if table else sensation_magnitude(levels_db),
         band_hz=band_hz,
     )
 
@@ -511,8 +512,8 @@ def contact_weighted_rms(
     if not are_probe_accelerations(limb_data, scaling, actuated=actuation is not None):
         return None
     return tuple(
-        (place, float(weighted_rms(np.trim_zeros(played), limb_data.sample_rate_hz)))
-        for place, played in place_drives
+        (location, float(weighted_rms(np.trim_zeros(played), limb_data.sample_rate_hz)))
+        for location, played in place_drives
         if played.any()
     )
 
@@ -520,11 +521,11 @@ def contact_weighted_rms(
 PERCEPTION_RULES = (sensation, sensation_db, surface_sensation_db, contact_weighted_rms)
 
 
-def _problem(limb: Limb, scaling: Scaling, *, own: bool) -> str:
+def _problem(limb: Limb, scaling: Scaling, *, own_thresholds: bool) -> str:
     if scaling != "probe":
         return _NO_SCALE
     # As many outputs do not make them lie where those of the published limbs do.
-    return _NO_SITES if limb.name not in PUBLISHED and not own else ""
+    return _NO_SITES if limb.name not in PUBLISHED and not own_thresholds else ""
 
 
 def _weights(
@@ -557,7 +558,7 @@ def _loudest(
     every = Projection(tuple(range(limb.n_axes)), None)
     rate, n_window = limb.sample_rate_hz, window_samples(limb.sample_rate_hz)
     if streamed is not None:
-        weighted = streamed.played_through(lambda one: _through(one, weights, rate))
+        weighted = streamed.played_through(lambda played: _through(played, weights, rate))
         return loudest_energies_streamed(weighted, every, limb.n_outputs, n_window, stop)
     if total is None:
         return np.zeros(limb.n_outputs)
@@ -571,10 +572,10 @@ def _through(played: Played, weights: Callable[[Floats], Floats], rate: float) -
     samples = np.pad(played.drive.samples, room)
     n_fft = scipy.fft.next_fast_len(samples.size, real=True)
     frequency_hz = _bins_hz(n_fft, rate)
-    heard = scipy.fft.irfft(scipy.fft.rfft(samples, n_fft) * weights(frequency_hz), n_fft)
+    weighted = scipy.fft.irfft(scipy.fft.rfft(samples, n_fft) * weights(frequency_hz), n_fft)
     first = played.start - room
-    heard = heard[max(-first, 0) : samples.size]
-    return replace(played, drive=Drive(heard, played.drive.factor), start=max(first, 0))
+    weighted = weighted[max(-first, 0) : samples.size]
+    return replace(played, drive=Drive(weighted, played.drive.factor), start=max(first, 0))
 
 
 def _bins_hz(n_fft: int, rate: float) -> Floats:
@@ -594,7 +595,7 @@ def validity(
 ) -> Findings:
     """Conditions of the measurement, and whether they are kept (`perception.validity`)."""
     synthetic = limb_data.synthetic
-    places = [place for place, _ in place_drives]
+    places = [location for location, _ in place_drives]
     return (
         *_left_out(unplayable_inputs),
         *drive_findings(
@@ -627,10 +628,10 @@ def fastest_probe_m_per_s(
 
 def _left_out(unplayable: tuple[UnplayableInput, ...]) -> Findings:
     """Say that a prediction is not of all inputs, wherever its numbers are taken."""
-    words = unplayable_text(unplayable)
-    if not words:
+    text = unplayable_text(unplayable)
+    if not text:
         return ()
-    sentence = f"{words} The prediction leaves out what cannot be played."
+    sentence = f"{text} The prediction leaves out what cannot be played."
     return (Finding(name="inputs", state="left", sentence=sentence, in_short=sentence),)
 
 
@@ -664,8 +665,8 @@ def transfer_place(voices: tuple[Voice, ...], selected_input: int | None) -> int
 
     0 where there is no input.
     """
-    chosen = next((one.location for one in voices if one.id == selected_input), None)
-    return chosen or next((one.location for one in voices), 0)
+    chosen = next((voice.location for voice in voices if voice.id == selected_input), None)
+    return chosen or next((voice.location for voice in voices), 0)
 
 
 def transfer(
@@ -752,8 +753,8 @@ def noise_rms_of_windows(
     if noise is None:
         return None
     n_taps = limb_data.n_taps
-    late = n_taps // 2 if divided_by_pulse(limb_data, scaling) else 0
-    later = replace(windows, first_sample=windows.first_sample + late)
+    delay = n_taps // 2 if divided_by_pulse(limb_data, scaling) else 0
+    later = replace(windows, first_sample=windows.first_sample + delay)
     drives = shaped_drives(place_drives, limb_data, scaling, actuation)
     energy = windowed_noise_energy(drives, noise, n_taps, later)
     return match_gain * projected_rms(energy, projection, windows.window_samples)
@@ -766,7 +767,7 @@ def noisy_outputs_of_windows(
     if noise_rms_of_windows is None:
         return ((),) * len(rms_of_windows)
     noisy = rms_of_windows < _LEAST_RATIO * noise_rms_of_windows
-    return tuple(tuple(int(k) + 1 for k in np.flatnonzero(one)) for one in noisy)
+    return tuple(tuple(int(k) + 1 for k in np.flatnonzero(row)) for row in noisy)
 
 
 def windows_in_noise(
@@ -779,11 +780,11 @@ def windows_in_noise(
     if noise_rms_of_windows is None:
         return (False,) * len(rms_of_windows)
     placed = np.isfinite(limb_data.map.output_positions[:, 0])
-    found, noise = (
-        np.sqrt(np.sum(np.square(one[:, placed]), axis=1))
-        for one in (rms_of_windows, noise_rms_of_windows)
+    signal, noise = (
+        np.sqrt(np.sum(np.square(rms[:, placed]), axis=1))
+        for rms in (rms_of_windows, noise_rms_of_windows)
     )
-    return tuple(bool(one) for one in found < _LEAST_RATIO * noise)
+    return tuple(bool(below) for below in signal < _LEAST_RATIO * noise)
 
 
 WINDOW_NOISE_RULES = (noise_rms_of_windows, noisy_outputs_of_windows, windows_in_noise)

@@ -95,20 +95,20 @@ class ClipWaveforms:
         """
         found: dict[int, _Known] = {}
         for clips in tracks:
-            for one in clips:
-                known = self._known.get(one.id)
-                if known is None or known[0] is not one or known[1] != sample_rate_hz:
+            for clip in clips:
+                known = self._known.get(clip.id)
+                if known is None or known[0] is not clip or known[1] != sample_rate_hz:
                     stop_if(stop)
-                    known = one, sample_rate_hz, self._samples(one, sample_rate_hz)
-                found[one.id] = known
+                    known = clip, sample_rate_hz, self._samples(clip, sample_rate_hz)
+                found[clip.id] = known
         self._known = found
-        return tuple(tuple(found[one.id][2] for one in clips) for clips in tracks)
+        return tuple(tuple(found[clip.id][2] for clip in clips) for clips in tracks)
 
-    def _samples(self, one: Clip, sample_rate_hz: float) -> Floats | None:
-        effects = tuple(effect for effect in one.effects if effect.on)
+    def _samples(self, clip: Clip, sample_rate_hz: float) -> Floats | None:
+        effects = tuple(effect for effect in clip.effects if effect.on)
         try:
-            _, shift_s = placed(one.waveform, effects, one.onset_s, sample_rate_hz)
-            return self._drawn.of(one.waveform, effects, sample_rate_hz, shift_s)
+            _, shift_s = placed(clip.waveform, effects, clip.onset_s, sample_rate_hz)
+            return self._drawn.of(clip.waveform, effects, sample_rate_hz, shift_s)
         except InvalidInputError:
             return None
 
@@ -133,11 +133,11 @@ class PlacedChains:
         known = self._known.get(id)
         if known is not None and known[0] is clips and known[1:3] == (gain_curve, sample_rate_hz):
             return known[3]
-        found = placed_chain(clips, gain_curve, sample_rate_hz)
+        start_and_chain = placed_chain(clips, gain_curve, sample_rate_hz)
         if len(self._known) >= _MOST:
             self._known.clear()
-        self._known[id] = clips, gain_curve, sample_rate_hz, found
-        return found
+        self._known[id] = clips, gain_curve, sample_rate_hz, start_and_chain
+        return start_and_chain
 
 
 # Drives: summed once per chain, transformed once per length, delayed by a phase ramp.

@@ -62,23 +62,23 @@ class Evaluator:
         with self._lock:
             kept = self._closest(design, View() if view is None else view)
             try:
-                found = kept.graph.evaluate(quantities, sources(kept.design, kept.view))
+                values = kept.graph.evaluate(quantities, sources(kept.design, kept.view))
             except UnknownQuantity as error:
                 raise InvalidInputError(
                     f"{error.args[0]}. See skinsource.engine.quantities."
                 ) from error
             except BaseException:
                 # A limb may have been replaced on disk: the next call opens it anew.
-                self._kept = [one for one in self._kept if not _same_limb(one.design, design)]
+                self._kept = [entry for entry in self._kept if not _same_limb(entry.design, design)]
                 raise
             self.work = replace(kept.graph.work)
-            return found
+            return values
 
     def _closest(self, design: Design, view: View) -> _Kept:
         """The graph that has most of ``design`` already; a new one where none is close."""
-        same_limb = [one for one in self._kept if _same_limb(one.design, design)]
+        same_limb = [entry for entry in self._kept if _same_limb(entry.design, design)]
         closest = min(
-            reversed(same_limb), key=lambda one: len(_changed(one.design, design)), default=None
+            reversed(same_limb), key=lambda entry: len(_changed(entry.design, design)), default=None
         )
         if closest is not None and len(_changed(closest.design, design)) <= 1:
             self._kept.remove(closest)
@@ -150,5 +150,5 @@ def _same_limb(old: Design, new: Design) -> bool:
 def _changed(old: Design, new: Design) -> list[int]:
     """Ids of the inputs of ``new`` that are not as in ``old``; of all where the rest differs."""
     if old.scaling != new.scaling or old.ids != new.ids:
-        return [one.id for one in new.inputs]
+        return [track.id for track in new.inputs]
     return [b.id for a, b in zip(old.inputs, new.inputs, strict=True) if a != b]

@@ -108,8 +108,8 @@ def _largest_norms(samples: Floats, lengths: tuple[int, ...]) -> Floats:
     energy = np.zeros((samples.shape[0], samples.shape[1] + 1))
     np.cumsum(np.square(samples), axis=-1, out=energy[:, 1:])
     # A window may reach beyond either end of the piece: then it holds the rest of it.
-    found = {n: _largest_rise(energy, n) for n in set(lengths)}
-    return np.sqrt(np.stack([found[n] for n in lengths], axis=-1))
+    energies = {n: _largest_rise(energy, n) for n in set(lengths)}
+    return np.sqrt(np.stack([energies[n] for n in lengths], axis=-1))
 
 
 def _largest_rise(energy: Floats, n: int) -> Floats:
@@ -177,16 +177,16 @@ def peaks_of(
         stop_if(stop)
         chosen = order[:, begin : begin + batch]
         begin += batch
-        open_ones = np.take_along_axis(bounds, chosen, axis=-1) > largest[:, None]
-        if not open_ones.any():
+        searched = np.take_along_axis(bounds, chosen, axis=-1) > largest[:, None]
+        if not searched.any():
             return peaks
-        which = np.nonzero(open_ones)[0]
-        channel = chosen[open_ones]
-        signals = _signals(spectra, responses, np.bincount(which, minlength=len(peaks)), channel)
+        voice = np.nonzero(searched)[0]
+        channel = chosen[searched]
+        signals = _signals(spectra, responses, np.bincount(voice, minlength=len(peaks)), channel)
         time = signals.argmax(axis=-1)
         value = signals[np.arange(time.size), time]
-        for row in np.flatnonzero(value > largest[which]).tolist():
-            k = int(which[row])
+        for row in np.flatnonzero(value > largest[voice]).tolist():
+            k = int(voice[row])
             if value[row] > largest[k]:
                 largest[k] = value[row]
                 peaks[k] = Peak(float(value[row]), int(channel[row]), int(time[row]))
@@ -200,14 +200,14 @@ def _signals(
     channels: NDArray[np.int64],
 ) -> Floats:
     """Vibrations by drives at so many channels of each, (n_channels, n_fft)."""
-    found = np.empty((channels.size, spectra[0].size), np.complex128)
+    products = np.empty((channels.size, spectra[0].size), np.complex128)
     end = 0
     for spectrum, response, count in zip(spectra, responses, counts.tolist(), strict=True):
         begin, end = end, end + count
         if count:
-            np.multiply(response.rows[channels[begin:end]], spectrum, out=found[begin:end])
+            np.multiply(response.rows[channels[begin:end]], spectrum, out=products[begin:end])
     tally(search_transforms=channels.size)
-    return inverse(found, responses[0].n_fft)
+    return inverse(products, responses[0].n_fft)
 
 
 def _peak_by_blocks(samples: Floats, response: ResponseSpectrum, stop: Stop) -> Peak:
@@ -216,9 +216,9 @@ def _peak_by_blocks(samples: Floats, response: ResponseSpectrum, stop: Stop) -> 
     starts = range(0, samples.size + cut.overlap, cut.n_samples)
     for k in range(0, len(starts), _BLOCKS_AT_ONCE):
         stop_if(stop)
-        found = {first: cut.segment(samples, first) for first in starts[k : k + _BLOCKS_AT_ONCE]}
-        sounding = {first: segment for first, segment in found.items() if segment is not None}
-        if len(sounding) < len(found) and peak.value < 0.0:
+        blocks = {first: cut.segment(samples, first) for first in starts[k : k + _BLOCKS_AT_ONCE]}
+        sounding = {first: segment for first, segment in blocks.items() if segment is not None}
+        if len(sounding) < len(blocks) and peak.value < 0.0:
             peak = Peak(0.0)
         if sounding:
             segments = np.array(list(sounding.values()))
@@ -346,20 +346,20 @@ class Gains:
         holds each drive and its response.
         """
         # What is remembered of a limb does not keep its responses in memory.
-        keys = [(ref(limb), one.unit, one.response.n_fft, in_blocks) for one in voices]
+        keys = [(ref(limb), voice.unit, voice.response.n_fft, in_blocks) for voice in voices]
         known = {key: gain for key in keys if (gain := self._known.find(key)) is not None}
         pairs = zip(keys, voices, strict=True)
-        missing = {key: one for key, one in pairs if key not in known}
+        missing = {key: voice for key, voice in pairs if key not in known}
         if missing:
             rate, new = limb.sample_rate_hz, list(missing.values())
             spectra = [
-                self._drives.spectrum(one.unit, one.drive, rate, one.response.n_fft)
-                for one in new
+                self._drives.spectrum(voice.unit, voice.drive, rate, voice.response.n_fft)
+                for voice in new
                 if not in_blocks
             ]
-            drives, responses = [one.drive for one in new], [one.response for one in new]
-            found = unit_gains(drives, spectra, responses, stop)
-            for key, gain in zip(missing, found, strict=True):
+            drives, responses = [voice.drive for voice in new], [voice.response for voice in new]
+            gains = unit_gains(drives, spectra, responses, stop)
+            for key, gain in zip(missing, gains, strict=True):
                 known[key] = gain
                 self._known.add(key, gain)
         return [known[key] for key in keys]
@@ -529,9 +529,9 @@ def exact_gains(
     peaks = peaks_of([drive.samples for drive in drives], spectra, responses, stop)
     gains = []
     for drive, response, peak in zip(drives, responses, peaks, strict=True):
-        one = Heard(drive=drive, delay_samples=0, weight=1.0, response=response)
+        unit_voice = Heard(drive=drive, delay_samples=0, weight=1.0, response=response)
         output, axis = divmod(peak.channel, response.taps.shape[1])
-        value = float(one.exact(output + 1, axis, peak.time))
+        value = float(unit_voice.exact(output + 1, axis, peak.time))
         positive = is_positive(peak, drive, response) and value > 0.0
         gains.append(1.0 / value if positive else drive.factor)
     return gains
@@ -545,21 +545,22 @@ def _checked_places(samples: Floats) -> list[int]:
 
 
 def trace_error_of(
-    traces: Floats, outputs: tuple[int, ...], axes: tuple[int, ...], heard: list[Heard]
+    traces: Floats, outputs: tuple[int, ...], axes: tuple[int, ...], voices: list[Heard]
 ) -> TraceError | None:
     """Check ``traces``, (n_outputs, n_axes, n_times); None where there is nothing to check."""
     peak = float(np.abs(traces).max(initial=0.0))
-    if peak == 0.0 or not heard:
+    if peak == 0.0 or not voices:
         return None
     worst = np.longdouble(0.0)
-    for place in _checked_places(traces.reshape(-1)):
-        row, column, time = np.unravel_index(int(place), traces.shape)
+    for position in _checked_places(traces.reshape(-1)):
+        row, column, time = np.unravel_index(int(position), traces.shape)
         exact = sum(
-            (one.exact(outputs[row], axes[column], int(time)) for one in heard), np.longdouble(0.0)
+            (voice.exact(outputs[row], axes[column], int(time)) for voice in voices),
+            np.longdouble(0.0),
         )
         worst = max(worst, abs(exact - np.longdouble(traces[row, column, time])))
-    n_fft = max(one.response.n_fft for one in heard)
-    norms = sum(one.rounding(outputs, axes) for one in heard)
+    n_fft = max(voice.response.n_fft for voice in voices)
+    norms = sum(voice.rounding(outputs, axes) for voice in voices)
     return TraceError(
         estimate=float(ESTIMATE_FACTOR * worst / peak),
         bound=rounding_bound(norms, n_fft) / peak,
@@ -598,9 +599,9 @@ class Responses:
         places = list(places)
         if self.n_fft is None:
             stack = self.stack(places)
-            return [stack.responses[place] for place in places] if stack is not None else []
+            return [stack.responses[location] for location in places] if stack is not None else []
         spectra = self.remembered.responses
-        return [spectra.of(self.limb, place, self.scaling, self.n_fft) for place in places]
+        return [spectra.of(self.limb, location, self.scaling, self.n_fft) for location in places]
 
     def stack(self, places: Iterable[int]) -> Stack | None:
         """Responses to some places for matrix products over blocks; None for no places."""
@@ -620,6 +621,6 @@ class Responses:
     def gains(self, voices: Sequence[Sounding], stop: Stop = never) -> list[float]:
         """What vibrations by unit voices, none of them silent, are multiplied with."""
         if self.scaling != "upstream":
-            return [one.drive.factor for one in voices]
+            return [voice.drive.factor for voice in voices]
         in_blocks = self.n_fft is None
         return self.remembered.gains.of(self.limb, voices, in_blocks=in_blocks, stop=stop)

@@ -66,14 +66,14 @@ class Graph:
 
     def upstream_of(self, names: Iterable[str]) -> frozenset[str]:
         """What quantities depend on: themselves, what rules compute, and what is given."""
-        found: set[str] = set()
+        upstream: set[str] = set()
         waiting = set(names)
         while waiting:
             name = waiting.pop()
             if name in self._rules:
-                waiting.update(need for need in self.needs_of(name) if need not in found)
-            found.add(name)
-        return frozenset(found)
+                waiting.update(need for need in self.needs_of(name) if need not in upstream)
+            upstream.add(name)
+        return frozenset(upstream)
 
     def evaluate(
         self,
@@ -124,10 +124,10 @@ class Graph:
             # No array equals another: this one goes before the next is made, long ones are large.
             del self._memo[name]
             memo = None
-        given = dict(zip(step.needs, inputs, strict=True))
+        arguments = dict(zip(step.needs, inputs, strict=True))
         if step.takes_stop:
-            given["stop"] = known["stop"]
-        result = step.rule(**given)
+            arguments["stop"] = known["stop"]
+        result = step.rule(**arguments)
         self.runs[name] += 1
         tally(rules_run=1)
         _freeze(result)  # it is remembered, and shared with other threads

@@ -64,7 +64,9 @@ def wavelet_levels_db(
         alone = replace(clip, gain=1.0, muted=False, waveform=replace(train, gains_db=gains_db))
         player = replace(track, clips=(alone,), amplitude=1.0, muted=False, solo=False)
         played = replace(design, inputs=(player,), scaling=scaling)
-        found = evaluator.evaluate(played, ("output_levels_db",), _LOOK)["output_levels_db"]
-        levels_db.append(float(found.max()))
+        output_levels_db = evaluator.evaluate(played, ("output_levels_db",), _LOOK)[
+            "output_levels_db"
+        ]
+        levels_db.append(float(output_levels_db.max()))
         progress(j + 1, count, f"Wavelet {j + 1} of {count}")
     return tuple(levels_db)

@@ -187,11 +187,11 @@ class OwnMatrix:
     def _products(self) -> Floats:
         n_outputs, n_axes, n_bins = self.values.shape
         of_pairs = pairs(n_axes)
-        found = np.empty((n_outputs, len(of_pairs), n_bins))
+        products = np.empty((n_outputs, len(of_pairs), n_bins))
         for k, (a, b) in enumerate(of_pairs):
             left, right = self.values[:, a], self.values[:, b]
-            found[:, k] = left.real * right.real + left.imag * right.imag
-        return found
+            products[:, k] = left.real * right.real + left.imag * right.imag
+        return products
 
     def moments(self, drive: Complexes, n_fft: int, *, products: bool) -> Moments:
         """Moments of the vibration by ``drive``, (n_bins,); of different axes only if wanted."""
@@ -220,12 +220,12 @@ class CrossMatrix:
     def _products(self) -> Floats:
         n_outputs, n_axes, n_bins = self.others.shape
         of_pairs = pairs(n_axes)
-        found = np.empty((n_outputs, len(of_pairs), n_bins), np.complex128)
+        products = np.empty((n_outputs, len(of_pairs), n_bins), np.complex128)
         for k, (a, b) in enumerate(of_pairs):
-            np.multiply(self.others[:, a], self.own.conjugates[:, b], out=found[:, k])
-            found[:, k] += self.others[:, b] * self.own.conjugates[:, a]
-        found *= 0.5
-        return found.view(np.float64)
+            np.multiply(self.others[:, a], self.own.conjugates[:, b], out=products[:, k])
+            products[:, k] += self.others[:, b] * self.own.conjugates[:, a]
+        products *= 0.5
+        return products.view(np.float64)
 
     def moments(self, drive: Complexes, n_fft: int, *, products: bool) -> Moments:
         """Moments between the others and the vibration by ``drive``, symmetrised.
@@ -250,12 +250,12 @@ def _by(matrix: Floats, column: Floats) -> Floats:
     which wait for each other without sleeping: where another program has the second processor,
     ten times the work.
     """
-    found = np.zeros(matrix.shape[:2])
+    sums = np.zeros(matrix.shape[:2])
     rows = matrix.reshape(*matrix.shape[:2], column.size)
     for begin in range(0, column.size, _NUMBERS_AT_ONCE):
         end = begin + _NUMBERS_AT_ONCE
-        found += np.vecdot(rows[..., begin:end], column[begin:end])
-    return found
+        sums += np.vecdot(rows[..., begin:end], column[begin:end])
+    return sums
 
 
 def _weights(n_fft: int) -> Floats:

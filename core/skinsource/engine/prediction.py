@@ -75,7 +75,7 @@ def helped(tasks: Sequence[Callable[[], Result]]) -> list[Result]:
         except Exception:  # noqa: BLE001, S110  this thread finds no more, or fails as the other will
             pass
 
-    found: dict[int, Result] = {}
+    results: dict[int, Result] = {}
     if len(tasks) > 1:
         with suppress(RuntimeError):  # no more threads are to be had
             # One of the threading module would be waited for until it runs.
@@ -87,17 +87,17 @@ def helped(tasks: Sequence[Callable[[], Result]]) -> list[Result]:
         except IndexError:
             break
         begin = perf_counter()
-        found[number] = tasks[number]()
+        results[number] = tasks[number]()
         shortest_s = min(shortest_s, perf_counter() - begin)
     # Others took longer where other programs had the processor meanwhile.
-    deadline = perf_counter() + (shortest_s if found else 0.0)
-    while len(found) < len(tasks):
+    deadline = perf_counter() + (shortest_s if results else 0.0)
+    while len(results) < len(tasks):
         try:
             number, result = done.get(timeout=max(deadline - perf_counter(), 0.0))
         except Empty:
             break
-        found[number] = result
-    return [found[k] if k in found else tasks[k]() for k in range(len(tasks))]
+        results[number] = result
+    return [results[k] if k in results else tasks[k]() for k in range(len(tasks))]
 
 
 # Spectra of the responses of limbs that scripts use, in bounded memory, for all threads.
@@ -122,11 +122,11 @@ class _Places:
         rooms = list(self._values[first : first + len(taps)])
         rooms += [np.empty(self._shape, np.complex128) for _ in range(len(taps) - len(rooms))]
         pairs = zip(taps.values(), rooms, strict=True)
-        found = helped([partial(_response, *pair, self.n_fft) for pair in pairs])
+        spectra = helped([partial(_response, *pair, self.n_fft) for pair in pairs])
         tally(forward_transforms=len(taps) * prod(self._shape[:2]))
-        made = dict(zip(taps, found, strict=True))
-        self.known |= dict(list(made.items())[: len(self._values) - first])
-        return made
+        added = dict(zip(taps, spectra, strict=True))
+        self.known |= dict(list(added.items())[: len(self._values) - first])
+        return added
 
 
 def _response(taps: Floats, values: Complexes, n_fft: int) -> ResponseSpectrum:
@@ -177,30 +177,32 @@ class SpectraOfLimbs:
                 lengths[key] = _Places(limb, n_fft, self._most_places(limb, n_fft))
             lengths.move_to_end(key)
             known = lengths[key].known
-            new = [place for place in dict.fromkeys(places) if place not in known]
-            taps = {place: scaled_taps(limb, place, scaling) for place in new}
-            made = lengths[key].add(taps) if new else {}
+            new = [location for location in dict.fromkeys(places) if location not in known]
+            taps = {location: scaled_taps(limb, location, scaling) for location in new}
+            added = lengths[key].add(taps) if new else {}
             self._forget()
-            return [made[place] if place in made else known[place] for place in places]
+            return [
+                added[location] if location in added else known[location] for location in places
+            ]
 
     def of_one(
-        self, limb: Limb, place: int, scaling: Scaling, n_fft: int
+        self, limb: Limb, location: int, scaling: Scaling, n_fft: int
     ) -> ResponseSpectrum | None:
         """Responses to ``place``; None where they are asked for the first time.
 
         Whoever predicts once does not pay for what is kept.
         """
         with self._lock:
-            asked = self._asked.setdefault(limb, set())
+            requested = self._asked.setdefault(limb, set())
             key = n_fft, scaling == "probe"
             lengths = self._known.get(limb)
-            held = lengths is not None and key in lengths and place in lengths[key].known
-            if not held and (place, key) not in asked:
-                if len(asked) >= _MOST_ASKED:
-                    asked.clear()
-                asked.add((place, key))
+            is_known = lengths is not None and key in lengths and location in lengths[key].known
+            if not is_known and (location, key) not in requested:
+                if len(requested) >= _MOST_ASKED:
+                    requested.clear()
+                requested.add((location, key))
                 return None
-        return self.of(limb, [place], scaling, n_fft)[0]
+        return self.of(limb, [location], scaling, n_fft)[0]
 
     def _most_places(self, limb: Limb, n_fft: int) -> int:
         each = 16 * limb.n_outputs * limb.n_axes * (n_fft // 2 + 1)
@@ -215,7 +217,7 @@ class SpectraOfLimbs:
 
     def _sum(self) -> int:
         known = list(self._known.values())
-        return sum(one.held_bytes for lengths in known for one in lengths.values())
+        return sum(spectra.held_bytes for lengths in known for spectra in lengths.values())
 
 
 # The vibration by drives at some places, from spectra.
@@ -248,9 +250,9 @@ def superposed(
     """
 
     def samples_of(part: slice) -> Floats:
-        found = [spectra_of(part) for spectra_of in spectra]
-        total = np.empty_like(found[0])
-        add_up(found, drives, total)
+        responses = [spectra_of(part) for spectra_of in spectra]
+        total = np.empty_like(responses[0])
+        add_up(responses, drives, total)
         return inverse_here(total, n_fft)[..., : shape[-1]]
 
     pieces = helped([partial(samples_of, part) for part in parts_of(shape[0])])
@@ -334,26 +336,26 @@ class GainsOfDrives:
         keys = [
             (
                 ref(limb),
-                place,
+                location,
                 response.n_fft,
                 drive.factor,
                 sha256(drive.samples.tobytes()).digest(),
             )
-            for place, drive, response in zip(places, drives, responses, strict=True)
+            for location, drive, response in zip(places, drives, responses, strict=True)
         ]
         with self._lock:
             known = {key: gain for key in keys if (gain := self._known.find(key)) is not None}
         missing = {key: k for k, key in enumerate(keys) if key not in known}
         new = list(missing.values())
         if new:
-            found = unit_gains(
+            gains = unit_gains(
                 [drives[k] for k in new],
                 [spectra[k] for k in new],
                 [responses[k] for k in new],
                 # Bounds by frequency cost more to prepare than the channels that they spare.
                 tight=False,
             )
-            known |= zip(missing, found, strict=True)
+            known |= zip(missing, gains, strict=True)
             with self._lock:
                 for key in missing:
                     if self._known.find(key) is None:
@@ -411,16 +413,16 @@ def predict(
         return _through(actuation, limb, samples, places, amplitudes, scaling)
     factors = _checked_amplitudes(amplitudes, len(samples))
     response_samples = samples.shape[-1] + limb.n_taps - 1
-    heard = [
-        (drive, place, amplitude)
-        for drive, place, amplitude in zip(map(drive_of, samples), places, factors, strict=True)
+    played = [
+        (drive, location, amplitude)
+        for drive, location, amplitude in zip(map(drive_of, samples), places, factors, strict=True)
         if not drive.silent and amplitude != 0.0
     ]
-    n_places = len({place for _, place, _ in heard})
+    n_places = len({location for _, location, _ in played})
     n_fft = length_at_once(response_samples, n_places, limb.n_outputs * limb.n_axes)
     if n_fft is None:
-        return _streamed(limb, heard, scaling, response_samples).everything()
-    return _at_once(limb, heard, scaling, response_samples, _shorter(n_fft, response_samples))
+        return _streamed(limb, played, scaling, response_samples).everything()
+    return _at_once(limb, played, scaling, response_samples, _shorter(n_fft, response_samples))
 
 
 def _shorter(n_fft: int, n_times: int) -> int:
@@ -438,11 +440,11 @@ def _through(
     scaling: Scaling,
 ) -> Floats:
     """The same through actuators, from time 0 on."""
-    through = actuated_limb(limb, actuation, scaling)
-    for one, place in zip(samples, places, strict=True):
-        check_drive(actuation, drive_of(one), limb.sample_rate_hz, limb.band_hz, place)
-    vibration = predict(through, samples, places, amplitudes, scaling)
-    return vibration[..., through.lead_samples :]
+    actuated = actuated_limb(limb, actuation, scaling)
+    for drive, location in zip(samples, places, strict=True):
+        check_drive(actuation, drive_of(drive), limb.sample_rate_hz, limb.band_hz, location)
+    vibration = predict(actuated, samples, places, amplitudes, scaling)
+    return vibration[..., actuated.lead_samples :]
 
 
 # Far more than anybody has drives for.
@@ -456,16 +458,16 @@ def _streamed(
     blocks, shape = Blocks(limb.n_taps), (limb.n_outputs, limb.n_axes, response_samples)
     if not heard:
         return StreamedVibration([], None, shape, blocks)
-    used = tuple(sorted({place for _, place, _ in heard}))
+    used = tuple(sorted({location for _, location, _ in heard}))
     # As large as all that is remembered: made anew.
     stack = ResponseSpectra().stack(limb, used, scaling, blocks.n_fft)
     drives = [drive for drive, _, _ in heard]
     gains = [drive.factor for drive in drives]
     if scaling == "upstream":
-        gains = unit_gains(drives, [], [stack.responses[place] for _, place, _ in heard])
+        gains = unit_gains(drives, [], [stack.responses[location] for _, location, _ in heard])
     played = [
-        Played(drive=drive, start=0, weight=amplitude * gain, location=place)
-        for (drive, place, amplitude), gain in zip(heard, gains, strict=True)
+        Played(drive=drive, start=0, weight=amplitude * gain, location=location)
+        for (drive, location, amplitude), gain in zip(heard, gains, strict=True)
     ]
     return StreamedVibration(played, stack, shape, blocks)
 
@@ -500,7 +502,7 @@ def _together(
     shape: tuple[int, int, int],
     n_fft: int,
 ) -> Floats:
-    drives, places = [drive for drive, _, _ in heard], [place for _, place, _ in heard]
+    drives, places = [drive for drive, _, _ in heard], [location for _, location, _ in heard]
     responses = _remembered().of(limb, places, scaling, n_fft)
     gains = [drive.factor for drive in drives]
     if scaling == "upstream":
@@ -510,7 +512,9 @@ def _together(
         for spectrum, gain, (_, _, amplitude) in zip(played, gains, heard, strict=True)
     ]
     vibration = np.empty(shape)
-    pieces = superposed([one.values.__getitem__ for one in responses], weighted, shape, n_fft)
+    pieces = superposed(
+        [response.values.__getitem__ for response in responses], weighted, shape, n_fft
+    )
     for part, piece in zip(parts_of(limb.n_outputs), pieces, strict=True):
         vibration[part] = piece
     return vibration
@@ -518,17 +522,17 @@ def _together(
 
 def _alone(
     limb: Limb,
-    heard: list[_Heard],
+    drives: list[_Heard],
     played: list[Complexes],
     scaling: Scaling,
     shape: tuple[int, int, int],
     n_fft: int,
 ) -> Floats:
     """As `_together` by one drive, which has its maximum in what is computed anyway."""
-    ((drive, place, amplitude),) = heard
-    known = _remembered().of_one(limb, place, scaling, n_fft)
+    ((drive, location, amplitude),) = drives
+    known = _remembered().of_one(limb, location, scaling, n_fft)
     if known is None:
-        taps, largest_tap = bounded_taps(limb, place, scaling)
+        taps, largest_tap = bounded_taps(limb, location, scaling)
         vibration, largest = single_response(taps, played[0], shape, n_fft)
         energies = _energies(taps, largest_tap)
     else:
@@ -582,11 +586,11 @@ def _checked_drives(drives: ArrayLike) -> Floats:
 
 def _checked_locations(locations: Sequence[int] | int, n_drives: int, n_inputs: int) -> list[int]:
     # An array would make 1 of True and 7.0 of 7 beside 2.5.
-    found = locations.tolist() if isinstance(locations, np.ndarray) else locations
+    values = locations.tolist() if isinstance(locations, np.ndarray) else locations
     # There may be no end to them.
-    places = list(islice(found, _MOST_LOCATIONS)) if isinstance(found, Iterable) else [found]
-    for place in places:
-        check_input_location(place, n_inputs)
+    places = list(islice(values, _MOST_LOCATIONS)) if isinstance(values, Iterable) else [values]
+    for location in places:
+        check_input_location(location, n_inputs)
     if len(places) != n_drives:
         raise InvalidInputError(
             f"{len(places)} locations for {n_drives} drives: expected one location for each drive"

@@ -32,21 +32,21 @@ def voices(
     remembered: Remembered, inputs: tuple[Input, ...], sample_rate_hz: float
 ) -> tuple[Voice, ...]:
     """What sounds where, from when, how strong, through what chain: one for each input."""
-    heard = set(audible_indices(inputs))
-    found = []
-    for index, one in enumerate(inputs):
-        start, chain = remembered.chains.of(one.id, one.clips, one.gain_curve, sample_rate_hz)
-        found.append(
+    audible = set(audible_indices(inputs))
+    result = []
+    for index, track in enumerate(inputs):
+        start, chain = remembered.chains.of(track.id, track.clips, track.gain_curve, sample_rate_hz)
+        result.append(
             Voice(
-                id=one.id,
-                location=one.location,
+                id=track.id,
+                location=track.location,
                 start=start,
-                amplitude=one.amplitude,
-                heard=index in heard,
+                amplitude=track.amplitude,
+                heard=index in audible,
                 chain=chain,
             )
         )
-    return tuple(found)
+    return tuple(result)
 
 
 def clip_waveforms(
@@ -56,7 +56,7 @@ def clip_waveforms(
 
     None: it cannot be sampled.
     """
-    tracks = tuple(one.clips for one in inputs)
+    tracks = tuple(track.clips for track in inputs)
     return remembered.clip_waveforms.of(tracks, sample_rate_hz, stop)
 
 

@@ -48,20 +48,20 @@ class Shared:
         """The limb, with its responses read when touched."""
         # Once no graph holds it, it is opened anew: its name may mean other data by then.
         key = limb, limb_digest, limb_mirrored
-        found = self._limbs.get(key)
-        if found is None:
-            found = self._limbs[key] = load_limb(limb, limb_digest)
-        return found
+        loaded = self._limbs.get(key)
+        if loaded is None:
+            loaded = self._limbs[key] = load_limb(limb, limb_digest)
+        return loaded
 
     def driven_limb(self, limb_data: Limb, actuation: Actuation | None, scaling: Scaling) -> Limb:
         """The limb as drives meet it: through the actuators, where there are any."""
         if actuation is None:
             return limb_data
         key = ref(limb_data), actuation, scaling
-        found = self._actuated.get(key)
-        if found is None:
-            found = self._actuated[key] = actuated_limb(limb_data, actuation, scaling)
-        return found
+        actuated = self._actuated.get(key)
+        if actuated is None:
+            actuated = self._actuated[key] = actuated_limb(limb_data, actuation, scaling)
+        return actuated
 
     def limb_of(self, name: str, digest: str = "") -> Limb:
         """The limb that a design names."""

@@ -166,7 +166,7 @@ class ResponseSpectra:
     @property
     def held_bytes(self) -> int:
         """What the spectra take in memory."""
-        return sum(one.held_bytes for one in self._held.values())
+        return sum(entry.held_bytes for entry in self._held.values())
 
     def of(self, limb: Limb, location: int, scaling: Scaling, n_fft: int) -> ResponseSpectrum:
         """Responses to ``location``; under ``"probe"`` scaling the calibrated ones."""
@@ -229,11 +229,11 @@ def _stack(limb: Limb, places: tuple[int, ...], scaling: Scaling, n_fft: int) ->
     n_bins, n_channels = n_fft // 2 + 1, limb.n_outputs * limb.n_axes
     values = np.empty((n_bins, len(places), n_channels), np.complex128)
     responses = {}
-    for row, place in enumerate(places):
-        taps = scaled_taps(limb, place, scaling)
+    for row, location in enumerate(places):
+        taps = scaled_taps(limb, location, scaling)
         values[:, row] = forward(taps.reshape(n_channels, -1), n_fft).T
         by_channel = values[:, row].T.reshape(limb.n_outputs, limb.n_axes, n_bins)
-        responses[place] = ResponseSpectrum(taps, by_channel, n_fft)
+        responses[location] = ResponseSpectrum(taps, by_channel, n_fft)
     return Stack(values, responses)
 
 
@@ -275,14 +275,14 @@ class ExactSpectra:
         self, taps: Floats, name: Hashable, n_times: int, channels: list[Channel]
     ) -> Complexes:
         keys = [(name, n_times, channel) for channel in channels]
-        found = {key: self._known.find(key) for key in keys}
-        missing = [key for key in keys if found[key] is None]
+        spectra = {key: self._known.find(key) for key in keys}
+        missing = [key for key in keys if spectra[key] is None]
         if missing:
             rows = np.array([taps[output - 1, axis] for _, _, (output, axis) in missing])
             for key, spectrum in zip(missing, forward(rows, n_times), strict=True):
-                found[key] = spectrum
+                spectra[key] = spectrum
                 self._known.add(key, spectrum)
-        return np.array([found[key] for key in keys])
+        return np.array([spectra[key] for key in keys])
 
 
 # The spectrum of all voices together, where it is asked for.
@@ -366,8 +366,8 @@ def actuated_limb(limb: Limb, actuation: Actuation, scaling: Scaling) -> Limb:
         spectra = scipy.fft.rfft(taps, n_fft)
         spectra *= scipy.fft.rfft(transfer.samples, n_fft)
         tally(inverse_transforms=taps.shape[0] * taps.shape[1])
-        found: Floats = scipy.fft.irfft(spectra, n_fft)
-        return found[..., :n_taps].copy()
+        responses: Floats = scipy.fft.irfft(spectra, n_fft)
+        return responses[..., :n_taps].copy()
 
     return Limb(
         name=limb.name,

@@ -101,9 +101,9 @@ class Stimulus:
                 f"samples have the shape {self.samples.shape}, expected "
                 f"({len(self.channels)} channels, n_times)"
             )
-        held = self.samples.view()
-        held.flags.writeable = False
-        object.__setattr__(self, "samples", held)
+        samples = self.samples.view()
+        samples.flags.writeable = False
+        object.__setattr__(self, "samples", samples)
 
     @property
     def n_times(self) -> int:
@@ -125,7 +125,7 @@ class Stimulus:
     @property
     def driving(self) -> tuple[int, ...]:
         """Rows of the channels that drive an actuator."""
-        return tuple(row for row, one in enumerate(self.channels) if one.place is not None)
+        return tuple(row for row, channel in enumerate(self.channels) if channel.place is not None)
 
     def with_samples(self, samples: Floats, **changes: object) -> "Stimulus":
         """Return a copy that holds other samples."""
@@ -134,7 +134,9 @@ class Stimulus:
 
 def numbered(channels: Iterable[Channel]) -> tuple[Channel, ...]:
     """Number ``channels`` from 1 in their order."""
-    return tuple(replace(one, number=number) for number, one in enumerate(channels, start=1))
+    return tuple(
+        replace(channel, number=number) for number, channel in enumerate(channels, start=1)
+    )
 
 
 def peaks(samples: Floats) -> Floats:
@@ -166,12 +168,12 @@ def in_order(stimulus: Stimulus, outputs: Sequence[int]) -> Stimulus:
     InvalidInputError
         A number that no channel has, a channel that is named twice, or one that is left out.
     """
-    known = len(stimulus.channels)
-    numbers = [integer("Channel map", number, 0, known) for number in outputs]
+    n_channels = len(stimulus.channels)
+    numbers = [integer("Channel map", number, 0, n_channels) for number in outputs]
     used = [number for number in numbers if number]
-    if len(numbers) > MOST_OUTPUTS or sorted(used) != list(range(1, known + 1)):
+    if len(numbers) > MOST_OUTPUTS or sorted(used) != list(range(1, n_channels + 1)):
         raise InvalidInputError(
-            f"Channel map is {quoted(list(outputs))}, expected each channel from 1 to {known} "
+            f"Channel map is {quoted(list(outputs))}, expected each channel from 1 to {n_channels} "
             f"once, and 0 for outputs that stay silent, at most {MOST_OUTPUTS} altogether. Say "
             "which tracks take part where a channel shall be left out."
         )
@@ -288,10 +290,12 @@ def part_of_time(stimulus: Stimulus, from_s: float, to_s: float) -> Stimulus:
             f"to_s is {end_s:g} and from_s is {begin_s:g}: no sample lies between them, expected "
             "at least one. Take a longer part."
         )
-    found = np.zeros((len(stimulus.channels), end - first))
+    samples = np.zeros((len(stimulus.channels), end - first))
     inside = stimulus.samples[:, first:end]
-    found[:, : inside.shape[1]] = inside
-    return stimulus.with_samples(found, start_s=stimulus.start_s + first / stimulus.sample_rate_hz)
+    samples[:, : inside.shape[1]] = inside
+    return stimulus.with_samples(
+        samples, start_s=stimulus.start_s + first / stimulus.sample_rate_hz
+    )
 
 
 def with_lead_in(stimulus: Stimulus, silence_s: float) -> Stimulus:
@@ -299,9 +303,9 @@ def with_lead_in(stimulus: Stimulus, silence_s: float) -> Stimulus:
     n = lead_in_samples(silence_s, stimulus.sample_rate_hz)
     if not n:
         return stimulus
-    found = np.zeros((len(stimulus.channels), n + stimulus.n_times))
-    found[:, n:] = stimulus.samples
-    return stimulus.with_samples(found, start_s=stimulus.start_s - n / stimulus.sample_rate_hz)
+    samples = np.zeros((len(stimulus.channels), n + stimulus.n_times))
+    samples[:, n:] = stimulus.samples
+    return stimulus.with_samples(samples, start_s=stimulus.start_s - n / stimulus.sample_rate_hz)
 
 
 def lead_in_samples(length_s: float, sample_rate_hz: float) -> int:
@@ -383,19 +387,19 @@ def stimulus_of(
     >>> found.channels[0].title, found.samples.shape
     ('Digit II, pad', (1, 9600))
     """
-    heard = _taking_part(design, inputs, clips)
+    tracks = _taking_part(design, inputs, clips)
     one_of("per", per, _PER)
-    found = _made(design, limb, heard, per, sample_rate_hz, lead_in_s, (progress, stop))
+    stimulus = _made(design, limb, tracks, per, sample_rate_hz, lead_in_s, (progress, stop))
     for stage in stages:
         stop_if(stop)
-        found = stage(found)
-    return found
+        stimulus = stage(stimulus)
+    return stimulus
 
 
 def _made(
     design: Design,
     limb: Limb | None,
-    heard: tuple[Input, ...],
+    tracks: tuple[Input, ...],
     per: str,
     sample_rate_hz: int | None,
     lead_in_s: float,
@@ -405,15 +409,15 @@ def _made(
     if sample_rate_hz is not None:
         sample_rate_hz = integer("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
     limb = load_limb(design.limb) if limb is None else limb
-    for one in heard:
-        check_input_location(one.location, limb.n_inputs)
+    for track in tracks:
+        check_input_location(track.location, limb.n_inputs)
     own_rate_hz = limb.sample_rate_hz
     rate_hz = own_rate_hz if sample_rate_hz is None else float(sample_rate_hz)
-    channels = _channels(heard, per, design.limb)
+    channels = _channels(tracks, per, design.limb)
     lead = lead_in_samples(lead_in_s, rate_hz)
     return Stimulus(
         channels=channels,
-        samples=_sampled(heard, channels, own_rate_hz, rate_hz, lead, *job),
+        samples=_sampled(tracks, channels, own_rate_hz, rate_hz, lead, *job),
         sample_rate_hz=rate_hz,
         start_s=-lead / rate_hz if lead else 0.0,
         limb=design.limb,
@@ -430,36 +434,37 @@ def _taking_part(
     """Inputs that are heard, with those of their clips that take part."""
     if not isinstance(design, Design):
         raise InvalidInputError(f"design is {quoted(design)}, expected a Design")
-    heard = audible_inputs(design.inputs)
+    tracks = audible_inputs(design.inputs)
     if inputs is not None:
-        wanted = {design.input(id).id for id in inputs}
-        heard = tuple(one for one in heard if one.id in wanted)
+        track_ids = {design.input(id).id for id in inputs}
+        tracks = tuple(track for track in tracks if track.id in track_ids)
     if clips is None:
-        return heard
+        return tracks
     chosen = {design.clip(id).id for id in clips}
-    left = (
-        replace(one, clips=tuple(clip for clip in one.clips if clip.id in chosen)) for one in heard
+    with_chosen_clips = (
+        replace(track, clips=tuple(clip for clip in track.clips if clip.id in chosen))
+        for track in tracks
     )
-    return tuple(one for one in left if one.clips)
+    return tuple(track for track in with_chosen_clips if track.clips)
 
 
-def _channels(heard: tuple[Input, ...], per: str, limb: str) -> tuple[Channel, ...]:
-    together: dict[int, list[Input]] = {}
-    for one in heard:
-        together.setdefault(one.location if per == "place" else one.id, []).append(one)
+def _channels(tracks: tuple[Input, ...], per: str, limb: str) -> tuple[Channel, ...]:
+    groups: dict[int, list[Input]] = {}
+    for track in tracks:
+        groups.setdefault(track.location if per == "place" else track.id, []).append(track)
     return tuple(
         Channel(
             number=number,
             place=group[0].location,
             title=input_name(group[0].location, limb).name,
-            inputs=tuple(one.id for one in group),
+            inputs=tuple(track.id for track in group),
         )
-        for number, group in enumerate(together.values(), start=1)
+        for number, group in enumerate(groups.values(), start=1)
     )
 
 
 def _sampled(
-    heard: tuple[Input, ...],
+    tracks: tuple[Input, ...],
     channels: tuple[Channel, ...],
     own_rate_hz: float,
     rate_hz: float,
@@ -469,17 +474,17 @@ def _sampled(
 ) -> Floats:
     """Samples at ``rate_hz`` from ``lead`` before time 0, (n_channels, n_times); at least one."""
     ratio = Fraction(rate_hz) / Fraction(own_rate_hz)
-    rows = {id: row for row, one in enumerate(channels) for id in one.inputs}
+    rows = {id: row for row, channel in enumerate(channels) for id in channel.inputs}
     pieces: list[tuple[int, int, float, Floats]] = []
 
     def drawn(part: Part) -> Floats:
         return played(part.waveform, part.effects, own_rate_hz, part.shift_s)
 
-    for one in heard:
+    for track in tracks:
         stop_if(stop)
-        start, chain = placed_chain(one.clips, one.gain_curve, own_rate_hz)
-        drive = drive_played(chain, own_rate_hz, one.location, drawn)
-        pieces.append((rows[one.id], start, one.amplitude * drive.factor, drive.samples))
+        start, chain = placed_chain(track.clips, track.gain_curve, own_rate_hz)
+        drive = drive_played(chain, own_rate_hz, track.location, drawn)
+        pieces.append((rows[track.id], start, track.amplitude * drive.factor, drive.samples))
     n = max([1, *(start + samples.size for _, start, _, samples in pieces)])
     # Samples of both rates meet at time 0: what comes before is whole numbers of either.
     steps = -(-lead // ratio.numerator)
@@ -493,13 +498,13 @@ def _sampled(
     stop_if(stop)
     if ratio == 1:
         return total
-    found = np.empty((len(channels), -(-n * ratio.numerator // ratio.denominator)))
+    converted = np.empty((len(channels), -(-n * ratio.numerator // ratio.denominator)))
     for row, samples in enumerate(total):
         # A minute at the rate of a sound card takes a while.
         stop_if(stop)
         progress(row, len(channels), "Computing")
-        found[row] = by_ratio(samples, ratio, min(own_rate_hz, rate_hz))
-    return found[:, surplus:]
+        converted[row] = by_ratio(samples, ratio, min(own_rate_hz, rate_hz))
+    return converted[:, surplus:]
 
 
 def _refuse_too_long(n_channels: int, n_times: int, rate_hz: float) -> None:
@@ -574,12 +579,12 @@ def for_rig(
         not know the volts at full scale or how an actuator moves.
     """
     if equaliser is not None:
-        found = _equalised_for(stimulus, rig, equaliser)
+        played = _equalised_for(stimulus, rig, equaliser)
     elif stimulus.unit == "V" and not scaled:
-        found = _volts_for(stimulus, rig)
+        played = _volts_for(stimulus, rig)
     else:
-        found = _wired(stimulus, rig)
-    return _aligned(found, rig)
+        played = _wired(stimulus, rig)
+    return _aligned(played, rig)
 
 
 def through_actuators(stimulus: Stimulus, actuation: Actuation, equaliser: Equaliser) -> Stimulus:
@@ -605,19 +610,19 @@ def through_actuators(stimulus: Stimulus, actuation: Actuation, equaliser: Equal
 def channel_of(stimulus: Stimulus, row: int, rig: Rig) -> RigChannel:
     """The channel of the rig that a row of the samples goes to."""
     place = stimulus.channels[row].place
-    found = None if place is None else rig.channel_of(place)
-    if found is None:
+    channel = None if place is None else rig.channel_of(place)
+    if channel is None:
         raise InvalidInputError(
             f"place {place} is not wired in the rig; add a channel for it, or leave it out"
         )
-    return found
+    return channel
 
 
 def added_delays_s(stimulus: Stimulus, rig: Rig) -> dict[int, float]:
     """By row that drives an actuator: how long its channel waits for the slowest."""
-    own = {row: channel_of(stimulus, row, rig).delay_s for row in stimulus.driving}
-    longest = max(own.values(), default=0.0)
-    return {row: longest - delay_s for row, delay_s in own.items()}
+    delays_s = {row: channel_of(stimulus, row, rig).delay_s for row in stimulus.driving}
+    longest = max(delays_s.values(), default=0.0)
+    return {row: longest - delay_s for row, delay_s in delays_s.items()}
 
 
 def _wired(stimulus: Stimulus, rig: Rig) -> Stimulus:
@@ -665,8 +670,8 @@ def _aligned(stimulus: Stimulus, rig: Rig) -> Stimulus:
     longest = max(later.values(), default=0.0)
     if longest < _NO_DELAY:
         return stimulus
-    found = np.zeros((len(stimulus.channels), stimulus.n_times + floor(longest) + 1))
-    found[:, : stimulus.n_times] = stimulus.samples
+    delayed = np.zeros((len(stimulus.channels), stimulus.n_times + floor(longest) + 1))
+    delayed[:, : stimulus.n_times] = stimulus.samples
     for row, samples in later.items():
         whole = floor(samples)
         moved = stimulus.samples[row]
@@ -674,9 +679,9 @@ def _aligned(stimulus: Stimulus, rig: Rig) -> Stimulus:
             moved = band_limited_delay(moved, samples - whole)
         else:
             whole = round(samples)
-        found[row] = 0.0
-        found[row, whole : whole + moved.size] = moved
-    return stimulus.with_samples(found)
+        delayed[row] = 0.0
+        delayed[row, whole : whole + moved.size] = moved
+    return stimulus.with_samples(delayed)
 
 
 def _refuse_other_drives(stimulus: Stimulus) -> None:
@@ -699,13 +704,13 @@ def _refuse_other_drives(stimulus: Stimulus) -> None:
 
 
 def _full_scale_v(channel: RigChannel) -> float:
-    found = channel.volts_at_full_scale
-    if found is None:
+    volts = channel.volts_at_full_scale
+    if volts is None:
         raise InvalidInputError(
             f"place {channel.place}: the rig does not say the volts at full scale. Measure them "
             "with a tone at full scale and a voltmeter."
         )
-    return found
+    return volts
 
 
 def _actuator_of(channel: RigChannel) -> Any:

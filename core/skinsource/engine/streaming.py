@@ -63,7 +63,7 @@ class StreamedVibration:
 
     def played_through(self, change: Callable[[Played], Played]) -> "StreamedVibration":
         """The same where something else is played, such as the same through a filter."""
-        played = [change(one) for one in self._played]
+        played = [change(voice) for voice in self._played]
         shape = (*self._channels_shape, self.n_times)
         return StreamedVibration(played, self._stack, shape, self.cut)
 
@@ -133,36 +133,36 @@ class StreamedVibration:
         for k in range(0, len(starts), _GROUP):
             stop_if(stop)
             segments = [self._segments(first) for first in starts[k : k + _GROUP]]
-            sounding = [place for place, found in enumerate(segments) if found]
+            sounding = [number for number, segment in enumerate(segments) if segment]
             if not sounding:
                 continue
-            spectra = self._spectra([segments[place] for place in sounding], values)
+            spectra = self._spectra([segments[number] for number in sounding], values)
             samples = inverse(spectra, cut.n_fft).reshape(len(sounding), -1, cut.n_fft)
-            for block, place in zip(samples, sounding, strict=True):
-                first = starts[k + place]
+            for block, number in zip(samples, sounding, strict=True):
+                first = starts[k + number]
                 inside = slice(cut.overlap, cut.overlap + min(cut.n_samples, self.n_times - first))
-                active = self._active(segments[place])[inside]
+                active = self._active(segments[number])[inside]
                 block = block[:, inside]
                 yield first, block if active.all() else np.where(active, block, 0.0)
 
     def _segments(self, first: int) -> dict[int, Floats]:
         """Drives that the block from sample ``first`` on needs, by number; but silent ones."""
-        found = {
-            number: self.cut.segment(one.drive.samples, first - one.start)
-            for number, one in enumerate(self._played)
+        pieces = {
+            number: self.cut.segment(voice.drive.samples, first - voice.start)
+            for number, voice in enumerate(self._played)
         }
-        return {number: piece for number, piece in found.items() if piece is not None}
+        return {number: piece for number, piece in pieces.items() if piece is not None}
 
     def _spectra(self, segments: list[dict[int, Floats]], values: Complexes) -> Complexes:
         """Spectra of blocks, (n_blocks * n_channels, n_bins), from ``values`` of the stack."""
         n_bins, n_places, n_channels = values.shape
         rows = list(self._stack.responses) if self._stack is not None else []
         drives = np.zeros((n_bins, len(segments), n_places), np.complex128)
-        for block, found in enumerate(segments):
-            for number, piece in found.items():
-                one = self._played[number]
-                spectrum = forward(piece, self.cut.n_fft) * one.weight
-                drives[:, block, rows.index(one.location)] += spectrum
+        for block, pieces in enumerate(segments):
+            for number, piece in pieces.items():
+                voice = self._played[number]
+                spectrum = forward(piece, self.cut.n_fft) * voice.weight
+                drives[:, block, rows.index(voice.location)] += spectrum
         spectra = np.empty((n_bins, len(segments), n_channels), np.complex128)
         half = n_bins // 2
 
@@ -186,11 +186,11 @@ def exact_transforms(signals: Floats, stop: Stop) -> Complexes:
 
     One after the other: each takes much memory, and a tenth of a second.
     """
-    found = np.empty((*signals.shape[:-1], signals.shape[-1] // 2 + 1), np.complex128)
-    for place in np.ndindex(signals.shape[:-1]):
+    transforms = np.empty((*signals.shape[:-1], signals.shape[-1] // 2 + 1), np.complex128)
+    for channel in np.ndindex(signals.shape[:-1]):
         stop_if(stop)
-        found[place] = forward(signals[place], signals.shape[-1])
-    return found
+        transforms[channel] = forward(signals[channel], signals.shape[-1])
+    return transforms
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -252,20 +252,20 @@ class Vibration:
         self,
         outputs: tuple[int, ...],
         axes: tuple[int, ...],
-        seen: Callable[[Complexes], Complexes],
+        linear: Callable[[Complexes], Complexes],
     ) -> Complexes:
         """Sum of what is ``seen``, which is linear, of the vibrations by all voices."""
         total: Complexes | None = None
         if self.edited is not None and self.weight != 0.0:
-            unit = seen(self.edited.trace_spectra(outputs, axes))
+            unit = linear(self.edited.trace_spectra(outputs, axes))
             total = self.weight * delayed(unit, self.delay_samples, self.n_times)
         if self.others is not None:
-            others = seen(self.others.trace_spectra(outputs, axes))
+            others = linear(self.others.trace_spectra(outputs, axes))
             # Never the other way round: what others cause is remembered.
             total = others if total is None else np.add(total, others, out=total)
         if total is None:
             shape = len(outputs), len(axes), self.n_times // 2 + 1
-            total = seen(np.zeros(shape, np.complex128))
+            total = linear(np.zeros(shape, np.complex128))
         return total
 
 
@@ -279,7 +279,7 @@ def loudest_energies(
     total: TotalSpectrum, projection: Projection, n_window: int, stop: Stop
 ) -> Floats:
     """Largest energy of any window of the projected signal of each output, (n_outputs,)."""
-    found = []
+    energies = []
     for first in range(0, total.shape[0], _OUTPUTS_AT_ONCE):
         stop_if(stop)
         outputs = np.arange(first, min(first + _OUTPUTS_AT_ONCE, total.shape[0]))
@@ -290,8 +290,8 @@ def loudest_energies(
             signals = here.signals(inverse(spectra, total.n_fft))
         else:
             signals = inverse(here.spectra(spectra), total.n_fft)
-        found.append(loudest_energy(signals, n_window))
-    return np.concatenate(found)
+        energies.append(loudest_energy(signals, n_window))
+    return np.concatenate(energies)
 
 
 def loudest_energies_streamed(

@@ -62,8 +62,8 @@ class Moving:
 
     def magnitude(self, time_s: float) -> Floats:
         """Length of the vector at an instant, (n_outputs,), in m/s²."""
-        found: Floats = np.linalg.norm(self.acceleration(time_s), axis=-1)
-        return found
+        length: Floats = np.linalg.norm(self.acceleration(time_s), axis=-1)
+        return length
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -107,16 +107,16 @@ class SlidingEnergy:
         count = max(round(window_s * self.sample_rate_hz), 1)
         # An odd window lies around a sample, an even one around the middle between two.
         start = time_s * self.sample_rate_hz - self.first - (count - 1) / 2
-        whole, behind = parted(start)
-        square = (1.0 - behind) * self._sum(whole, count) + behind * self._sum(whole + 1, count)
-        found: Floats = np.sqrt(np.maximum(square / count, 0.0))
-        return found
+        whole, share = parted(start)
+        square = (1.0 - share) * self._sum(whole, count) + share * self._sum(whole + 1, count)
+        rms: Floats = np.sqrt(np.maximum(square / count, 0.0))
+        return rms
 
     def _sum(self, start: int, count: int) -> Floats:
         last = self.sums.shape[-1] - 1
         low, high = min(max(start, 0), last), min(max(start + count, 0), last)
-        found: Floats = self.sums[:, high] - self.sums[:, low]
-        return found
+        energy: Floats = self.sums[:, high] - self.sums[:, low]
+        return energy
 
 
 # Which part of a long response is kept in time: two blocks, and what is looked at beyond.
@@ -274,21 +274,23 @@ def _signals(
 ) -> Floats:
     """Acceleration of all outputs over a window, (n_outputs, n_axes, n_times)."""
     first, end = window
-    found = np.zeros((limb.n_outputs, len(axes), end - first))
+    acceleration = np.zeros((limb.n_outputs, len(axes), end - first))
     if total is not None:
         for rows in _some_outputs(limb):
             stop_if(stop)
             signals = inverse(total.rows(rows, axes), total.n_fft)
-            found[rows] = signals[..., first:end]
+            acceleration[rows] = signals[..., first:end]
     elif streamed is not None:
         every = range(1, limb.n_outputs + 1)
         for begin, block in streamed.blocks_of(every, axes, stop, window):
             low, high = max(begin, first), min(begin + block.shape[-1], end)
             if low < high:
-                found[..., low - first : high - first] = block[..., low - begin : high - begin]
+                acceleration[..., low - first : high - first] = block[
+                    ..., low - begin : high - begin
+                ]
     # Frames are read by one thread while the next window is made by another.
-    found.flags.writeable = False
-    return found
+    acceleration.flags.writeable = False
+    return acceleration
 
 
 def _some_outputs(limb: Limb) -> Iterator[np.ndarray]:

@@ -55,7 +55,7 @@ def selected_without_main_axis(
     rows = [output - 1 for output in shown_outputs]
     of_selected = Moments(moments.second[rows], moments.first[rows])
     without = without_main_axis(of_selected, axis_numbers, method, response_samples).tolist()
-    return tuple(output for output, found in zip(shown_outputs, without, strict=True) if found)
+    return tuple(output for output, missing in zip(shown_outputs, without, strict=True) if missing)
 
 
 def selected_traces(axis_traces: Floats, selected_projection: Projection) -> Floats:
@@ -146,27 +146,27 @@ def trace_error(
     stop: Stop,
 ) -> TraceError | None:
     """Error of the selected traces; None where there is nothing to check."""
-    moving = [one for one in placed if one.moves]
-    to_places = responses.to(one.voice.location for one in moving)
-    drives = [one.drive for one in moving]
+    moving = [voice for voice in placed if voice.moves]
+    to_places = responses.to(voice.voice.location for voice in moving)
+    drives = [voice.drive for voice in moving]
     factors = [drive.factor for drive in drives]
     if responses.scaling == "upstream" and moving:
         spectra = [
-            responses.drive_spectrum(one.voice.unit, one.drive)
-            for one in moving
+            responses.drive_spectrum(voice.voice.unit, voice.drive)
+            for voice in moving
             if responses.n_fft is not None
         ]
         factors = exact_gains(drives, spectra, to_places, stop)
-    heard = [
+    exact_voices = [
         Heard(
-            drive=one.drive,
-            delay_samples=one.start,
-            weight=one.voice.amplitude * match_gain * factor,
+            drive=voice.drive,
+            delay_samples=voice.start,
+            weight=voice.voice.amplitude * match_gain * factor,
             response=response,
         )
-        for one, response, factor in zip(moving, to_places, factors, strict=True)
+        for voice, response, factor in zip(moving, to_places, factors, strict=True)
     ]
-    return trace_error_of(axis_traces, shown_outputs, axis_numbers, heard)
+    return trace_error_of(axis_traces, shown_outputs, axis_numbers, exact_voices)
 
 
 RULES = (

@@ -155,10 +155,10 @@ class ChannelsOnDemand:
             if self._exact_spectra is None:
                 self.traces(outputs, axes)
                 traces = np.array([self._traces.known[channel] for channel in missing])
-                found = forward(traces, self._active.size)
+                spectra = forward(traces, self._active.size)
             else:
-                found = self._exact_spectra(missing)
-            self._trace_spectra.add(missing, found)
+                spectra = self._exact_spectra(missing)
+            self._trace_spectra.add(missing, spectra)
         return self._trace_spectra.of(outputs, axes)
 
 
@@ -179,12 +179,12 @@ class _Channels:
         self._latest = channels, rows
 
     def of(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> np.ndarray:
-        asked = _all(outputs, axes)
+        selected = _all(outputs, axes)
         channels, rows = self._latest
-        if channels != asked:
-            rows = np.array([self.known[channel] for channel in asked], rows.dtype)
-            rows = rows.reshape(len(asked), self._latest[1].shape[-1])
-            self._latest = asked, rows
+        if channels != selected:
+            rows = np.array([self.known[channel] for channel in selected], rows.dtype)
+            rows = rows.reshape(len(selected), self._latest[1].shape[-1])
+            self._latest = selected, rows
         return rows.reshape(len(outputs), len(axes), rows.shape[-1])
 
 
@@ -244,7 +244,7 @@ def sum_of_vibrations(responses: Sequence[Complexes], drives: Sequence[Complexes
     total = np.empty(responses[0].shape, np.complex128)
 
     tasks = [
-        partial(add_up, [one[part] for one in responses], drives, total[part])
+        partial(add_up, [response[part] for response in responses], drives, total[part])
         for part in parts_of(len(total))
     ]
     if len(responses) * total.size < _SUMS_WORTH_A_THREAD:

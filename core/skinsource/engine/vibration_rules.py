@@ -35,17 +35,17 @@ def others_spectrum(
     responses: Responses, others_placed: tuple[Placed, ...], match_gain: float, stop: Stop
 ) -> Complexes | None:
     """Vibration by the other voices, (n_outputs, 3, n_bins); None: none of them moves anything."""
-    moving = [one for one in others_placed if one.moves]
+    moving = [other for other in others_placed if other.moves]
     n_fft = responses.n_fft
     if n_fft is None or not moving:
         return None
-    to_places = responses.to(one.voice.location for one in moving)
-    sounding = [one.sounding(to) for one, to in zip(moving, to_places, strict=True)]
+    to_places = responses.to(other.voice.location for other in moving)
+    sounding = [other.sounding(to) for other, to in zip(moving, to_places, strict=True)]
     gains = responses.gains(sounding, stop)
     spectra = [
-        delayed(responses.drive_spectrum(one.voice.unit, one.drive), one.start, n_fft)
-        * (one.voice.amplitude * match_gain * gain)
-        for one, gain in zip(moving, gains, strict=True)
+        delayed(responses.drive_spectrum(other.voice.unit, other.drive), other.start, n_fft)
+        * (other.voice.amplitude * match_gain * gain)
+        for other, gain in zip(moving, gains, strict=True)
     ]
     return sum_of_vibrations([to.values for to in to_places], spectra)
 
@@ -58,8 +58,8 @@ def edited_response(
         return None
     if edited_drive.silent:
         return None
-    [found] = responses.to([edited_unit.location])
-    return found
+    [response] = responses.to([edited_unit.location])
+    return response
 
 
 def edited_spectrum(
@@ -92,8 +92,8 @@ def edited_gain(
         return 0.0
     if edited_drive.silent:
         return 0.0
-    [found] = responses.gains([Sounding(edited_unit, edited_drive, edited_response)], stop)
-    return found
+    [gain] = responses.gains([Sounding(edited_unit, edited_drive, edited_response)], stop)
+    return gain
 
 
 def edited_weight(edited_voice: Voice | None, edited_gain: float, match_gain: float) -> float:
@@ -167,20 +167,22 @@ def streamed_vibration(
     """Vibration by all voices where the response is too long to be transformed at once."""
     if responses.n_fft is not None:
         return None
-    moving = [one for one in placed if one.moves]
-    stack = responses.stack(one.voice.location for one in moving)
+    moving = [voice for voice in placed if voice.moves]
+    stack = responses.stack(voice.voice.location for voice in moving)
     sounding = [
-        one.sounding(stack.responses[one.voice.location]) for one in moving if stack is not None
+        voice.sounding(stack.responses[voice.voice.location])
+        for voice in moving
+        if stack is not None
     ]
     gains = responses.gains(sounding, stop)
     played = [
         Played(
-            drive=one.drive,
-            start=one.start,
-            weight=one.voice.amplitude * match_gain * gain,
-            location=one.voice.location,
+            drive=voice.drive,
+            start=voice.start,
+            weight=voice.voice.amplitude * match_gain * gain,
+            location=voice.voice.location,
         )
-        for one, gain in zip(moving, gains, strict=True)
+        for voice, gain in zip(moving, gains, strict=True)
     ]
     shape = responses.limb.n_outputs, responses.limb.n_axes, response_samples
     return StreamedVibration(played, stack, shape, responses.blocks)

@@ -112,8 +112,8 @@ def levels_of_windows_db(rms_of_windows: Floats) -> Floats:
 def surface_of_windows_db(surface: SurfaceOperator, levels_of_windows_db: Floats) -> Floats:
     """Map of each window, (n_windows, rows, columns), dB; NaN outside the outline."""
     maps = np.empty((len(levels_of_windows_db), *surface.mask.shape))
-    for one, levels_db in zip(maps, levels_of_windows_db, strict=True):
-        one[:] = surface.interpolate(levels_db)
+    for surface_map, levels_db in zip(maps, levels_of_windows_db, strict=True):
+        surface_map[:] = surface.interpolate(levels_db)
     return maps
 
 
@@ -121,11 +121,11 @@ def extents_of_windows(
     rms_of_windows: Floats, limb_data: Limb, voices: tuple[Voice, ...]
 ) -> tuple[Extent | None, ...]:
     """How far each window reaches from the nearest input that is heard; None: it is silent."""
-    places = sorted({one.location for one in voices if one.heard and one.amplitude != 0.0})
+    places = sorted({voice.location for voice in voices if voice.heard and voice.amplitude != 0.0})
     placed = np.isfinite(limb_data.map.output_positions[:, 0])
     return tuple(
-        extent(one, limb_data, places) if places and one[placed].any() else None
-        for one in rms_of_windows
+        extent(rms, limb_data, places) if places and rms[placed].any() else None
+        for rms in rms_of_windows
     )
 
 

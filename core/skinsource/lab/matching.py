@@ -130,12 +130,12 @@ class Procedure:
         rng = np.random.default_rng([self.seed, *name.tolist()])
         tests = list(product(self.frequencies_hz, self.places, DIRECTIONS))
         starts_db = rng.uniform(NEAREST_START_DB, FARTHEST_START_DB, len(tests)).round(1)
-        found = []
-        for number, which in enumerate(rng.permutation(len(tests)).tolist(), start=1):
-            frequency_hz, place, direction = tests[which]
-            start_db = float(starts_db[which]) * (-1.0 if direction == "ascending" else 1.0)
-            found.append(Trial(number, float(frequency_hz), place, direction, start_db))
-        return tuple(found)
+        trials = []
+        for number, test in enumerate(rng.permutation(len(tests)).tolist(), start=1):
+            frequency_hz, place, direction = tests[test]
+            start_db = float(starts_db[test]) * (-1.0 if direction == "ascending" else 1.0)
+            trials.append(Trial(number, float(frequency_hz), place, direction, start_db))
+        return tuple(trials)
 
     def design(self, trial: Trial, level_db: float) -> Design:
         """What is played again and again: the reference, then the test at ``level_db``."""
@@ -167,7 +167,7 @@ def check_person(person: object) -> str:
         not isinstance(person, str)
         or not 0 < len(person) <= _LONGEST_NAME
         or person != person.strip()
-        or not all(one.isalnum() or one in " -_." for one in person)
+        or not all(character.isalnum() or character in " -_." for character in person)
         or not person[0].isalnum()
     ):
         raise InvalidInputError(
@@ -227,7 +227,7 @@ class Match:
 # Tables of matches: CSV, one row for each, never doubled.
 
 _MOST_BYTES = 64 * 2**20
-_COLUMNS = tuple(one.name for one in fields(Match))
+_COLUMNS = tuple(field.name for field in fields(Match))
 _MOST = 2**63 - 1
 
 
@@ -252,22 +252,22 @@ def read_matches(path: Path) -> tuple[Match, ...]:
             f"{quoted(','.join(rows[0]) if rows else '')}, expected {','.join(_COLUMNS)}. Choose "
             "another file."
         )
-    found: list[Match] = []
+    matches: list[Match] = []
     known: dict[object, int] = {}
     for line, row in enumerate(rows[1:], start=2):
         try:
-            one = _match(row)
-            before = known.setdefault(one.key, line)
+            match = _match(row)
+            before = known.setdefault(match.key, line)
             if before != line:
                 raise InvalidInputError(f"the same match stands in line {before} already")
-            if one.reference != (found or [one])[0].reference:
+            if match.reference != (matches or [match])[0].reference:
                 raise InvalidInputError("its reference is not that of line 2")
         except InvalidInputError as error:
             raise FileFormatError(
                 f"{named(path)}, line {line}: {sentence(str(error))} Correct or remove it."
             ) from error
-        found.append(one)
-    return tuple(found)
+        matches.append(match)
+    return tuple(matches)
 
 
 def add_match(path: Path, new: Match) -> tuple[Match, ...]:
@@ -285,7 +285,7 @@ def add_match(path: Path, new: Match) -> tuple[Match, ...]:
     """
     with Lock(path).hold():
         before = read_matches(path) if is_there(path) else ()
-        if any(one.key == new.key for one in before):
+        if any(match.key == new.key for match in before):
             raise InvalidInputError(
                 f"{named(path)} has the {new.direction} match of {new.frequency_hz:g} Hz at place "
                 f"{new.place} by {new.person} already. Nothing was changed."
@@ -300,9 +300,9 @@ def check_reference(
     path: Path, matches: Iterable[Match], reference: tuple[float, int, float]
 ) -> None:
     """Refuse a table whose reference is another one than ``reference``."""
-    for one in matches:
-        if one.reference != reference:
-            frequency_hz, place, amplitude = one.reference
+    for match in matches:
+        if match.reference != reference:
+            frequency_hz, place, amplitude = match.reference
             raise InvalidInputError(
                 f"{named(path)} holds matches with another reference: {frequency_hz:g} Hz at place "
                 f"{place}, a drive of {amplitude:g}. Choose another file, or that reference."
@@ -350,7 +350,7 @@ def _text(matches: Iterable[Match]) -> str:
     text = io.StringIO(newline="")
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(_COLUMNS)
-    writer.writerows(astuple(one) for one in matches)
+    writer.writerows(astuple(match) for match in matches)
     return text.getvalue()
 
 
@@ -458,8 +458,8 @@ class MatchingRun:
             matches = read_matches(path)
             reference = procedure.reference_hz, procedure.reference_place, procedure.amplitude
             check_reference(path, matches, reference)
-            known = {one.key for one in matches}
-        self._left = [one for one in procedure.trials if self._key(one) not in known]
+            known = {match.key for match in matches}
+        self._left = [trial for trial in procedure.trials if self._key(trial) not in known]
         self.level_db = 0.0
         self._begin()
 
@@ -565,14 +565,18 @@ class Strengths:
         """
         by_test: dict[tuple[int, float], dict[str, list[float]]] = {}
         reference = None
-        for one in matches:
-            reference = one.reference_place, one.reference_hz
-            of_test = by_test.setdefault((one.place, one.frequency_hz), {})
-            of_test.setdefault(one.person, []).append(one.matched_db)
+        for match in matches:
+            reference = match.reference_place, match.reference_hz
+            by_person = by_test.setdefault((match.place, match.frequency_hz), {})
+            by_person.setdefault(match.person, []).append(match.matched_db)
         if reference is None:
             raise InvalidInputError("the table holds no matches, expected at least one")
         points = tuple(
-            (place, frequency_hz, float(np.mean([np.mean(own) for own in persons.values()])))
+            (
+                place,
+                frequency_hz,
+                float(np.mean([np.mean(levels_db) for levels_db in persons.values()])),
+            )
             for (place, frequency_hz), persons in sorted(by_test.items())
         )
         return cls(points, reference)
@@ -587,7 +591,7 @@ class Strengths:
         InvalidInputError
             Nothing was matched at the place, or the frequency lies outside of those that were.
         """
-        known = {one: level for at, one, level in self.points if at == place}
+        known = {at_hz: level for at, at_hz, level in self.points if at == place}
         if place == self.reference[0]:
             known.setdefault(self.reference[1], 0.0)
         if not known:
@@ -601,7 +605,7 @@ class Strengths:
                 f"{frequency_hz:g} Hz was not matched at place {place}, expected "
                 f"{measured_hz[0]:g} to {measured_hz[-1]:g} Hz. Match it, or leave it out."
             )
-        levels_db = [known[one] for one in measured_hz]
+        levels_db = [known[at_hz] for at_hz in measured_hz]
         return float(np.interp(np.log(frequency_hz), np.log(measured_hz), levels_db))
 
 

@@ -68,9 +68,9 @@ class Output:
     shift_hz: float = 300.0
 
     def __post_init__(self) -> None:
-        for name, words in (("device", self.device), ("host_api", self.host_api)):
-            if not isinstance(words, str) or len(words) > _LONGEST_NAME:
-                raise InvalidInputError(f"{name} is {quoted(words)}, expected a name")
+        for name, value in (("device", self.device), ("host_api", self.host_api)):
+            if not isinstance(value, str) or len(value) > _LONGEST_NAME:
+                raise InvalidInputError(f"{name} is {quoted(value)}, expected a name")
         integer("sample_rate_hz", self.sample_rate_hz, _LOWEST_RATE_HZ, _HIGHEST_RATE_HZ)
         least_s, most_s = SHORTEST_LATENCY_S, LONGEST_LATENCY_S
         real_number("latency_s", self.latency_s, least=least_s, most=most_s)
@@ -81,7 +81,7 @@ class Output:
         for name, numbers in zip(
             ("place", "output"), zip(*self.outputs, strict=True), strict=False
         ):
-            twice = next((one for one in numbers if numbers.count(one) > 1), None)
+            twice = next((number for number in numbers if numbers.count(number) > 1), None)
             if twice is not None:
                 raise InvalidInputError(
                     f"{name} {twice} stands twice in the channel map, expected once: each place "
@@ -94,16 +94,14 @@ class Output:
         Ask with all places of a design, heard or not: what one drives then does not depend on
         whether another is muted.
         """
-        wanted = tuple(dict.fromkeys(places))
-        found = {place: output for place, output in self.outputs if place in wanted}
-        taken = {output for _, output in self.outputs}
-        free = (
-            output for output in range(1, MOST_OUTPUTS + 1 + len(wanted)) if output not in taken
-        )
-        for place in wanted:
-            if place not in found:
-                found[place] = next(free)
-        return found
+        unique = tuple(dict.fromkeys(places))
+        output_of = {place: output for place, output in self.outputs if place in unique}
+        used = {output for _, output in self.outputs}
+        free = (output for output in range(1, MOST_OUTPUTS + 1 + len(unique)) if output not in used)
+        for place in unique:
+            if place not in output_of:
+                output_of[place] = next(free)
+        return output_of
 
     def to_text(self) -> str:
         """Write it down."""
@@ -119,16 +117,16 @@ def output_from_text(text: str) -> Output:
         It is something else.
     """
     try:
-        held = json.loads(text)
+        values = json.loads(text)
     except (ValueError, RecursionError) as error:
         raise InvalidInputError(f"{quoted(text)} describes no output") from error
-    if not isinstance(held, dict) or not set(held) <= set(Output.__slots__):
+    if not isinstance(values, dict) or not set(values) <= set(Output.__slots__):
         raise InvalidInputError(f"{quoted(text)} describes no output")
     try:
-        held["outputs"] = tuple((place, output) for place, output in held.get("outputs", ()))
-        if not isinstance(held.get("stand_in", False), bool):
+        values["outputs"] = tuple((place, output) for place, output in values.get("outputs", ()))
+        if not isinstance(values.get("stand_in", False), bool):
             raise TypeError("stand_in is no switch")
-        return Output(**held)
+        return Output(**values)
     except (TypeError, ValueError) as error:
         raise InvalidInputError(f"{quoted(text)} describes no output: {error}") from error
 
@@ -219,25 +217,25 @@ def listed(direction: Literal["input", "output"]) -> list[Listed]:
     """
     library = sound_library()
     try:
-        apis, known = library.query_hostapis(), library.query_devices()
+        apis, system_devices = library.query_hostapis(), library.query_devices()
         default = library.default.device[direction]
         if default < 0:
-            default = next((one[f"default_{direction}_device"] for one in apis), -1)
+            default = next((api[f"default_{direction}_device"] for api in apis), -1)
     except library.PortAudioError as error:
         raise PlaybackError(f"The sound system does not answer: {printable(error)}.") from error
-    found = [
+    devices_of_direction = [
         Listed(
             index=index,
-            name=one["name"],
-            host_api=apis[one["hostapi"]]["name"],
-            n_channels=one[f"max_{direction}_channels"],
-            sample_rate_hz=round(one["default_samplerate"]),
+            name=device["name"],
+            host_api=apis[device["hostapi"]]["name"],
+            n_channels=device[f"max_{direction}_channels"],
+            sample_rate_hz=round(device["default_samplerate"]),
             is_default=index == default,
         )
-        for index, one in enumerate(known)
-        if one[f"max_{direction}_channels"] > 0
+        for index, device in enumerate(system_devices)
+        if device[f"max_{direction}_channels"] > 0
     ]
-    return sorted(found, key=lambda one: not one.is_default)
+    return sorted(devices_of_direction, key=lambda device: not device.is_default)
 
 
 def devices() -> tuple[Device, ...]:
@@ -250,14 +248,14 @@ def devices() -> tuple[Device, ...]:
     """
     return tuple(
         Device(
-            index=one.index,
-            name=one.name,
-            host_api=one.host_api,
-            n_outputs=one.n_channels,
-            sample_rate_hz=one.sample_rate_hz,
-            is_default=one.is_default,
+            index=device.index,
+            name=device.name,
+            host_api=device.host_api,
+            n_outputs=device.n_channels,
+            sample_rate_hz=device.sample_rate_hz,
+            is_default=device.is_default,
         )
-        for one in listed("output")
+        for device in listed("output")
     )
 
 
@@ -273,7 +271,7 @@ def refresh_devices() -> tuple[Device, ...]:
     return devices()
 
 
-def device_of(output: Output, found: Sequence[Device]) -> Device:
+def device_of(output: Output, known_devices: Sequence[Device]) -> Device:
     """Return the device that ``output`` names.
 
     Raises
@@ -281,17 +279,17 @@ def device_of(output: Output, found: Sequence[Device]) -> Device:
     PlaybackError
         There is none at all, or not that one.
     """
-    if not found:
+    if not known_devices:
         raise NothingToPlayOnError(_NONE)
     if not output.device:
-        return found[0]
-    for one in found:
-        if one.name == output.device and output.host_api in ("", one.host_api):
-            return one
+        return known_devices[0]
+    for device in known_devices:
+        if device.name == output.device and output.host_api in ("", device.host_api):
+            return device
     raise PlaybackError(
         f"The device {quoted(output.device)} is not there. Connect it and look again, or choose "
-        f"another; there {'is' if len(found) == 1 else 'are'} "
-        f"{', '.join(one.name for one in found[:5])}."
+        f"another; there {'is' if len(known_devices) == 1 else 'are'} "
+        f"{', '.join(device.name for device in known_devices[:5])}."
     )
 
 
@@ -303,7 +301,7 @@ def check_outputs(device: Device, outputs: Mapping[int, int]) -> None:
     PlaybackError
         It has too few; the message says which place has none.
     """
-    place, output = max(outputs.items(), key=lambda one: one[1], default=(0, 0))
+    place, output = max(outputs.items(), key=lambda pair: pair[1], default=(0, 0))
     if output > device.n_outputs:
         raise PlaybackError(
             f"{device.name} has {counted(device.n_outputs, 'output')}, "
@@ -406,29 +404,31 @@ class DeviceRows:
         if self._rates != (from_hz, to_hz):
             self._rates, self._rows = (from_hz, to_hz), []
         n = -(-rows.shape[1] * to_hz // from_hz)
-        found = np.zeros((rows.shape[0], n))
-        kept = []
-        for row, own in zip(found, rows, strict=True):
-            known = next((one for one in self._rows if np.array_equal(one.own, own)), None)
+        resampled = np.zeros((rows.shape[0], n))
+        latest = []
+        for row, samples in zip(resampled, rows, strict=True):
+            known = next(
+                (cached for cached in self._rows if np.array_equal(cached.own, samples)), None
+            )
             if known is None:
-                self._resample(own, row)
-                known = _Row(own.copy(), row)
+                self._resample(samples, row)
+                known = _Row(samples.copy(), row)
             else:
                 row[:] = known.there
-            kept.append(known)
-        self._rows = kept
-        return found
+            latest.append(known)
+        self._rows = latest
+        return resampled
 
-    def _resample(self, own: Floats, out: Floats) -> None:
-        sounding = np.flatnonzero(own)
+    def _resample(self, samples: Floats, out: Floats) -> None:
+        sounding = np.flatnonzero(samples)
         if not sounding.size:
             return
         from_hz, to_hz = self._rates
         needed = stretch_of(from_hz, to_hz)
         # From a sample on that both rates share.
         first = max(int(sounding[0]) - needed.reach, 0) // needed.period * needed.period
-        last = min(int(sounding[-1]) + 1 + needed.reach, own.size)
-        there = resample(own[first:last], from_hz, to_hz)
+        last = min(int(sounding[-1]) + 1 + needed.reach, samples.size)
+        there = resample(samples[first:last], from_hz, to_hz)
         start = first * to_hz // from_hz
         out[start : start + there.size] = there[: out.size - start]
         self.n_resampled += last - first
@@ -439,8 +439,8 @@ class DeviceRows:
 
 def outputs_by_place(design: Design, output: Output, rig: "Rig | None" = None) -> dict[int, int]:
     """Output of each place of a design, heard or not; none where a rig does not wire it."""
-    places = tuple(dict.fromkeys(one.location for one in design.inputs))
+    places = tuple(dict.fromkeys(track.location for track in design.inputs))
     if rig is None or output.stand_in:
         return output.outputs_of(places)
     channels = (rig.channel_of(place) for place in places)
-    return {one.place: one.output for one in channels if one is not None}
+    return {channel.place: channel.output for channel in channels if channel is not None}

@@ -84,9 +84,9 @@ class Mix:
         -------
         The position behind it: beyond the end of a loop it goes on at its first sample.
         """
-        done, wanted = 0, out.shape[1]
-        while done < wanted:
-            end = position + wanted - done
+        done, n_times = 0, out.shape[1]
+        while done < n_times:
+            end = position + n_times - done
             loops = self.loop is not None and position < self.loop[1] <= end
             if self.loop is not None and loops:
                 end = self.loop[1]
@@ -158,18 +158,18 @@ def mix_of(
         A sample is not finite, an output is not among those of the device, or the loop is shorter
         than 10 ms.
     """
-    found = finite_array("samples", rows, largest=float(np.finfo(np.float32).max))
-    if found.ndim != 2 or not len(outputs) == len(titles) == found.shape[0]:
+    values = finite_array("samples", rows, largest=float(np.finfo(np.float32).max))
+    if values.ndim != 2 or not len(outputs) == len(titles) == values.shape[0]:
         raise InvalidInputError(
-            f"samples have the shape {found.shape}, expected (n_channels, n_times) with an output "
+            f"samples have the shape {values.shape}, expected (n_channels, n_times) with an output "
             f"for each of {len(outputs)} channels"
         )
-    wrong = next((one for one in outputs if not 1 <= one <= n_outputs), None)
+    wrong = next((output for output in outputs if not 1 <= output <= n_outputs), None)
     if wrong is not None:
         raise InvalidInputError(f"output {wrong} is not among 1 to {n_outputs}")
-    samples = np.zeros((n_outputs, found.shape[1]), np.float32)
+    samples = np.zeros((n_outputs, values.shape[1]), np.float32)
     names: list[list[str]] = [[] for _ in range(n_outputs)]
-    for row, output, title in zip(found, outputs, titles, strict=True):
+    for row, output, title in zip(values, outputs, titles, strict=True):
         samples[output - 1] += row
         names[output - 1].append(title)
     samples.flags.writeable = False
@@ -178,7 +178,7 @@ def mix_of(
         samples=samples,
         sample_rate_hz=sample_rate_hz,
         peak=float(np.abs(samples).max(initial=0.0)),
-        names=tuple(" + ".join(one) for one in names),
+        names=tuple(" + ".join(titles_of_output) for titles_of_output in names),
         loop=loop,
         seam=_seam_of(samples, loop, sample_rate_hz),
     )
@@ -187,7 +187,7 @@ def mix_of(
 def _loop_of(loop_s: tuple[float, float] | None, rate_hz: int) -> tuple[int, int] | None:
     if loop_s is None:
         return None
-    first_s, end_s = (real_number("loop_s", one, least=0.0) for one in loop_s)
+    first_s, end_s = (real_number("loop_s", time_s, least=0.0) for time_s in loop_s)
     if end_s - first_s < SHORTEST_LOOP_S * (1 - 1e-9):
         raise InvalidInputError(
             f"The loop lasts {(end_s - first_s) * 1e3:.4g} ms, expected at least "
@@ -208,11 +208,11 @@ def _seam_of(samples: Frames, loop: tuple[int, int] | None, rate_hz: int) -> Fra
 
 def _part(samples: Frames, start: int, end: int) -> Floats:
     """Samples ``start`` to ``end``, silence where there are none."""
-    found = np.zeros((samples.shape[0], end - start))
+    piece = np.zeros((samples.shape[0], end - start))
     first = min(max(start, 0), samples.shape[1])
     part = samples[:, first : max(min(end, samples.shape[1]), first)]
-    found[:, first - start : first - start + part.shape[1]] = part
-    return found
+    piece[:, first - start : first - start + part.shape[1]] = part
+    return piece
 
 
 # Why it became silent.
@@ -283,14 +283,14 @@ _RAMP_S = 0.05
 
 def factor_of(gain_db: float) -> float:
     """Factor of a gain; refuses what is not between -60 and 20 dB."""
-    given = real_number(
+    number_db = real_number(
         "gain_db",
         gain_db,
         f"a number from {LOWEST_DB:g} to {HIGHEST_DB:g}",
         least=LOWEST_DB,
         most=HIGHEST_DB,
     )
-    return float(10.0 ** (given / 20.0))
+    return float(10.0 ** (number_db / 20.0))
 
 
 class Gain:
@@ -313,11 +313,11 @@ class Gain:
 
     def fill(self, out: Floats) -> None:
         """Factors of the next samples, (n_times,)."""
-        wanted, n = self.wanted, out.size
-        if wanted != self._to:
-            self._from, self._to, self._gone = self.now, wanted, 0
+        target, n = self.wanted, out.size
+        if target != self._to:
+            self._from, self._to, self._gone = self.now, target, 0
         if self._from == self._to:
-            out[:] = wanted
+            out[:] = target
             return
         step = copysign(self._step, self._to - self._from)
         np.add(self._count[:n], self._gone, out=out)
@@ -365,10 +365,10 @@ class Meters:
 
     def hear(self, samples: Floats, scratch: Floats) -> None:
         """Take in what was played, (n_outputs, n_times); ``scratch`` has room for as much."""
-        taken, n = 0, samples.shape[1]
-        while taken < n:
-            step = min(self._window - self._seen, n - taken)
-            part = samples[:, taken : taken + step]
+        done, n = 0, samples.shape[1]
+        while done < n:
+            step = min(self._window - self._seen, n - done)
+            part = samples[:, done : done + step]
             work = scratch[:, :step]
             np.abs(part, out=work)
             np.max(work, axis=1, out=self._of_block)
@@ -377,7 +377,7 @@ class Meters:
             np.sum(work, axis=1, out=self._of_block)
             self._squares += self._of_block
             self._seen += step
-            taken += step
+            done += step
             if self._seen == self._window:
                 self._show()
 
@@ -519,7 +519,7 @@ class HeardPosition:
             slot = block % _REMEMBERED
             since_s = now_s - float(self._at_s[slot])
             if since_s >= 0.0:
-                first, end = (int(one) for one in self._loop[slot])
+                first, end = (int(sample) for sample in self._loop[slot])
                 position = int(self._position[slot])
                 later = position + since_s * self._rate_hz
                 if position < end <= later:

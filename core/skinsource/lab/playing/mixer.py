@@ -30,8 +30,8 @@ def analytic(rows: Floats) -> Complexes:
     n = rows.shape[1]
     # Room for what rings, so that it does not come back at the other end.
     length = scipy.fft.next_fast_len(2 * n + 1)
-    found: Complexes = scipy.signal.hilbert(rows, length, axis=1)[:, :n]
-    return found
+    signals: Complexes = scipy.signal.hilbert(rows, length, axis=1)[:, :n]
+    return signals
 
 
 def turned_up(parts: Floats, sample_rate_hz: int, shift_hz: float) -> Floats:
@@ -54,8 +54,8 @@ def turned_up(parts: Floats, sample_rate_hz: int, shift_hz: float) -> Floats:
     # Whole turns are taken off first, so that long designs lose no accuracy.
     turns = (np.arange(parts.shape[1]) * (shift_hz / sample_rate_hz)) % 1.0
     angle = 2.0 * np.pi * turns
-    found: Floats = parts[:n] * np.cos(angle) - parts[n:] * np.sin(angle)
-    return found
+    shifted: Floats = parts[:n] * np.cos(angle) - parts[n:] * np.sin(angle)
+    return shifted
 
 
 def on_two_ears(rows: Floats) -> Floats:
@@ -65,8 +65,8 @@ def on_two_ears(rows: Floats) -> Floats:
     """
     n = rows.shape[0]
     to_right = (np.arange(n) + 0.5) / max(n, 1)
-    found: Floats = np.stack((1.0 - to_right, to_right)) @ rows
-    return found
+    ears: Floats = np.stack((1.0 - to_right, to_right)) @ rows
+    return ears
 
 
 # From a design to what a device gets.
@@ -137,7 +137,7 @@ class Mixer:
             sent = stimulus if rig is None else for_rig(stimulus, rig, _equaliser_of(design))
             rows = self.rows.at(sent.samples, own_hz, rate_hz)
             wired = outputs_by_place(design, output, rig)
-            places = [one.place for one in stimulus.channels if one.place is not None]
+            places = [channel.place for channel in stimulus.channels if channel.place is not None]
             outputs = [wired[place] for place in places]
             titles = [f"place {place}" for place in places]
         loop_s = loop_of(design, stimulus.duration_s, loops=loops)
@@ -162,11 +162,11 @@ class Mixer:
         found = Margin()
         for place, row in zip(places, rows, strict=True):
             key = place, rig.channel_of(place), repeated, row.tobytes()
-            one = known.get(key)
-            if one is None:
-                one = highest_gain(rig, [place], row[np.newaxis], rate_hz, repeated=repeated)
-            self._margins[key] = one
-            found = min(found, one, key=lambda margin: margin.factor)
+            of_place = known.get(key)
+            if of_place is None:
+                of_place = highest_gain(rig, [place], row[np.newaxis], rate_hz, repeated=repeated)
+            self._margins[key] = of_place
+            found = min(found, of_place, key=lambda margin: margin.factor)
         return found
 
 

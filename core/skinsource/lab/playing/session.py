@@ -132,8 +132,8 @@ class Playing:
         if self.silent is not None:
             self.silent.seek(at_s)
         elif self.stream is not None:
-            deck = self.stream.deck
-            deck.seek(round(at_s * deck.sample_rate_hz))
+            queue = self.stream.deck
+            queue.seek(round(at_s * queue.sample_rate_hz))
 
     @property
     def over(self) -> bool:
@@ -207,8 +207,8 @@ class Session:
         if slow_motion != 1.0:
             return silently(reason="", slow_motion=slow_motion)
         try:
-            found = devices()
-            device = device_of(output, found)
+            known_devices = devices()
+            device = device_of(output, known_devices)
         except NothingToPlayOnError as missing:
             return silently(reason=str(missing))
         _refuse_other_device(rig, device)
@@ -235,14 +235,14 @@ class Session:
         stream = playing.stream
         if stream is None or stream is not self._stream or stream.deck.ending is not None:
             return None
-        deck = stream.deck
+        queue = stream.deck
         mix = self._mix(design, output, stream.device, loops=loops, rig=rig)
         seen_s = response_end_s(design, mix.duration_s)
-        if mix.n_outputs <= deck.n_outputs:
-            deck.play(mix)
+        if mix.n_outputs <= queue.n_outputs:
+            queue.play(mix)
             return playing if seen_s == playing.seen_s else replace(playing, seen_s=seen_s)
         # More outputs than the device was opened with.
-        at_s, gain_db = stream.position_s() or 0.0, deck.gain_db
+        at_s, gain_db = stream.position_s() or 0.0, queue.gain_db
         self.close()
         opened = self._open(mix, stream.device, output, at_s, gain_db)
         return Playing(stream=opened, seen_s=seen_s)
@@ -261,7 +261,9 @@ class Session:
         n_outputs = max(number, min(_FEWEST, device.n_outputs))
         _refuse_other_device(rig, device)
         tone = tone_of(number, n_outputs, output.sample_rate_hz)
-        places = [one.place for one in rig.channels if one.output == number] if rig else []
+        places = (
+            [channel.place for channel in rig.channels if channel.output == number] if rig else []
+        )
         if rig is not None and places:
             row = tone.samples[number - 1 : number].astype(np.float64)
             margin = highest_gain(rig, places[:1], row, output.sample_rate_hz)
@@ -282,10 +284,10 @@ class Session:
     def _open(
         self, mix: Mix, device: Device, output: Output, at_s: float, gain_db: float
     ) -> Stream:
-        deck = PlayQueue(mix.n_outputs, mix.sample_rate_hz, gain_db)
-        deck.play(mix, round(at_s * mix.sample_rate_hz))
+        queue = PlayQueue(mix.n_outputs, mix.sample_rate_hz, gain_db)
+        queue.play(mix, round(at_s * mix.sample_rate_hz))
         opened: list[Stream] = []
-        stream = Stream(deck, device, output.latency_s, lambda: self._finished(opened[0]))
+        stream = Stream(queue, device, output.latency_s, lambda: self._finished(opened[0]))
         opened.append(stream)
         self._stream = stream
         stream.start()
@@ -298,8 +300,8 @@ class Session:
         mix = self._mixer.mix(design, output, loops=loops, least_outputs=least, rig=rig)
         if not output.stand_in:
             wired = outputs_by_place(design, output, rig)
-            heard = {place: number for place, number in wired.items() if mix.plays_on(number)}
-            check_outputs(device, heard)
+            audible = {place: number for place, number in wired.items() if mix.plays_on(number)}
+            check_outputs(device, audible)
         return mix
 
     def _in_silence(
@@ -326,10 +328,10 @@ def response_end_s(design: Design, duration_s: float) -> float:
 
 def _refuse_other_device(rig: Rig | None, device: Device) -> None:
     """What a rig knows of volts is true of its own device alone."""
-    for one in rig.channels if rig is not None else ():
-        if one.device and one.device not in (device.name, device.title):
+    for channel in rig.channels if rig is not None else ():
+        if channel.device and channel.device not in (device.name, device.title):
             raise PlaybackError(
-                f"The rig is wired to {quoted(one.device)}, and {device.name} is chosen. Choose "
+                f"The rig is wired to {quoted(channel.device)}, and {device.name} is chosen. Choose "
                 "that device, another rig, or none."
             )
 

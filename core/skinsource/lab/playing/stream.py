@@ -27,21 +27,21 @@ from skinsource.lab.playing.mix import (
 )
 
 
-def exceeds_the_rig(deck: PlayQueue) -> bool:
+def exceeds_the_rig(queue: PlayQueue) -> bool:
     """Whether the gain is more than the rig allows; nothing of it is played then."""
-    mix = deck.mix
-    if mix is None or max(deck.gain.wanted, deck.gain.now) <= mix.most_gain:
+    mix = queue.mix
+    if mix is None or max(queue.gain.wanted, queue.gain.now) <= mix.most_gain:
         return False
-    most = mix.most_gain
-    deck.ending = Ending(
-        reason="rig", name=mix.limit, highest_db=20.0 * log10(most) if most else -inf
+    most_gain = mix.most_gain
+    queue.ending = Ending(
+        reason="rig", name=mix.limit, highest_db=20.0 * log10(most_gain) if most_gain else -inf
     )
     return True
 
 
-def playable_samples(deck: PlayQueue, block: Floats) -> int:
+def playable_samples(queue: PlayQueue, block: Floats) -> int:
     """Samples before the first that may not be played; sets the ending where there is one."""
-    magnitude = deck.other[:, : block.shape[1]]
+    magnitude = queue.other[:, : block.shape[1]]
     np.abs(block, out=magnitude)
     # NaN is the maximum of whatever holds it, and not less than anything.
     if not magnitude.size or magnitude.max() <= 1.0:
@@ -49,10 +49,10 @@ def playable_samples(deck: PlayQueue, block: Floats) -> int:
     first = int(np.argmax(~(magnitude <= 1.0).all(axis=0)))
     output = int(np.argmax(~(magnitude[:, first] <= 1.0)))
     peak = float(magnitude[output, first])
-    mixes = [one for one in (deck.mix, deck.old) if one is not None]
+    mixes = [mix for mix in (queue.mix, queue.old) if mix is not None]
     names = mixes[0].names if mixes else ()
-    largest = max((one.peak for one in mixes), default=peak)
-    deck.ending = Ending(
+    largest = max((mix.peak for mix in mixes), default=peak)
+    queue.ending = Ending(
         reason="limit" if np.isfinite(peak) else "broken",
         output=output + 1,
         name=names[output] if output < len(names) else "",
@@ -65,7 +65,7 @@ def playable_samples(deck: PlayQueue, block: Floats) -> int:
 # The next block of samples: all that happens between a mix and the device.
 
 
-def next_block(deck: PlayQueue, out: Frames) -> None:
+def next_block(queue: PlayQueue, out: Frames) -> None:
     """Fill ``out`` with what is played next, and move the deck on.
 
     Nothing in here waits, and nothing grows: it runs in the thread of the device.  A sample never
@@ -82,115 +82,115 @@ def next_block(deck: PlayQueue, out: Frames) -> None:
     n = out.shape[0]
     for start in range(0, n, MOST_SAMPLES):
         end = min(start + MOST_SAMPLES, n)
-        block = deck.work[:, : end - start]
-        _fill(deck, block, first=start == 0)
+        block = queue.work[:, : end - start]
+        _fill(queue, block, first=start == 0)
         out[start:end] = block.T
-        deck.meters.hear(block, deck.scratch)
-    deck.played_samples += n
+        queue.meters.hear(block, queue.scratch)
+    queue.played_samples += n
 
 
-def _fill(deck: PlayQueue, block: Floats, *, first: bool) -> None:
-    if deck.panic and deck.ending is None:
-        deck.ending = Ending(reason="panic")
-        deck.fallen = 0
-    deck.panic = False
-    if deck.ending is None:
-        _take_what_is_wanted(deck)
-        if exceeds_the_rig(deck):
-            deck.fallen = 0
-            _fall(deck, block)
+def _fill(queue: PlayQueue, block: Floats, *, first: bool) -> None:
+    if queue.panic and queue.ending is None:
+        queue.ending = Ending(reason="panic")
+        queue.fallen = 0
+    queue.panic = False
+    if queue.ending is None:
+        _take_what_is_wanted(queue)
+        if exceeds_the_rig(queue):
+            queue.fallen = 0
+            _fall(queue, block)
             return
         if first:
-            deck.began_at, deck.began_in = deck.position, deck.mix
-        _render(deck, block)
-        factors = deck.factors[: block.shape[1]]
-        deck.gain.fill(factors)
+            queue.began_at, queue.began_in = queue.position, queue.mix
+        _render(queue, block)
+        factors = queue.factors[: block.shape[1]]
+        queue.gain.fill(factors)
         np.multiply(block, factors, out=block)
-        sound = playable_samples(deck, block)
+        sound = playable_samples(queue, block)
         if sound < block.shape[1]:
-            deck.fallen = 0
+            queue.fallen = 0
             if sound:
-                np.copyto(deck.last, block[:, sound - 1])
-            _fall(deck, block[:, sound:])
+                np.copyto(queue.last, block[:, sound - 1])
+            _fall(queue, block[:, sound:])
             return
-        np.copyto(deck.last, block[:, -1])
-        _end_where_all_is_played(deck)
+        np.copyto(queue.last, block[:, -1])
+        _end_where_all_is_played(queue)
     else:
-        _fall(deck, block)
+        _fall(queue, block)
 
 
-def _take_what_is_wanted(deck: PlayQueue) -> None:
+def _take_what_is_wanted(queue: PlayQueue) -> None:
     """Begin to go over to the mix that is wanted, unless one is still on its way."""
-    swap = deck.swap
-    if swap is None or deck.faded < deck.fade.size:
+    swap = queue.swap
+    if swap is None or queue.faded < queue.fade.size:
         return
-    deck.swap = None
-    deck.old, deck.old_position = deck.mix, deck.position
-    deck.mix, deck.faded = swap.mix, 0
+    queue.swap = None
+    queue.old, queue.old_position = queue.mix, queue.position
+    queue.mix, queue.faded = swap.mix, 0
     if swap.mix is not None:
-        deck.position = _position_in(swap.mix, swap, deck)
-        deck.taken_s = perf_counter()
-        deck.waited_s = deck.taken_s - swap.handed_s
+        queue.position = _position_in(swap.mix, swap, queue)
+        queue.taken_s = perf_counter()
+        queue.waited_s = queue.taken_s - swap.handed_s
 
 
-def _position_in(mix: Mix, swap: MixChange, deck: PlayQueue) -> int:
+def _position_in(mix: Mix, swap: MixChange, queue: PlayQueue) -> int:
     """Where a mix goes on."""
-    if swap.at is None and deck.old is not None:
-        inside = mix.loop is None or deck.old_position < mix.loop[1]
+    if swap.at is None and queue.old is not None:
+        inside = mix.loop is None or queue.old_position < mix.loop[1]
         if inside:
-            return deck.old_position
+            return queue.old_position
     first = mix.loop[0] if mix.loop is not None else 0
-    wanted = first if swap.at is None else swap.at
-    if mix.loop is not None and wanted >= mix.loop[1]:
-        wanted = first
+    position = first if swap.at is None else swap.at
+    if mix.loop is not None and position >= mix.loop[1]:
+        position = first
     # What stands before it is faded in, so that the first sample that counts is whole.
-    return wanted - deck.fade.size
+    return position - queue.fade.size
 
 
-def _render(deck: PlayQueue, block: Floats) -> None:
+def _render(queue: PlayQueue, block: Floats) -> None:
     """Samples before the gain."""
-    if deck.mix is None:
+    if queue.mix is None:
         block[:] = 0.0
     else:
-        deck.position = deck.mix.read(deck.position, block[: deck.mix.n_outputs])
-        block[deck.mix.n_outputs :] = 0.0
-    n = min(deck.fade.size - deck.faded, block.shape[1])
+        queue.position = queue.mix.read(queue.position, block[: queue.mix.n_outputs])
+        block[queue.mix.n_outputs :] = 0.0
+    n = min(queue.fade.size - queue.faded, block.shape[1])
     if n <= 0:
         return
-    old = deck.other[:, :n]
-    if deck.old is None:
+    old = queue.other[:, :n]
+    if queue.old is None:
         old[:] = 0.0
     else:
-        deck.old_position = deck.old.read(deck.old_position, old[: deck.old.n_outputs])
-        old[deck.old.n_outputs :] = 0.0
+        queue.old_position = queue.old.read(queue.old_position, old[: queue.old.n_outputs])
+        old[queue.old.n_outputs :] = 0.0
     passing = block[:, :n]
     passing -= old
-    passing *= deck.fade[deck.faded : deck.faded + n]
+    passing *= queue.fade[queue.faded : queue.faded + n]
     passing += old
-    deck.faded += n
-    if deck.faded == deck.fade.size:
-        deck.old = None
+    queue.faded += n
+    if queue.faded == queue.fade.size:
+        queue.old = None
 
 
-def _fall(deck: PlayQueue, block: Floats) -> None:
+def _fall(queue: PlayQueue, block: Floats) -> None:
     """Go on from the last samples to silence."""
     block[:] = 0.0
-    if deck.fallen is None or deck.fallen >= deck.fall.size:
+    if queue.fallen is None or queue.fallen >= queue.fall.size:
         return
-    n = min(deck.fall.size - deck.fallen, block.shape[1])
+    n = min(queue.fall.size - queue.fallen, block.shape[1])
     np.multiply(
-        deck.last[:, np.newaxis], deck.fall[deck.fallen : deck.fallen + n], out=block[:, :n]
+        queue.last[:, np.newaxis], queue.fall[queue.fallen : queue.fallen + n], out=block[:, :n]
     )
-    deck.fallen += n
+    queue.fallen += n
 
 
-def _end_where_all_is_played(deck: PlayQueue) -> None:
-    if deck.faded < deck.fade.size or deck.swap is not None:
+def _end_where_all_is_played(queue: PlayQueue) -> None:
+    if queue.faded < queue.fade.size or queue.swap is not None:
         return
-    if deck.mix is None:
-        deck.ending = Ending(reason="stopped")
-    elif deck.mix.loop is None and deck.position >= deck.mix.n_times:
-        deck.ending = Ending(reason="end")
+    if queue.mix is None:
+        queue.ending = Ending(reason="stopped")
+    elif queue.mix.loop is None and queue.position >= queue.mix.n_times:
+        queue.ending = Ending(reason="end")
 
 
 # A deck that is heard on a device.
@@ -229,22 +229,22 @@ class Stream:
     """
 
     def __init__(
-        self, deck: PlayQueue, device: Device, latency_s: float, finished: Callable[[], None]
+        self, queue: PlayQueue, device: Device, latency_s: float, finished: Callable[[], None]
     ) -> None:
         self._library = sound_library()
-        self.deck, self.device = deck, device
+        self.deck, self.device = queue, device
         self.underruns, self.closed = 0, False
         self._silent, self._finished = Event(), finished
-        self._heard, self._clock = HeardPosition(deck.sample_rate_hz), DeviceClock()
+        self._heard, self._clock = HeardPosition(queue.sample_rate_hz), DeviceClock()
         self._called_s = perf_counter()
         self._inside_s = 0.0
         self._taken_s = 0.0
         try:
             self._stream = self._library.OutputStream(
-                samplerate=deck.sample_rate_hz,
-                blocksize=round(BLOCK_S * deck.sample_rate_hz),
+                samplerate=queue.sample_rate_hz,
+                blocksize=round(BLOCK_S * queue.sample_rate_hz),
                 device=device.index,
-                channels=deck.n_outputs,
+                channels=queue.n_outputs,
                 dtype="float32",
                 latency=latency_s,
                 # What arrives is what was sent: nothing is added, and full scale is kept before.
@@ -254,8 +254,8 @@ class Stream:
                 finished_callback=self._finish,
             )
         except self._library.PortAudioError as error:
-            words = playing_error_text(error, device, deck.sample_rate_hz, deck.n_outputs)
-            raise PlaybackError(words) from error
+            text = playing_error_text(error, device, queue.sample_rate_hz, queue.n_outputs)
+            raise PlaybackError(text) from error
 
     def start(self) -> None:
         """Begin.
@@ -270,10 +270,10 @@ class Stream:
             self._stream.start()
         except self._library.PortAudioError as error:
             self.close()
-            words = playing_error_text(
+            text = playing_error_text(
                 error, self.device, self.deck.sample_rate_hz, self.deck.n_outputs
             )
-            raise PlaybackError(words) from error
+            raise PlaybackError(text) from error
 
     def close(self) -> None:
         """Fall silent, and let go of the device."""
@@ -306,15 +306,15 @@ class Stream:
         self._called_s = perf_counter()
         self._clock.note(times.currentTime, self._called_s)
         self.underruns += bool(status.output_underflow)
-        deck = self.deck
+        queue = self.deck
         inside_s = times.outputBufferDacTime - times.currentTime
         if inside_s <= 0.0:
             # Some systems do not say when a block is heard.
             inside_s = self._stream.latency
-        next_block(deck, out)
+        next_block(queue, out)
         heard_s = times.currentTime + inside_s
-        self._heard.note(heard_s, deck.began_at, deck.began_in)
-        if deck.taken_s != self._taken_s:
-            self._taken_s, self._inside_s = deck.taken_s, inside_s
-        if deck.silent:
+        self._heard.note(heard_s, queue.began_at, queue.began_in)
+        if queue.taken_s != self._taken_s:
+            self._taken_s, self._inside_s = queue.taken_s, inside_s
+        if queue.silent:
             raise self._library.CallbackStop

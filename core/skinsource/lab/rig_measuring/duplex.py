@@ -64,18 +64,18 @@ def input_devices() -> tuple[InputDevice, ...]:
     """
     return tuple(
         InputDevice(
-            index=one.index,
-            name=one.name,
-            host_api=one.host_api,
-            n_inputs=one.n_channels,
-            sample_rate_hz=one.sample_rate_hz,
-            is_default=one.is_default,
+            index=device.index,
+            name=device.name,
+            host_api=device.host_api,
+            n_inputs=device.n_channels,
+            sample_rate_hz=device.sample_rate_hz,
+            is_default=device.is_default,
         )
-        for one in listed("input")
+        for device in listed("input")
     )
 
 
-def input_device_of(name: str, played_on: Device, found: Sequence[InputDevice]) -> InputDevice:
+def input_device_of(name: str, played_on: Device, inputs: Sequence[InputDevice]) -> InputDevice:
     """Return the device that is recorded from while ``played_on`` plays.
 
     Parameters
@@ -90,21 +90,21 @@ def input_device_of(name: str, played_on: Device, found: Sequence[InputDevice]) 
     PlaybackError
         There is none at all, or not that one.
     """
-    if not found:
+    if not inputs:
         raise PlaybackError(
             "No device to record from was found. Connect the sound card that the accelerometer is "
             "wired to, and measure again."
         )
-    named = [one for one in found if name in ("", one.name, one.title)]
+    named = [device for device in inputs if name in ("", device.name, device.title)]
     if not named:
-        listed = ", ".join(one.name for one in found[:5])
+        listed = ", ".join(device.name for device in inputs[:5])
         raise PlaybackError(
             f"The device {quoted(name)} has no inputs or is not there. Connect it, or choose "
-            f"another; there {'is' if len(found) == 1 else 'are'} {listed}."
+            f"another; there {'is' if len(inputs) == 1 else 'are'} {listed}."
         )
-    same = [one for one in named if one.index == played_on.index]
-    beside = [one for one in named if one.host_api == played_on.host_api]
-    return (same or beside or named)[0]
+    same = [device for device in named if device.index == played_on.index]
+    same_host = [device for device in named if device.host_api == played_on.host_api]
+    return (same or same_host or named)[0]
 
 
 def check_inputs(device: InputDevice, *numbers: int) -> None:
@@ -186,9 +186,9 @@ class Duplex:
         sounddevice is missing, or the device does not take what it is asked for.
     """
 
-    def __init__(self, deck: PlayQueue, card: Card, n_samples: int) -> None:
+    def __init__(self, queue: PlayQueue, card: Card, n_samples: int) -> None:
         self._library = sound_library()
-        self._deck, self._card = deck, card
+        self._deck, self._card = queue, card
         self.recorded: Frames = np.zeros((card.n_inputs, n_samples), np.float32)
         self.n_recorded = self.n_lost = 0
         self._finished, self._begun = Event(), False
@@ -202,7 +202,7 @@ class Duplex:
             self._close()
             raise
 
-    def run(self, stop: Stop, told: Callable[[int], None]) -> None:
+    def run(self, stop: Stop, progress: Callable[[int], None]) -> None:
         """Play and record until the deck ends; ``told`` hears how much is recorded.
 
         Raises
@@ -213,14 +213,14 @@ class Duplex:
             The device does not begin, or is gone before the end.
         """
         self._played_s = self._heard_s = perf_counter()
-        gone = ""
+        unresponsive = ""
         try:
             for stream in self._streams:
                 self._asks_inputs = stream is not self._streams[-1]
                 stream.start()
-            while self._goes_on and not (gone := self._gone):
+            while self._goes_on and not (unresponsive := self._gone):
                 sleep(_LOOK_S)
-                told(self.n_recorded)
+                progress(self.n_recorded)
                 if stop():
                     raise Stopped("Stopped; nothing was measured.")
         except self._library.PortAudioError as error:
@@ -230,22 +230,22 @@ class Duplex:
         ending = self._deck.ending
         if ending is None or (ending.reason == "end" and self._missing):
             raise PlaybackError(
-                f"{gone or self._card.device.name} stopped answering while it was measured "
+                f"{unresponsive or self._card.device.name} stopped answering while it was measured "
                 "with. Connect it again, and measure again."
             )
 
     def _open_one(self) -> None:
-        card, deck = self._card, self._deck
+        card, queue = self._card, self._deck
         self._open(
             self._library.Stream,
             device=(card.inputs.index, card.device.index),
-            channels=(card.n_inputs, deck.n_outputs),
+            channels=(card.n_inputs, queue.n_outputs),
             callback=self._pass,
             finished_callback=self._finished.set,
         )
 
     def _open_two(self) -> None:
-        card, deck = self._card, self._deck
+        card, queue = self._card, self._deck
         self._asks_inputs = True
         self._open(
             self._library.InputStream,
@@ -257,12 +257,12 @@ class Duplex:
         self._open(
             self._library.OutputStream,
             device=card.device.index,
-            channels=deck.n_outputs,
+            channels=queue.n_outputs,
             callback=self._play,
             finished_callback=self._finished.set,
         )
 
-    def _open(self, kind: Callable[..., Any], **asked: Any) -> None:
+    def _open(self, kind: Callable[..., Any], **options: Any) -> None:
         """Open a stream of the library's ``kind``."""
         rate_hz = self._deck.sample_rate_hz
         try:
@@ -274,7 +274,7 @@ class Duplex:
                 # What arrives is what was sent: nothing is added, and full scale is kept before.
                 dither_off=True,
                 clip_off=True,
-                **asked,
+                **options,
             )
         except self._library.PortAudioError as error:
             raise PlaybackError(self._refusal(error)) from error
@@ -317,12 +317,12 @@ class Duplex:
 
     # In the threads of the devices: nothing waits, nothing grows.
 
-    def _pass(self, came: Frames, out: Frames, frames: int, times: Any, status: Any) -> None:
+    def _pass(self, recorded: Frames, out: Frames, frames: int, times: Any, status: Any) -> None:
         self._begun = True
-        self._hear(came, frames, times, status)
+        self._hear(recorded, frames, times, status)
         self._play(out, frames, times, None)
 
-    def _hear(self, came: Frames, frames: int, _times: Any, status: Any) -> None:
+    def _hear(self, recorded: Frames, frames: int, _times: Any, status: Any) -> None:
         self._heard_s = perf_counter()
         if not self._begun:
             return
@@ -330,7 +330,7 @@ class Duplex:
             # A stream both ways says of both what was lost.
             self.n_lost += bool(status.input_overflow or status.output_underflow)
         end = min(self.n_recorded + frames, self.recorded.shape[1])
-        self.recorded[:, self.n_recorded : end] = came[: end - self.n_recorded].T
+        self.recorded[:, self.n_recorded : end] = recorded[: end - self.n_recorded].T
         self.n_recorded = end
 
     def _play(self, out: Frames, _frames: int, _times: Any, status: Any) -> None:
@@ -343,8 +343,8 @@ class Duplex:
             raise self._library.CallbackStop
 
     def _refusal(self, error: Any) -> str:
-        deck, card, rate_hz = self._deck, self._card, self._deck.sample_rate_hz
+        queue, card, rate_hz = self._deck, self._card, self._deck.sample_rate_hz
         if self._asks_inputs:
             name, prefers_hz = card.inputs.name, card.inputs.sample_rate_hz
             return recording_error_text(error, name, prefers_hz, rate_hz, card.n_inputs)
-        return playing_error_text(error, card.device, rate_hz, deck.n_outputs)
+        return playing_error_text(error, card.device, rate_hz, queue.n_outputs)

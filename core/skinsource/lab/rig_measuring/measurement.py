@@ -179,7 +179,7 @@ class Bench:
     def numbers(self) -> tuple[int, ...]:
         """Inputs that are looked at."""
         setup = self.setup
-        return tuple(one for one in (setup.input_number, setup.loopback_input) if one)
+        return tuple(number for number in (setup.input_number, setup.loopback_input) if number)
 
     @property
     def period(self) -> int:
@@ -188,18 +188,18 @@ class Bench:
 
     def sweep_by(self, clock_ratio: float) -> Floats:
         """One period, (period,), as a clock counts it that is so many times as quick."""
-        found = np.zeros(self.period)
+        samples = np.zeros(self.period)
         sweep = self.sweep
         if clock_ratio != 1.0:
             sweep = exponential_sweep(self.swept_hz, self.setup.sweep_s, self.rate_hz, clock_ratio)
-        found[: sweep.size] = sweep
-        return found
+        samples[: sweep.size] = sweep
+        return samples
 
     def row(self, repeats: int, lead: int) -> Floats:
         """Samples that are played at a gain of 1, (n_times,)."""
-        one = self.sweep_by(1.0)
+        period = self.sweep_by(1.0)
         tail = np.zeros(round(LONGEST_DELAY_S * self.rate_hz))
-        return np.concatenate((np.zeros(lead), np.tile(one, repeats), tail))
+        return np.concatenate((np.zeros(lead), np.tile(period, repeats), tail))
 
 
 def measurable(
@@ -237,21 +237,21 @@ def bench_of(rig: Rig, place: int, setup: MeasuringSetup, output: Output) -> Ben
     rate_hz = output.sample_rate_hz
     volts, highest_hz = measurable(channel, setup, rate_hz)
     swept_hz = _LOWER * setup.lowest_hz, min(_HIGHER * setup.highest_hz, highest_hz)
-    found = devices()
-    named = [one for one in found if channel.device in (one.name, one.title)]
+    known_devices = devices()
+    named = [device for device in known_devices if channel.device in (device.name, device.title)]
     if channel.device:
-        own = named[0].name if named else channel.device
+        name = named[0].name if named else channel.device
         api = named[0].host_api if named else ""
-        output = replace(output, device=own, host_api=api)
-    device = device_of(output, found)
+        output = replace(output, device=name, host_api=api)
+    device = device_of(output, known_devices)
     check_outputs(device, {place: channel.output})
     inputs = input_device_of(setup.input_device, device, input_devices())
     check_inputs(inputs, setup.input_number, setup.loopback_input)
-    most = max(setup.input_number, setup.loopback_input)
+    highest_input = max(setup.input_number, setup.loopback_input)
     card = Card(
         device=device,
         inputs=inputs,
-        n_inputs=max(most, min(FEWEST_WAYS, inputs.n_inputs)),
+        n_inputs=max(highest_input, min(FEWEST_WAYS, inputs.n_inputs)),
         latency_s=output.latency_s,
     )
     sweep = exponential_sweep(swept_hz, setup.sweep_s, rate_hz)
@@ -330,7 +330,7 @@ class ChannelMeasurement:
         by = "the loop-back" if self.delay_by_wire else "the phase"
         typical, worst = 100.0 * np.median(self.error), 100.0 * np.max(self.error)
         left_out = f"; {self.n_left_out} under the noise are left out" if self.n_left_out else ""
-        told = [
+        sentences = [
             f"Place {self.place}: {len(points)} points from {points[0][0]:.4g} to "
             f"{points[-1][0]:.4g} Hz{left_out}.",
             f"Their standard error is {typical:.2g} % in the middle, at most {worst:.2g} %.",
@@ -341,16 +341,16 @@ class ChannelMeasurement:
             f"full scale), noise {self.noise_m_per_s2:.2g} m/s² RMS.".replace("-", "\u2212"),
         ]
         if self.inverted:
-            told.append(
+            sentences.append(
                 "It moves against the voltage: set the polarity to the other, or turn the sensor, "
                 "and measure again."
             )
         if self.misfit_rad > _DOUBTFUL_RAD:
-            told.append(
+            sentences.append(
                 f"Its phase is doubtful: {np.degrees(self.misfit_rad):.0f} degrees of it are "
                 "explained by neither gain nor delay. Wire a loop-back, or look at the sensor."
             )
-        return tuple(told)
+        return tuple(sentences)
 
     @property
     def _clocks(self) -> tuple[str, ...]:
@@ -389,10 +389,10 @@ def kept(rig: Rig, measurement: ChannelMeasurement) -> Rig:
     return replace(
         rig,
         channels=tuple(
-            replace(one, measured=measurement.response, measured_on=day)
-            if one.place == measurement.place
-            else one
-            for one in rig.channels
+            replace(channel, measured=measurement.response, measured_on=day)
+            if channel.place == measurement.place
+            else channel
+            for channel in rig.channels
         ),
     )
 
@@ -450,42 +450,42 @@ def measure(
     # How two clocks differ is told from one sweep to the next.
     n_quiet = 2 if bench.card.two_clocks else 1
     first = bench.row(n_quiet, lead)
-    told = partial(_tell, progress, first.size + row.size)
-    heard = _take(bench, first, quiet_db, margin, stop, partial(told, 0, "Quiet sweep"))
-    noise = heard[:, settling:lead]
-    _refuse_clipping(bench, heard, quiet_db)
-    _refuse_what_will_clip(bench, heard, noise, quiet_db)
-    found, _ = _found(bench, heard, noise, quiet_db, lead, n_quiet)
-    if isinstance(found, AveragedResponse):
-        known = replace(bench.channel, measured=_response(found))
-        margin = _margin(known, row, bench.rate_hz, loud_db)
+    report = partial(_tell, progress, first.size + row.size)
+    recorded = _take(bench, first, quiet_db, margin, stop, partial(report, 0, "Quiet sweep"))
+    noise = recorded[:, settling:lead]
+    _refuse_clipping(bench, recorded, quiet_db)
+    _refuse_what_will_clip(bench, recorded, noise, quiet_db)
+    averaged, _ = _found(bench, recorded, noise, quiet_db, lead, n_quiet)
+    if isinstance(averaged, AveragedResponse):
+        measured_channel = replace(bench.channel, measured=_response(averaged))
+        margin = _margin(measured_channel, row, bench.rate_hz, loud_db)
     stop_if(stop)
-    words = f"{setup.repeats} sweeps"
-    heard = _take(bench, row, loud_db, margin, stop, partial(told, first.size, words))
-    _refuse_clipping(bench, heard, loud_db)
-    found, ratio = _found(bench, heard, noise, loud_db, settling, setup.repeats)
-    if isinstance(found, InvalidInputError):
-        raise found
-    return _told(bench, found, heard, noise, ratio)
+    label = f"{setup.repeats} sweeps"
+    recorded = _take(bench, row, loud_db, margin, stop, partial(report, first.size, label))
+    _refuse_clipping(bench, recorded, loud_db)
+    averaged, ratio = _found(bench, recorded, noise, loud_db, settling, setup.repeats)
+    if isinstance(averaged, InvalidInputError):
+        raise averaged
+    return _told(bench, averaged, recorded, noise, ratio)
 
 
 def _told(
-    bench: Bench, found: AveragedResponse, heard: Floats, noise: Floats, ratio: float
+    bench: Bench, averaged: AveragedResponse, recorded: Floats, noise: Floats, ratio: float
 ) -> ChannelMeasurement:
     """What was found, with all that says how far it can be trusted."""
     setup = bench.setup
     scale = setup.m_per_s2_at_full_scale
-    own = heard[setup.input_number - 1] - noise[setup.input_number - 1].mean()
+    sensor = recorded[setup.input_number - 1] - noise[setup.input_number - 1].mean()
     # A wire says nothing of the sensor's phase.
-    phase = found.delay
+    phase = averaged.delay
     if setup.loopback_input:
-        phase = excess_delay(found.frequency_hz, found.response)
+        phase = excess_delay(averaged.frequency_hz, averaged.response)
     return ChannelMeasurement(
         place=bench.channel.place,
-        response=_response(found),
-        error=found.error,
-        n_left_out=found.n_left_out,
-        delay_s=found.delay.seconds,
+        response=_response(averaged),
+        error=averaged.error,
+        n_left_out=averaged.n_left_out,
+        delay_s=averaged.delay.seconds,
         delay_by_wire=setup.loopback_input > 0,
         played_on=bench.card.device.name,
         recorded_from=bench.card.inputs.name,
@@ -493,8 +493,8 @@ def _told(
         inverted=phase.inverted,
         misfit_rad=phase.misfit_rad,
         noise_m_per_s2=float(noise[setup.input_number - 1].std() * scale),
-        peak_m_per_s2=float(np.abs(own).max() * scale),
-        peak_input_db=float(decibels(np.abs(heard[setup.input_number - 1]).max())),
+        peak_m_per_s2=float(np.abs(sensor).max() * scale),
+        peak_input_db=float(decibels(np.abs(recorded[setup.input_number - 1]).max())),
         level_db=setup.level_db,
         measured_on=datetime.now(UTC).date(),
     )
@@ -515,8 +515,8 @@ def _margin(channel: RigChannel, row: Floats, rate_hz: int, level_db: float) -> 
     )
 
 
-def _tell(progress: Progress, total: int, before: int, words: str, done: int) -> None:
-    progress(before + done, total, words)
+def _tell(progress: Progress, total: int, before: int, label: str, done: int) -> None:
+    progress(before + done, total, label)
 
 
 def _take(
@@ -525,7 +525,7 @@ def _take(
     level_db: float,
     margin: Margin,
     stop: Stop,
-    told: Callable[[int], None],
+    report: Callable[[int], None],
 ) -> Floats:
     """Play a row, and return what came in, (n_inputs, n_times), from its first sample on."""
     output, fade = bench.channel.output, fade_samples(bench.rate_hz)
@@ -538,11 +538,11 @@ def _take(
         n_outputs=n_outputs,
     )
     mix = replace(mix, most_gain=margin.factor, limit=margin.words)
-    deck = PlayQueue(n_outputs, bench.rate_hz, level_db)
-    deck.play(mix, 0)
-    duplex = Duplex(deck, bench.card, fade + row.size)
-    duplex.run(stop, told)
-    ending = deck.ending
+    queue = PlayQueue(n_outputs, bench.rate_hz, level_db)
+    queue.play(mix, 0)
+    duplex = Duplex(queue, bench.card, fade + row.size)
+    duplex.run(stop, report)
+    ending = queue.ending
     if ending is not None and ending.reason != "end":
         raise PlaybackError(ending.sentence)
     if duplex.n_lost:
@@ -554,24 +554,24 @@ def _take(
     return duplex.recorded[:, fade:].astype(np.float64)
 
 
-def _refuse_clipping(bench: Bench, heard: Floats, level_db: float) -> None:
+def _refuse_clipping(bench: Bench, recorded: Floats, level_db: float) -> None:
     """Refuse what reaches the ends of an input."""
     for number in bench.numbers:
-        peak = float(np.abs(heard[number - 1]).max(initial=0.0))
+        peak = float(np.abs(recorded[number - 1]).max(initial=0.0))
         if not np.isfinite(peak):
             raise PlaybackError("The device recorded something that is no number. Choose another.")
         if peak >= _CLIPPED:
             raise _clips(number, "clips", level_db, "a lower level")
 
 
-def _refuse_what_will_clip(bench: Bench, heard: Floats, noise: Floats, level_db: float) -> None:
+def _refuse_what_will_clip(bench: Bench, recorded: Floats, noise: Floats, level_db: float) -> None:
     """Refuse what would reach the ends of an input at the level that is wanted."""
     louder = 10.0 ** ((bench.setup.level_db - level_db) / 20.0)
     for number in bench.numbers:
         mean = float(noise[number - 1].mean())
         still = abs(mean) + float(np.abs(noise[number - 1] - mean).max())
         # The noise stays as loud as it is.
-        moved = max(float(np.abs(heard[number - 1] - mean).max()) + abs(mean) - still, 0.0)
+        moved = max(float(np.abs(recorded[number - 1] - mean).max()) + abs(mean) - still, 0.0)
         if still + moved * louder >= _CLIPPED:
             most_db = level_db + 20.0 * log10((_CLIPPED - still) / moved) - 0.1
             raise _clips(number, "would clip", bench.setup.level_db, f"{_down(most_db)} dB or less")
@@ -585,7 +585,7 @@ def _clips(number: int, what: str, level_db: float, advice: str) -> InvalidInput
 
 
 def _found(
-    bench: Bench, heard: Floats, noise: Floats, level_db: float, start: int, repeats: int
+    bench: Bench, recorded: Floats, noise: Floats, level_db: float, start: int, repeats: int
 ) -> tuple[AveragedResponse | InvalidInputError, float]:
     """The response of what was heard, or the error where that is not enough; and the clocks."""
     setup, latest = bench.setup, round(LONGEST_DELAY_S * bench.rate_hz)
@@ -593,7 +593,7 @@ def _found(
     if bench.card.two_clocks:
         # A wire says it best.
         number = setup.loopback_input or setup.input_number
-        still = heard[number - 1] - noise[number - 1].mean()
+        still = recorded[number - 1] - noise[number - 1].mean()
         ratio = clock_ratio(still, start, bench.period, repeats)
     sent = bench.sweep_by(ratio) * factor_of(level_db)
 
@@ -601,22 +601,22 @@ def _found(
         mean = noise[number - 1].mean()
         n = bench.period + latest
         begins = start + bench.period * ratio * np.arange(repeats)
-        parts = [part_from(heard[number - 1] - mean, begin, n) for begin in begins]
+        parts = [part_from(recorded[number - 1] - mean, begin, n) for begin in begins]
         silence = (noise[number - 1] - mean) * scale
         return Sweeps(played, np.stack(parts) * scale, silence, bench.rate_hz)
 
-    known = None
+    delay = None
     try:
-        own = sweeps_of(setup.input_number, sent * bench.volts, setup.m_per_s2_at_full_scale)
+        sensor = sweeps_of(setup.input_number, sent * bench.volts, setup.m_per_s2_at_full_scale)
         if setup.loopback_input:
-            known = delay_of(sweeps_of(setup.loopback_input, sent, 1.0), bench.swept_hz)
-        return averaged_response(own, setup.band_hz, bench.swept_hz, known), ratio
+            delay = delay_of(sweeps_of(setup.loopback_input, sent, 1.0), bench.swept_hz)
+        return averaged_response(sensor, setup.band_hz, bench.swept_hz, delay), ratio
     except InvalidInputError as error:
         return InvalidInputError(sentence(str(error))), ratio
 
 
-def _response(found: AveragedResponse) -> MeasuredResponse:
-    return MeasuredResponse.of(found.frequency_hz, found.response)
+def _response(averaged: AveragedResponse) -> MeasuredResponse:
+    return MeasuredResponse.of(averaged.frequency_hz, averaged.response)
 
 
 def _down(decibels_: float) -> str:
@@ -624,5 +624,5 @@ def _down(decibels_: float) -> str:
     return _minus(f"{floor(10.0 * decibels_) / 10.0:.1f}")
 
 
-def _minus(words: str) -> str:
-    return words.replace("-", "\u2212")
+def _minus(text: str) -> str:
+    return text.replace("-", "\u2212")
