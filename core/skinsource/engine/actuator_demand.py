@@ -74,7 +74,7 @@ PICTURE = ChoiceSpec(
 )
 LAYOUT = ChoiceSpec(label="Layout", options=(("overlaid", "Overlaid"), ("stacked", "Stacked")))
 ZOOM = RangeSpec(label="Zoom")
-USUAL = "example-voice-coil"
+DEFAULT_ACTUATOR = "example-voice-coil"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -101,7 +101,7 @@ class ActuatorSettings:
         How curves are drawn.
     """
 
-    actuator: str = fields.text(USUAL, ACTUATOR)
+    actuator: str = fields.text(DEFAULT_ACTUATOR, ACTUATOR)
     measured: Any = fields.field(POINTS, ())
     measured_from: str = fields.text("", FROM)
     parameters: Any = fields.field(PARAMETERS, ())
@@ -122,16 +122,16 @@ class ActuatorSettings:
     def profile(self) -> ActuatorProfile:
         """What the library knows of the actuator; the usual one where its name is not known."""
         if self.actuator == MEASURED:
-            measured = _measured(self.measured, self.measured_from)
+            measured = _measured_profile(self.measured, self.measured_from)
             if measured is not None:
                 return measured
         known = self.actuator in (*names(), *shape_names())
-        return profile(self.actuator if known else USUAL)
+        return profile(self.actuator if known else DEFAULT_ACTUATOR)
 
     @property
     def measured_title(self) -> str:
         """What the response that was measured is called; "" where none can be looked at."""
-        measured = _measured(self.measured, self.measured_from)
+        measured = _measured_profile(self.measured, self.measured_from)
         return "" if measured is None else measured.title
 
     @property
@@ -177,7 +177,7 @@ class ActuatorSettings:
 
 
 @lru_cache(maxsize=8)
-def _measured(points: Any, title: str) -> ActuatorProfile | None:
+def _measured_profile(points: Any, title: str) -> ActuatorProfile | None:
     """What is known of a response that was measured; None where it is none."""
     try:
         model = MeasuredResponse(points)
@@ -212,7 +212,7 @@ def actuator_spec(measured: str = "") -> ChoiceSpec:
 LONGEST_S = 1.0
 # Fine enough for figures that are read; exports are checked at 48 kHz.
 _LEAST_RATE_HZ = 20_000
-_SHAPE = "Too little is known of this actuator to predict volts."
+_SHAPE_ONLY = "Too little is known of this actuator to predict volts."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -285,7 +285,7 @@ def demand_of(
     if place is None:
         return Demand(place=None)
     if model is None:
-        return Demand(place=place, refusal=_SHAPE)
+        return Demand(place=place, refusal=_SHAPE_ONLY)
     drive = drive_at(placed, place)
     shown, band = strongest(drive, sample_rate_hz), followed_band(band_hz, sample_rate_hz)
     part = shown.size < drive.size
@@ -348,7 +348,7 @@ def settings_through(settings: ActuatorSettings, actuated: Actuation | None) -> 
     (actuator,) = actuated.actuators
     if isinstance(actuator.model, MeasuredResponse):
         through = settings.with_measured(actuator.model, actuator.actuator)
-        through = replace(through, **_of(actuated.equaliser))
+        through = replace(through, **_equaliser_settings(actuated.equaliser))
         return through if actuation_of(through) == actuated else settings
     listed = next((name for name in names() if profile(name).title == actuator.actuator), None)
     if listed is None or type(profile(listed).model) is not type(actuator.model):
@@ -359,14 +359,16 @@ def settings_through(settings: ActuatorSettings, actuated: Actuation | None) -> 
         for name in specs_of(actuator.model)
         if getattr(actuator.model, name) != getattr(before, name)
     )
-    through = replace(settings, actuator=listed, parameters=changed, **_of(actuated.equaliser))
+    through = replace(
+        settings, actuator=listed, parameters=changed, **_equaliser_settings(actuated.equaliser)
+    )
     # The same values in another order are the same settings.
     if dict(through.parameters) == dict(settings.parameters):
         through = replace(through, parameters=settings.parameters)
     return through if actuation_of(through) == actuated else settings
 
 
-def _of(equaliser: Equaliser | None) -> dict[str, Any]:
+def _equaliser_settings(equaliser: Equaliser | None) -> dict[str, Any]:
     """Settings of an equaliser."""
     if isinstance(equaliser, RegularisedInverse):
         phase, boost_db = equaliser.phase, equaliser.boost_db

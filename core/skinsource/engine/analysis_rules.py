@@ -465,7 +465,7 @@ def sensation(
 ) -> Sensation:
     """Level of each output above the thresholds: energies add up over axes and frequencies."""
     table = perception_settings.thresholds
-    problem = _problem(limb_data, scaling, own=bool(table))
+    problem = _problem_text(limb_data, scaling, own=bool(table))
     if problem:
         return Sensation(by_channel={}, level_db=np.zeros(0), problem=problem)
     rate = limb_data.sample_rate_hz
@@ -477,7 +477,7 @@ def sensation(
         def weights(frequency_hz: Floats, channel: str = channel) -> Floats:
             return _weights(frequency_hz, channel, perception_settings, band_hz)
 
-        energy = _loudest(total_spectrum, streamed_vibration, limb_data, weights, stop)
+        energy = _loudest_weighted(total_spectrum, streamed_vibration, limb_data, weights, stop)
         with np.errstate(divide="ignore"):
             level = 10.0 * np.log10(energy / window_samples(rate))
         levels_db[channel] = np.maximum(level - offsets.get(channel, 0.0), SILENT_DB)
@@ -521,7 +521,7 @@ def contact_weighted_rms(
 PERCEPTION_RULES = (sensation, sensation_db, surface_sensation_db, contact_weighted_rms)
 
 
-def _problem(limb: Limb, scaling: Scaling, *, own_thresholds: bool) -> str:
+def _problem_text(limb: Limb, scaling: Scaling, *, own_thresholds: bool) -> str:
     if scaling != "probe":
         return _NO_SCALE
     # As many outputs do not make them lie where those of the published limbs do.
@@ -547,7 +547,7 @@ def _weights(
     return np.where(inside, 1.0 / threshold, 0.0)
 
 
-def _loudest(
+def _loudest_weighted(
     total: TotalSpectrum | None,
     streamed: StreamedVibration | None,
     limb: Limb,
@@ -558,7 +558,7 @@ def _loudest(
     every = Projection(tuple(range(limb.n_axes)), None)
     rate, n_window = limb.sample_rate_hz, window_samples(limb.sample_rate_hz)
     if streamed is not None:
-        weighted = streamed.played_through(lambda played: _through(played, weights, rate))
+        weighted = streamed.played_through(lambda played: _filtered(played, weights, rate))
         return loudest_energies_streamed(weighted, every, limb.n_outputs, n_window, stop)
     if total is None:
         return np.zeros(limb.n_outputs)
@@ -566,7 +566,7 @@ def _loudest(
     return loudest_energies(total.times(weights(frequency_hz)), every, n_window, stop)
 
 
-def _through(played: Played, weights: Callable[[Floats], Floats], rate: float) -> Played:
+def _filtered(played: Played, weights: Callable[[Floats], Floats], rate: float) -> Played:
     """What is played through a weighting, which begins a little earlier and ends later."""
     room = round(_ROOM_S * rate)
     samples = np.pad(played.drive.samples, room)

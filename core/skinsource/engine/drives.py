@@ -76,7 +76,7 @@ class DrawnClips:
 
 # What clips play, for pictures of them.
 
-_Known = tuple[Clip, float, Floats | None]
+_KnownClip = tuple[Clip, float, Floats | None]
 
 
 class ClipWaveforms:
@@ -84,7 +84,7 @@ class ClipWaveforms:
 
     def __init__(self, drawn: DrawnClips) -> None:
         self._drawn = drawn
-        self._known: dict[int, _Known] = {}
+        self._known: dict[int, _KnownClip] = {}
 
     def of(
         self, tracks: tuple[tuple[Clip, ...], ...], sample_rate_hz: float, stop: Stop
@@ -93,7 +93,7 @@ class ClipWaveforms:
 
         None: it cannot be sampled.
         """
-        found: dict[int, _Known] = {}
+        found: dict[int, _KnownClip] = {}
         for clips in tracks:
             for clip in clips:
                 known = self._known.get(clip.id)
@@ -115,7 +115,7 @@ class ClipWaveforms:
 
 # Chains of tracks: put together once for the clips of each.
 
-_placed_chains_Known = tuple[tuple[Clip, ...], Curve, float, tuple[int, Chain]]
+_KnownChain = tuple[tuple[Clip, ...], Curve, float, tuple[int, Chain]]
 #: Far more than a design has tracks.
 _MOST = 1000
 
@@ -124,7 +124,7 @@ class PlacedChains:
     """The latest chain of each track; it takes a look at the clips to see whether it still is."""
 
     def __init__(self) -> None:
-        self._known: dict[int, _placed_chains_Known] = {}
+        self._known: dict[int, _KnownChain] = {}
 
     def of(
         self, id: int, clips: tuple[Clip, ...], gain_curve: Curve, sample_rate_hz: float

@@ -23,7 +23,7 @@ MOST_GRAPHS = 4
 
 
 @dataclass(slots=True)
-class _Kept:
+class _CachedGraph:
     """A graph, and the design and view that it computed last."""
 
     graph: Graph
@@ -45,7 +45,7 @@ class Evaluator:
     def __init__(self) -> None:
         self._lock = Lock()
         self._shared = Shared()
-        self._kept: list[_Kept] = []  # the latest last
+        self._kept: list[_CachedGraph] = []  # the latest last
         self.work = Work()
 
     def evaluate(
@@ -74,7 +74,7 @@ class Evaluator:
             self.work = replace(kept.graph.work)
             return values
 
-    def _closest(self, design: Design, view: View) -> _Kept:
+    def _closest(self, design: Design, view: View) -> _CachedGraph:
         """The graph that has most of ``design`` already; a new one where none is close."""
         same_limb = [entry for entry in self._kept if _same_limb(entry.design, design)]
         closest = min(
@@ -83,7 +83,7 @@ class Evaluator:
         if closest is not None and len(_changed(closest.design, design)) <= 1:
             self._kept.remove(closest)
         else:
-            closest = _Kept(new_graph(self._shared), design, view)
+            closest = _CachedGraph(new_graph(self._shared), design, view)
         # The input that changes stands apart, as the selected one does in the studio: the others
         # are summed once.  No number depends on which it is.
         changed = _changed(closest.design, design)

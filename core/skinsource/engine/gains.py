@@ -489,7 +489,7 @@ class TraceError:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Heard:
+class ExactVoice:
     """A voice as the check sees it.
 
     ``weight`` is what the vibration by the scaled samples is multiplied with.
@@ -529,7 +529,7 @@ def exact_gains(
     peaks = peaks_of([drive.samples for drive in drives], spectra, responses, stop)
     gains = []
     for drive, response, peak in zip(drives, responses, peaks, strict=True):
-        unit_voice = Heard(drive=drive, delay_samples=0, weight=1.0, response=response)
+        unit_voice = ExactVoice(drive=drive, delay_samples=0, weight=1.0, response=response)
         output, axis = divmod(peak.channel, response.taps.shape[1])
         value = float(unit_voice.exact(output + 1, axis, peak.time))
         positive = is_positive(peak, drive, response) and value > 0.0
@@ -537,7 +537,7 @@ def exact_gains(
     return gains
 
 
-def _checked_places(samples: Floats) -> list[int]:
+def _checked_positions(samples: Floats) -> list[int]:
     """Random places, most of them where there is something to be wrong: long designs rest a lot."""
     drawn = np.random.default_rng(0).integers(0, samples.size, _N_DRAWN)
     sounding = drawn[samples[drawn] != 0.0][: N_SAMPLES - _N_ANYWHERE]
@@ -545,14 +545,14 @@ def _checked_places(samples: Floats) -> list[int]:
 
 
 def trace_error_of(
-    traces: Floats, outputs: tuple[int, ...], axes: tuple[int, ...], voices: list[Heard]
+    traces: Floats, outputs: tuple[int, ...], axes: tuple[int, ...], voices: list[ExactVoice]
 ) -> TraceError | None:
     """Check ``traces``, (n_outputs, n_axes, n_times); None where there is nothing to check."""
     peak = float(np.abs(traces).max(initial=0.0))
     if peak == 0.0 or not voices:
         return None
     worst = np.longdouble(0.0)
-    for position in _checked_places(traces.reshape(-1)):
+    for position in _checked_positions(traces.reshape(-1)):
         row, column, time = np.unravel_index(int(position), traces.shape)
         exact = sum(
             (voice.exact(outputs[row], axes[column], int(time)) for voice in voices),

@@ -106,7 +106,7 @@ class Graph:
         if name in known or name in steps:
             return
         if name not in self._rules:
-            raise UnknownQuantity(_unknown(name, self._rules))
+            raise UnknownQuantity(_unknown_quantity_text(name, self._rules))
         for need in self._needs[name]:
             self._add(need, known, steps)
         # How to stop is handed on, but is no part of what the result depends on.
@@ -189,7 +189,7 @@ def _freeze(result: Any) -> None:
             _freeze(part)
 
 
-def _unknown(name: str, known: Iterable[str]) -> str:
+def _unknown_quantity_text(name: str, known: Iterable[str]) -> str:
     close = get_close_matches(name, list(known), n=1)
     hint = f"; perhaps {quoted(close[0])} is meant" if close else ""
     return f"no rule computes {quoted(name)}{hint}"

@@ -12,7 +12,7 @@ from skinsource.signals.loudest_window import LOUDEST_WINDOW_S
 
 #: What is measured, for labels.
 MEASURE = f"loudest {LOUDEST_WINDOW_S * 1000:g} ms of any output"
-_LOOK = View(axes="xyz", method="mag", span="loudest")
+_VIEW = View(axes="xyz", method="mag", span="loudest")
 
 
 def wavelet_levels_db(
@@ -64,7 +64,7 @@ def wavelet_levels_db(
         alone = replace(clip, gain=1.0, muted=False, waveform=replace(train, gains_db=gains_db))
         player = replace(track, clips=(alone,), amplitude=1.0, muted=False, solo=False)
         played = replace(design, inputs=(player,), scaling=scaling)
-        output_levels_db = evaluator.evaluate(played, ("output_levels_db",), _LOOK)[
+        output_levels_db = evaluator.evaluate(played, ("output_levels_db",), _VIEW)[
             "output_levels_db"
         ]
         levels_db.append(float(output_levels_db.max()))

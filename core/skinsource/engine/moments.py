@@ -197,7 +197,10 @@ class OwnMatrix:
         """Moments of the vibration by ``drive``, (n_bins,); of different axes only if wanted."""
         power = (np.square(drive.real) + np.square(drive.imag)) * _weights(n_fft)
         return Moments(
-            _filled(_by(self._squares, power), _by(self._products, power) if products else None),
+            _second_moments(
+                _row_products(self._squares, power),
+                _row_products(self._products, power) if products else None,
+            ),
             self.values[:, :, 0].real * drive[0].real,
         )
 
@@ -234,8 +237,10 @@ class CrossMatrix:
         """
         # The real part of a product of complex numbers, as one of real rows and columns.
         column = (drive * _weights(n_fft)).view(np.float64)
-        squares = _by(self._squares, column)
-        second = _filled(squares, _by(self._products, column) if products else None)
+        squares = _row_products(self._squares, column)
+        second = _second_moments(
+            squares, _row_products(self._products, column) if products else None
+        )
         return Moments(second, np.zeros(second.shape[:2]))
 
 
@@ -243,7 +248,7 @@ class CrossMatrix:
 _NUMBERS_AT_ONCE = 8192
 
 
-def _by(matrix: Floats, column: Floats) -> Floats:
+def _row_products(matrix: Floats, column: Floats) -> Floats:
     """One product of a matrix and a column, (n_outputs, n_rows), row by row and by one thread.
 
     As a matrix product it would be shared out among the threads of the linear algebra library,
@@ -265,7 +270,7 @@ def _weights(n_fft: int) -> Floats:
     return weights
 
 
-def _filled(squares: Floats, products: Floats | None) -> Floats:
+def _second_moments(squares: Floats, products: Floats | None) -> Floats:
     n_outputs, n_axes = squares.shape
     second = np.zeros((n_outputs, n_axes, n_axes))
     every = np.arange(n_axes)

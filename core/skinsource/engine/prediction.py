@@ -56,7 +56,7 @@ from skinsource.limbs.scaling import Scaling, check_scaling
 Result = TypeVar("Result")
 
 
-def helped(tasks: Sequence[Callable[[], Result]]) -> list[Result]:
+def run_with_helper(tasks: Sequence[Callable[[], Result]]) -> list[Result]:
     """Return what ``tasks`` return, in their order.
 
     A second thread takes some of them.  What it has begun and not finished in the least time that
@@ -122,7 +122,7 @@ class _Places:
         rooms = list(self._values[first : first + len(taps)])
         rooms += [np.empty(self._shape, np.complex128) for _ in range(len(taps) - len(rooms))]
         pairs = zip(taps.values(), rooms, strict=True)
-        spectra = helped([partial(_response, *pair, self.n_fft) for pair in pairs])
+        spectra = run_with_helper([partial(_response, *pair, self.n_fft) for pair in pairs])
         tally(forward_transforms=len(taps) * prod(self._shape[:2]))
         added = dict(zip(taps, spectra, strict=True))
         self.known |= dict(list(added.items())[: len(self._values) - first])
@@ -137,7 +137,7 @@ def _response(taps: Floats, values: Complexes, n_fft: int) -> ResponseSpectrum:
 
 
 # Far more than are asked for in turn.
-_MOST_ASKED = 10_000
+_MOST_REQUESTED = 10_000
 # Length, and whether calibrated.
 _Key = tuple[int, bool]
 _Lengths = OrderedDict[_Key, _Places]
@@ -198,7 +198,7 @@ class SpectraOfLimbs:
             lengths = self._known.get(limb)
             is_known = lengths is not None and key in lengths and location in lengths[key].known
             if not is_known and (location, key) not in requested:
-                if len(requested) >= _MOST_ASKED:
+                if len(requested) >= _MOST_REQUESTED:
                     requested.clear()
                 requested.add((location, key))
                 return None
@@ -255,7 +255,7 @@ def superposed(
         add_up(responses, drives, total)
         return inverse_here(total, n_fft)[..., : shape[-1]]
 
-    pieces = helped([partial(samples_of, part) for part in parts_of(shape[0])])
+    pieces = run_with_helper([partial(samples_of, part) for part in parts_of(shape[0])])
     tally(inverse_transforms=shape[0] * shape[1])
     return pieces
 
@@ -410,7 +410,7 @@ def predict(
     samples = _checked_drives(drives)
     places = _checked_locations(locations, len(samples), limb.n_inputs)
     if actuation is not None:
-        return _through(actuation, limb, samples, places, amplitudes, scaling)
+        return _predict_through(actuation, limb, samples, places, amplitudes, scaling)
     factors = _checked_amplitudes(amplitudes, len(samples))
     response_samples = samples.shape[-1] + limb.n_taps - 1
     played = [
@@ -422,16 +422,18 @@ def predict(
     n_fft = length_at_once(response_samples, n_places, limb.n_outputs * limb.n_axes)
     if n_fft is None:
         return _streamed(limb, played, scaling, response_samples).everything()
-    return _at_once(limb, played, scaling, response_samples, _shorter(n_fft, response_samples))
+    return _at_once(
+        limb, played, scaling, response_samples, _shorter_length(n_fft, response_samples)
+    )
 
 
-def _shorter(n_fft: int, n_times: int) -> int:
+def _shorter_length(n_fft: int, n_times: int) -> int:
     """A transform of 27 times a power of two is as quick as its neighbours, 24 and 30 times."""
     shorter = n_fft * 9 // 10
     return shorter if n_fft % 10 == 0 and shorter >= n_times else n_fft
 
 
-def _through(
+def _predict_through(
     actuation: Actuation,
     limb: Limb,
     samples: Floats,
@@ -449,11 +451,11 @@ def _through(
 
 # Far more than anybody has drives for.
 _MOST_LOCATIONS = 10**5
-_Heard = tuple[Drive, int, float]
+_PlacedDrive = tuple[Drive, int, float]
 
 
 def _streamed(
-    limb: Limb, heard: list[_Heard], scaling: Scaling, response_samples: int
+    limb: Limb, heard: list[_PlacedDrive], scaling: Scaling, response_samples: int
 ) -> StreamedVibration:
     blocks, shape = Blocks(limb.n_taps), (limb.n_outputs, limb.n_axes, response_samples)
     if not heard:
@@ -473,14 +475,14 @@ def _streamed(
 
 
 def _at_once(
-    limb: Limb, heard: list[_Heard], scaling: Scaling, response_samples: int, n_fft: int
+    limb: Limb, heard: list[_PlacedDrive], scaling: Scaling, response_samples: int, n_fft: int
 ) -> Floats:
     shape = limb.n_outputs, limb.n_axes, response_samples
     if not heard:
         return np.zeros(shape)
     drives = [drive for drive, _, _ in heard]
     played = [forward(drive.samples, n_fft) for drive in drives]
-    together = _alone if len(heard) == 1 else _together
+    together = _response_to_drive if len(heard) == 1 else _response_to_drives
     vibration = together(limb, heard, played, scaling, shape, n_fft)
     # Where nothing can move nothing does, not even by the rounding of the transforms.
     if any(drive.samples.all() for drive in drives):
@@ -494,19 +496,19 @@ def _at_once(
     return vibration
 
 
-def _together(
+def _response_to_drives(
     limb: Limb,
-    heard: list[_Heard],
+    heard: list[_PlacedDrive],
     played: list[Complexes],
     scaling: Scaling,
     shape: tuple[int, int, int],
     n_fft: int,
 ) -> Floats:
     drives, places = [drive for drive, _, _ in heard], [location for _, location, _ in heard]
-    responses = _remembered().of(limb, places, scaling, n_fft)
+    responses = _cached_spectra().of(limb, places, scaling, n_fft)
     gains = [drive.factor for drive in drives]
     if scaling == "upstream":
-        gains = _known_gains().of(limb, places, drives, played, responses)
+        gains = _cached_gains().of(limb, places, drives, played, responses)
     weighted = [
         spectrum * (gain * amplitude)
         for spectrum, gain, (_, _, amplitude) in zip(played, gains, heard, strict=True)
@@ -520,9 +522,9 @@ def _together(
     return vibration
 
 
-def _alone(
+def _response_to_drive(
     limb: Limb,
-    drives: list[_Heard],
+    drives: list[_PlacedDrive],
     played: list[Complexes],
     scaling: Scaling,
     shape: tuple[int, int, int],
@@ -530,11 +532,11 @@ def _alone(
 ) -> Floats:
     """As `_together` by one drive, which has its maximum in what is computed anyway."""
     ((drive, location, amplitude),) = drives
-    known = _remembered().of_one(limb, location, scaling, n_fft)
+    known = _cached_spectra().of_one(limb, location, scaling, n_fft)
     if known is None:
         taps, largest_tap = bounded_taps(limb, location, scaling)
         vibration, largest = single_response(taps, played[0], shape, n_fft)
-        energies = _energies(taps, largest_tap)
+        energies = _energy_bounds(taps, largest_tap)
     else:
         vibration, largest = single_response(known, played[0], shape, n_fft)
         energies = iter([float(known.norms.energies.max())])
@@ -547,7 +549,7 @@ def _alone(
     return vibration
 
 
-def _energies(taps: Floats, largest_tap: float) -> Iterator[float]:
+def _energy_bounds(taps: Floats, largest_tap: float) -> Iterator[float]:
     """What the largest energy of a response is at most, and what it is."""
     # None has more than one that is at its largest all the time.  Most often this is enough to
     # know, and norms need not be computed.
@@ -556,12 +558,12 @@ def _energies(taps: Floats, largest_tap: float) -> Iterator[float]:
 
 
 @cache
-def _remembered() -> SpectraOfLimbs:
+def _cached_spectra() -> SpectraOfLimbs:
     return SpectraOfLimbs()
 
 
 @cache
-def _known_gains() -> GainsOfDrives:
+def _cached_gains() -> GainsOfDrives:
     return GainsOfDrives()
 
 

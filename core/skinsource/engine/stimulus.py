@@ -387,16 +387,18 @@ def stimulus_of(
     >>> found.channels[0].title, found.samples.shape
     ('Digit II, pad', (1, 9600))
     """
-    tracks = _taking_part(design, inputs, clips)
+    tracks = _playing_tracks(design, inputs, clips)
     one_of("per", per, _PER)
-    stimulus = _made(design, limb, tracks, per, sample_rate_hz, lead_in_s, (progress, stop))
+    stimulus = _sampled_stimulus(
+        design, limb, tracks, per, sample_rate_hz, lead_in_s, (progress, stop)
+    )
     for stage in stages:
         stop_if(stop)
         stimulus = stage(stimulus)
     return stimulus
 
 
-def _made(
+def _sampled_stimulus(
     design: Design,
     limb: Limb | None,
     tracks: tuple[Input, ...],
@@ -417,7 +419,7 @@ def _made(
     lead = lead_in_samples(lead_in_s, rate_hz)
     return Stimulus(
         channels=channels,
-        samples=_sampled(tracks, channels, own_rate_hz, rate_hz, lead, *job),
+        samples=_samples_of(tracks, channels, own_rate_hz, rate_hz, lead, *job),
         sample_rate_hz=rate_hz,
         start_s=-lead / rate_hz if lead else 0.0,
         limb=design.limb,
@@ -428,7 +430,7 @@ def _made(
     )
 
 
-def _taking_part(
+def _playing_tracks(
     design: Design, inputs: Iterable[int] | None, clips: Iterable[int] | None
 ) -> tuple[Input, ...]:
     """Inputs that are heard, with those of their clips that take part."""
@@ -463,7 +465,7 @@ def _channels(tracks: tuple[Input, ...], per: str, limb: str) -> tuple[Channel, 
     )
 
 
-def _sampled(
+def _samples_of(
     tracks: tuple[Input, ...],
     channels: tuple[Channel, ...],
     own_rate_hz: float,
@@ -490,7 +492,7 @@ def _sampled(
     steps = -(-lead // ratio.numerator)
     before, surplus = steps * ratio.denominator, steps * ratio.numerator - lead
     n += before
-    _refuse_too_long(len(channels), -(-n * ratio.numerator // ratio.denominator), rate_hz)
+    _check_length(len(channels), -(-n * ratio.numerator // ratio.denominator), rate_hz)
     total = np.zeros((len(channels), n))
     for row, start, factor, samples in pieces:
         begin = before + start
@@ -507,7 +509,7 @@ def _sampled(
     return converted[:, surplus:]
 
 
-def _refuse_too_long(n_channels: int, n_times: int, rate_hz: float) -> None:
+def _check_length(n_channels: int, n_times: int, rate_hz: float) -> None:
     if n_channels * n_times > MOST_SAMPLES:
         longest_s = MOST_SAMPLES / n_channels / rate_hz
         raise InvalidInputError(
@@ -595,7 +597,7 @@ def through_actuators(stimulus: Stimulus, actuation: Actuation, equaliser: Equal
     InvalidInputError
         As `for_rig`; or a place has no actuator.
     """
-    _refuse_other_drives(stimulus)
+    _check_accelerations(stimulus)
     samples, band = np.array(stimulus.samples), _band_of(stimulus)
     for row in stimulus.driving:
         place = stimulus.channels[row].place
@@ -634,7 +636,7 @@ def _wired(stimulus: Stimulus, rig: Rig) -> Stimulus:
 
 
 def _equalised_for(stimulus: Stimulus, rig: Rig, equaliser: Equaliser) -> Stimulus:
-    _refuse_other_drives(stimulus)
+    _check_accelerations(stimulus)
     samples, band = np.array(stimulus.samples), _band_of(stimulus)
     for row in stimulus.driving:
         channel = channel_of(stimulus, row, rig)
@@ -684,7 +686,7 @@ def _aligned(stimulus: Stimulus, rig: Rig) -> Stimulus:
     return stimulus.with_samples(delayed)
 
 
-def _refuse_other_drives(stimulus: Stimulus) -> None:
+def _check_accelerations(stimulus: Stimulus) -> None:
     if stimulus.unit == "V":
         raise InvalidInputError(
             "The drives of this design are volts already: it is predicted through an actuator "

@@ -22,7 +22,7 @@ from skinsource.engine.transforms import (
     Played,
     forward,
     inverse,
-    side_by_side,
+    run_on_two_threads,
 )
 from skinsource.signals.loudest_window import LoudestEnergy, loudest_energy
 
@@ -170,7 +170,7 @@ class StreamedVibration:
             np.matmul(drives[part], values[part], out=spectra[part])
 
         parts = slice(0, half), slice(half, n_bins)
-        side_by_side(partial(multiply, part) for part in parts)
+        run_on_two_threads(partial(multiply, part) for part in parts)
         return spectra.reshape(n_bins, -1).T
 
     def _active(self, segments: dict[int, Floats]) -> Booleans:

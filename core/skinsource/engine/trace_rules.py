@@ -5,7 +5,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop
 from skinsource.base.quoting import quoted
 from skinsource.engine.gains import (
-    Heard,
+    ExactVoice,
     Placed,
     Responses,
     TraceError,
@@ -158,7 +158,7 @@ def trace_error(
         ]
         factors = exact_gains(drives, spectra, to_places, stop)
     exact_voices = [
-        Heard(
+        ExactVoice(
             drive=voice.drive,
             delay_samples=voice.start,
             weight=voice.voice.amplitude * match_gain * factor,

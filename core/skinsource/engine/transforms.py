@@ -195,7 +195,7 @@ def _all(outputs: tuple[int, ...], axes: tuple[int, ...]) -> list[Channel]:
 # Two threads for work that leaves Python's lock alone: large array operations.
 
 
-def side_by_side(tasks: Iterable[Callable[[], None]]) -> None:
+def run_on_two_threads(tasks: Iterable[Callable[[], None]]) -> None:
     """Run all of ``tasks``, by two threads; none may count work, which belongs to a thread.
 
     Each thread takes the next one that nobody took: where other programs keep the second one
@@ -251,7 +251,7 @@ def sum_of_vibrations(responses: Sequence[Complexes], drives: Sequence[Complexes
         for task in tasks:
             task()
     else:
-        side_by_side(tasks)
+        run_on_two_threads(tasks)
     return total
 
 

@@ -161,7 +161,7 @@ def sound_library() -> ModuleType:
 
 # Devices that can be played on.
 
-_NONE = "No device to play on was found. Connect one and look again."
+_NO_DEVICE = "No device to play on was found. Connect one and look again."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -280,7 +280,7 @@ def device_of(output: Output, known_devices: Sequence[Device]) -> Device:
         There is none at all, or not that one.
     """
     if not known_devices:
-        raise NothingToPlayOnError(_NONE)
+        raise NothingToPlayOnError(_NO_DEVICE)
     if not output.device:
         return known_devices[0]
     for device in known_devices:
@@ -315,10 +315,10 @@ def rates_of(device: Device) -> tuple[int, ...]:
     """Rates, in Hz, that a device takes; asked one by one, so that it takes a while."""
     library = sound_library()
     rates = sorted({*RATES_HZ, device.sample_rate_hz})
-    return tuple(rate for rate in rates if _takes(library, device, rate))
+    return tuple(rate for rate in rates if _accepts_rate(library, device, rate))
 
 
-def _takes(library: object, device: Device, rate_hz: int) -> bool:
+def _accepts_rate(library: object, device: Device, rate_hz: int) -> bool:
     channels = min(device.n_outputs, 2)
     try:
         library.check_output_settings(  # type: ignore[attr-defined]
@@ -341,7 +341,9 @@ def playing_error_text(error: Any, device: Device, sample_rate_hz: int, n_output
         f"{counted(n_outputs, 'output')}. Mute what has no actuator, give it another output, or "
         "choose another device."
     )
-    return _words(error, device.name, device.sample_rate_hz, sample_rate_hz, channels, "played on")
+    return _error_text(
+        error, device.name, device.sample_rate_hz, sample_rate_hz, channels, "played on"
+    )
 
 
 def recording_error_text(
@@ -349,10 +351,10 @@ def recording_error_text(
 ) -> str:
     """Say what a device does not record, and what to do."""
     channels = f"{counted(n_inputs, 'input')}. Choose another input, or another device."
-    return _words(error, name, prefers_hz, sample_rate_hz, channels, "recorded from")
+    return _error_text(error, name, prefers_hz, sample_rate_hz, channels, "recorded from")
 
 
-def _words(
+def _error_text(
     error: Any, name: str, prefers_hz: int, sample_rate_hz: int, channels: str, what: str
 ) -> str:
     code = error.args[1] if len(error.args) > 1 else 0

@@ -126,8 +126,8 @@ class Mixer:
         """
         stimulus = self.stimulus(design)
         rate_hz = output.sample_rate_hz
-        own_hz = _whole(stimulus.sample_rate_hz)
-        _refuse_too_long(stimulus, rate_hz)
+        own_hz = _whole_hertz(stimulus.sample_rate_hz)
+        _check_length(stimulus, rate_hz)
         if output.stand_in:
             whole = analytic(stimulus.samples)
             parts = self.rows.at(np.concatenate((whole.real, whole.imag)), own_hz, rate_hz)
@@ -181,7 +181,7 @@ def loop_of(design: Design, duration_s: float, *, loops: bool) -> tuple[float, f
     return (0.0, max(duration_s, SHORTEST_LOOP_S)) if loops else None
 
 
-def _whole(rate_hz: float) -> int:
+def _whole_hertz(rate_hz: float) -> int:
     if not float(rate_hz).is_integer():
         raise InvalidInputError(
             f"The limb is sampled at {rate_hz:g} Hz, expected a whole number of hertz to play"
@@ -189,7 +189,7 @@ def _whole(rate_hz: float) -> int:
     return int(rate_hz)
 
 
-def _refuse_too_long(stimulus: Stimulus, rate_hz: int) -> None:
+def _check_length(stimulus: Stimulus, rate_hz: int) -> None:
     samples = len(stimulus.channels) * stimulus.duration_s * rate_hz
     if samples > MOST_SAMPLES:
         raise InvalidInputError(

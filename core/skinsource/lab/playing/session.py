@@ -211,7 +211,7 @@ class Session:
             device = device_of(output, known_devices)
         except NothingToPlayOnError as missing:
             return silently(reason=str(missing))
-        _refuse_other_device(rig, device)
+        _check_rig_device(rig, device)
         mix = self._mix(design, output, device, loops=loops, rig=rig)
         stop_if(stop)
         begin_s = _begin(at_s, mix.duration_s, loop_of(design, mix.duration_s, loops=loops))
@@ -259,7 +259,7 @@ class Session:
         device = device_of(output, devices())
         check_outputs(device, {0: number})
         n_outputs = max(number, min(_FEWEST, device.n_outputs))
-        _refuse_other_device(rig, device)
+        _check_rig_device(rig, device)
         tone = tone_of(number, n_outputs, output.sample_rate_hz)
         places = (
             [channel.place for channel in rig.channels if channel.output == number] if rig else []
@@ -326,7 +326,7 @@ def response_end_s(design: Design, duration_s: float) -> float:
     return duration_s + limb.n_taps / limb.sample_rate_hz
 
 
-def _refuse_other_device(rig: Rig | None, device: Device) -> None:
+def _check_rig_device(rig: Rig | None, device: Device) -> None:
     """What a rig knows of volts is true of its own device alone."""
     for channel in rig.channels if rig is not None else ():
         if channel.device and channel.device not in (device.name, device.title):

@@ -95,7 +95,7 @@ def _fill(queue: PlayQueue, block: Floats, *, first: bool) -> None:
         queue.fallen = 0
     queue.panic = False
     if queue.ending is None:
-        _take_what_is_wanted(queue)
+        _begin_mix_change(queue)
         if exceeds_the_rig(queue):
             queue.fallen = 0
             _fall(queue, block)
@@ -114,12 +114,12 @@ def _fill(queue: PlayQueue, block: Floats, *, first: bool) -> None:
             _fall(queue, block[:, sound:])
             return
         np.copyto(queue.last, block[:, -1])
-        _end_where_all_is_played(queue)
+        _end_after_last_sample(queue)
     else:
         _fall(queue, block)
 
 
-def _take_what_is_wanted(queue: PlayQueue) -> None:
+def _begin_mix_change(queue: PlayQueue) -> None:
     """Begin to go over to the mix that is wanted, unless one is still on its way."""
     swap = queue.swap
     if swap is None or queue.faded < queue.fade.size:
@@ -184,7 +184,7 @@ def _fall(queue: PlayQueue, block: Floats) -> None:
     queue.fallen += n
 
 
-def _end_where_all_is_played(queue: PlayQueue) -> None:
+def _end_after_last_sample(queue: PlayQueue) -> None:
     if queue.faded < queue.fade.size or queue.swap is not None:
         return
     if queue.mix is None:

@@ -157,10 +157,10 @@ class MeasuringSetup:
 # After each sweep, in which what rings dies away.
 _REST_S = 0.5
 # The sweep goes beyond what is wanted: so the delay is told well, and the ends are whole.
-_LOWER, _HIGHER = 0.6, 4.0
-_MOST_OF_RATE = 0.42
+_LOWER_SHARE, _HIGHER_SHARE = 0.6, 4.0
+_HIGHEST_SHARE_OF_RATE = 0.42
 # At least so many outputs and inputs, where the device has them: some know pairs only.
-FEWEST_WAYS = 2
+FEWEST_CHANNELS = 2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -218,7 +218,7 @@ def measurable(
             f"place {channel.place}: the rig does not say the volts at full scale, without which "
             "m/s² per V cannot be told; measure them with a tone and a voltmeter"
         )
-    highest_hz = _MOST_OF_RATE * sample_rate_hz
+    highest_hz = _HIGHEST_SHARE_OF_RATE * sample_rate_hz
     if setup.highest_hz > highest_hz:
         raise InvalidInputError(
             f"the response is wanted up to {setup.highest_hz:g} Hz, and {sample_rate_hz:g} Hz can "
@@ -236,7 +236,7 @@ def bench_of(rig: Rig, place: int, setup: MeasuringSetup, output: Output) -> Ben
         )
     rate_hz = output.sample_rate_hz
     volts, highest_hz = measurable(channel, setup, rate_hz)
-    swept_hz = _LOWER * setup.lowest_hz, min(_HIGHER * setup.highest_hz, highest_hz)
+    swept_hz = _LOWER_SHARE * setup.lowest_hz, min(_HIGHER_SHARE * setup.highest_hz, highest_hz)
     known_devices = devices()
     named = [device for device in known_devices if channel.device in (device.name, device.title)]
     if channel.device:
@@ -251,7 +251,7 @@ def bench_of(rig: Rig, place: int, setup: MeasuringSetup, output: Output) -> Ben
     card = Card(
         device=device,
         inputs=inputs,
-        n_inputs=max(highest_input, min(FEWEST_WAYS, inputs.n_inputs)),
+        n_inputs=max(highest_input, min(FEWEST_CHANNELS, inputs.n_inputs)),
         latency_s=output.latency_s,
     )
     sweep = exponential_sweep(swept_hz, setup.sweep_s, rate_hz)
@@ -451,25 +451,25 @@ def measure(
     n_quiet = 2 if bench.card.two_clocks else 1
     first = bench.row(n_quiet, lead)
     report = partial(_tell, progress, first.size + row.size)
-    recorded = _take(bench, first, quiet_db, margin, stop, partial(report, 0, "Quiet sweep"))
+    recorded = _record(bench, first, quiet_db, margin, stop, partial(report, 0, "Quiet sweep"))
     noise = recorded[:, settling:lead]
-    _refuse_clipping(bench, recorded, quiet_db)
-    _refuse_what_will_clip(bench, recorded, noise, quiet_db)
-    averaged, _ = _found(bench, recorded, noise, quiet_db, lead, n_quiet)
+    _check_clipping(bench, recorded, quiet_db)
+    _check_level(bench, recorded, noise, quiet_db)
+    averaged, _ = _averaged_from(bench, recorded, noise, quiet_db, lead, n_quiet)
     if isinstance(averaged, AveragedResponse):
         measured_channel = replace(bench.channel, measured=_response(averaged))
         margin = _margin(measured_channel, row, bench.rate_hz, loud_db)
     stop_if(stop)
     label = f"{setup.repeats} sweeps"
-    recorded = _take(bench, row, loud_db, margin, stop, partial(report, first.size, label))
-    _refuse_clipping(bench, recorded, loud_db)
-    averaged, ratio = _found(bench, recorded, noise, loud_db, settling, setup.repeats)
+    recorded = _record(bench, row, loud_db, margin, stop, partial(report, first.size, label))
+    _check_clipping(bench, recorded, loud_db)
+    averaged, ratio = _averaged_from(bench, recorded, noise, loud_db, settling, setup.repeats)
     if isinstance(averaged, InvalidInputError):
         raise averaged
-    return _told(bench, averaged, recorded, noise, ratio)
+    return _measurement_of(bench, averaged, recorded, noise, ratio)
 
 
-def _told(
+def _measurement_of(
     bench: Bench, averaged: AveragedResponse, recorded: Floats, noise: Floats, ratio: float
 ) -> ChannelMeasurement:
     """What was found, with all that says how far it can be trusted."""
@@ -508,7 +508,7 @@ def _margin(channel: RigChannel, row: Floats, rate_hz: int, level_db: float) -> 
     if margin.factor == 0.0:
         advice = "choose shorter sweeps, or fewer of them"
     else:
-        advice = f"choose a level of {_down(20.0 * log10(margin.factor))} dB or less"
+        advice = f"choose a level of {_rounded_down(20.0 * log10(margin.factor))} dB or less"
     raise InvalidInputError(
         f"at {_minus(f'{level_db:g}')} dB the sweep would pass a limit of the rig "
         f"({margin.words}); {advice}"
@@ -519,7 +519,7 @@ def _tell(progress: Progress, total: int, before: int, label: str, done: int) ->
     progress(before + done, total, label)
 
 
-def _take(
+def _record(
     bench: Bench,
     row: Floats,
     level_db: float,
@@ -529,7 +529,7 @@ def _take(
 ) -> Floats:
     """Play a row, and return what came in, (n_inputs, n_times), from its first sample on."""
     output, fade = bench.channel.output, fade_samples(bench.rate_hz)
-    n_outputs = max(output, min(FEWEST_WAYS, bench.card.device.n_outputs))
+    n_outputs = max(output, min(FEWEST_CHANNELS, bench.card.device.n_outputs))
     mix = mix_of(
         row[np.newaxis],
         bench.rate_hz,
@@ -554,17 +554,17 @@ def _take(
     return duplex.recorded[:, fade:].astype(np.float64)
 
 
-def _refuse_clipping(bench: Bench, recorded: Floats, level_db: float) -> None:
+def _check_clipping(bench: Bench, recorded: Floats, level_db: float) -> None:
     """Refuse what reaches the ends of an input."""
     for number in bench.numbers:
         peak = float(np.abs(recorded[number - 1]).max(initial=0.0))
         if not np.isfinite(peak):
             raise PlaybackError("The device recorded something that is no number. Choose another.")
         if peak >= _CLIPPED:
-            raise _clips(number, "clips", level_db, "a lower level")
+            raise _clipping_error(number, "clips", level_db, "a lower level")
 
 
-def _refuse_what_will_clip(bench: Bench, recorded: Floats, noise: Floats, level_db: float) -> None:
+def _check_level(bench: Bench, recorded: Floats, noise: Floats, level_db: float) -> None:
     """Refuse what would reach the ends of an input at the level that is wanted."""
     louder = 10.0 ** ((bench.setup.level_db - level_db) / 20.0)
     for number in bench.numbers:
@@ -574,17 +574,19 @@ def _refuse_what_will_clip(bench: Bench, recorded: Floats, noise: Floats, level_
         moved = max(float(np.abs(recorded[number - 1] - mean).max()) + abs(mean) - still, 0.0)
         if still + moved * louder >= _CLIPPED:
             most_db = level_db + 20.0 * log10((_CLIPPED - still) / moved) - 0.1
-            raise _clips(number, "would clip", bench.setup.level_db, f"{_down(most_db)} dB or less")
+            raise _clipping_error(
+                number, "would clip", bench.setup.level_db, f"{_rounded_down(most_db)} dB or less"
+            )
 
 
-def _clips(number: int, what: str, level_db: float, advice: str) -> InvalidInputError:
+def _clipping_error(number: int, what: str, level_db: float, advice: str) -> InvalidInputError:
     return InvalidInputError(
         f"input {number} {what} at {_minus(f'{level_db:g}')} dB; choose {advice}, or turn the gain "
         "of that input down"
     )
 
 
-def _found(
+def _averaged_from(
     bench: Bench, recorded: Floats, noise: Floats, level_db: float, start: int, repeats: int
 ) -> tuple[AveragedResponse | InvalidInputError, float]:
     """The response of what was heard, or the error where that is not enough; and the clocks."""
@@ -619,7 +621,7 @@ def _response(averaged: AveragedResponse) -> MeasuredResponse:
     return MeasuredResponse.of(averaged.frequency_hz, averaged.response)
 
 
-def _down(decibels_: float) -> str:
+def _rounded_down(decibels_: float) -> str:
     """Rounded down, so that what is said is enough."""
     return _minus(f"{floor(10.0 * decibels_) / 10.0:.1f}")
 
