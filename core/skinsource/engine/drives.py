@@ -1,6 +1,6 @@
 """Samples of clips, signal paths of tracks, and drives with their spectra, all computed once."""
 
-from collections.abc import Hashable
+from collections.abc import Callable, Hashable
 from weakref import WeakValueDictionary
 
 import numpy as np
@@ -44,34 +44,28 @@ class DrawnClips:
         """Return the samples after the last effect, (n_times,), read-only."""
         if not effects:
             return self._drawn(waveform, sample_rate_hz, shift_s)
-        key = waveform, effects, sample_rate_hz, shift_s
-        known = self._find(key)
-        if known is not None:
-            return known
-        return self._remember(
-            key, played(waveform, effects, sample_rate_hz, shift_s, draw=self._drawn)
+        return self._get(
+            (waveform, effects, sample_rate_hz, shift_s),
+            lambda: played(waveform, effects, sample_rate_hz, shift_s, draw=self._drawn),
         )
 
     def _drawn(self, waveform: Waveform, sample_rate_hz: float, shift_s: float) -> Floats:
-        key = waveform, sample_rate_hz, shift_s
-        known = self._find(key)
+        def draw() -> Floats:
+            samples = waveform.samples(sample_rate_hz, shift_s)
+            tally(samples_drawn=samples.size)
+            return samples
+
+        return self._get((waveform, sample_rate_hz, shift_s), draw)
+
+    def _get(self, key: Hashable, compute: Callable[[], Floats]) -> Floats:
+        known = self._known.find(key)
         if known is not None:
             return known
-        samples = waveform.samples(sample_rate_hz, shift_s)
-        tally(samples_drawn=samples.size)
-        return self._remember(key, samples)
-
-    def _find(self, key: Hashable) -> Floats | None:
-        known = self._known.find(key)
-        if known is None:
-            known = self._alive.get(key)
-            if known is not None:
-                self._known.add(key, known)
-        return known
-
-    def _remember(self, key: Hashable, samples: Floats) -> Floats:
-        samples.flags.writeable = False
-        self._alive[key] = samples
+        samples = self._alive.get(key)
+        if samples is None:
+            samples = compute()
+            samples.flags.writeable = False
+            self._alive[key] = samples
         self._known.add(key, samples)
         return samples
 

@@ -499,8 +499,7 @@ class ExactVoice:
         return np.longdouble(self.weight) * products.sum()
 
     def rounding(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> float:
-        """Return the product of norms that rounding is proportional to, in the strongest
-        channel."""
+        """Return what rounding is proportional to: norms of drive and strongest response."""
         energies = self.response.norms.energies.reshape(self.response.taps.shape[:2])
         strongest = energies[[output - 1 for output in outputs]][:, list(axes)].max()
         return float(abs(self.weight) * np.linalg.norm(self.drive.samples) * strongest)
@@ -575,18 +574,20 @@ class Responses:
         """How long drives are cut into blocks."""
         return Blocks(self.limb.n_taps)
 
-    def to(self, places: Iterable[int]) -> list[ResponseSpectrum]:
+    def to(self, locations: Iterable[int]) -> list[ResponseSpectrum]:
         """Return the responses to each of some locations."""
-        places = list(places)
+        locations = list(locations)
         if self.n_fft is None:
-            stack = self.stack(places)
-            return [stack.responses[location] for location in places] if stack is not None else []
+            stack = self.stack(locations)
+            return (
+                [stack.responses[location] for location in locations] if stack is not None else []
+            )
         spectra = self.remembered.responses
-        return [spectra.of(self.limb, location, self.scaling, self.n_fft) for location in places]
+        return [spectra.of(self.limb, location, self.scaling, self.n_fft) for location in locations]
 
-    def stack(self, places: Iterable[int]) -> Stack | None:
+    def stack(self, locations: Iterable[int]) -> Stack | None:
         """Return the responses to some locations for products over blocks; None for none."""
-        used = tuple(sorted(set(places)))
+        used = tuple(sorted(set(locations)))
         if not used:
             return None
         n_fft = self.blocks.n_fft

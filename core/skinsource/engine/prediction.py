@@ -169,7 +169,7 @@ class SpectraOfLimbs:
             return self._sum()
 
     def of(
-        self, limb: Limb, places: Sequence[int], scaling: Scaling, n_fft: int
+        self, limb: Limb, locations: Sequence[int], scaling: Scaling, n_fft: int
     ) -> list[ResponseSpectrum]:
         """Return the responses to each of ``places``; those not remembered are transformed."""
         key = n_fft, scaling == "probe"
@@ -180,12 +180,12 @@ class SpectraOfLimbs:
                 lengths[key] = _Places(limb, n_fft, self._most_places(limb, n_fft))
             lengths.move_to_end(key)
             known = lengths[key].known
-            new = [location for location in dict.fromkeys(places) if location not in known]
+            new = [location for location in dict.fromkeys(locations) if location not in known]
             taps = {location: scaled_taps(limb, location, scaling) for location in new}
             added = lengths[key].add(taps) if new else {}
             self._forget()
             return [
-                added[location] if location in added else known[location] for location in places
+                added[location] if location in added else known[location] for location in locations
             ]
 
     def of_one(
@@ -264,8 +264,7 @@ def single_response(
     shape: tuple[int, int, int],
     n_fft: int,
 ) -> tuple[Floats, float]:
-    """Return the vibration by one drive, (n_outputs, 3 axes, n_times), and its largest sample,
-    m/s².
+    """Return the vibration by one drive, (n_outputs, 3 axes, n_times), and its maximum, m/s².
 
     One thread computes it: a second one gains little in a few milliseconds, and makes it slower
     where no processor is free.
@@ -319,7 +318,7 @@ class GainsOfDrives:
     def of(
         self,
         limb: Limb,
-        places: Sequence[int],
+        locations: Sequence[int],
         drives: Sequence[Drive],
         spectra: Sequence[Complexes],
         responses: Sequence[ResponseSpectrum],
@@ -333,7 +332,7 @@ class GainsOfDrives:
                 drive.factor,
                 sha256(drive.samples.tobytes()).digest(),
             )
-            for location, drive, response in zip(places, drives, responses, strict=True)
+            for location, drive, response in zip(locations, drives, responses, strict=True)
         ]
         with self._lock:
             known = {key: gain for key in keys if (gain := self._known.find(key)) is not None}
@@ -399,18 +398,18 @@ def predict(
         raise InvalidInputError(f"limb is {quoted(limb)}, expected a Limb, see load_limb")
     check_scaling(scaling)
     samples = _checked_drives(drives)
-    places = _checked_locations(locations, len(samples), limb.n_inputs)
+    checked_locations = _checked_locations(locations, len(samples), limb.n_inputs)
     if actuation is not None:
-        return _predict_through(actuation, limb, samples, places, amplitudes, scaling)
+        return _predict_through(actuation, limb, samples, checked_locations, amplitudes, scaling)
     factors = _checked_amplitudes(amplitudes, len(samples))
     response_samples = samples.shape[-1] + limb.n_taps - 1
     played = [
         (drive, location, amplitude)
-        for drive, location, amplitude in zip(map(drive_of, samples), places, factors, strict=True)
+        for drive, location, amplitude in zip(map(drive_of, samples), checked_locations, factors, strict=True)
         if not drive.silent and amplitude != 0.0
     ]
-    n_places = len({location for _, location, _ in played})
-    n_fft = length_at_once(response_samples, n_places, limb.n_outputs * limb.n_axes)
+    n_locations = len({location for _, location, _ in played})
+    n_fft = length_at_once(response_samples, n_locations, limb.n_outputs * limb.n_axes)
     if n_fft is None:
         return _streamed(limb, played, scaling, response_samples).everything()
     return _at_once(
@@ -428,15 +427,15 @@ def _predict_through(
     actuation: Actuation,
     limb: Limb,
     samples: Floats,
-    places: list[int],
+    locations: list[int],
     amplitudes: ArrayLike | None,
     scaling: Scaling,
 ) -> Floats:
     """Return the prediction through actuators, from time 0 on."""
     actuated = actuated_limb(limb, actuation, scaling)
-    for drive, location in zip(samples, places, strict=True):
+    for drive, location in zip(samples, locations, strict=True):
         check_drive(actuation, drive_of(drive), limb.sample_rate_hz, limb.band_hz, location)
-    vibration = predict(actuated, samples, places, amplitudes, scaling)
+    vibration = predict(actuated, samples, locations, amplitudes, scaling)
     return vibration[..., actuated.lead_samples :]
 
 
@@ -501,14 +500,14 @@ def _response_to_drives(
     shape: tuple[int, int, int],
     n_fft: int,
 ) -> Floats:
-    drives, places = (
+    drives, locations = (
         [drive for drive, _, _ in placed_drives],
         [location for _, location, _ in placed_drives],
     )
-    responses = _cached_spectra().of(limb, places, scaling, n_fft)
+    responses = _cached_spectra().of(limb, locations, scaling, n_fft)
     gains = [drive.factor for drive in drives]
     if scaling == "upstream":
-        gains = _cached_gains().of(limb, places, drives, played, responses)
+        gains = _cached_gains().of(limb, locations, drives, played, responses)
     weighted = [
         spectrum * (gain * amplitude)
         for spectrum, gain, (_, _, amplitude) in zip(played, gains, placed_drives, strict=True)
@@ -584,14 +583,14 @@ def _checked_locations(locations: Sequence[int] | int, n_drives: int, n_inputs: 
     # As an array, True would become 1, and 7 beside 2.5 would become 7.0.
     values = locations.tolist() if isinstance(locations, np.ndarray) else locations
     # An iterable may have no end.
-    places = list(islice(values, _MOST_LOCATIONS)) if isinstance(values, Iterable) else [values]
-    for location in places:
+    checked = list(islice(values, _MOST_LOCATIONS)) if isinstance(values, Iterable) else [values]
+    for location in checked:
         check_input_location(location, n_inputs)
-    if len(places) != n_drives:
+    if len(checked) != n_drives:
         raise InvalidInputError(
-            f"{len(places)} locations for {n_drives} drives: expected one location for each drive"
+            f"{len(checked)} locations for {n_drives} drives: expected one location for each drive"
         )
-    return places
+    return checked
 
 
 def _checked_amplitudes(amplitudes: ArrayLike | None, n_inputs: int) -> Floats:
