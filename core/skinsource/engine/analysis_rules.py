@@ -1,4 +1,4 @@
-"""Rules from drives to what they ask of the actuator that is looked at."""
+"""Rules for the panels of analysis: actuators, noise, single axes, outputs, sensation and more."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -83,10 +83,10 @@ from skinsource.signals.projection import MainAxes, main_axes
 def actuator_looked_at(
     actuator_settings: ActuatorSettings, actuation: Actuation | None
 ) -> ActuatorSettings:
-    """Actuator and equaliser, and what an amplitude of 1 is; not how they are drawn."""
+    """Actuator and equaliser, and the unit of amplitudes; not how they are drawn."""
     settings = settings_through(actuator_settings, actuation)
     if actuation is not None and actuation == actuation_of(settings):
-        # Amplitudes are what the contactor, or the coil, gets.
+        # Amplitudes are accelerations of the contactor, or volts at the coil.
         settings = replace(settings, strength_m_per_s2=1.0, volts=1.0)
     usual = ActuatorSettings()
     return replace(settings, picture=usual.picture, layout=usual.layout, zoom=None)
@@ -99,20 +99,14 @@ def actuator_demand(
     band_hz: Band | None,
     actuator_looked_at: ActuatorSettings,
 ) -> Demand:
-    """What the place of the selected input asks of the actuator."""
+    """Demand on the actuator at the location of the selected input."""
     return demand_of(actuator_looked_at, sampled_voices, selected_input, sample_rate_hz, band_hz)
-
-
-ACTUATOR_RULES = (actuator_looked_at, actuator_demand)
-
-
-# Rules from the noise of responses to that in predictions.
 
 
 def place_drives(
     responses: Responses, placed: tuple[Placed, ...], stop: Stop
 ) -> tuple[tuple[int, Floats], ...]:
-    """What is played at each place, (place, (n_times,)), as the responses to it are scaled.
+    """Sum of all drives at each location, (location, (n_times,)), scaled as the responses are.
 
     In probe scaling that is the acceleration of the probe, m/s².
     """
@@ -138,7 +132,7 @@ def noise_energy(
 ) -> Floats | None:
     """Energy of the noise of the responses in the prediction, (n_outputs, n_axes).
 
-    None where there is none to tell: in silence, and where `place_noise` knows of none.
+    None in silence, and where the noise of a response is not known, see `place_noise`.
     """
     noise = noise_of_places(place_drives, limb_data)
     if noise is None:
@@ -150,14 +144,14 @@ def noise_energy(
 def output_noise_rms(
     noise_energy: Floats | None, projection: Projection, record_samples: int
 ) -> Floats | None:
-    """RMS over the whole record of what is noise in each projected signal, (n_outputs,)."""
+    """RMS of the noise in each projected signal over the whole record, (n_outputs,)."""
     if noise_energy is None:
         return None
     return projected_rms(noise_energy, projection, record_samples)
 
 
 def above_noise_db(record_rms: Floats, output_noise_rms: Floats | None) -> Floats | None:
-    """Level of each output above that of its noise, (n_outputs,), dB; None: nothing is known."""
+    """Level of each output above that of its noise, (n_outputs,), dB; None: it is not known."""
     if output_noise_rms is None:
         return None
     ratio = np.divide(
@@ -168,13 +162,10 @@ def above_noise_db(record_rms: Floats, output_noise_rms: Floats | None) -> Float
     return np.maximum(level, -200.0)
 
 
-NOISE_RULES = (place_drives, noise_energy, output_noise_rms, above_noise_db)
-
-
 def place_noise(limb: Limb, location: int) -> Floats | None:
-    """RMS of the noise in the responses to a place, (n_outputs, n_axes); None: not known.
+    """Return the RMS of the noise in responses to a location, (n_outputs, n_axes), or None.
 
-    Synthetic limbs have none, and some of one's own too few samples before the pulse.
+    Synthetic limbs have no noise, and some imported limbs too few samples before the pulse.
     """
     rate, before_s = limb.sample_rate_hz, limb.pre_trigger_delay_s
     if limb.synthetic or not tells_noise(rate, before_s):
@@ -185,14 +176,14 @@ def place_noise(limb: Limb, location: int) -> Floats | None:
 def noise_of_places(
     place_drives: tuple[tuple[int, Floats], ...], limb: Limb
 ) -> dict[int, Floats] | None:
-    """Noise of the responses to each place that plays; None: nothing does, or one is not known."""
+    """Return the noise by location that plays; None where none plays, or a noise is not known."""
     noise_by_place = {location: place_noise(limb, location) for location, _ in place_drives}
     noise = {location: rms for location, rms in noise_by_place.items() if rms is not None}
     return noise if noise and len(noise) == len(noise_by_place) else None
 
 
 def projected_rms(energy: Floats, projection: Projection, n_times: int) -> Floats:
-    """RMS over ``n_times`` along a projection, of energies along the axes, (..., n_axes)."""
+    """Return the RMS over ``n_times`` along a projection, from energies of axes, (..., n_axes)."""
     chosen = energy[..., list(projection.axis_numbers)]
     if projection.directions is not None:
         chosen = chosen * np.square(projection.directions)
@@ -200,27 +191,22 @@ def projected_rms(energy: Floats, projection: Projection, n_times: int) -> Float
 
 
 def divided_by_pulse(limb: Limb, scaling: Scaling) -> bool:
-    """Whether responses are divided by the measuring pulse, their noise with them."""
+    """Return whether responses, and their noise, are divided by the measuring pulse."""
     return scaling == "probe" and not limb.per_unit_drive
 
 
-def probe_inverse(n_taps: int, sample_rate_hz: float) -> Floats:
-    """What a response is convolved with to be one per probe acceleration, (n_taps,)."""
-    pulse = np.zeros(n_taps)
-    pulse[n_taps // 2] = 1.0
-    return per_probe_acceleration(pulse, sample_rate_hz)
-
-
 def noise_path(limb: Limb, scaling: Scaling, actuation: Actuation | None, location: int) -> Floats:
-    """Impulse response that the noise in the responses to a place goes through, (n,).
+    """Return the impulse response of the path of the noise in responses to a location, (n,).
 
-    In probe scaling that is the inverse pulse, with its middle at half of its length; through an
-    actuator, it is followed by what equaliser and actuator of the place make of a drive.
+    In probe scaling that is the inverse pulse, with its middle at half of its length.  Through an
+    actuator it is followed by the impulse response of equaliser and actuator.
     """
     rate = limb.sample_rate_hz
     path = np.ones(1)
     if divided_by_pulse(limb, scaling):
-        path = probe_inverse(limb.n_taps, rate)
+        pulse = np.zeros(limb.n_taps)
+        pulse[limb.n_taps // 2] = 1.0
+        path = per_probe_acceleration(pulse, rate)
     if actuation is None:
         return path
     transfers = transfers_of(actuation, rate, limb.band_hz)
@@ -233,18 +219,15 @@ def shaped_drives(
     scaling: Scaling,
     actuation: Actuation | None,
 ) -> dict[int, Floats]:
-    """What the noise of the responses is convolved with, by place: see `noise_path`."""
+    """Return the drives that noise is convolved with, by location, after its path `noise_path`."""
     return {
         location: scipy.signal.oaconvolve(played, noise_path(limb, scaling, actuation, location))
         for location, played in place_drives
     }
 
 
-# Rules from the vibration to its levels along each axis by itself, whatever axes are chosen.
-
-
 def single_axes(limb_data: Limb) -> tuple[Projection, ...]:
-    """Each axis that the limb measures along, by itself."""
+    """Projections on each axis of the limb by itself, whatever axes are chosen."""
     along = np.ones((limb_data.n_outputs, 1))
     return tuple(Projection((number,), along) for number in range(limb_data.n_axes))
 
@@ -271,7 +254,7 @@ def axis_levels_db(
     streamed_vibration: StreamedVibration | None,
     stop: Stop,
 ) -> tuple[Floats, ...]:
-    """RMS level along each axis, (n_outputs,) each, in dB re 1 m/s²: as if it alone were chosen."""
+    """RMS level along each axis, (n_outputs,) each, in dB re 1 m/s², as if it were chosen alone."""
     levels_db = []
     for axis, record in zip(single_axes, axis_record_rms, strict=True):
         loudest = level_rules.loudest_rms(
@@ -301,20 +284,8 @@ def axis_above_noise_db(
     )
 
 
-AXIS_RULES = (
-    single_axes,
-    axis_record_rms,
-    axis_levels_db,
-    axis_surface_levels_db,
-    axis_above_noise_db,
-)
-
-
-# Rules from traces of the selected outputs to their figures, spectrograms and main axes.
-
-
 def stimulus_start_s(placed: tuple[Placed, ...], sample_rate_hz: float) -> float:
-    """When the first input that is heard starts, s; 0 where none is."""
+    """Start of the first audible input, s; 0 where there is none."""
     return min((voice.start for voice in placed if voice.moves), default=0) / sample_rate_hz
 
 
@@ -332,7 +303,7 @@ def output_statistics(
     """Figures of the selected outputs; the RMS is that of the map.
 
     Delays count from the start of the first input.  The dominant frequency is that of the motion
-    along the chosen axes: a magnitude is rectified and would show twice of it.
+    along the chosen axes, as a magnitude is rectified and has twice that frequency.
     """
     rms = output_rms[[output - 1 for output in shown_outputs]]
     peak = np.abs(selected_traces).max(axis=-1, initial=0.0)
@@ -358,13 +329,13 @@ def output_statistics(
 def spectrogram_output(
     shown_outputs: tuple[int, ...], spectrogram_settings: SpectrogramSettings
 ) -> int:
-    """Which output the spectrogram is of; 0 where none is selected."""
+    """Output of the spectrogram; 0 where none is selected."""
     chosen = spectrogram_settings.output
     return chosen if chosen in shown_outputs else (shown_outputs or (0,))[-1]
 
 
 def spectrogram_window_s(spectrogram_settings: SpectrogramSettings) -> float:
-    """Length of its window."""
+    """Length of the window of the spectrogram."""
     return spectrogram_settings.window_s
 
 
@@ -376,7 +347,7 @@ def output_spectrogram(
     sample_rate_hz: float,
     stop: Stop,
 ) -> Spectrogram | None:
-    """Spectrogram of one of the selected outputs; None where there is none."""
+    """Spectrogram of one of the selected outputs; None where none is selected."""
     if not spectrogram_output:
         return None
     row = selected_traces[shown_outputs.index(spectrogram_output)]
@@ -390,10 +361,9 @@ def output_band_rms(
     sample_rate_hz: float,
     stop: Stop,
 ) -> tuple[Floats, Floats] | None:
-    """Bands of 2 Hz, and the RMS of all outputs in each, (n_outputs, n_axes, n_bins).
+    """Middles of bands of 2 Hz, Hz, and RMS of outputs in each, (n_outputs, n_axes, n_bins), m/s².
 
-    Middles of the bands in Hz, RMS in m/s², as `band_rms` of the outputs' traces;
-    None of what is too long to be transformed at once.
+    See `band_rms`.  None for a vibration that is too long to be transformed at once.
     """
     if vibration.streamed is not None:
         return None
@@ -403,29 +373,16 @@ def output_band_rms(
 
 
 def output_main_axes(axis_traces: Floats, axis_numbers: tuple[int, ...]) -> MainAxes | None:
-    """Along which direction each selected output moves most; None: not of a single axis."""
+    """Direction in which each selected output moves most; None where a single axis is chosen."""
     return main_axes(axis_traces) if len(axis_numbers) > 1 else None
 
 
-OUTPUT_RULES = (
-    stimulus_start_s,
-    output_statistics,
-    spectrogram_output,
-    spectrogram_window_s,
-    output_spectrogram,
-    output_band_rms,
-    output_main_axes,
-)
-
-
-# Rules from vibrations to levels above the thresholds of detection.
-
-#: Levels of what is not felt at all.
+#: Level of an output without sensation.
 SILENT_DB = -200.0
 _NO_SCALE = "Levels above threshold need accelerations: choose the scaling Probe acceleration"
 _NO_SITES = "Which outputs lie on hairy skin is known of the published limbs only"
 _OWN = "own"
-# Before and after a drive, so that a weighted one has room to ring.
+# Padding before and after a drive, into which a weighted drive rings.
 _ROOM_S = 0.2
 
 
@@ -436,16 +393,16 @@ class Sensation:
     Attributes
     ----------
     by_channel
-        ``"P"`` and ``"NP I"``, or ``"own"`` for thresholds of one's own: (n_outputs,), dB.
+        For ``"P"`` and ``"NP I"``, or for ``"own"`` thresholds: (n_outputs,), dB.
     level_db : (n_outputs,)
-        The highest of them.
+        The highest level of all channels.
     strength : (n_outputs,) or None
         See `skinsource.perception.sensation_magnitude`; None for thresholds of one's own.
     problem
-        Why there are none; "" where there are.
+        Why there are no levels; "" where there are.
     band_hz
-        Frequencies that count: those that the limb was measured at, or, where that is not known,
-        those of the thresholds of one's own.
+        Frequencies that count: those at which the limb was measured, or, where they are not known,
+        those of one's own thresholds.
     """
 
     by_channel: Mapping[str, Floats]
@@ -463,7 +420,7 @@ def sensation(
     scaling: Scaling,
     stop: Stop,
 ) -> Sensation:
-    """Level of each output above the thresholds: energies add up over axes and frequencies."""
+    """Level of each output above thresholds; energies add up over axes and frequencies."""
     table = perception_settings.thresholds
     problem = _problem_text(limb_data, scaling, own=bool(table))
     if problem:
@@ -490,12 +447,12 @@ def sensation(
 
 
 def sensation_db(sensation: Sensation) -> Floats:
-    """Level of each output above threshold, (n_outputs,), dB; none where it is not known."""
+    """Level of each output above threshold, (n_outputs,), dB; empty where it is not known."""
     return sensation.level_db
 
 
 def surface_sensation_db(surface: SurfaceOperator, sensation_db: Floats) -> Floats | None:
-    """The same over the back of hand and arm, (rows, columns)."""
+    """Level above threshold over the back of hand and arm, (rows, columns)."""
     return surface.interpolate(sensation_db) if sensation_db.size else None
 
 
@@ -505,9 +462,9 @@ def contact_weighted_rms(
     scaling: Scaling,
     actuation: Actuation | None,
 ) -> tuple[tuple[int, float], ...] | None:
-    """Acceleration of each probe through Wh of ISO 5349-1, RMS over what it plays, m/s².
+    """Acceleration of each probe, weighted with Wh of ISO 5349-1, RMS while it moves, m/s².
 
-    None where drives are no accelerations.
+    None where drives are not accelerations.
     """
     if not are_probe_accelerations(limb_data, scaling, actuated=actuation is not None):
         return None
@@ -518,13 +475,10 @@ def contact_weighted_rms(
     )
 
 
-PERCEPTION_RULES = (sensation, sensation_db, surface_sensation_db, contact_weighted_rms)
-
-
 def _problem_text(limb: Limb, scaling: Scaling, *, own_thresholds: bool) -> str:
     if scaling != "probe":
         return _NO_SCALE
-    # As many outputs do not make them lie where those of the published limbs do.
+    # Another limb may have as many outputs at other positions.
     return _NO_SITES if limb.name not in PUBLISHED and not own_thresholds else ""
 
 
@@ -534,7 +488,7 @@ def _weights(
     settings: PerceptionSettings,
     band_hz: Band,
 ) -> Floats:
-    """One over the threshold within the band, else 0: what is slower was not measured."""
+    """Return one over the threshold within the band, else 0: nothing was measured there."""
     low, high = band_hz
     inside = (frequency_hz >= low) & (frequency_hz <= high)
     at = np.where(inside, frequency_hz, low)
@@ -554,7 +508,7 @@ def _loudest_weighted(
     weights: Callable[[Floats], Floats],
     stop: Stop,
 ) -> Floats:
-    """Energy of the loudest window of the weighted vibration, all axes together, (n_outputs,)."""
+    """Return the energy of the loudest window of the weighted vibration, (n_outputs,)."""
     every = Projection(tuple(range(limb.n_axes)), None)
     rate, n_window = limb.sample_rate_hz, window_samples(limb.sample_rate_hz)
     if streamed is not None:
@@ -567,7 +521,7 @@ def _loudest_weighted(
 
 
 def _filtered(played: Played, weights: Callable[[Floats], Floats], rate: float) -> Played:
-    """What is played through a weighting, which begins a little earlier and ends later."""
+    """Return the drive after a weighting; it begins a little earlier and ends later."""
     room = round(_ROOM_S * rate)
     samples = np.pad(played.drive.samples, room)
     n_fft = scipy.fft.next_fast_len(samples.size, real=True)
@@ -582,9 +536,6 @@ def _bins_hz(n_fft: int, rate: float) -> Floats:
     return np.arange(n_fft // 2 + 1, dtype=np.float64) * (rate / n_fft)
 
 
-# The rules from all that plays to what a prediction is not good for, and how fast probes are.
-
-
 def validity(
     place_drives: tuple[tuple[int, Floats], ...],
     above_noise_db: Floats | None,
@@ -593,7 +544,7 @@ def validity(
     actuation: Actuation | None,
     unplayable_inputs: tuple[UnplayableInput, ...],
 ) -> Findings:
-    """Conditions of the measurement, and whether they are kept (`perception.validity`)."""
+    """Conditions of the measurement, and whether the prediction meets them."""
     synthetic = limb_data.synthetic
     places = [location for location, _ in place_drives]
     return (
@@ -605,7 +556,7 @@ def validity(
             probe=actuation is None,
             unit_known=not limb_data.per_unit_drive,
             band_hz=limb_data.band_hz,
-            # Where a lab put its outputs is another matter.
+            # The limit holds for the output positions of the published limbs only.
             spatial_limit_hz=SPATIAL_LIMIT_HZ if limb_data.name in PUBLISHED else None,
         ),
         noise_findings(above_noise_db, synthetic=synthetic, silent=not place_drives),
@@ -619,7 +570,7 @@ def fastest_probe_m_per_s(
     scaling: Scaling,
     actuation: Actuation | None,
 ) -> float | None:
-    """Largest velocity of any probe, in m/s; None: not known, or actuators move in their place."""
+    """Largest velocity of any probe, m/s; None: not known, or actuators replace the probes."""
     if not are_probe_accelerations(limb_data, scaling, actuated=actuation is not None):
         return None
     drives = [samples for _, samples in place_drives]
@@ -627,18 +578,12 @@ def fastest_probe_m_per_s(
 
 
 def _left_out(unplayable: tuple[UnplayableInput, ...]) -> Findings:
-    """Say that a prediction is not of all inputs, wherever its numbers are taken."""
+    """Return the finding that a prediction leaves inputs out, if it does."""
     text = unplayable_text(unplayable)
     if not text:
         return ()
     sentence = f"{text} The prediction leaves out what cannot be played."
     return (Finding(name="inputs", state="left", sentence=sentence, in_short=sentence),)
-
-
-VALIDITY_RULES = (validity, fastest_probe_m_per_s)
-
-
-# Rules from responses to transfer functions, and from traces to waves along a line.
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -648,9 +593,9 @@ class LineWave:
     Attributes
     ----------
     outputs
-        Those with a place on the map, in the order in which they were selected.
+        Outputs with a position on the map, in the order in which they were selected.
     wave
-        Its delays and levels along ``axis``.
+        Delays and levels of the wave along ``axis``.
     axis
         ``"z"``, or the last axis of a limb that has no z.
     """
@@ -661,7 +606,7 @@ class LineWave:
 
 
 def transfer_place(voices: tuple[Voice, ...], selected_input: int | None) -> int:
-    """Input place that the transfer function is from: of the input selected last, or the first.
+    """Input location of the transfer function: that of the selected input, or of the first.
 
     0 where there is no input.
     """
@@ -678,9 +623,9 @@ def transfer(
     scaling: Scaling,
     actuation: Actuation | None,
 ) -> Transfer | None:
-    """From one input place to the selected outputs; None where there is neither.
+    """Transfer function from one input location to the selected outputs; None without either.
 
-    In probe scaling per m/s² of the probe; otherwise per sample of 1 of the drive.
+    In probe scaling it is per m/s² of the probe, otherwise per sample of 1 of the drive.
     """
     if not (transfer_place and shown_outputs):
         return None
@@ -692,7 +637,7 @@ def transfer(
     noise = place_noise(limb_data, transfer_place)
     sigma = np.zeros(response.shape[:2]) if noise is None else noise[rows][:, list(axis_numbers)]
     path = noise_path(limb_data, scaling, actuation, transfer_place)
-    # Behind an actuator responses are longer than what was measured, and so noisy.
+    # Behind an actuator responses are longer than the measured, noisy part.
     share = limb_data.n_taps / n_taps
     gain = np.sqrt(share) * np.abs(scipy.fft.rfft(path, n_taps))
     return transfer_function(response, rate, sigma, gain, band_hz=driven_limb.band_hz)
@@ -706,9 +651,9 @@ def line_wave(
     sample_rate_hz: float,
     stop: Stop,
 ) -> LineWave | None:
-    """Wave along the selected outputs, taken as a line; None: fewer than two have a place.
+    """Wave along the line of the selected outputs; None: fewer than two have a position.
 
-    Along z, the one axis that means the same at every sensor.
+    It is that along z, the only axis with the same meaning at every sensor.
     """
     limb_map = limb_data.map
     places = limb_map.output_positions
@@ -717,7 +662,7 @@ def line_wave(
         return None
     rows = [output - 1 for output in outputs]
     mm_per_px = limb_data.hand_length_mm / limb_map.hand_length_px
-    # A limb of one's own may lack z: its last axis then.
+    # An imported limb may lack z: its last axis is taken.
     axis = limb_data.axes.index("z") if "z" in limb_data.axes else limb_data.n_axes - 1
     traces = vibration.traces(outputs, (axis,), stop)[:, 0]
     trusted = None if above_noise_db is None else above_noise_db[rows] >= LEAST_ABOVE_NOISE_DB
@@ -727,11 +672,6 @@ def line_wave(
     )
     return LineWave(outputs=outputs, wave=wave, axis=limb_data.axes[axis])
 
-
-WAVE_RULES = (transfer_place, transfer, line_wave)
-
-
-# Rules from the noise of responses to that in consecutive windows of a prediction.
 
 _LEAST_RATIO = 10.0 ** (LEAST_ABOVE_NOISE_DB / 20.0)
 
@@ -745,9 +685,9 @@ def noise_rms_of_windows(
     projection: Projection,
     windows: Windows,
 ) -> Floats | None:
-    """RMS in each window of what is noise in each projected signal, (n_windows, n_outputs), m/s².
+    """RMS of the noise in each projected signal in each window, (n_windows, n_outputs), m/s².
 
-    None where there is none to tell, as for `noise_energy`.
+    None where the noise is not known, as for `noise_energy`.
     """
     noise = noise_of_places(place_drives, limb_data)
     if noise is None:
@@ -763,7 +703,7 @@ def noise_rms_of_windows(
 def noisy_outputs_of_windows(
     rms_of_windows: Floats, noise_rms_of_windows: Floats | None
 ) -> tuple[tuple[int, ...], ...]:
-    """Outputs that are mostly noise in each window; none where noise is not known."""
+    """Outputs that are mostly noise in each window; none where the noise is not known."""
     if noise_rms_of_windows is None:
         return ((),) * len(rms_of_windows)
     noisy = rms_of_windows < _LEAST_RATIO * noise_rms_of_windows
@@ -775,7 +715,7 @@ def windows_in_noise(
 ) -> tuple[bool, ...]:
     """Whether all outputs on the map together are mostly noise in each window.
 
-    How far such a window reaches is how the noise is spread.
+    The extent of such a window is that of the noise.
     """
     if noise_rms_of_windows is None:
         return (False,) * len(rms_of_windows)
@@ -787,25 +727,42 @@ def windows_in_noise(
     return tuple(bool(below) for below in signal < _LEAST_RATIO * noise)
 
 
-WINDOW_NOISE_RULES = (noise_rms_of_windows, noisy_outputs_of_windows, windows_in_noise)
-
-
-# Rules from traces and responses to what panels of analysis show, and what they depend on.
-
 RULES = (
-    *NOISE_RULES,
-    *WINDOW_NOISE_RULES,
-    *OUTPUT_RULES,
-    *AXIS_RULES,
-    *WAVE_RULES,
-    *VALIDITY_RULES,
-    *PERCEPTION_RULES,
-    *ACTUATOR_RULES,
+    place_drives,
+    noise_energy,
+    output_noise_rms,
+    above_noise_db,
+    noise_rms_of_windows,
+    noisy_outputs_of_windows,
+    windows_in_noise,
+    stimulus_start_s,
+    output_statistics,
+    spectrogram_output,
+    spectrogram_window_s,
+    output_spectrogram,
+    output_band_rms,
+    output_main_axes,
+    single_axes,
+    axis_record_rms,
+    axis_levels_db,
+    axis_surface_levels_db,
+    axis_above_noise_db,
+    transfer_place,
+    transfer,
+    line_wave,
+    validity,
+    fastest_probe_m_per_s,
+    sensation,
+    sensation_db,
+    surface_sensation_db,
+    contact_weighted_rms,
+    actuator_looked_at,
+    actuator_demand,
 )
 
 
 def choices_of(view: View) -> dict[str, Any]:
-    """What of a view only these rules start from, by name."""
+    """Return the settings in a view that only these rules need, by name."""
     return {
         "spectrogram_settings": settings_of(view, "spectrogram", SpectrogramSettings),
         "actuator_settings": settings_of(view, "actuator", ActuatorSettings),

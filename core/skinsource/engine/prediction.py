@@ -405,7 +405,9 @@ def predict(
     response_samples = samples.shape[-1] + limb.n_taps - 1
     played = [
         (drive, location, amplitude)
-        for drive, location, amplitude in zip(map(drive_of, samples), checked_locations, factors, strict=True)
+        for drive, location, amplitude in zip(
+            map(drive_of, samples), checked_locations, factors, strict=True
+        )
         if not drive.silent and amplitude != 0.0
     ]
     n_locations = len({location for _, location, _ in played})

@@ -31,7 +31,7 @@ from skinsource.limbs.surface.operator import SurfaceOperator
 def voices(
     remembered: Remembered, inputs: tuple[Input, ...], sample_rate_hz: float
 ) -> tuple[Voice, ...]:
-    """A voice for each input: location, start, amplitude, and the signal path of its clips."""
+    """What sounds where, from when, how strong, through what chain: one for each input."""
     audible = set(audible_indices(inputs))
     result = []
     for index, track in enumerate(inputs):
@@ -81,7 +81,7 @@ def surface_levels_db(surface: SurfaceOperator, output_levels_db: Floats) -> Flo
 
 
 def response_time_s(response_samples: int, driven_limb: Limb, delay_removed: bool) -> Floats:
-    """Sampling instants of the response, (n_times,), s."""
+    """Sampling instants of the response, (n_times,), in seconds."""
     shift_s = driven_limb.pre_trigger_delay_s if delay_removed else 0.0
     first = driven_limb.lead_samples
     return np.arange(-first, response_samples - first) / driven_limb.sample_rate_hz - shift_s

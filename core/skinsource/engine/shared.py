@@ -41,11 +41,11 @@ class Shared:
         return self.remembered, self.limb_data, self.driven_limb, self.surface
 
     def remembered(self) -> Remembered:
-        """Remembered drives, spectra of responses, and gains."""
+        """What rendering remembers."""
         return self._remembered
 
     def limb_data(self, limb: str, limb_digest: str, limb_mirrored: bool) -> Limb:
-        """The limb; its responses are read when they are used first."""
+        """The limb, with its responses read when touched."""
         # A limb that no graph holds is opened anew: its name may mean other data by then.
         key = limb, limb_digest, limb_mirrored
         loaded = self._limbs.get(key)
@@ -54,7 +54,7 @@ class Shared:
         return loaded
 
     def driven_limb(self, limb_data: Limb, actuation: Actuation | None, scaling: Scaling) -> Limb:
-        """The limb as it answers drives: through the actuators, if there are any."""
+        """The limb as drives meet it: through the actuators, where there are any."""
         if actuation is None:
             return limb_data
         key = ref(limb_data), actuation, scaling

@@ -12,7 +12,7 @@ from functools import partial
 
 import numpy as np
 
-from skinsource.base.arrays import Booleans, Complexes, Floats
+from skinsource.base.arrays import Booleans, Complexes, Floats, Indices
 from skinsource.base.job import Stop, never, stop_if
 from skinsource.engine.drives import active_samples, delayed
 from skinsource.engine.moments import Moments, Projection
@@ -283,15 +283,19 @@ def loudest_energies(
     for first in range(0, total.shape[0], _OUTPUTS_AT_ONCE):
         stop_if(stop)
         outputs = np.arange(first, min(first + _OUTPUTS_AT_ONCE, total.shape[0]))
-        here = projection.at(outputs)
-        spectra = total.rows(outputs, projection.axis_numbers)
-        # A projection is linear, so that it comes before the way back to time; a length is not.
-        if here.directions is None:
-            signals = here.signals(inverse(spectra, total.n_fft))
-        else:
-            signals = inverse(here.spectra(spectra), total.n_fft)
+        signals = projected_signals(total, projection, outputs)
         energies.append(loudest_energy(signals, n_window))
     return np.concatenate(energies)
+
+
+def projected_signals(total: TotalSpectrum, projection: Projection, outputs: Indices) -> Floats:
+    """Return the projected signals of some outputs, counted from 0, (n_outputs, n_fft)."""
+    chosen = projection.at(outputs)
+    spectra = total.rows(outputs, projection.axis_numbers)
+    # A linear projection comes before the transform, which is quicker; a length comes after it.
+    if chosen.directions is None:
+        return chosen.signals(inverse(spectra, total.n_fft))
+    return inverse(chosen.spectra(spectra), total.n_fft)
 
 
 def loudest_energies_streamed(

@@ -1,4 +1,4 @@
-"""Rules from vibrations to traces and spectra of the outputs that are looked at."""
+"""Rules from vibrations to traces and spectra of the selected outputs."""
 
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
@@ -69,7 +69,7 @@ def selected_extremes(
     """Lowest and highest value of the waves of the selected outputs between samples, in m/s²."""
     if selected_projection.directions is not None:
         return extremes_between(selected_traces, stop=stop)
-    # The wave runs along the axes: a magnitude is its length.
+    # Values between samples are those of the axes: a magnitude is their length.
     return extremes_between(axis_traces, stop=stop)
 
 
@@ -90,8 +90,8 @@ def selected_spectra(
 ) -> tuple[Floats, Floats]:
     """Frequencies, (n_bins,), in Hz, and magnitudes, (n_selected, n_bins), in m/s².
 
-    A projection is linear in its axes, so their transforms serve it, whatever its direction; a
-    magnitude is not, and the traces of a long response are at hand: those are transformed.
+    A projection is linear, so that it follows from the transforms of the axes.  A magnitude is not;
+    it and the traces of a long response are transformed themselves.
     """
     if vibration.streamed is not None:
         transforms = exact_transforms(selected_traces, stop)
@@ -118,7 +118,7 @@ def selected_axis_spectra(
 ) -> tuple[Floats, Floats]:
     """Like `selected_spectra` along each axis of the limb, magnitudes (n_selected, n_axes, n_bins).
 
-    Whatever axes are chosen.
+    They do not depend on the chosen axes.
     """
     transforms = vibration.transforms(shown_outputs, tuple(range(limb_data.n_axes)), stop)
     return one_sided_magnitude(transforms, vibration.n_times, sample_rate_hz)

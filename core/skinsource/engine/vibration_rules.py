@@ -1,7 +1,7 @@
-"""Rules from drives and responses to vibrations: of the edited voice, of the others, of all.
+"""Rules from drives and responses to vibrations: by the edited voice, by the others, and by all.
 
-Where a design is long, neither is made; all voices are streamed together.  The gain with which a
-snapshot is shown as loud as another one enters here: the skin has it, and no drive.
+Long designs have one streamed vibration by all voices instead.  The gain that makes a snapshot as
+loud as another one is applied here: to the vibration, and to no drive.
 """
 
 from weakref import ref

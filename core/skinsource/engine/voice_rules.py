@@ -1,7 +1,7 @@
 """Rules from voices to drives and lengths.
 
-The edited voice is the one that the user works on.  It stands apart from the sum of the others, so
-that a change of it leaves them alone.  No number depends on which one it is.
+The edited voice is the one that the user works on.  The others are summed without it, so that their
+sum stays when it changes.  No number depends on which voice is edited.
 """
 
 import numpy as np
@@ -74,7 +74,7 @@ def input_waveforms(unit_drives: tuple[Drive | None, ...]) -> tuple[Floats | Non
 
 
 def _unscaled(drive: Drive) -> Floats:
-    # Long ones are not held twice: most have a peak of exactly 1.
+    # Most long drives have a peak of exactly 1, and are not copied.
     return drive.samples if drive.factor in (0.0, 1.0) else drive.samples * drive.factor
 
 
