@@ -422,7 +422,7 @@ def sensation(
 ) -> Sensation:
     """Level of each output above thresholds; energies add up over axes and frequencies."""
     table = perception_settings.thresholds
-    problem = _problem_text(limb_data, scaling, own=bool(table))
+    problem = _problem_text(limb_data, scaling, own_thresholds=bool(table))
     if problem:
         return Sensation(by_channel={}, level_db=np.zeros(0), problem=problem)
     rate = limb_data.sample_rate_hz

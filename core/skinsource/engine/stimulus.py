@@ -376,25 +376,6 @@ def stimulus_of(
     """
     tracks = _playing_tracks(design, inputs, clips)
     one_of("per", per, _PER)
-    stimulus = _sampled_stimulus(
-        design, limb, tracks, per, sample_rate_hz, lead_in_s, (progress, stop)
-    )
-    for stage in stages:
-        stop_if(stop)
-        stimulus = stage(stimulus)
-    return stimulus
-
-
-def _sampled_stimulus(
-    design: Design,
-    limb: Limb | None,
-    tracks: tuple[Input, ...],
-    per: str,
-    sample_rate_hz: int | None,
-    lead_in_s: float,
-    job: tuple[Progress, Stop],
-) -> Stimulus:
-    """Return the samples of ``tracks`` as a stimulus."""
     if sample_rate_hz is not None:
         sample_rate_hz = integer("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
     limb = load_limb(design.limb) if limb is None else limb
@@ -404,9 +385,9 @@ def _sampled_stimulus(
     rate_hz = own_rate_hz if sample_rate_hz is None else float(sample_rate_hz)
     channels = _channels(tracks, per, design.limb)
     lead = lead_in_samples(lead_in_s, rate_hz)
-    return Stimulus(
+    stimulus = Stimulus(
         channels=channels,
-        samples=_samples_of(tracks, channels, own_rate_hz, rate_hz, lead, *job),
+        samples=_samples_of(tracks, channels, own_rate_hz, rate_hz, lead, progress, stop),
         sample_rate_hz=rate_hz,
         start_s=-lead / rate_hz if lead else 0.0,
         limb=design.limb,
@@ -415,6 +396,10 @@ def _sampled_stimulus(
         limb_band_hz=limb.band_hz,
         unit=drive_unit(design, limb),
     )
+    for stage in stages:
+        stop_if(stop)
+        stimulus = stage(stimulus)
+    return stimulus
 
 
 def _playing_tracks(
