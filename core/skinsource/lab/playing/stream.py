@@ -1,6 +1,6 @@
-"""What is never played: samples beyond full scale, and more gain than a rig allows.
+"""Playing a queue on a device, block by block, within full scale and the limits of a rig.
 
-Nothing is made smaller, which would change the stimulus: playing ends, and says why.
+Samples are never made smaller, which would change the stimulus: instead playing ends with a reason.
 """
 
 from collections.abc import Callable
@@ -28,9 +28,9 @@ from skinsource.lab.playing.mix import (
 
 
 def exceeds_the_rig(queue: PlayQueue) -> bool:
-    """Whether the gain is more than the rig allows; nothing of it is played then."""
+    """Return whether the gain is more than the rig allows; sets the ending if so."""
     mix = queue.mix
-    if mix is None or max(queue.gain.wanted, queue.gain.now) <= mix.most_gain:
+    if mix is None or max(queue.gain.target, queue.gain.now) <= mix.most_gain:
         return False
     most_gain = mix.most_gain
     queue.ending = Ending(
@@ -40,10 +40,10 @@ def exceeds_the_rig(queue: PlayQueue) -> bool:
 
 
 def playable_samples(queue: PlayQueue, block: Floats) -> int:
-    """Samples before the first that may not be played; sets the ending where there is one."""
+    """Return the samples before the first that must not be played; sets the ending if any."""
     magnitude = queue.other[:, : block.shape[1]]
     np.abs(block, out=magnitude)
-    # NaN is the maximum of whatever holds it, and not less than anything.
+    # The maximum of samples with NaN is NaN, which fails the comparison.
     if not magnitude.size or magnitude.max() <= 1.0:
         return block.shape[1]
     first = int(np.argmax(~(magnitude <= 1.0).all(axis=0)))
@@ -62,22 +62,19 @@ def playable_samples(queue: PlayQueue, block: Floats) -> int:
     return first
 
 
-# The next block of samples: all that happens between a mix and the device.
-
-
 def next_block(queue: PlayQueue, out: Frames) -> None:
-    """Fill ``out`` with what is played next, and move the deck on.
+    """Fill ``out`` with the samples that are played next, and advance the queue.
 
-    Nothing in here waits, and nothing grows: it runs in the thread of the device.  A sample never
-    passes full scale: the first that would is not played, and all outputs fall to silence from
-    where they are.  Silent once ``deck.ending`` says why.
+    It runs in the thread of the device: nothing in here waits or allocates much.  No sample passes
+    full scale: before the first that would, all outputs fall to silence, and ``queue.ending`` tells
+    why.
 
     Parameters
     ----------
-    deck
+    queue
         What to play.
     out : (n_frames, n_outputs)
-        What the device gets, of any length.
+        Samples for the device, any number of frames.
     """
     n = out.shape[0]
     for start in range(0, n, MOST_SAMPLES):
@@ -85,7 +82,7 @@ def next_block(queue: PlayQueue, out: Frames) -> None:
         block = queue.work[:, : end - start]
         _fill(queue, block, first=start == 0)
         out[start:end] = block.T
-        queue.meters.hear(block, queue.scratch)
+        queue.meters.add(block, queue.scratch)
     queue.played_samples += n
 
 
@@ -120,7 +117,7 @@ def _fill(queue: PlayQueue, block: Floats, *, first: bool) -> None:
 
 
 def _begin_mix_change(queue: PlayQueue) -> None:
-    """Begin to go over to the mix that is wanted, unless one is still on its way."""
+    """Begin to fade to the requested mix, unless another fade is not over yet."""
     swap = queue.swap
     if swap is None or queue.faded < queue.fade.size:
         return
@@ -129,12 +126,12 @@ def _begin_mix_change(queue: PlayQueue) -> None:
     queue.mix, queue.faded = swap.mix, 0
     if swap.mix is not None:
         queue.position = _position_in(swap.mix, swap, queue)
-        queue.taken_s = perf_counter()
-        queue.waited_s = queue.taken_s - swap.handed_s
+        queue.changed_s = perf_counter()
+        queue.waited_s = queue.changed_s - swap.requested_s
 
 
 def _position_in(mix: Mix, swap: MixChange, queue: PlayQueue) -> int:
-    """Where a mix goes on."""
+    """Return the position at which a mix begins."""
     if swap.at is None and queue.old is not None:
         inside = mix.loop is None or queue.old_position < mix.loop[1]
         if inside:
@@ -143,12 +140,12 @@ def _position_in(mix: Mix, swap: MixChange, queue: PlayQueue) -> int:
     position = first if swap.at is None else swap.at
     if mix.loop is not None and position >= mix.loop[1]:
         position = first
-    # What stands before it is faded in, so that the first sample that counts is whole.
+    # Samples before it are faded in, so that the first sample is played in full.
     return position - queue.fade.size
 
 
 def _render(queue: PlayQueue, block: Floats) -> None:
-    """Samples before the gain."""
+    """Fill ``block`` with samples before the gain."""
     if queue.mix is None:
         block[:] = 0.0
     else:
@@ -173,7 +170,7 @@ def _render(queue: PlayQueue, block: Floats) -> None:
 
 
 def _fall(queue: PlayQueue, block: Floats) -> None:
-    """Go on from the last samples to silence."""
+    """Fill ``block`` with the fall from the last samples to silence."""
     block[:] = 0.0
     if queue.fallen is None or queue.fallen >= queue.fall.size:
         return
@@ -193,39 +190,37 @@ def _end_after_last_sample(queue: PlayQueue) -> None:
         queue.ending = Ending(reason="end")
 
 
-# A deck that is heard on a device.
-
-#: What a device asks for at once.
+#: Duration of a block that a device requests.
 BLOCK_S = 0.005
 _GONE_AFTER_S = 2.0
 _LONGEST_WAIT_S = 1.0
 
 
 class Stream:
-    """Plays a deck from when it is opened until the deck ends, or is closed.
+    """Plays a queue on a device until the queue ends or the stream is closed.
 
     Parameters
     ----------
-    deck
+    queue
         What to play.
     device
-        Where; it is asked for as many outputs as the deck has.
+        Device that is opened, with as many outputs as the queue has.
     latency_s
-        Delay that is asked for.
+        Requested delay.
     finished
-        Called from another thread when nothing is played any more, for whatever reason.
+        Called from another thread when playing has ended, for any reason.
 
     Attributes
     ----------
     underruns
         How often the device ran out of samples.
     closed
-        Whether it was closed: nobody need be told that it has finished.
+        Whether it was closed, so that ``finished`` need not be handled.
 
     Raises
     ------
     PlaybackError
-        sounddevice is missing, or the device does not take what it is asked for.
+        sounddevice is missing, or the device refuses rate, outputs or delay.
     """
 
     def __init__(
@@ -238,7 +233,7 @@ class Stream:
         self._heard, self._clock = HeardPosition(queue.sample_rate_hz), DeviceClock()
         self._called_s = perf_counter()
         self._inside_s = 0.0
-        self._taken_s = 0.0
+        self._changed_s = 0.0
         try:
             self._stream = self._library.OutputStream(
                 samplerate=queue.sample_rate_hz,
@@ -247,7 +242,7 @@ class Stream:
                 channels=queue.n_outputs,
                 dtype="float32",
                 latency=latency_s,
-                # What arrives is what was sent: nothing is added, and full scale is kept before.
+                # Samples arrive unchanged; full scale is checked before.
                 dither_off=True,
                 clip_off=True,
                 callback=self._fill,
@@ -258,12 +253,12 @@ class Stream:
             raise PlaybackError(text) from error
 
     def start(self) -> None:
-        """Begin.
+        """Start playing.
 
         Raises
         ------
         PlaybackError
-            The device does not begin.
+            The device does not start.
         """
         self._called_s = perf_counter()
         try:
@@ -276,26 +271,26 @@ class Stream:
             raise PlaybackError(text) from error
 
     def close(self) -> None:
-        """Fall silent, and let go of the device."""
+        """Fall silent, and close the device."""
         self.closed = True
         if self._stream.active:
-            # To close it at once would be a click.
+            # Closing the stream at once would make a click.
             self.deck.stop_at_once()
             self._silent.wait(_LONGEST_WAIT_S)
-        # A device that is gone cannot be closed in order, and need not be.
+        # Closing a device that was unplugged fails, and that does not matter.
         self._stream.close(ignore_errors=True)
 
     @property
     def gone(self) -> bool:
-        """Whether the device has not asked for anything for two seconds."""
+        """Whether the device has not requested a block for two seconds."""
         return perf_counter() - self._called_s > _GONE_AFTER_S
 
     def position_s(self) -> float | None:
-        """Time in the design of what is heard now; None: nothing is yet, or any more."""
+        """Return the time in the design that is heard now; None where nothing is."""
         return None if self.closed else self._heard.at(self._clock.at(perf_counter()))
 
     def delay(self, render_s: float) -> Delay:
-        """From the last edit to the outputs; ``render_s`` is what came before the deck."""
+        """Return the delay from the last edit to the outputs, after rendering for ``render_s``."""
         return Delay(render_s=render_s, wait_s=self.deck.waited_s, device_s=self._inside_s)
 
     def _finish(self) -> None:
@@ -314,7 +309,7 @@ class Stream:
         next_block(queue, out)
         heard_s = times.currentTime + inside_s
         self._heard.note(heard_s, queue.began_at, queue.began_in)
-        if queue.taken_s != self._taken_s:
-            self._taken_s, self._inside_s = queue.taken_s, inside_s
+        if queue.changed_s != self._changed_s:
+            self._changed_s, self._inside_s = queue.changed_s, inside_s
         if queue.silent:
             raise self._library.CallbackStop
