@@ -155,11 +155,10 @@ class ActuatorSettings:
     def with_measured(self, response: MeasuredResponse, title: str) -> "ActuatorSettings":
         """Return settings with a measured response; very many points are thinned out."""
         step = -(-len(response.points) // _MOST_POINTS)
-        points = response.points[::step]
         return replace(
             self,
             actuator=MEASURED,
-            measured=points,
+            measured=response.points[::step],
             measured_from=title,
             parameters=(),
             zoom=None,

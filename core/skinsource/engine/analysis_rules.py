@@ -110,14 +110,10 @@ def place_drives(
 
     In probe scaling that is the acceleration of the probe, m/s².
     """
-    moving = [voice for voice in placed if voice.moves]
-    to_places = responses.to(voice.voice.location for voice in moving)
-    gains = responses.gains(
-        [voice.sounding(to) for voice, to in zip(moving, to_places, strict=True)], stop
-    )
-    length = max((voice.end for voice in moving), default=0)
+    moving = responses.moving(placed, stop)
+    length = max((voice.end for voice, _, _ in moving), default=0)
     played: dict[int, Floats] = {}
-    for voice, gain in zip(moving, gains, strict=True):
+    for voice, _, gain in moving:
         total = played.setdefault(voice.voice.location, np.zeros(length))
         total[voice.start : voice.end] += voice.voice.amplitude * gain * voice.drive.samples
     return tuple(played.items())

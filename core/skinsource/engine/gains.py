@@ -600,6 +600,15 @@ class Responses:
         rate = self.limb.sample_rate_hz
         return self.remembered.drives.spectrum(unit, drive, rate, self.n_fft)
 
+    def moving(
+        self, placed: Sequence[Placed], stop: Stop
+    ) -> list[tuple[Placed, ResponseSpectrum, float]]:
+        """Return voices that move the skin, with the responses to their locations and gains."""
+        voices = [voice for voice in placed if voice.moves]
+        responses = self.to(voice.voice.location for voice in voices)
+        sounding = [voice.sounding(to) for voice, to in zip(voices, responses, strict=True)]
+        return list(zip(voices, responses, self.gains(sounding, stop), strict=True))
+
     def gains(self, voices: Sequence[Sounding], stop: Stop = never) -> list[float]:
         """Return the gains of unit voices that are not silent."""
         if self.scaling != "upstream":

@@ -317,7 +317,6 @@ Stage = Callable[[Stimulus], Stimulus]
 
 #: Samples of all channels together: one gigabyte.
 MOST_SAMPLES = 2**27
-_PER = ("place", "input")
 
 
 def stimulus_of(
@@ -375,7 +374,7 @@ def stimulus_of(
     ('Digit II, pad', (1, 9600))
     """
     tracks = _playing_tracks(design, inputs, clips)
-    one_of("per", per, _PER)
+    one_of("per", per, ("place", "input"))
     if sample_rate_hz is not None:
         sample_rate_hz = integer("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
     limb = load_limb(design.limb) if limb is None else limb

@@ -92,10 +92,8 @@ class StreamedVibration:
 
     def everything(self) -> Floats:
         """Return all outputs and axes, (n_outputs, n_axes, n_times), over the whole response."""
-        result = np.zeros((*self._channels_shape, self.n_times))
-        for first, block in self.blocks():
-            result[..., first : first + block.shape[-1]] = block
-        return result
+        n_outputs, n_axes = self._channels_shape
+        return self.traces(tuple(range(1, n_outputs + 1)), tuple(range(n_axes)))
 
     def blocks(self, stop: Stop = never) -> Iterator[tuple[int, Floats]]:
         """Yield first sample and samples, (n_outputs, n_axes, n), of each block with vibration."""
@@ -275,14 +273,19 @@ class Vibration:
 _OUTPUTS_AT_ONCE = 18
 
 
+def output_groups(n_outputs: int) -> Iterator[Indices]:
+    """Yield numbers of outputs, counted from 0, that are transformed back to time at once."""
+    for first in range(0, n_outputs, _OUTPUTS_AT_ONCE):
+        yield np.arange(first, min(first + _OUTPUTS_AT_ONCE, n_outputs))
+
+
 def loudest_energies(
     total: TotalSpectrum, projection: Projection, n_window: int, stop: Stop
 ) -> Floats:
     """Return the energy of the loudest window of each projected signal, (n_outputs,)."""
     energies = []
-    for first in range(0, total.shape[0], _OUTPUTS_AT_ONCE):
+    for outputs in output_groups(total.shape[0]):
         stop_if(stop)
-        outputs = np.arange(first, min(first + _OUTPUTS_AT_ONCE, total.shape[0]))
         signals = projected_signals(total, projection, outputs)
         energies.append(loudest_energy(signals, n_window))
     return np.concatenate(energies)

@@ -4,7 +4,6 @@ Signals are transformed back once, for the part of the response that is kept; fr
 nothing.  Of a long response, two blocks and a margin are kept.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from math import floor
 
@@ -17,7 +16,7 @@ from skinsource.base.published import axes_text, axis_numbers
 from skinsource.base.quoting import quoted
 from skinsource.engine.moments import Projection
 from skinsource.engine.spectra import TotalSpectrum
-from skinsource.engine.streaming import StreamedVibration
+from skinsource.engine.streaming import StreamedVibration, output_groups
 from skinsource.engine.transforms import inverse
 from skinsource.limbs.limb import Limb
 from skinsource.signals.projection import magnitude
@@ -143,10 +142,6 @@ def window_of(block: int, n_times: int, sample_rate_hz: float) -> Window:
     return first, max(min(end, n_times), first)
 
 
-# Outputs that are transformed back at once.
-_OUTPUTS_AT_ONCE = 18
-
-
 def moving_window(
     moving_block: int, response_samples: int, n_fft: int | None, sample_rate_hz: float
 ) -> Window:
@@ -193,7 +188,7 @@ def moving_energy(
     n_outputs, _, n_times = moving_vector.signals.shape
     axes = np.array(projection.axis_numbers)
     sums = np.zeros((n_outputs, n_times + 1))
-    for rows in _some_outputs(limb_data):
+    for rows in output_groups(limb_data.n_outputs):
         stop_if(stop)
         signals = projection.at(rows).signals(moving_vector.signals[np.ix_(rows, axes)])
         sums[rows, 1:] = np.cumsum(np.square(signals), axis=1)
@@ -269,7 +264,7 @@ def _signals(
     first, end = window
     acceleration = np.zeros((limb.n_outputs, len(axes), end - first))
     if total is not None:
-        for rows in _some_outputs(limb):
+        for rows in output_groups(limb.n_outputs):
             stop_if(stop)
             signals = inverse(total.rows(rows, axes), total.n_fft)
             acceleration[rows] = signals[..., first:end]
@@ -284,11 +279,6 @@ def _signals(
     # One thread reads frames while another computes the next window.
     acceleration.flags.writeable = False
     return acceleration
-
-
-def _some_outputs(limb: Limb) -> Iterator[np.ndarray]:
-    for first in range(0, limb.n_outputs, _OUTPUTS_AT_ONCE):
-        yield np.arange(first, min(first + _OUTPUTS_AT_ONCE, limb.n_outputs))
 
 
 def _largest(

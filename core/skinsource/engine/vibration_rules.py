@@ -35,19 +35,16 @@ def others_spectrum(
     responses: Responses, others_placed: tuple[Placed, ...], match_gain: float, stop: Stop
 ) -> Complexes | None:
     """Vibration by the other voices, (n_outputs, 3, n_bins); None: none of them moves anything."""
-    moving = [other for other in others_placed if other.moves]
     n_fft = responses.n_fft
+    moving = [] if n_fft is None else responses.moving(others_placed, stop)
     if n_fft is None or not moving:
         return None
-    to_places = responses.to(other.voice.location for other in moving)
-    sounding = [other.sounding(to) for other, to in zip(moving, to_places, strict=True)]
-    gains = responses.gains(sounding, stop)
     spectra = [
         delayed(responses.drive_spectrum(other.voice.unit, other.drive), other.start, n_fft)
         * (other.voice.amplitude * match_gain * gain)
-        for other, gain in zip(moving, gains, strict=True)
+        for other, _, gain in moving
     ]
-    return sum_of_vibrations([to.values for to in to_places], spectra)
+    return sum_of_vibrations([response.values for _, response, _ in moving], spectra)
 
 
 def edited_response(
@@ -167,14 +164,6 @@ def streamed_vibration(
     """Vibration by all voices where the response is too long to be transformed at once."""
     if responses.n_fft is not None:
         return None
-    moving = [voice for voice in placed if voice.moves]
-    stack = responses.stack(voice.voice.location for voice in moving)
-    sounding = [
-        voice.sounding(stack.responses[voice.voice.location])
-        for voice in moving
-        if stack is not None
-    ]
-    gains = responses.gains(sounding, stop)
     played = [
         Played(
             drive=voice.drive,
@@ -182,8 +171,9 @@ def streamed_vibration(
             weight=voice.voice.amplitude * match_gain * gain,
             location=voice.voice.location,
         )
-        for voice, gain in zip(moving, gains, strict=True)
+        for voice, _, gain in responses.moving(placed, stop)
     ]
+    stack = responses.stack(drive.location for drive in played)
     shape = responses.limb.n_outputs, responses.limb.n_axes, response_samples
     return StreamedVibration(played, stack, shape, responses.blocks)
 

@@ -90,8 +90,9 @@ def edited_checked(
     if edited_unit is None:
         return None
     stop_if(stop)
-    leave_out = leave_out_unplayable
-    return checked_voice(remembered, edited_unit, limb_data, actuation, leave_out=leave_out)
+    return checked_voice(
+        remembered, edited_unit, limb_data, actuation, leave_out=leave_out_unplayable
+    )
 
 
 def others_checked(
@@ -103,11 +104,13 @@ def others_checked(
     stop: Stop,
 ) -> tuple[CheckedVoice, ...]:
     """What the other voices play, or why they cannot be played."""
-    checked, leave_out = [], leave_out_unplayable
+    checked = []
     for voice in other_voices:
         stop_if(stop)
         checked.append(
-            checked_voice(remembered, voice.unit, limb_data, actuation, leave_out=leave_out)
+            checked_voice(
+                remembered, voice.unit, limb_data, actuation, leave_out=leave_out_unplayable
+            )
         )
     return tuple(checked)
 

@@ -8,7 +8,7 @@ from skinsource.base.job import Stop, stop_if
 from skinsource.design.signal_path import Voice
 from skinsource.engine.moments import Projection
 from skinsource.engine.spectra import TotalSpectrum
-from skinsource.engine.streaming import StreamedVibration, projected_signals
+from skinsource.engine.streaming import StreamedVibration, output_groups, projected_signals
 from skinsource.limbs.extent import Extent, extent
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.surface.operator import SurfaceOperator
@@ -40,8 +40,6 @@ class WindowEnergy:
         return np.sqrt(self._energy / self._windows.window_samples)
 
 
-# Outputs that are transformed back at once.
-_OUTPUTS_AT_ONCE = 18
 # Transforms leave at most this share of the loudest window where there is silence.
 _ROUNDING = 1e-12
 
@@ -77,15 +75,13 @@ def rms_of_windows(
 ) -> Floats:
     """RMS of the projected signal of each output in each window, (n_windows, n_outputs), m/s²."""
     energy = WindowEnergy(limb_data.n_outputs, windows)
-    every = np.arange(limb_data.n_outputs)
     if streamed_vibration is not None:
         numbers = range(1, limb_data.n_outputs + 1)
         for first, block in streamed_vibration.blocks_of(numbers, projection.axis_numbers, stop):
-            energy.add(every, first, projection.signals(block))
+            energy.add(np.arange(limb_data.n_outputs), first, projection.signals(block))
     elif total_spectrum is not None:
-        for start in range(0, limb_data.n_outputs, _OUTPUTS_AT_ONCE):
+        for outputs in output_groups(limb_data.n_outputs):
             stop_if(stop)
-            outputs = every[start : start + _OUTPUTS_AT_ONCE]
             signals = projected_signals(total_spectrum, projection, outputs)
             energy.add(outputs, 0, signals[:, :response_samples])
     rms = energy.rms()

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import astuple, dataclass, fields
 from hashlib import sha256
 from itertools import product
+from math import inf
 from pathlib import Path
 from typing import Literal, get_args
 
@@ -227,7 +228,6 @@ class Match:
 
 _MOST_BYTES = 64 * 2**20
 _COLUMNS = tuple(field.name for field in fields(Match))
-_MOST = 2**63 - 1
 
 
 def read_matches(path: Path) -> tuple[Match, ...]:
@@ -312,38 +312,34 @@ def check_reference(
 def _match(row: list[str]) -> Match:
     if len(row) != len(_COLUMNS):
         raise InvalidInputError(f"it has {counted(len(row), 'value')}, expected {len(_COLUMNS)}")
-    cell = dict(zip(_COLUMNS, row, strict=True))
+    cells = dict(zip(_COLUMNS, row, strict=True))
+
+    def number(name: str, least: float = -inf, most: float = inf) -> float:
+        try:
+            value = float(cells[name])
+        except ValueError:
+            raise InvalidInputError(f"{name} is {quoted(cells[name])}, expected a number") from None
+        return real_number(name, value, least=least, most=most)
+
+    def whole(name: str, least: int, most: int) -> int:
+        text = cells[name]
+        if not (text.isdecimal() and len(text) < 20):
+            raise InvalidInputError(f"{name} is {quoted(text)}, expected a whole number")
+        return integer(name, int(text), least, most)
+
     return Match(
-        person=check_person(cell["person"]),
-        frequency_hz=real_number("frequency_hz", _number(cell, "frequency_hz"), least=1e-3),
-        place=integer("place", _whole(cell, "place"), 1, MOST_PLACES),
-        direction=one_of("direction", cell["direction"], DIRECTIONS),
-        start_db=real_number("start_db", _number(cell, "start_db")),
-        matched_db=real_number(
-            "matched_db", _number(cell, "matched_db"), least=LOWEST_DB, most=HIGHEST_DB
-        ),
-        reference_hz=real_number("reference_hz", _number(cell, "reference_hz"), least=1e-3),
-        reference_place=integer("reference_place", _whole(cell, "reference_place"), 1, MOST_PLACES),
-        amplitude=real_number(
-            "amplitude", _number(cell, "amplitude"), least=1e-6, most=MOST_AMPLITUDE
-        ),
-        trial=integer("trial", _whole(cell, "trial"), 1, _MOST),
-        seed=integer("seed", _whole(cell, "seed"), 0, _MOST),
+        person=check_person(cells["person"]),
+        frequency_hz=number("frequency_hz", least=1e-3),
+        place=whole("place", 1, MOST_PLACES),
+        direction=one_of("direction", cells["direction"], DIRECTIONS),
+        start_db=number("start_db"),
+        matched_db=number("matched_db", least=LOWEST_DB, most=HIGHEST_DB),
+        reference_hz=number("reference_hz", least=1e-3),
+        reference_place=whole("reference_place", 1, MOST_PLACES),
+        amplitude=number("amplitude", least=1e-6, most=MOST_AMPLITUDE),
+        trial=whole("trial", 1, _MOST_SEED),
+        seed=whole("seed", 0, _MOST_SEED),
     )
-
-
-def _number(cell: dict[str, str], name: str) -> float:
-    try:
-        return float(cell[name])
-    except ValueError:
-        raise InvalidInputError(f"{name} is {quoted(cell[name])}, expected a number") from None
-
-
-def _whole(cell: dict[str, str], name: str) -> int:
-    text = cell[name]
-    if not (text.isdecimal() and len(text) < 20):
-        raise InvalidInputError(f"{name} is {quoted(text)}, expected a whole number")
-    return int(text)
 
 
 def _text(matches: Iterable[Match]) -> str:

@@ -247,17 +247,13 @@ class Ending:
     def sentence(self) -> str:
         """Message with advice for the user; "" where the end was expected."""
         where = f"output {self.output}{f' ({self.name})' if self.name else ''}"
-        if self.reason == "limit":
-            # Rounded down, so that the advised gain is low enough.
-            most_db = floor(10.0 * self.highest_db) / 10.0
-            return (
-                f"Stopped: {where} would have passed full scale. Turn the gain down to "
-                f"{most_db:.1f} dB or less, or lower the amplitude."
-            ).replace("-", "\u2212")
-        if self.reason == "rig":
-            what = f"Stopped: a limit of the rig would have been passed ({self.name})."
+        if self.reason in ("limit", "rig"):
+            what = f"Stopped: {where} would have passed full scale."
+            if self.reason == "rig":
+                what = f"Stopped: a limit of the rig would have been passed ({self.name})."
             if self.highest_db == -inf:
                 return f"{what} Shorten what is played, or change the rig."
+            # Rounded down, so that the advised gain is low enough.
             most_db = floor(10.0 * self.highest_db) / 10.0
             return (
                 f"{what} Turn the gain down to {most_db:.1f} dB or less, or lower the amplitude."

@@ -249,8 +249,7 @@ class Stream:
                 finished_callback=self._finish,
             )
         except self._library.PortAudioError as error:
-            text = playing_error_text(error, device, queue.sample_rate_hz, queue.n_outputs)
-            raise PlaybackError(text) from error
+            raise self._refusal(error) from error
 
     def start(self) -> None:
         """Start playing.
@@ -265,10 +264,7 @@ class Stream:
             self._stream.start()
         except self._library.PortAudioError as error:
             self.close()
-            text = playing_error_text(
-                error, self.device, self.deck.sample_rate_hz, self.deck.n_outputs
-            )
-            raise PlaybackError(text) from error
+            raise self._refusal(error) from error
 
     def close(self) -> None:
         """Fall silent, and close the device."""
@@ -292,6 +288,10 @@ class Stream:
     def delay(self, render_s: float) -> Delay:
         """Return the delay from the last edit to the outputs, after rendering for ``render_s``."""
         return Delay(render_s=render_s, wait_s=self.deck.waited_s, device_s=self._inside_s)
+
+    def _refusal(self, error: Any) -> PlaybackError:
+        rate_hz, n_outputs = self.deck.sample_rate_hz, self.deck.n_outputs
+        return PlaybackError(playing_error_text(error, self.device, rate_hz, n_outputs))
 
     def _finish(self) -> None:
         self._silent.set()
