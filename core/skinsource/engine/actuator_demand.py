@@ -237,20 +237,20 @@ class Demand:
 
 def demand_location(placed: Sequence[Placed], selected_input: int | None) -> int | None:
     """Return the location of the selected input, else of the first that plays."""
-    for voice in placed:
-        if voice.voice.id == selected_input:
-            return voice.voice.location
+    for player in placed:
+        if player.voice.id == selected_input:
+            return player.voice.location
     return placed[0].voice.location if placed else None
 
 
 def drive_at(placed: Sequence[Placed], location: int) -> Floats:
     """Return the sum of all drives at a location, (n_times,), from time 0 on."""
-    here = [voice for voice in placed if voice.voice.location == location]
-    total = np.zeros(max((voice.end for voice in here), default=0))
-    for voice in here:
-        factor = voice.voice.amplitude * voice.drive.factor
+    here = [player for player in placed if player.voice.location == location]
+    total = np.zeros(max((player.end for player in here), default=0))
+    for player in here:
+        factor = player.voice.amplitude * player.drive.factor
         if factor:
-            total[voice.start : voice.end] += factor * voice.drive.samples
+            total[player.start : player.end] += factor * player.drive.samples
     return total
 
 

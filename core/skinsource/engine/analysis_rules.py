@@ -111,11 +111,11 @@ def place_drives(
     In probe scaling that is the acceleration of the probe, m/s².
     """
     moving = responses.moving(placed, stop)
-    length = max((voice.end for voice, _, _ in moving), default=0)
+    length = max((player.end for player, _, _ in moving), default=0)
     played: dict[int, Floats] = {}
-    for voice, _, gain in moving:
-        total = played.setdefault(voice.voice.location, np.zeros(length))
-        total[voice.start : voice.end] += voice.voice.amplitude * gain * voice.drive.samples
+    for player, _, gain in moving:
+        total = played.setdefault(player.voice.location, np.zeros(length))
+        total[player.start : player.end] += player.voice.amplitude * gain * player.drive.samples
     return tuple(played.items())
 
 
@@ -282,7 +282,7 @@ def axis_above_noise_db(
 
 def stimulus_start_s(placed: tuple[Placed, ...], sample_rate_hz: float) -> float:
     """Start of the first audible input, s; 0 where there is none."""
-    return min((voice.start for voice in placed if voice.moves), default=0) / sample_rate_hz
+    return min((player.start for player in placed if player.moves), default=0) / sample_rate_hz
 
 
 def output_statistics(

@@ -604,9 +604,9 @@ class Responses:
         self, placed: Sequence[Placed], stop: Stop
     ) -> list[tuple[Placed, ResponseSpectrum, float]]:
         """Return voices that move the skin, with the responses to their locations and gains."""
-        voices = [voice for voice in placed if voice.moves]
-        responses = self.to(voice.voice.location for voice in voices)
-        sounding = [voice.sounding(to) for voice, to in zip(voices, responses, strict=True)]
+        voices = [player for player in placed if player.moves]
+        responses = self.to(player.voice.location for player in voices)
+        sounding = [player.sounding(to) for player, to in zip(voices, responses, strict=True)]
         return list(zip(voices, responses, self.gains(sounding, stop), strict=True))
 
     def gains(self, voices: Sequence[Sounding], stop: Stop = never) -> list[float]:

@@ -146,25 +146,25 @@ def trace_error(
     stop: Stop,
 ) -> TraceError | None:
     """Error of the selected traces; None where there is nothing to check."""
-    moving = [voice for voice in placed if voice.moves]
-    to_places = responses.to(voice.voice.location for voice in moving)
-    drives = [voice.drive for voice in moving]
+    moving = [player for player in placed if player.moves]
+    to_places = responses.to(player.voice.location for player in moving)
+    drives = [player.drive for player in moving]
     factors = [drive.factor for drive in drives]
     if responses.scaling == "upstream" and moving:
         spectra = [
-            responses.drive_spectrum(voice.voice.unit, voice.drive)
-            for voice in moving
+            responses.drive_spectrum(player.voice.unit, player.drive)
+            for player in moving
             if responses.n_fft is not None
         ]
         factors = exact_gains(drives, spectra, to_places, stop)
     exact_voices = [
         ExactVoice(
-            drive=voice.drive,
-            delay_samples=voice.start,
-            weight=voice.voice.amplitude * match_gain * factor,
+            drive=player.drive,
+            delay_samples=player.start,
+            weight=player.voice.amplitude * match_gain * factor,
             response=response,
         )
-        for voice, response, factor in zip(moving, to_places, factors, strict=True)
+        for player, response, factor in zip(moving, to_places, factors, strict=True)
     ]
     return trace_error_of(axis_traces, shown_outputs, axis_numbers, exact_voices)
 

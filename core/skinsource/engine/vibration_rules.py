@@ -166,12 +166,12 @@ def streamed_vibration(
         return None
     played = [
         Played(
-            drive=voice.drive,
-            start=voice.start,
-            weight=voice.voice.amplitude * match_gain * gain,
-            location=voice.voice.location,
+            drive=player.drive,
+            start=player.start,
+            weight=player.voice.amplitude * match_gain * gain,
+            location=player.voice.location,
         )
-        for voice, _, gain in responses.moving(placed, stop)
+        for player, _, gain in responses.moving(placed, stop)
     ]
     stack = responses.stack(drive.location for drive in played)
     shape = responses.limb.n_outputs, responses.limb.n_axes, response_samples
