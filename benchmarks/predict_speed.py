@@ -63,8 +63,8 @@ def main() -> int:
                 # each of them.
                 if k % 2 == 0:
                     plain_s, expected = timed(plain, limb, drives)
-                prediction._remembered.cache_clear()
-                prediction._known_gains.cache_clear()
+                prediction._cached_spectra.cache_clear()
+                prediction._cached_gains.cache_clear()
                 first_s, _ = timed(ss.predict, limb, drives, places)
                 ss.predict(limb, drives, places)
                 later_s, found = timed(ss.predict, limb, drives, places)

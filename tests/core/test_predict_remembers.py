@@ -18,11 +18,11 @@ PLACES = range(1, 21)
 
 @pytest.fixture(autouse=True)
 def nothing_remembered():
-    prediction._remembered.cache_clear()
-    prediction._known_gains.cache_clear()
+    prediction._cached_spectra.cache_clear()
+    prediction._cached_gains.cache_clear()
     yield
-    prediction._remembered.cache_clear()
-    prediction._known_gains.cache_clear()
+    prediction._cached_spectra.cache_clear()
+    prediction._cached_gains.cache_clear()
 
 
 @pytest.fixture
@@ -47,7 +47,7 @@ def test_of_a_place_that_is_used_alone_spectra_are_kept_from_the_second_time_on(
     for _ in range(3):
         with counting() as counted:
             found.append(ss.predict(limb, DRIVES[:1], [7], [-0.5], scaling=scaling).tobytes())
-        work.append((counted.forward_transforms, prediction._remembered().held_bytes > 0))
+        work.append((counted.forward_transforms, prediction._cached_spectra().held_bytes > 0))
     assert work == [(217, False), (217, True), (1, True)]
     assert found[0] == found[1] == found[2]
 
@@ -69,7 +69,7 @@ def test_where_one_drive_of_several_changed_only_its_maximum_is_searched_for(lim
         found = ss.predict(limb, changed, PLACES)
     assert again.search_transforms == 0
     assert 0 < step.search_transforms <= 216
-    prediction._known_gains.cache_clear()
+    prediction._cached_gains.cache_clear()
     assert found.tobytes() == ss.predict(limb, changed, PLACES).tobytes()
 
 
@@ -78,7 +78,7 @@ def test_the_same_drive_elsewhere_or_on_another_limb_has_a_gain_of_its_own(limb)
     other = ss.load_limb("synthetic-2")
     for one, places in ((limb, (7, 3)), (other, (7, 3)), (limb, (3, 7))):
         found = ss.predict(one, drives, places)
-        prediction._known_gains.cache_clear()
+        prediction._cached_gains.cache_clear()
         assert found.tobytes() == ss.predict(one, drives, places).tobytes()
 
 
@@ -135,7 +135,7 @@ def test_what_is_predicted_may_be_written_to_without_effect_on_the_next(limb):
 
 def test_twenty_places_of_one_second_take_half_of_the_budget(limb):
     ss.predict(limb, np.ones((20, 1300)), PLACES, scaling="relative")
-    assert 60e6 < prediction._remembered().held_bytes < 70e6
+    assert 60e6 < prediction._cached_spectra().held_bytes < 70e6
 
 
 ONE = 216 * (576 // 2 + 1) * 16
@@ -176,15 +176,15 @@ def test_what_is_larger_than_the_budget_is_given_and_kept_as_far_as_it_fits(limb
 def test_a_limb_that_is_freed_frees_its_spectra():
     limb = ss.load_limb("synthetic-1")
     ss.predict(limb, DRIVES[:2], [1, 2])
-    assert prediction._remembered().held_bytes > 0
+    assert prediction._cached_spectra().held_bytes > 0
     del limb
     gc.collect()
-    assert prediction._remembered().held_bytes == 0
+    assert prediction._cached_spectra().held_bytes == 0
 
 
 def test_threads_predict_the_same(limb):
     expected = ss.predict(limb, DRIVES, PLACES)
-    prediction._remembered.cache_clear()
+    prediction._cached_spectra.cache_clear()
     with ThreadPoolExecutor(4) as pool:
         found = list(pool.map(lambda _: ss.predict(limb, DRIVES, PLACES), range(8)))
     assert all(one.tobytes() == expected.tobytes() for one in found)

@@ -5,13 +5,15 @@ from threading import Event, get_ident
 import pytest
 
 from skinsource.engine import prediction as module
-from skinsource.engine.prediction import helped
-from skinsource.engine.transforms import side_by_side
+from skinsource.engine.prediction import run_with_helper
+from skinsource.engine.transforms import run_on_two_threads
 
 
 @pytest.mark.parametrize("count", [0, 1, 2, 5, 50])
 def test_results_come_in_the_order_of_the_tasks(count):
-    assert helped([lambda k=k: k * k for k in range(count)]) == [k * k for k in range(count)]
+    assert run_with_helper([lambda k=k: k * k for k in range(count)]) == [
+        k * k for k in range(count)
+    ]
 
 
 def test_two_threads_take_part():
@@ -23,7 +25,7 @@ def test_two_threads_take_part():
         assert begun[1 - own].wait(60)
         return get_ident()
 
-    first, second = helped([lambda: task(0), lambda: task(1)])
+    first, second = run_with_helper([lambda: task(0), lambda: task(1)])
     assert first == get_ident() != second
 
 
@@ -38,7 +40,7 @@ def test_a_helper_that_never_gets_on_holds_nobody_up():
             assert stuck.wait(60)
         return k
 
-    assert helped([lambda k=k: task(k) for k in range(5)]) == list(range(5))
+    assert run_with_helper([lambda k=k: task(k) for k in range(5)]) == list(range(5))
     never.set()
 
 
@@ -47,10 +49,10 @@ def test_without_a_second_thread_one_does_it_all(monkeypatch):
         raise RuntimeError("can't start new thread")
 
     monkeypatch.setattr(module, "start_new_thread", refuse)
-    assert helped([lambda k=k: k for k in range(5)]) == list(range(5))
+    assert run_with_helper([lambda k=k: k for k in range(5)]) == list(range(5))
 
 
-@pytest.mark.parametrize("way", [helped, side_by_side])
+@pytest.mark.parametrize("way", [run_with_helper, run_on_two_threads])
 @pytest.mark.parametrize("failing", [0, 3, 7])
 @pytest.mark.parametrize("kind", [ValueError, IndexError])
 def test_what_a_task_raises_is_raised_whoever_did_it(way, failing, kind):
@@ -64,5 +66,5 @@ def test_what_a_task_raises_is_raised_whoever_did_it(way, failing, kind):
 
 def test_all_tasks_side_by_side_are_done_once():
     done: list[int] = []
-    side_by_side([lambda k=k: done.append(k) for k in range(100)])
+    run_on_two_threads([lambda k=k: done.append(k) for k in range(100)])
     assert sorted(done) == list(range(100))

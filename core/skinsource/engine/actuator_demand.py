@@ -1,4 +1,4 @@
-"""What only the panel of the actuator looks at."""
+"""Settings of the actuator panel, and the demand of a design on an actuator: volts and travel."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -34,10 +34,10 @@ from skinsource.specs.numbers import NumberSpec, Range, RangeSpec
 from skinsource.specs.spec import ChoiceSpec, PlainSpec, TextSpec
 
 ACTUATOR = TextSpec(label="Actuator", longest=100, one_line=True)
-#: Stands in place of a listed name for a response that was measured.
+#: Name of the actuator where its response was measured.
 MEASURED = "measured"
 _TITLE = "Measured response"
-# A view keeps no more parts for a panel.
+# A view stores at most so many numbers for a panel.
 _MOST_POINTS = 2000
 POINTS = PlainSpec(label=_TITLE)
 FROM = TextSpec(label="Measured as", longest=100, one_line=True)
@@ -74,34 +74,32 @@ PICTURE = ChoiceSpec(
 )
 LAYOUT = ChoiceSpec(label="Layout", options=(("overlaid", "Overlaid"), ("stacked", "Stacked")))
 ZOOM = RangeSpec(label="Zoom")
-USUAL = "example-voice-coil"
+DEFAULT_ACTUATOR = "example-voice-coil"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ActuatorSettings:
-    """Which actuator and equaliser are looked at.
+    """Actuator and equaliser of the panel, and how they are drawn.
 
     Attributes
     ----------
     actuator
         A name of `skinsource.actuators.names` or ``shape_names``, or ``"measured"``.
     measured, measured_from
-        Points of a response that was measured, (Hz, m/s² per V, rad) each, and its title.
+        Points of a measured response, (Hz, m/s² per V, rad) each, and its title.
     parameters
-        What was changed of it: pairs of a field of the model and its value.
+        Changed fields of the model: pairs of name and value.
     equaliser
         ``"inverse"``, ``"pole_pair"`` or ``"none"``.
     boost_db, phase, new_quality
         See the equalisers.
     strength_m_per_s2, volts
-        What an amplitude of 1 asks for, with an equaliser and without.
+        Meaning of an amplitude of 1, with an equaliser and without.
     picture
         ``"response"`` over frequency or ``"step"`` over time.
-    layout, zoom
-        How curves are drawn.
     """
 
-    actuator: str = fields.text(USUAL, ACTUATOR)
+    actuator: str = fields.text(DEFAULT_ACTUATOR, ACTUATOR)
     measured: Any = fields.field(POINTS, ())
     measured_from: str = fields.text("", FROM)
     parameters: Any = fields.field(PARAMETERS, ())
@@ -120,55 +118,54 @@ class ActuatorSettings:
 
     @property
     def profile(self) -> ActuatorProfile:
-        """What the library knows of the actuator; the usual one where its name is not known."""
+        """Profile of the actuator, or of the default one where its name is not known."""
         if self.actuator == MEASURED:
-            found = _measured(self.measured, self.measured_from)
-            if found is not None:
-                return found
+            measured = _measured_profile(self.measured, self.measured_from)
+            if measured is not None:
+                return measured
         known = self.actuator in (*names(), *shape_names())
-        return profile(self.actuator if known else USUAL)
+        return profile(self.actuator if known else DEFAULT_ACTUATOR)
 
     @property
     def measured_title(self) -> str:
-        """What the response that was measured is called; "" where none can be looked at."""
-        found = _measured(self.measured, self.measured_from)
-        return "" if found is None else found.title
+        """Title of the measured response; "" where there is none."""
+        measured = _measured_profile(self.measured, self.measured_from)
+        return "" if measured is None else measured.title
 
     @property
     def model(self) -> Actuator | None:
-        """The model with what was changed; None where there is a shape only."""
+        """Model with changed parameters; None where only a shape is known."""
         published = self.profile.model
         if not isinstance(published, Actuator):
             return None
         try:
             return replace(published, **dict(self.parameters))
         except (InvalidInputError, TypeError, ValueError):
-            # Of another actuator, or of a newer studio.
+            # Parameters of another actuator, or of a newer studio.
             return published
 
     def made(self, model: Actuator) -> Equaliser | None:
-        """The equaliser for a model; None where there is none."""
+        """Return the equaliser for a model; None where none is chosen."""
         if self.equaliser == "inverse":
             return RegularisedInverse(self.boost_db, self.phase)
         if self.equaliser == "pole_pair":
             return PolePairReplacement(*resonance_of(model), self.new_quality)
         return None
 
-    def with_measured(self, found: MeasuredResponse, title: str) -> "ActuatorSettings":
-        """Look at all of a response that was measured; of very many points, at some."""
-        step = -(-len(found.points) // _MOST_POINTS)
-        points = found.points[::step]
+    def with_measured(self, response: MeasuredResponse, title: str) -> "ActuatorSettings":
+        """Return settings with a measured response; very many points are thinned out."""
+        step = -(-len(response.points) // _MOST_POINTS)
         return replace(
             self,
             actuator=MEASURED,
-            measured=points,
+            measured=response.points[::step],
             measured_from=title,
             parameters=(),
             zoom=None,
         )
 
     def with_parameter(self, name: str, value: float) -> "ActuatorSettings":
-        """Another value of one field of the model; what is as published is not kept."""
+        """Return settings with another value of a field of the model."""
         changed: dict[str, float] = dict(self.parameters)
         changed.pop(name, None)
         if getattr(self.profile.model, name) != value:
@@ -177,12 +174,12 @@ class ActuatorSettings:
 
 
 @lru_cache(maxsize=8)
-def _measured(points: Any, title: str) -> ActuatorProfile | None:
-    """What is known of a response that was measured; None where it is none."""
+def _measured_profile(points: Any, title: str) -> ActuatorProfile | None:
+    """Return the profile of a measured response; None where points are no response."""
     try:
         model = MeasuredResponse(points)
     except (InvalidInputError, TypeError, ValueError, IndexError):
-        # Of a newer studio, or written by hand.
+        # A newer studio, or a person, wrote them.
         return None
     return ActuatorProfile(
         title=title or _TITLE,
@@ -195,42 +192,40 @@ def _measured(points: Any, title: str) -> ActuatorProfile | None:
 
 
 def actuator_spec(measured: str = "") -> ChoiceSpec:
-    """The actuators that can be chosen: complete ones first, then ``measured`` if there is one."""
+    """Return the choice of actuators: complete ones first, then ``measured`` if there is one."""
     moving = tuple((name, profile(name).title) for name in names())
     shapes = tuple((name, f"{profile(name).title} (shape)") for name in shape_names())
-    own = ((MEASURED, f"{measured} (measured)"),) if measured else ()
+    from_file = ((MEASURED, f"{measured} (measured)"),) if measured else ()
     return ChoiceSpec(
         label="Actuator",
-        options=(*moving, *own, *shapes),
+        options=(*moving, *from_file, *shapes),
         hint="Of shapes only the resonance is known: nothing is predicted in volts",
     )
 
 
-# What a design asks of an actuator.
-
-#: A longer drive is looked at where it is strongest, for so many seconds.
+#: Of a longer drive only so many seconds around its peak are predicted.
 LONGEST_S = 1.0
-# Fine enough for figures that are read; exports are checked at 48 kHz.
+# Fine enough for figures on the screen; exports are checked at 48 kHz.
 _LEAST_RATE_HZ = 20_000
-_SHAPE = "Too little is known of this actuator to predict volts."
+_SHAPE_ONLY = "Too little is known of this actuator to predict volts."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Demand:
-    """Figures of one place.
+    """Demand of a design on the actuator at one location.
 
     Attributes
     ----------
     place
-        Its number; None where nothing plays.
+        Number of the location; None where nothing plays.
     part
-        Whether only the strongest part of a long drive was looked at.
+        Whether only the strongest part of a long drive was predicted.
     figures
-        What is predicted; None where the drive is refused.
+        Predicted figures; None where the drive is refused.
     refusal
         Why there are no figures, or "".
     leaves_velocity
-        Whether that is because the drive leaves a velocity.
+        Whether the reason is that the drive leaves a velocity.
     """
 
     place: int | None
@@ -241,21 +236,21 @@ class Demand:
 
 
 def demand_location(placed: Sequence[Placed], selected_input: int | None) -> int | None:
-    """Place of the selected input, else of the first that plays."""
-    for one in placed:
-        if one.voice.id == selected_input:
-            return one.voice.location
+    """Return the location of the selected input, else of the first that plays."""
+    for player in placed:
+        if player.voice.id == selected_input:
+            return player.voice.location
     return placed[0].voice.location if placed else None
 
 
-def drive_at(placed: Sequence[Placed], place: int) -> Floats:
-    """All that is played at a place, (n_times,), from time 0 on."""
-    here = [one for one in placed if one.voice.location == place]
-    total = np.zeros(max((one.end for one in here), default=0))
-    for one in here:
-        factor = one.voice.amplitude * one.drive.factor
+def drive_at(placed: Sequence[Placed], location: int) -> Floats:
+    """Return the sum of all drives at a location, (n_times,), from time 0 on."""
+    here = [player for player in placed if player.voice.location == location]
+    total = np.zeros(max((player.end for player in here), default=0))
+    for player in here:
+        factor = player.voice.amplitude * player.drive.factor
         if factor:
-            total[one.start : one.end] += factor * one.drive.samples
+            total[player.start : player.end] += factor * player.drive.samples
     return total
 
 
@@ -266,27 +261,27 @@ def demand_of(
     sample_rate_hz: float,
     band_hz: Band | None = BAND_HZ,
 ) -> Demand:
-    """What the place that is looked at asks for.
+    """Return the demand at the location of the selected input, else of the first that plays.
 
     Parameters
     ----------
     settings
-        Actuator and equaliser, and what an amplitude of 1 is.
+        Actuator, equaliser, and the meaning of an amplitude of 1.
     placed
-        What plays where, in order of time.
+        Voices with their drives, in order of time.
     selected_input
-        Its place is looked at, else the first that plays.
+        Id of an input.
     sample_rate_hz
-        Of the drives, Hz.
+        Of the drives.
     band_hz
-        Of the limb; None: not known.
+        Frequencies at which the limb was measured; None where they are not known.
     """
-    place, model = demand_location(placed, selected_input), settings.model
-    if place is None:
+    location, model = demand_location(placed, selected_input), settings.model
+    if location is None:
         return Demand(place=None)
     if model is None:
-        return Demand(place=place, refusal=_SHAPE)
-    drive = drive_at(placed, place)
+        return Demand(place=location, refusal=_SHAPE_ONLY)
+    drive = drive_at(placed, location)
     shown, band = strongest(drive, sample_rate_hz), followed_band(band_hz, sample_rate_hz)
     part = shown.size < drive.size
     try:
@@ -294,11 +289,11 @@ def demand_of(
         if equaliser is None:
             voltage = settings.volts * shown
         else:
-            asked = settings.strength_m_per_s2 * shown
+            acceleration = settings.strength_m_per_s2 * shown
             voltage = equalised(
-                asked, sample_rate_hz, model, equaliser, band_hz=band, lead_s=0.1, tail_s=0.1
+                acceleration, sample_rate_hz, model, equaliser, band_hz=band, lead_s=0.1, tail_s=0.1
             )
-        (found,) = predicted(
+        (figures,) = predicted(
             voltage,
             int(sample_rate_hz),
             model,
@@ -307,67 +302,66 @@ def demand_of(
         )
     except InvalidInputError as error:
         rest = net_velocity(shown, sample_rate_hz, band[0])
-        left = settings.equaliser != "none" and not rest.returns
-        words = str(error)
-        refusal = f"{words[:1].upper()}{words[1:]}"
-        return Demand(place=place, part=part, refusal=refusal, leaves_velocity=left)
-    # Of the drive itself: what the filter rings for before and after is no part of the design.
-    found = replace(found, duty=duty_of(drive, sample_rate_hz))
-    return Demand(place=place, part=part, figures=found)
+        leaves_velocity = settings.equaliser != "none" and not rest.returns
+        text = str(error)
+        refusal = f"{text[:1].upper()}{text[1:]}"
+        return Demand(place=location, part=part, refusal=refusal, leaves_velocity=leaves_velocity)
+    # The duty is that of the drive, without the ringing of the filter before and after.
+    figures = replace(figures, duty=duty_of(drive, sample_rate_hz))
+    return Demand(place=location, part=part, figures=figures)
 
 
 def strongest(drive: Floats, sample_rate_hz: float) -> Floats:
-    """The drive, or where it is long the part around its peak."""
-    most = int(LONGEST_S * sample_rate_hz)
-    if drive.size <= most:
+    """Return the drive, or the part around its peak where it is long."""
+    longest = int(LONGEST_S * sample_rate_hz)
+    if drive.size <= longest:
         return drive if drive.size else np.zeros(1)
-    start = min(max(int(np.abs(drive).argmax()) - most // 2, 0), drive.size - most)
-    return drive[start : start + most]
-
-
-# Between what is looked at and what a design is predicted through.
+    start = min(max(int(np.abs(drive).argmax()) - longest // 2, 0), drive.size - longest)
+    return drive[start : start + longest]
 
 
 def actuation_of(settings: ActuatorSettings) -> Actuation | None:
-    """What predictions go through under these settings; None for a shape."""
+    """Return the actuation of a prediction under these settings; None for a shape."""
     model: Any = settings.model
     if model is None:
         return None
     equaliser: Any = settings.made(model)
-    one = ActuatorAt(actuator=settings.profile.title, model=model)
-    return Actuation(actuators=(one,), equaliser=equaliser)
+    actuator = ActuatorAt(actuator=settings.profile.title, model=model)
+    return Actuation(actuators=(actuator,), equaliser=equaliser)
 
 
 def settings_through(settings: ActuatorSettings, actuated: Actuation | None) -> ActuatorSettings:
-    """The settings that stand for what a design is predicted through.
+    """Return settings that describe the actuation of a design.
 
-    As they were where it is not, or goes through what no settings stand for.
+    ``settings`` are returned where there is no actuation, or settings cannot describe it.
     """
     if actuated is None or len(actuated.actuators) > 1:
         return settings
-    (one,) = actuated.actuators
-    if isinstance(one.model, MeasuredResponse):
-        found = settings.with_measured(one.model, one.actuator)
-        found = replace(found, **_of(actuated.equaliser))
-        return found if actuation_of(found) == actuated else settings
-    listed = next((name for name in names() if profile(name).title == one.actuator), None)
-    if listed is None or type(profile(listed).model) is not type(one.model):
+    (actuator,) = actuated.actuators
+    if isinstance(actuator.model, MeasuredResponse):
+        through = settings.with_measured(actuator.model, actuator.actuator)
+        through = replace(through, **_equaliser_settings(actuated.equaliser))
+        return through if actuation_of(through) == actuated else settings
+    listed = next((name for name in names() if profile(name).title == actuator.actuator), None)
+    if listed is None or type(profile(listed).model) is not type(actuator.model):
         return settings
     before = profile(listed).model
     changed = tuple(
-        (name, getattr(one.model, name))
-        for name in specs_of(one.model)
-        if getattr(one.model, name) != getattr(before, name)
+        (name, getattr(actuator.model, name))
+        for name in specs_of(actuator.model)
+        if getattr(actuator.model, name) != getattr(before, name)
     )
-    found = replace(settings, actuator=listed, parameters=changed, **_of(actuated.equaliser))
-    # The same values in another order are the same settings.
-    if dict(found.parameters) == dict(settings.parameters):
-        found = replace(found, parameters=settings.parameters)
-    return found if actuation_of(found) == actuated else settings
+    through = replace(
+        settings, actuator=listed, parameters=changed, **_equaliser_settings(actuated.equaliser)
+    )
+    # The same parameters in another order are the same settings.
+    if dict(through.parameters) == dict(settings.parameters):
+        through = replace(through, parameters=settings.parameters)
+    return through if actuation_of(through) == actuated else settings
 
 
-def _of(equaliser: Equaliser | None) -> dict[str, Any]:
-    """Settings of an equaliser."""
+def _equaliser_settings(equaliser: Equaliser | None) -> dict[str, Any]:
+    """Return the fields of settings that describe an equaliser."""
     if isinstance(equaliser, RegularisedInverse):
         phase, boost_db = equaliser.phase, equaliser.boost_db
         return {"equaliser": "inverse", "boost_db": boost_db, "phase": phase}

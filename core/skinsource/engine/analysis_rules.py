@@ -1,4 +1,4 @@
-"""Rules from drives to what they ask of the actuator that is looked at."""
+"""Rules for the panels of analysis: actuators, noise, single axes, outputs, sensation and more."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -83,13 +83,13 @@ from skinsource.signals.projection import MainAxes, main_axes
 def actuator_looked_at(
     actuator_settings: ActuatorSettings, actuation: Actuation | None
 ) -> ActuatorSettings:
-    """Actuator and equaliser, and what an amplitude of 1 is; not how they are drawn."""
-    found = settings_through(actuator_settings, actuation)
-    if actuation is not None and actuation == actuation_of(found):
-        # Amplitudes are what the contactor, or the coil, gets.
-        found = replace(found, strength_m_per_s2=1.0, volts=1.0)
+    """Actuator and equaliser, and the unit of amplitudes; not how they are drawn."""
+    settings = settings_through(actuator_settings, actuation)
+    if actuation is not None and actuation == actuation_of(settings):
+        # Amplitudes are accelerations of the contactor, or volts at the coil.
+        settings = replace(settings, strength_m_per_s2=1.0, volts=1.0)
     usual = ActuatorSettings()
-    return replace(found, picture=usual.picture, layout=usual.layout, zoom=None)
+    return replace(settings, picture=usual.picture, layout=usual.layout, zoom=None)
 
 
 def actuator_demand(
@@ -99,34 +99,24 @@ def actuator_demand(
     band_hz: Band | None,
     actuator_looked_at: ActuatorSettings,
 ) -> Demand:
-    """What the place of the selected input asks of the actuator."""
+    """Demand on the actuator at the location of the selected input."""
     return demand_of(actuator_looked_at, sampled_voices, selected_input, sample_rate_hz, band_hz)
-
-
-ACTUATOR_RULES = (actuator_looked_at, actuator_demand)
-
-
-# Rules from the noise of responses to that in predictions.
 
 
 def place_drives(
     responses: Responses, placed: tuple[Placed, ...], stop: Stop
 ) -> tuple[tuple[int, Floats], ...]:
-    """What is played at each place, (place, (n_times,)), as the responses to it are scaled.
+    """Sum of all drives at each location, (location, (n_times,)), scaled as the responses are.
 
     In probe scaling that is the acceleration of the probe, m/s².
     """
-    moving = [one for one in placed if one.moves]
-    to_places = responses.to(one.voice.location for one in moving)
-    gains = responses.gains(
-        [one.sounding(to) for one, to in zip(moving, to_places, strict=True)], stop
-    )
-    length = max((one.end for one in moving), default=0)
-    found: dict[int, Floats] = {}
-    for one, gain in zip(moving, gains, strict=True):
-        total = found.setdefault(one.voice.location, np.zeros(length))
-        total[one.start : one.end] += one.voice.amplitude * gain * one.drive.samples
-    return tuple(found.items())
+    moving = responses.moving(placed, stop)
+    length = max((player.end for player, _, _ in moving), default=0)
+    played: dict[int, Floats] = {}
+    for player, _, gain in moving:
+        total = played.setdefault(player.voice.location, np.zeros(length))
+        total[player.start : player.end] += player.voice.amplitude * gain * player.drive.samples
+    return tuple(played.items())
 
 
 def noise_energy(
@@ -138,7 +128,7 @@ def noise_energy(
 ) -> Floats | None:
     """Energy of the noise of the responses in the prediction, (n_outputs, n_axes).
 
-    None where there is none to tell: in silence, and where `place_noise` knows of none.
+    None in silence, and where the noise of a response is not known, see `place_noise`.
     """
     noise = noise_of_places(place_drives, limb_data)
     if noise is None:
@@ -150,14 +140,14 @@ def noise_energy(
 def output_noise_rms(
     noise_energy: Floats | None, projection: Projection, record_samples: int
 ) -> Floats | None:
-    """RMS over the whole record of what is noise in each projected signal, (n_outputs,)."""
+    """RMS of the noise in each projected signal over the whole record, (n_outputs,)."""
     if noise_energy is None:
         return None
     return projected_rms(noise_energy, projection, record_samples)
 
 
 def above_noise_db(record_rms: Floats, output_noise_rms: Floats | None) -> Floats | None:
-    """Level of each output above that of its noise, (n_outputs,), dB; None: nothing is known."""
+    """Level of each output above that of its noise, (n_outputs,), dB; None: it is not known."""
     if output_noise_rms is None:
         return None
     ratio = np.divide(
@@ -168,31 +158,28 @@ def above_noise_db(record_rms: Floats, output_noise_rms: Floats | None) -> Float
     return np.maximum(level, -200.0)
 
 
-NOISE_RULES = (place_drives, noise_energy, output_noise_rms, above_noise_db)
+def place_noise(limb: Limb, location: int) -> Floats | None:
+    """Return the RMS of the noise in responses to a location, (n_outputs, n_axes), or None.
 
-
-def place_noise(limb: Limb, place: int) -> Floats | None:
-    """RMS of the noise in the responses to a place, (n_outputs, n_axes); None: not known.
-
-    Synthetic limbs have none, and some of one's own too few samples before the pulse.
+    Synthetic limbs have no noise, and some imported limbs too few samples before the pulse.
     """
     rate, before_s = limb.sample_rate_hz, limb.pre_trigger_delay_s
     if limb.synthetic or not tells_noise(rate, before_s):
         return None
-    return noise_rms(limb.response_to(place), rate, before_s)
+    return noise_rms(limb.response_to(location), rate, before_s)
 
 
 def noise_of_places(
     place_drives: tuple[tuple[int, Floats], ...], limb: Limb
 ) -> dict[int, Floats] | None:
-    """Noise of the responses to each place that plays; None: nothing does, or one is not known."""
-    found = {place: place_noise(limb, place) for place, _ in place_drives}
-    noise = {place: one for place, one in found.items() if one is not None}
-    return noise if noise and len(noise) == len(found) else None
+    """Return the noise by location that plays; None where none plays, or a noise is not known."""
+    noise_by_place = {location: place_noise(limb, location) for location, _ in place_drives}
+    noise = {location: rms for location, rms in noise_by_place.items() if rms is not None}
+    return noise if noise and len(noise) == len(noise_by_place) else None
 
 
 def projected_rms(energy: Floats, projection: Projection, n_times: int) -> Floats:
-    """RMS over ``n_times`` along a projection, of energies along the axes, (..., n_axes)."""
+    """Return the RMS over ``n_times`` along a projection, from energies of axes, (..., n_axes)."""
     chosen = energy[..., list(projection.axis_numbers)]
     if projection.directions is not None:
         chosen = chosen * np.square(projection.directions)
@@ -200,31 +187,26 @@ def projected_rms(energy: Floats, projection: Projection, n_times: int) -> Float
 
 
 def divided_by_pulse(limb: Limb, scaling: Scaling) -> bool:
-    """Whether responses are divided by the measuring pulse, their noise with them."""
+    """Return whether responses, and their noise, are divided by the measuring pulse."""
     return scaling == "probe" and not limb.per_unit_drive
 
 
-def probe_inverse(n_taps: int, sample_rate_hz: float) -> Floats:
-    """What a response is convolved with to be one per probe acceleration, (n_taps,)."""
-    pulse = np.zeros(n_taps)
-    pulse[n_taps // 2] = 1.0
-    return per_probe_acceleration(pulse, sample_rate_hz)
+def noise_path(limb: Limb, scaling: Scaling, actuation: Actuation | None, location: int) -> Floats:
+    """Return the impulse response of the path of the noise in responses to a location, (n,).
 
-
-def noise_path(limb: Limb, scaling: Scaling, actuation: Actuation | None, place: int) -> Floats:
-    """Impulse response that the noise in the responses to a place goes through, (n,).
-
-    In probe scaling that is the inverse pulse, with its middle at half of its length; through an
-    actuator, it is followed by what equaliser and actuator of the place make of a drive.
+    In probe scaling that is the inverse pulse, with its middle at half of its length.  Through an
+    actuator it is followed by the impulse response of equaliser and actuator.
     """
     rate = limb.sample_rate_hz
     path = np.ones(1)
     if divided_by_pulse(limb, scaling):
-        path = probe_inverse(limb.n_taps, rate)
+        pulse = np.zeros(limb.n_taps)
+        pulse[limb.n_taps // 2] = 1.0
+        path = per_probe_acceleration(pulse, rate)
     if actuation is None:
         return path
     transfers = transfers_of(actuation, rate, limb.band_hz)
-    return scipy.signal.oaconvolve(path, transfers[actuation.at(place).place].samples)
+    return scipy.signal.oaconvolve(path, transfers[actuation.at(location).place].samples)
 
 
 def shaped_drives(
@@ -233,18 +215,15 @@ def shaped_drives(
     scaling: Scaling,
     actuation: Actuation | None,
 ) -> dict[int, Floats]:
-    """What the noise of the responses is convolved with, by place: see `noise_path`."""
+    """Return the drives that noise is convolved with, by location, after its path `noise_path`."""
     return {
-        place: scipy.signal.oaconvolve(played, noise_path(limb, scaling, actuation, place))
-        for place, played in place_drives
+        location: scipy.signal.oaconvolve(played, noise_path(limb, scaling, actuation, location))
+        for location, played in place_drives
     }
 
 
-# Rules from the vibration to its levels along each axis by itself, whatever axes are chosen.
-
-
 def single_axes(limb_data: Limb) -> tuple[Projection, ...]:
-    """Each axis that the limb measures along, by itself."""
+    """Projections on each axis of the limb by itself, whatever axes are chosen."""
     along = np.ones((limb_data.n_outputs, 1))
     return tuple(Projection((number,), along) for number in range(limb_data.n_axes))
 
@@ -257,7 +236,8 @@ def axis_record_rms(
 ) -> tuple[Floats, ...]:
     """RMS over the whole record along each axis, (n_outputs,) each, in m/s²."""
     return tuple(
-        level_rules.record_rms(moments, one, total_spectrum, record_samples) for one in single_axes
+        level_rules.record_rms(moments, axis, total_spectrum, record_samples)
+        for axis in single_axes
     )
 
 
@@ -270,14 +250,14 @@ def axis_levels_db(
     streamed_vibration: StreamedVibration | None,
     stop: Stop,
 ) -> tuple[Floats, ...]:
-    """RMS level along each axis, (n_outputs,) each, in dB re 1 m/s²: as if it alone were chosen."""
-    found = []
-    for one, record in zip(single_axes, axis_record_rms, strict=True):
+    """RMS level along each axis, (n_outputs,) each, in dB re 1 m/s², as if it were chosen alone."""
+    levels_db = []
+    for axis, record in zip(single_axes, axis_record_rms, strict=True):
         loudest = level_rules.loudest_rms(
-            span, limb_data, one, total_spectrum, streamed_vibration, stop
+            span, limb_data, axis, total_spectrum, streamed_vibration, stop
         )
-        found.append(level_rules.output_levels_db(level_rules.output_rms(record, loudest)))
-    return tuple(found)
+        levels_db.append(level_rules.output_levels_db(level_rules.output_rms(record, loudest)))
+    return tuple(levels_db)
 
 
 def axis_surface_levels_db(
@@ -295,26 +275,14 @@ def axis_above_noise_db(
 ) -> tuple[Floats | None, ...]:
     """Level along each axis above that of its noise, (n_outputs,) each, dB; None: not known."""
     return tuple(
-        above_noise_db(record, output_noise_rms(noise_energy, one, record_samples))
-        for one, record in zip(single_axes, axis_record_rms, strict=True)
+        above_noise_db(record, output_noise_rms(noise_energy, axis, record_samples))
+        for axis, record in zip(single_axes, axis_record_rms, strict=True)
     )
 
 
-AXIS_RULES = (
-    single_axes,
-    axis_record_rms,
-    axis_levels_db,
-    axis_surface_levels_db,
-    axis_above_noise_db,
-)
-
-
-# Rules from traces of the selected outputs to their figures, spectrograms and main axes.
-
-
 def stimulus_start_s(placed: tuple[Placed, ...], sample_rate_hz: float) -> float:
-    """When the first input that is heard starts, s; 0 where none is."""
-    return min((one.start for one in placed if one.moves), default=0) / sample_rate_hz
+    """Start of the first audible input, s; 0 where there is none."""
+    return min((player.start for player in placed if player.moves), default=0) / sample_rate_hz
 
 
 def output_statistics(
@@ -331,15 +299,15 @@ def output_statistics(
     """Figures of the selected outputs; the RMS is that of the map.
 
     Delays count from the start of the first input.  The dominant frequency is that of the motion
-    along the chosen axes: a magnitude is rectified and would show twice of it.
+    along the chosen axes, as a magnitude is rectified and has twice that frequency.
     """
     rms = output_rms[[output - 1 for output in shown_outputs]]
     peak = np.abs(selected_traces).max(axis=-1, initial=0.0)
     n_times = selected_traces.shape[-1]
     dominant_hz = np.empty(len(shown_outputs))
-    for row, of_axes in enumerate(axis_traces):
+    for row, traces in enumerate(axis_traces):
         stop_if(stop)
-        spectra = forward(of_axes, n_times)
+        spectra = forward(traces, n_times)
         if selected_projection.directions is None:
             power = np.sum(np.square(np.abs(spectra)), axis=0)
         else:
@@ -357,13 +325,13 @@ def output_statistics(
 def spectrogram_output(
     shown_outputs: tuple[int, ...], spectrogram_settings: SpectrogramSettings
 ) -> int:
-    """Which output the spectrogram is of; 0 where none is selected."""
-    wanted = spectrogram_settings.output
-    return wanted if wanted in shown_outputs else (shown_outputs or (0,))[-1]
+    """Output of the spectrogram; 0 where none is selected."""
+    chosen = spectrogram_settings.output
+    return chosen if chosen in shown_outputs else (shown_outputs or (0,))[-1]
 
 
 def spectrogram_window_s(spectrogram_settings: SpectrogramSettings) -> float:
-    """Length of its window."""
+    """Length of the window of the spectrogram."""
     return spectrogram_settings.window_s
 
 
@@ -375,7 +343,7 @@ def output_spectrogram(
     sample_rate_hz: float,
     stop: Stop,
 ) -> Spectrogram | None:
-    """Spectrogram of one of the selected outputs; None where there is none."""
+    """Spectrogram of one of the selected outputs; None where none is selected."""
     if not spectrogram_output:
         return None
     row = selected_traces[shown_outputs.index(spectrogram_output)]
@@ -389,10 +357,9 @@ def output_band_rms(
     sample_rate_hz: float,
     stop: Stop,
 ) -> tuple[Floats, Floats] | None:
-    """Bands of 2 Hz, and the RMS of all outputs in each, (n_outputs, n_axes, n_bins).
+    """Middles of bands of 2 Hz, Hz, and RMS of outputs in each, (n_outputs, n_axes, n_bins), m/s².
 
-    Middles of the bands in Hz, RMS in m/s², as `band_rms` of the outputs' traces;
-    None of what is too long to be transformed at once.
+    See `band_rms`.  None for a vibration that is too long to be transformed at once.
     """
     if vibration.streamed is not None:
         return None
@@ -402,29 +369,16 @@ def output_band_rms(
 
 
 def output_main_axes(axis_traces: Floats, axis_numbers: tuple[int, ...]) -> MainAxes | None:
-    """Along which direction each selected output moves most; None: not of a single axis."""
+    """Direction in which each selected output moves most; None where a single axis is chosen."""
     return main_axes(axis_traces) if len(axis_numbers) > 1 else None
 
 
-OUTPUT_RULES = (
-    stimulus_start_s,
-    output_statistics,
-    spectrogram_output,
-    spectrogram_window_s,
-    output_spectrogram,
-    output_band_rms,
-    output_main_axes,
-)
-
-
-# Rules from vibrations to levels above the thresholds of detection.
-
-#: Levels of what is not felt at all.
+#: Level of an output without sensation.
 SILENT_DB = -200.0
 _NO_SCALE = "Levels above threshold need accelerations: choose the scaling Probe acceleration"
 _NO_SITES = "Which outputs lie on hairy skin is known of the published limbs only"
 _OWN = "own"
-# Before and after a drive, so that a weighted one has room to ring.
+# Padding before and after a drive, into which a weighted drive rings.
 _ROOM_S = 0.2
 
 
@@ -435,16 +389,16 @@ class Sensation:
     Attributes
     ----------
     by_channel
-        ``"P"`` and ``"NP I"``, or ``"own"`` for thresholds of one's own: (n_outputs,), dB.
+        For ``"P"`` and ``"NP I"``, or for ``"own"`` thresholds: (n_outputs,), dB.
     level_db : (n_outputs,)
-        The highest of them.
+        The highest level of all channels.
     strength : (n_outputs,) or None
         See `skinsource.perception.sensation_magnitude`; None for thresholds of one's own.
     problem
-        Why there are none; "" where there are.
+        Why there are no levels; "" where there are.
     band_hz
-        Frequencies that count: those that the limb was measured at, or, where that is not known,
-        those of the thresholds of one's own.
+        Frequencies that count: those at which the limb was measured, or, where they are not known,
+        those of one's own thresholds.
     """
 
     by_channel: Mapping[str, Floats]
@@ -462,39 +416,39 @@ def sensation(
     scaling: Scaling,
     stop: Stop,
 ) -> Sensation:
-    """Level of each output above the thresholds: energies add up over axes and frequencies."""
+    """Level of each output above thresholds; energies add up over axes and frequencies."""
     table = perception_settings.thresholds
-    problem = _problem(limb_data, scaling, own=bool(table))
+    problem = _problem_text(limb_data, scaling, own_thresholds=bool(table))
     if problem:
         return Sensation(by_channel={}, level_db=np.zeros(0), problem=problem)
     rate = limb_data.sample_rate_hz
     band_hz = limb_data.band_hz or (table[0][0], table[-1][0])
     offsets: dict[Any, Floats] = {} if table else {**site_offsets_db(limb_data.name)}
-    found: dict[Any, Floats] = {}
+    levels_db: dict[Any, Floats] = {}
     for channel in (_OWN,) if table else CHANNELS:
 
         def weights(frequency_hz: Floats, channel: str = channel) -> Floats:
             return _weights(frequency_hz, channel, perception_settings, band_hz)
 
-        energy = _loudest(total_spectrum, streamed_vibration, limb_data, weights, stop)
+        energy = _loudest_weighted(total_spectrum, streamed_vibration, limb_data, weights, stop)
         with np.errstate(divide="ignore"):
             level = 10.0 * np.log10(energy / window_samples(rate))
-        found[channel] = np.maximum(level - offsets.get(channel, 0.0), SILENT_DB)
+        levels_db[channel] = np.maximum(level - offsets.get(channel, 0.0), SILENT_DB)
     return Sensation(
-        by_channel=found,
-        level_db=np.array(list(found.values())).max(axis=0),
-        strength=None if table else sensation_magnitude(found),
+        by_channel=levels_db,
+        level_db=np.array(list(levels_db.values())).max(axis=0),
+        strength=None if table else sensation_magnitude(levels_db),
         band_hz=band_hz,
     )
 
 
 def sensation_db(sensation: Sensation) -> Floats:
-    """Level of each output above threshold, (n_outputs,), dB; none where it is not known."""
+    """Level of each output above threshold, (n_outputs,), dB; empty where it is not known."""
     return sensation.level_db
 
 
 def surface_sensation_db(surface: SurfaceOperator, sensation_db: Floats) -> Floats | None:
-    """The same over the back of hand and arm, (rows, columns)."""
+    """Level above threshold over the back of hand and arm, (rows, columns)."""
     return surface.interpolate(sensation_db) if sensation_db.size else None
 
 
@@ -504,27 +458,24 @@ def contact_weighted_rms(
     scaling: Scaling,
     actuation: Actuation | None,
 ) -> tuple[tuple[int, float], ...] | None:
-    """Acceleration of each probe through Wh of ISO 5349-1, RMS over what it plays, m/s².
+    """Acceleration of each probe, weighted with Wh of ISO 5349-1, RMS while it moves, m/s².
 
-    None where drives are no accelerations.
+    None where drives are not accelerations.
     """
     if not are_probe_accelerations(limb_data, scaling, actuated=actuation is not None):
         return None
     return tuple(
-        (place, float(weighted_rms(np.trim_zeros(played), limb_data.sample_rate_hz)))
-        for place, played in place_drives
+        (location, float(weighted_rms(np.trim_zeros(played), limb_data.sample_rate_hz)))
+        for location, played in place_drives
         if played.any()
     )
 
 
-PERCEPTION_RULES = (sensation, sensation_db, surface_sensation_db, contact_weighted_rms)
-
-
-def _problem(limb: Limb, scaling: Scaling, *, own: bool) -> str:
+def _problem_text(limb: Limb, scaling: Scaling, *, own_thresholds: bool) -> str:
     if scaling != "probe":
         return _NO_SCALE
-    # As many outputs do not make them lie where those of the published limbs do.
-    return _NO_SITES if limb.name not in PUBLISHED and not own else ""
+    # Another limb may have as many outputs at other positions.
+    return _NO_SITES if limb.name not in PUBLISHED and not own_thresholds else ""
 
 
 def _weights(
@@ -533,7 +484,7 @@ def _weights(
     settings: PerceptionSettings,
     band_hz: Band,
 ) -> Floats:
-    """One over the threshold within the band, else 0: what is slower was not measured."""
+    """Return one over the threshold within the band, else 0: nothing was measured there."""
     low, high = band_hz
     inside = (frequency_hz >= low) & (frequency_hz <= high)
     at = np.where(inside, frequency_hz, low)
@@ -546,18 +497,18 @@ def _weights(
     return np.where(inside, 1.0 / threshold, 0.0)
 
 
-def _loudest(
+def _loudest_weighted(
     total: TotalSpectrum | None,
     streamed: StreamedVibration | None,
     limb: Limb,
     weights: Callable[[Floats], Floats],
     stop: Stop,
 ) -> Floats:
-    """Energy of the loudest window of the weighted vibration, all axes together, (n_outputs,)."""
+    """Return the energy of the loudest window of the weighted vibration, (n_outputs,)."""
     every = Projection(tuple(range(limb.n_axes)), None)
     rate, n_window = limb.sample_rate_hz, window_samples(limb.sample_rate_hz)
     if streamed is not None:
-        weighted = streamed.played_through(lambda one: _through(one, weights, rate))
+        weighted = streamed.played_through(lambda played: _filtered(played, weights, rate))
         return loudest_energies_streamed(weighted, every, limb.n_outputs, n_window, stop)
     if total is None:
         return np.zeros(limb.n_outputs)
@@ -565,23 +516,20 @@ def _loudest(
     return loudest_energies(total.times(weights(frequency_hz)), every, n_window, stop)
 
 
-def _through(played: Played, weights: Callable[[Floats], Floats], rate: float) -> Played:
-    """What is played through a weighting, which begins a little earlier and ends later."""
+def _filtered(played: Played, weights: Callable[[Floats], Floats], rate: float) -> Played:
+    """Return the drive after a weighting; it begins a little earlier and ends later."""
     room = round(_ROOM_S * rate)
     samples = np.pad(played.drive.samples, room)
     n_fft = scipy.fft.next_fast_len(samples.size, real=True)
     frequency_hz = _bins_hz(n_fft, rate)
-    heard = scipy.fft.irfft(scipy.fft.rfft(samples, n_fft) * weights(frequency_hz), n_fft)
+    weighted = scipy.fft.irfft(scipy.fft.rfft(samples, n_fft) * weights(frequency_hz), n_fft)
     first = played.start - room
-    heard = heard[max(-first, 0) : samples.size]
-    return replace(played, drive=Drive(heard, played.drive.factor), start=max(first, 0))
+    weighted = weighted[max(-first, 0) : samples.size]
+    return replace(played, drive=Drive(weighted, played.drive.factor), start=max(first, 0))
 
 
 def _bins_hz(n_fft: int, rate: float) -> Floats:
     return np.arange(n_fft // 2 + 1, dtype=np.float64) * (rate / n_fft)
-
-
-# The rules from all that plays to what a prediction is not good for, and how fast probes are.
 
 
 def validity(
@@ -592,9 +540,9 @@ def validity(
     actuation: Actuation | None,
     unplayable_inputs: tuple[UnplayableInput, ...],
 ) -> Findings:
-    """Conditions of the measurement, and whether they are kept (`perception.validity`)."""
+    """Conditions of the measurement, and whether the prediction meets them."""
     synthetic = limb_data.synthetic
-    places = [place for place, _ in place_drives]
+    places = [location for location, _ in place_drives]
     return (
         *_left_out(unplayable_inputs),
         *drive_findings(
@@ -604,7 +552,7 @@ def validity(
             probe=actuation is None,
             unit_known=not limb_data.per_unit_drive,
             band_hz=limb_data.band_hz,
-            # Where a lab put its outputs is another matter.
+            # The limit holds for the output positions of the published limbs only.
             spatial_limit_hz=SPATIAL_LIMIT_HZ if limb_data.name in PUBLISHED else None,
         ),
         noise_findings(above_noise_db, synthetic=synthetic, silent=not place_drives),
@@ -618,7 +566,7 @@ def fastest_probe_m_per_s(
     scaling: Scaling,
     actuation: Actuation | None,
 ) -> float | None:
-    """Largest velocity of any probe, in m/s; None: not known, or actuators move in their place."""
+    """Largest velocity of any probe, m/s; None: not known, or actuators replace the probes."""
     if not are_probe_accelerations(limb_data, scaling, actuated=actuation is not None):
         return None
     drives = [samples for _, samples in place_drives]
@@ -626,18 +574,12 @@ def fastest_probe_m_per_s(
 
 
 def _left_out(unplayable: tuple[UnplayableInput, ...]) -> Findings:
-    """Say that a prediction is not of all inputs, wherever its numbers are taken."""
-    words = unplayable_text(unplayable)
-    if not words:
+    """Return the finding that a prediction leaves inputs out, if it does."""
+    text = unplayable_text(unplayable)
+    if not text:
         return ()
-    sentence = f"{words} The prediction leaves out what cannot be played."
+    sentence = f"{text} The prediction leaves out what cannot be played."
     return (Finding(name="inputs", state="left", sentence=sentence, in_short=sentence),)
-
-
-VALIDITY_RULES = (validity, fastest_probe_m_per_s)
-
-
-# Rules from responses to transfer functions, and from traces to waves along a line.
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -647,9 +589,9 @@ class LineWave:
     Attributes
     ----------
     outputs
-        Those with a place on the map, in the order in which they were selected.
+        Outputs with a position on the map, in the order in which they were selected.
     wave
-        Its delays and levels along ``axis``.
+        Delays and levels of the wave along ``axis``.
     axis
         ``"z"``, or the last axis of a limb that has no z.
     """
@@ -660,12 +602,12 @@ class LineWave:
 
 
 def transfer_place(voices: tuple[Voice, ...], selected_input: int | None) -> int:
-    """Input place that the transfer function is from: of the input selected last, or the first.
+    """Input location of the transfer function: that of the selected input, or of the first.
 
     0 where there is no input.
     """
-    chosen = next((one.location for one in voices if one.id == selected_input), None)
-    return chosen or next((one.location for one in voices), 0)
+    chosen = next((voice.location for voice in voices if voice.id == selected_input), None)
+    return chosen or next((voice.location for voice in voices), 0)
 
 
 def transfer(
@@ -677,9 +619,9 @@ def transfer(
     scaling: Scaling,
     actuation: Actuation | None,
 ) -> Transfer | None:
-    """From one input place to the selected outputs; None where there is neither.
+    """Transfer function from one input location to the selected outputs; None without either.
 
-    In probe scaling per m/s² of the probe; otherwise per sample of 1 of the drive.
+    In probe scaling it is per m/s² of the probe, otherwise per sample of 1 of the drive.
     """
     if not (transfer_place and shown_outputs):
         return None
@@ -691,7 +633,7 @@ def transfer(
     noise = place_noise(limb_data, transfer_place)
     sigma = np.zeros(response.shape[:2]) if noise is None else noise[rows][:, list(axis_numbers)]
     path = noise_path(limb_data, scaling, actuation, transfer_place)
-    # Behind an actuator responses are longer than what was measured, and so noisy.
+    # Behind an actuator responses are longer than the measured, noisy part.
     share = limb_data.n_taps / n_taps
     gain = np.sqrt(share) * np.abs(scipy.fft.rfft(path, n_taps))
     return transfer_function(response, rate, sigma, gain, band_hz=driven_limb.band_hz)
@@ -705,9 +647,9 @@ def line_wave(
     sample_rate_hz: float,
     stop: Stop,
 ) -> LineWave | None:
-    """Wave along the selected outputs, taken as a line; None: fewer than two have a place.
+    """Wave along the line of the selected outputs; None: fewer than two have a position.
 
-    Along z, the one axis that means the same at every sensor.
+    It is that along z, the only axis with the same meaning at every sensor.
     """
     limb_map = limb_data.map
     places = limb_map.output_positions
@@ -716,7 +658,7 @@ def line_wave(
         return None
     rows = [output - 1 for output in outputs]
     mm_per_px = limb_data.hand_length_mm / limb_map.hand_length_px
-    # A limb of one's own may lack z: its last axis then.
+    # An imported limb may lack z: its last axis is taken.
     axis = limb_data.axes.index("z") if "z" in limb_data.axes else limb_data.n_axes - 1
     traces = vibration.traces(outputs, (axis,), stop)[:, 0]
     trusted = None if above_noise_db is None else above_noise_db[rows] >= LEAST_ABOVE_NOISE_DB
@@ -726,11 +668,6 @@ def line_wave(
     )
     return LineWave(outputs=outputs, wave=wave, axis=limb_data.axes[axis])
 
-
-WAVE_RULES = (transfer_place, transfer, line_wave)
-
-
-# Rules from the noise of responses to that in consecutive windows of a prediction.
 
 _LEAST_RATIO = 10.0 ** (LEAST_ABOVE_NOISE_DB / 20.0)
 
@@ -744,16 +681,16 @@ def noise_rms_of_windows(
     projection: Projection,
     windows: Windows,
 ) -> Floats | None:
-    """RMS in each window of what is noise in each projected signal, (n_windows, n_outputs), m/s².
+    """RMS of the noise in each projected signal in each window, (n_windows, n_outputs), m/s².
 
-    None where there is none to tell, as for `noise_energy`.
+    None where the noise is not known, as for `noise_energy`.
     """
     noise = noise_of_places(place_drives, limb_data)
     if noise is None:
         return None
     n_taps = limb_data.n_taps
-    late = n_taps // 2 if divided_by_pulse(limb_data, scaling) else 0
-    later = replace(windows, first_sample=windows.first_sample + late)
+    delay = n_taps // 2 if divided_by_pulse(limb_data, scaling) else 0
+    later = replace(windows, first_sample=windows.first_sample + delay)
     drives = shaped_drives(place_drives, limb_data, scaling, actuation)
     energy = windowed_noise_energy(drives, noise, n_taps, later)
     return match_gain * projected_rms(energy, projection, windows.window_samples)
@@ -762,11 +699,11 @@ def noise_rms_of_windows(
 def noisy_outputs_of_windows(
     rms_of_windows: Floats, noise_rms_of_windows: Floats | None
 ) -> tuple[tuple[int, ...], ...]:
-    """Outputs that are mostly noise in each window; none where noise is not known."""
+    """Outputs that are mostly noise in each window; none where the noise is not known."""
     if noise_rms_of_windows is None:
         return ((),) * len(rms_of_windows)
     noisy = rms_of_windows < _LEAST_RATIO * noise_rms_of_windows
-    return tuple(tuple(int(k) + 1 for k in np.flatnonzero(one)) for one in noisy)
+    return tuple(tuple(int(k) + 1 for k in np.flatnonzero(row)) for row in noisy)
 
 
 def windows_in_noise(
@@ -774,37 +711,54 @@ def windows_in_noise(
 ) -> tuple[bool, ...]:
     """Whether all outputs on the map together are mostly noise in each window.
 
-    How far such a window reaches is how the noise is spread.
+    The extent of such a window is that of the noise.
     """
     if noise_rms_of_windows is None:
         return (False,) * len(rms_of_windows)
     placed = np.isfinite(limb_data.map.output_positions[:, 0])
-    found, noise = (
-        np.sqrt(np.sum(np.square(one[:, placed]), axis=1))
-        for one in (rms_of_windows, noise_rms_of_windows)
+    signal, noise = (
+        np.sqrt(np.sum(np.square(rms[:, placed]), axis=1))
+        for rms in (rms_of_windows, noise_rms_of_windows)
     )
-    return tuple(bool(one) for one in found < _LEAST_RATIO * noise)
+    return tuple(bool(below) for below in signal < _LEAST_RATIO * noise)
 
-
-WINDOW_NOISE_RULES = (noise_rms_of_windows, noisy_outputs_of_windows, windows_in_noise)
-
-
-# Rules from traces and responses to what panels of analysis show, and what they depend on.
 
 RULES = (
-    *NOISE_RULES,
-    *WINDOW_NOISE_RULES,
-    *OUTPUT_RULES,
-    *AXIS_RULES,
-    *WAVE_RULES,
-    *VALIDITY_RULES,
-    *PERCEPTION_RULES,
-    *ACTUATOR_RULES,
+    place_drives,
+    noise_energy,
+    output_noise_rms,
+    above_noise_db,
+    noise_rms_of_windows,
+    noisy_outputs_of_windows,
+    windows_in_noise,
+    stimulus_start_s,
+    output_statistics,
+    spectrogram_output,
+    spectrogram_window_s,
+    output_spectrogram,
+    output_band_rms,
+    output_main_axes,
+    single_axes,
+    axis_record_rms,
+    axis_levels_db,
+    axis_surface_levels_db,
+    axis_above_noise_db,
+    transfer_place,
+    transfer,
+    line_wave,
+    validity,
+    fastest_probe_m_per_s,
+    sensation,
+    sensation_db,
+    surface_sensation_db,
+    contact_weighted_rms,
+    actuator_looked_at,
+    actuator_demand,
 )
 
 
 def choices_of(view: View) -> dict[str, Any]:
-    """What of a view only these rules start from, by name."""
+    """Return the settings in a view that only these rules need, by name."""
     return {
         "spectrogram_settings": settings_of(view, "spectrogram", SpectrogramSettings),
         "actuator_settings": settings_of(view, "actuator", ActuatorSettings),

@@ -1,6 +1,6 @@
-"""Samples of clips: drawn once, and again through their effects once."""
+"""Samples of clips, signal paths of tracks, and drives with their spectra, all computed once."""
 
-from collections.abc import Hashable
+from collections.abc import Callable, Hashable
 from weakref import WeakValueDictionary
 
 import numpy as np
@@ -27,11 +27,11 @@ from skinsource.engine.transforms import forward
 
 
 class DrawnClips:
-    """What waveforms play, with and without effects, in bounded memory."""
+    """Samples of waveforms, with and without effects, in bounded memory."""
 
     def __init__(self, budget_bytes: int) -> None:
         self._known = Memory[Floats](budget_bytes, lambda samples: samples.nbytes)
-        # Long ones exceed the budget; what a graph still holds is not drawn twice.
+        # Long samples exceed the budget, but while a graph holds them they are not drawn again.
         self._alive: WeakValueDictionary[Hashable, Floats] = WeakValueDictionary()
 
     def of(
@@ -41,126 +41,118 @@ class DrawnClips:
         sample_rate_hz: float,
         shift_s: float,
     ) -> Floats:
-        """What comes out of the last effect, (n_times,), read-only."""
+        """Return the samples after the last effect, (n_times,), read-only."""
         if not effects:
             return self._drawn(waveform, sample_rate_hz, shift_s)
-        key = waveform, effects, sample_rate_hz, shift_s
-        known = self._find(key)
-        if known is not None:
-            return known
-        return self._kept(key, played(waveform, effects, sample_rate_hz, shift_s, draw=self._drawn))
+        return self._get(
+            (waveform, effects, sample_rate_hz, shift_s),
+            lambda: played(waveform, effects, sample_rate_hz, shift_s, draw=self._drawn),
+        )
 
     def _drawn(self, waveform: Waveform, sample_rate_hz: float, shift_s: float) -> Floats:
-        key = waveform, sample_rate_hz, shift_s
-        known = self._find(key)
+        def draw() -> Floats:
+            samples = waveform.samples(sample_rate_hz, shift_s)
+            tally(samples_drawn=samples.size)
+            return samples
+
+        return self._get((waveform, sample_rate_hz, shift_s), draw)
+
+    def _get(self, key: Hashable, compute: Callable[[], Floats]) -> Floats:
+        known = self._known.find(key)
         if known is not None:
             return known
-        samples = waveform.samples(sample_rate_hz, shift_s)
-        tally(samples_drawn=samples.size)
-        return self._kept(key, samples)
-
-    def _find(self, key: Hashable) -> Floats | None:
-        known = self._known.find(key)
-        if known is None:
-            known = self._alive.get(key)
-            if known is not None:
-                self._known.add(key, known)
-        return known
-
-    def _kept(self, key: Hashable, samples: Floats) -> Floats:
-        samples.flags.writeable = False
-        self._alive[key] = samples
+        samples = self._alive.get(key)
+        if samples is None:
+            samples = compute()
+            samples.flags.writeable = False
+            self._alive[key] = samples
         self._known.add(key, samples)
         return samples
 
 
-# What clips play, for pictures of them.
-
-_Known = tuple[Clip, float, Floats | None]
+_KnownClip = tuple[Clip, float, Floats | None]
 
 
 class ClipWaveforms:
-    """Samples of the clips of a design; those of clips that did not change are not looked up."""
+    """Samples of the clips of a design, for pictures of them; unchanged clips cost no look-up."""
 
     def __init__(self, drawn: DrawnClips) -> None:
         self._drawn = drawn
-        self._known: dict[int, _Known] = {}
+        self._known: dict[int, _KnownClip] = {}
 
     def of(
         self, tracks: tuple[tuple[Clip, ...], ...], sample_rate_hz: float, stop: Stop
     ) -> tuple[tuple[Floats | None, ...], ...]:
-        """What each clip of each track plays, (n_times,), after its effects and before its gain.
+        """Return the samples of each clip, (n_times,), after its effects and before its gain.
 
-        None: it cannot be sampled.
+        None for a clip that cannot be sampled.
         """
-        found: dict[int, _Known] = {}
+        latest: dict[int, _KnownClip] = {}
         for clips in tracks:
-            for one in clips:
-                known = self._known.get(one.id)
-                if known is None or known[0] is not one or known[1] != sample_rate_hz:
+            for clip in clips:
+                known = self._known.get(clip.id)
+                if known is None or known[0] is not clip or known[1] != sample_rate_hz:
                     stop_if(stop)
-                    known = one, sample_rate_hz, self._samples(one, sample_rate_hz)
-                found[one.id] = known
-        self._known = found
-        return tuple(tuple(found[one.id][2] for one in clips) for clips in tracks)
+                    known = clip, sample_rate_hz, self._samples(clip, sample_rate_hz)
+                latest[clip.id] = known
+        self._known = latest
+        return tuple(tuple(latest[clip.id][2] for clip in clips) for clips in tracks)
 
-    def _samples(self, one: Clip, sample_rate_hz: float) -> Floats | None:
-        effects = tuple(effect for effect in one.effects if effect.on)
+    def _samples(self, clip: Clip, sample_rate_hz: float) -> Floats | None:
+        effects = tuple(effect for effect in clip.effects if effect.on)
         try:
-            _, shift_s = placed(one.waveform, effects, one.onset_s, sample_rate_hz)
-            return self._drawn.of(one.waveform, effects, sample_rate_hz, shift_s)
+            _, shift_s = placed(clip.waveform, effects, clip.onset_s, sample_rate_hz)
+            return self._drawn.of(clip.waveform, effects, sample_rate_hz, shift_s)
         except InvalidInputError:
             return None
 
 
-# Chains of tracks: put together once for the clips of each.
-
-_placed_chains_Known = tuple[tuple[Clip, ...], Curve, float, tuple[int, Chain]]
+_KnownChain = tuple[tuple[Clip, ...], Curve, float, tuple[int, Chain]]
 #: Far more than a design has tracks.
 _MOST = 1000
 
 
 class PlacedChains:
-    """The latest chain of each track; it takes a look at the clips to see whether it still is."""
+    """The latest signal path of each track, made anew when its clips change."""
 
     def __init__(self) -> None:
-        self._known: dict[int, _placed_chains_Known] = {}
+        self._known: dict[int, _KnownChain] = {}
 
     def of(
         self, id: int, clips: tuple[Clip, ...], gain_curve: Curve, sample_rate_hz: float
     ) -> tuple[int, Chain]:
-        """Start and chain of the track with this id, see `placed_chain`."""
+        """Return start and signal path of the track with this id, see `placed_chain`."""
         known = self._known.get(id)
         if known is not None and known[0] is clips and known[1:3] == (gain_curve, sample_rate_hz):
             return known[3]
-        found = placed_chain(clips, gain_curve, sample_rate_hz)
+        start_and_chain = placed_chain(clips, gain_curve, sample_rate_hz)
         if len(self._known) >= _MOST:
             self._known.clear()
-        self._known[id] = clips, gain_curve, sample_rate_hz, found
-        return found
-
-
-# Drives: summed once per chain, transformed once per length, delayed by a phase ramp.
+        self._known[id] = clips, gain_curve, sample_rate_hz, start_and_chain
+        return start_and_chain
 
 
 class Drives:
-    """Drawn clips, drives of chains, and their spectra, in bounded memory.
+    """Samples of clips, drives and their spectra, in bounded memory.
 
-    Attributes
-    ----------
-    clips
-        What clips play.
+    A drive is summed once for each signal path, and transformed once for each length.
     """
 
     def __init__(self, budget_bytes: int = DRIVES_BYTES, clips_bytes: int = CLIPS_BYTES) -> None:
         self.clips = DrawnClips(clips_bytes)
         self._drawn = Memory[Drive](budget_bytes, lambda drive: drive.samples.nbytes)
         self._spectra = Memory[Complexes](budget_bytes, lambda spectrum: spectrum.nbytes)
-        # Long drives exceed the budget; what a graph still holds is not drawn twice.
+        # Long drives exceed the budget, but while a graph holds them they are not drawn again.
         self._alive: WeakValueDictionary[tuple[Chain, float], Drive] = WeakValueDictionary()
 
     def drawn(self, unit: UnitVoice, sample_rate_hz: float) -> Drive:
-        """Samples of what a voice plays; refused where one of them is not a usable number."""
+        """Return the drive of a voice.
+
+        Raises
+        ------
+        InvalidInputError
+            It cannot be sampled, or a sample is not a usable number.
+        """
         key = unit.chain, sample_rate_hz
         drive = self._drawn.find(key)
         if drive is None:
@@ -172,7 +164,7 @@ class Drives:
     def spectrum(
         self, unit: UnitVoice, drive: Drive, sample_rate_hz: float, n_fft: int
     ) -> Complexes:
-        """Spectrum of the ``drive`` of a voice from time 0 on, (n_fft // 2 + 1,)."""
+        """Return the spectrum of the ``drive`` of a voice from time 0 on, (n_fft // 2 + 1,)."""
         return self._spectra.get(
             (unit.chain, sample_rate_hz, n_fft), lambda: forward(drive.samples, n_fft)
         )
@@ -185,21 +177,21 @@ class Drives:
 
 
 def delayed(spectrum: Complexes, delay_samples: int, n_fft: int) -> Complexes:
-    """Spectrum of the same signal ``delay_samples`` later; it must not run out of ``n_fft``."""
+    """Return the spectrum of the signal ``delay_samples`` later, still within ``n_fft`` samples."""
     if delay_samples == 0:
         return spectrum
-    # The turns are reduced in whole numbers, so that long delays lose no accuracy.
+    # Turns are reduced as integers, so that long delays lose no accuracy.
     turns = (np.arange(spectrum.shape[-1]) * delay_samples) % n_fft / n_fft
     return spectrum * np.exp(-2j * np.pi * turns)
 
 
 def active_samples(played: Booleans, n_taps: int) -> Booleans:
-    """When the skin can move at all: at and after samples of a drive other than 0, (n_times,).
+    """Return where the skin can move at all, (n_times,): up to ``n_taps`` after a sample not 0.
 
     Parameters
     ----------
     played : (n_times,) of bool
-        Where the drive is not zero.
+        Where the drive is not 0.
     n_taps
         Samples of the responses.
     """

@@ -1,7 +1,7 @@
-"""The quantities of a design, for scripts: the graph without the window.
+"""Quantities of a design for scripts.
 
-What was computed for one design is used for the next: a sweep of one input costs at each step what
-an edit costs in the studio.
+Results for one design are used for the next: each step of a sweep of one input costs as much as an
+edit in the studio.
 """
 
 from dataclasses import dataclass, replace
@@ -18,13 +18,13 @@ from skinsource.engine.graph import Graph, UnknownQuantity
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.shared import Shared
 
-#: Designs whose results are kept at a time; each takes some megabytes.
+#: Designs whose results are remembered; each takes some megabytes.
 MOST_GRAPHS = 4
 
 
 @dataclass(slots=True)
-class _Kept:
-    """A graph, and the design and view that it computed last."""
+class _CachedGraph:
+    """A graph, with the design and the view that it computed last."""
 
     graph: Graph
     design: Design
@@ -32,20 +32,20 @@ class _Kept:
 
 
 class Evaluator:
-    """Computes quantities of designs, one after another; remembers the last few designs.
+    """Computes quantities of designs, and remembers the results of the last few designs.
 
-    Any thread may call; they take turns.
+    Threads may call it at the same time; they take turns.
 
     Attributes
     ----------
     work
-        What the latest evaluation did.
+        Work done by the latest evaluation.
     """
 
     def __init__(self) -> None:
         self._lock = Lock()
         self._shared = Shared()
-        self._kept: list[_Kept] = []  # the latest last
+        self._cached: list[_CachedGraph] = []  # the latest last
         self.work = Work()
 
     def evaluate(
@@ -60,60 +60,62 @@ class Evaluator:
             if not isinstance(name, str):
                 raise InvalidInputError(f"quantity {quoted(name)} is no name of one")
         with self._lock:
-            kept = self._closest(design, View() if view is None else view)
+            cached = self._closest(design, View() if view is None else view)
             try:
-                found = kept.graph.evaluate(quantities, sources(kept.design, kept.view))
+                values = cached.graph.evaluate(quantities, sources(cached.design, cached.view))
             except UnknownQuantity as error:
                 raise InvalidInputError(
                     f"{error.args[0]}. See skinsource.engine.quantities."
                 ) from error
             except BaseException:
                 # A limb may have been replaced on disk: the next call opens it anew.
-                self._kept = [one for one in self._kept if not _same_limb(one.design, design)]
+                self._cached = [
+                    entry for entry in self._cached if not _same_limb(entry.design, design)
+                ]
                 raise
-            self.work = replace(kept.graph.work)
-            return found
+            self.work = replace(cached.graph.work)
+            return values
 
-    def _closest(self, design: Design, view: View) -> _Kept:
-        """The graph that has most of ``design`` already; a new one where none is close."""
-        same_limb = [one for one in self._kept if _same_limb(one.design, design)]
+    def _closest(self, design: Design, view: View) -> _CachedGraph:
+        """Return the graph whose design is like ``design`` but for one input, else a new graph."""
+        same_limb = [entry for entry in self._cached if _same_limb(entry.design, design)]
         closest = min(
-            reversed(same_limb), key=lambda one: len(_changed(one.design, design)), default=None
+            reversed(same_limb), key=lambda entry: len(_changed(entry.design, design)), default=None
         )
         if closest is not None and len(_changed(closest.design, design)) <= 1:
-            self._kept.remove(closest)
+            self._cached.remove(closest)
         else:
-            closest = _Kept(new_graph(self._shared), design, view)
-        # The input that changes stands apart, as the selected one does in the studio: the others
-        # are summed once.  No number depends on which it is.
+            closest = _CachedGraph(new_graph(self._shared), design, view)
+        # The changed input is selected, as in the studio, so that the sum of the others is computed
+        # once.  No number depends on which input is selected.
         changed = _changed(closest.design, design)
         selected = tuple(changed) or closest.view.selected_inputs
         closest.design, closest.view = design, replace(view, selected_inputs=selected)
-        self._kept = [*self._kept, closest][-MOST_GRAPHS:]
+        self._cached = [*self._cached, closest][-MOST_GRAPHS:]
         return closest
 
 
 def evaluate(design: Design, *quantities: str, view: View | None = None) -> dict[str, Any]:
-    """Return quantities of a design: all that the studio shows, and nothing else is computed.
+    """Return quantities of a design; any quantity that the studio shows can be requested.
 
-    Repeated calls are quick where only one input has changed, or the view; this holds for the last
-    four designs at a time.  Threads may call it; they take turns.
+    Nothing else is computed.  Repeated calls are quick where only one input or the view has
+    changed since one of the last four designs.  Threads may call it; they take turns.
 
     Parameters
     ----------
     design
-        What is played, on which limb.
+        The stimulus, and the limb.
     quantities
-        Their names.  Among them are ``"output_levels_db"`` (72,), dB re 1 m/s²;
+        Names of quantities.  Among them are ``"output_levels_db"`` (72,), dB re 1 m/s²;
         ``"output_rms"`` (72,), m/s²; ``"selected_traces"`` (n_selected, n_times), m/s²;
         ``"selected_spectra"``: frequencies (n_bins,), Hz, and magnitudes (n_selected, n_bins);
         ``"selected_axis_spectra"``, the same along each axis, (n_selected, n_axes, n_bins);
-        ``"response_time_s"`` (n_times,); ``"input_waveforms"``, one array per input, muted ones
-        too, from its first clip on, before amplitude, or None for a muted one that cannot be
-        sampled; ``"surface_levels_db"`` (rows, columns);
-        ``"axis_levels_db"``, of each axis of the limb (72,), dB re 1 m/s².
+        ``"response_time_s"`` (n_times,), s; ``"input_waveforms"``, an array for each input, also
+        for muted ones, from its first clip on, before amplitude, or None for a muted input that
+        cannot be sampled; ``"surface_levels_db"`` (rows, columns);
+        ``"axis_levels_db"``, for each axis of the limb (72,), dB re 1 m/s².
     view
-        Axes, method, span and selected outputs; ``View()`` where none is given.
+        Axes, method, span and selected outputs; by default ``View()``.
 
     Returns
     -------
@@ -122,7 +124,7 @@ def evaluate(design: Design, *quantities: str, view: View | None = None) -> dict
     Raises
     ------
     InvalidInputError
-        There is no such quantity, or an input plays what cannot be used.
+        There is no such quantity, or an input cannot be played.
     DatasetMissingError
         The limb is a measured one, and the measured dataset is not installed.
 
@@ -148,7 +150,7 @@ def _same_limb(old: Design, new: Design) -> bool:
 
 
 def _changed(old: Design, new: Design) -> list[int]:
-    """Ids of the inputs of ``new`` that are not as in ``old``; of all where the rest differs."""
+    """Return ids of the inputs that differ; of all inputs where anything else differs."""
     if old.scaling != new.scaling or old.ids != new.ids:
-        return [one.id for one in new.inputs]
+        return [track.id for track in new.inputs]
     return [b.id for a, b in zip(old.inputs, new.inputs, strict=True) if a != b]

@@ -1,4 +1,8 @@
-"""What no sample of a channel exceeds, without computing the samples."""
+"""Gains of voices, from the exact signed maxima of their vibrations; and checks of traces.
+
+Channels are transformed in the order of bounds of their samples, until no bound exceeds the
+largest sample so far: the result is that of the full search, from few channels.
+"""
 
 import math
 import sys
@@ -31,19 +35,19 @@ from skinsource.engine.transforms import Blocks, forward, inverse
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling
 
-#: Far above the rounding of a bound; this keeps it above the samples.
+#: Far above the rounding of a bound, so that no sample exceeds it.
 _MARGIN = 1.0 + 1e-6
 # Three transforms, each wrong by at most a few units in the last place per butterfly.
 _ROUNDING_FACTOR = 8.0
 
 
 def rounding_bound(norms: float, n_fft: int) -> float:
-    """How wrong no sample of a convolution by transforms is.
+    """Return a bound of the error of all samples of a convolution by transforms.
 
     Parameters
     ----------
     norms
-        Norm of the drive times that of the response; their sum, where several are added.
+        Norm of the drive times that of the response; the sum of these, where several are added.
     n_fft
         Length of the transforms.
     """
@@ -57,26 +61,22 @@ def channel_bounds(
     *,
     tight: bool = True,
 ) -> Floats:
-    """What no sample of each channel exceeds, for pieces of drives.
+    """Return a bound of the samples of each channel, (n_pieces, n_channels), for pieces of drives.
 
-    The smallest of three: sums of magnitudes over frequency (tight for tones); sums over sections
-    of the response of its norm there and the largest norm of the drive in a window as long (tight
-    for noise); largest sample times sum of the response (tight for pulses).
+    It is the smallest of three bounds: the sum of magnitudes over frequency (tight for tones); the
+    sum over sections of the response of its norm times the largest norm of the drive in a window as
+    long (tight for noise); the largest sample times the sum of the response (tight for pulses).
 
     Parameters
     ----------
     samples : (n_pieces, n)
         Pieces of drives; zeros after them change nothing.
     spectra : (n_pieces, n_bins)
-        Their spectra at the length of the responses'.
+        Their spectra at the length of those of the responses.
     responses : n_pieces of them
-        Responses to the place where each piece is played.
+        Responses to the location where each piece is played.
     tight
-        Whether by frequency too: what that needs of the responses takes long to prepare.
-
-    Returns
-    -------
-    (n_pieces, n_channels)
+        Whether the bound over frequency is used too, which takes long to prepare.
     """
     section_norms = np.array([response.norms.sections for response in responses])
     bounds: Floats = (
@@ -93,23 +93,23 @@ def channel_bounds(
 
 def _bounds_by_frequency(spectra: Complexes, responses: Sequence[ResponseSpectrum]) -> Floats:
     starts = np.arange(0, spectra.shape[-1], BAND_BINS)
-    # The drives are scaled: their squares are far from over- and underflow.
+    # Drives are scaled, so that their squares neither overflow nor underflow.
     magnitudes = np.sqrt(np.square(spectra.real) + np.square(spectra.imag))
     bands = np.add.reduceat(magnitudes, starts, axis=-1)
     bounds = np.empty((len(spectra), len(responses[0].rows)))
     for row, response, band in zip(bounds, responses, bands, strict=True):
-        # Not a matrix product, whose threads wait for each other without sleeping.
+        # Threads of a matrix product would wait for each other without sleeping.
         np.vecdot(response.band_magnitudes, band, out=row)
     return bounds
 
 
 def _largest_norms(samples: Floats, lengths: tuple[int, ...]) -> Floats:
-    """Largest norm of a drive in windows of some lengths, (n_pieces, n_lengths)."""
+    """Return the largest norm of each piece in windows of some lengths, (n_pieces, n_lengths)."""
     energy = np.zeros((samples.shape[0], samples.shape[1] + 1))
     np.cumsum(np.square(samples), axis=-1, out=energy[:, 1:])
-    # A window may reach beyond either end of the piece: then it holds the rest of it.
-    found = {n: _largest_rise(energy, n) for n in set(lengths)}
-    return np.sqrt(np.stack([found[n] for n in lengths], axis=-1))
+    # A window that reaches beyond either end of the piece holds the rest of it.
+    energies = {n: _largest_rise(energy, n) for n in set(lengths)}
+    return np.sqrt(np.stack([energies[n] for n in lengths], axis=-1))
 
 
 def _largest_rise(energy: Floats, n: int) -> Floats:
@@ -118,21 +118,16 @@ def _largest_rise(energy: Floats, n: int) -> Floats:
     return (energy[:, n:] - energy[:, :-n]).max(axis=-1)
 
 
-# The exact signed maximum of the vibration by a unit voice, from few of its channels.
-#
-# Channels are transformed in the order of what bounds their samples, until no bound exceeds the
-# maximum found: the result is that of the full search.
-
-#: Channels of a voice that are transformed before its bounds are looked at again.
+#: Channels of a voice that are transformed before bounds are compared again.
 _BATCHES = (4, 8, 8, 16)
-#: Blocks whose bounds are held together.
+#: Blocks whose bounds are computed at once.
 _BLOCKS_AT_ONCE = 128
 
 
 class Peak(NamedTuple):
     """The signed maximum of a vibration: its value, channel and sample.
 
-    Where the vibration is nowhere above 0 its place means nothing.
+    Channel and sample mean nothing where the vibration is nowhere above 0.
     """
 
     value: float
@@ -148,7 +143,7 @@ def peaks_of(
     *,
     tight: bool = True,
 ) -> list[Peak]:
-    """Signed maximum of each drive convolved with its responses, over channels and times.
+    """Return the signed maximum, over channels and times, of each drive convolved with responses.
 
     Parameters
     ----------
@@ -158,9 +153,9 @@ def peaks_of(
         Their spectra, where ``n_fft`` holds the whole convolution; empty for drives that are
         searched block by block.
     responses
-        Responses to the place of each drive, at the same ``n_fft``, or at that of blocks.
+        Responses to the location of each drive, at the same ``n_fft``, or at that of blocks.
     tight
-        As in `channel_bounds`; blocks are searched with tight ones.
+        As in `channel_bounds`; blocks are always searched with tight bounds.
     """
     if not spectra:
         pairs = zip(drives, responses, strict=True)
@@ -177,16 +172,16 @@ def peaks_of(
         stop_if(stop)
         chosen = order[:, begin : begin + batch]
         begin += batch
-        open_ones = np.take_along_axis(bounds, chosen, axis=-1) > largest[:, None]
-        if not open_ones.any():
+        searched = np.take_along_axis(bounds, chosen, axis=-1) > largest[:, None]
+        if not searched.any():
             return peaks
-        which = np.nonzero(open_ones)[0]
-        channel = chosen[open_ones]
-        signals = _signals(spectra, responses, np.bincount(which, minlength=len(peaks)), channel)
+        voice = np.nonzero(searched)[0]
+        channel = chosen[searched]
+        signals = _signals(spectra, responses, np.bincount(voice, minlength=len(peaks)), channel)
         time = signals.argmax(axis=-1)
         value = signals[np.arange(time.size), time]
-        for row in np.flatnonzero(value > largest[which]).tolist():
-            k = int(which[row])
+        for row in np.flatnonzero(value > largest[voice]).tolist():
+            k = int(voice[row])
             if value[row] > largest[k]:
                 largest[k] = value[row]
                 peaks[k] = Peak(float(value[row]), int(channel[row]), int(time[row]))
@@ -199,15 +194,15 @@ def _signals(
     counts: NDArray[np.int64],
     channels: NDArray[np.int64],
 ) -> Floats:
-    """Vibrations by drives at so many channels of each, (n_channels, n_fft)."""
-    found = np.empty((channels.size, spectra[0].size), np.complex128)
+    """Return vibrations, (n_channels, n_fft), by drives, at ``counts`` channels of each."""
+    products = np.empty((channels.size, spectra[0].size), np.complex128)
     end = 0
     for spectrum, response, count in zip(spectra, responses, counts.tolist(), strict=True):
         begin, end = end, end + count
         if count:
-            np.multiply(response.rows[channels[begin:end]], spectrum, out=found[begin:end])
+            np.multiply(response.rows[channels[begin:end]], spectrum, out=products[begin:end])
     tally(search_transforms=channels.size)
-    return inverse(found, responses[0].n_fft)
+    return inverse(products, responses[0].n_fft)
 
 
 def _peak_by_blocks(samples: Floats, response: ResponseSpectrum, stop: Stop) -> Peak:
@@ -216,9 +211,9 @@ def _peak_by_blocks(samples: Floats, response: ResponseSpectrum, stop: Stop) -> 
     starts = range(0, samples.size + cut.overlap, cut.n_samples)
     for k in range(0, len(starts), _BLOCKS_AT_ONCE):
         stop_if(stop)
-        found = {first: cut.segment(samples, first) for first in starts[k : k + _BLOCKS_AT_ONCE]}
-        sounding = {first: segment for first, segment in found.items() if segment is not None}
-        if len(sounding) < len(found) and peak.value < 0.0:
+        blocks = {first: cut.segment(samples, first) for first in starts[k : k + _BLOCKS_AT_ONCE]}
+        sounding = {first: segment for first, segment in blocks.items() if segment is not None}
+        if len(sounding) < len(blocks) and peak.value < 0.0:
             peak = Peak(0.0)
         if sounding:
             segments = np.array(list(sounding.values()))
@@ -236,14 +231,14 @@ def _search(
     peak: Peak,
     stop: Stop,
 ) -> Peak:
-    """Largest sample of blocks of a vibration, or ``peak`` if none exceeds it.
+    """Return the largest sample of blocks of a vibration, or ``peak`` if none exceeds it.
 
     Parameters
     ----------
     spectra : (n_blocks, n_bins)
         Spectra of the blocks of the drive.
     bounds : (n_blocks, n_channels)
-        What no sample of a block and channel exceeds.
+        Bound of the samples of each block and channel.
     starts
         First sample of the response in each block.
     """
@@ -268,9 +263,7 @@ def _search(
     return peak
 
 
-# What vibrations by unit voices are multiplied with, so that an amplitude means what it should.
-
-# Below it a reciprocal overflows.
+# The reciprocal of a smaller number overflows.
 _SMALLEST = float(np.finfo(np.float64).tiny)
 
 
@@ -282,25 +275,25 @@ def unit_gains(
     *,
     tight: bool = True,
 ) -> list[float]:
-    """What vibrations by scaled samples of drives are multiplied with under upstream's scaling.
+    """Return the factors of vibrations by scaled samples of drives under upstream's scaling.
 
-    One over their signed maxima, or no division where no sample is positive.
+    A factor is one over the signed maximum; where no sample is positive nothing is divided.
 
     Parameters
     ----------
     drives
-        None of them silent.
+        Drives that are not silent.
     spectra : (n_fft // 2 + 1,) each
-        Of the scaled samples, at the length of the responses'; empty for drives that are searched
-        block by block.
+        Of the scaled samples, at the length of those of the responses; empty for drives that are
+        searched block by block.
     responses
-        Responses to the place of each drive.
+        Responses to the location of each drive.
     tight
         As in `channel_bounds`.
     """
     samples = [drive.samples for drive in drives]
     peaks = peaks_of(samples, spectra, responses, stop, tight=tight)
-    # The factor of the drive cancels: the vibration reaches the amplitude whatever it was.
+    # The factor of the drive cancels: the vibration reaches the amplitude in any case.
     return [
         1.0 / peak.value if is_positive(peak, drive, response) else drive.factor
         for drive, peak, response in zip(drives, peaks, responses, strict=True)
@@ -308,14 +301,14 @@ def unit_gains(
 
 
 def is_positive(peak: Peak, drive: Drive, response: ResponseSpectrum) -> bool:
-    """Whether the maximum of a vibration is above 0 by more than the rounding of its transforms."""
+    """Return whether a maximum is above 0 by more than the rounding of the transforms."""
     return exceeds_rounding(peak.value, drive, response.norms.energies.max(), response.n_fft)
 
 
 def exceeds_rounding(largest: float, drive: Drive, energy: float, n_fft: int) -> bool:
-    """Whether a sample is above the rounding of transforms of ``drive`` and of a response.
+    """Return whether a sample is above the rounding of transforms of ``drive`` and a response.
 
-    ``energy`` is the norm of that response, or more.
+    ``energy`` is the norm of the response, or a bound of it.
     """
     norms = float(np.linalg.norm(drive.samples) * energy)
     return largest >= max(_SMALLEST, rounding_bound(norms, n_fft))
@@ -323,7 +316,7 @@ def exceeds_rounding(largest: float, drive: Drive, energy: float, n_fft: int) ->
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sounding:
-    """A unit voice that is not silent, its drive, and the responses to its place."""
+    """A unit voice that is not silent, its drive, and the responses to its location."""
 
     unit: UnitVoice
     drive: Drive
@@ -340,36 +333,36 @@ class Gains:
     def of(
         self, limb: Limb, voices: Sequence[Sounding], *, in_blocks: bool, stop: Stop = never
     ) -> list[float]:
-        """Gain of each voice; what is not known is found together.
+        """Return the gain of each voice; unknown gains are computed in one search.
 
-        With ``in_blocks`` the responses are of the length of blocks, else all of one length that
+        With ``in_blocks`` responses have the length of blocks, otherwise one common length that
         holds each drive and its response.
         """
-        # What is remembered of a limb does not keep its responses in memory.
-        keys = [(ref(limb), one.unit, one.response.n_fft, in_blocks) for one in voices]
+        # A weak reference in the key does not keep the responses of the limb in memory.
+        keys = [(ref(limb), voice.unit, voice.response.n_fft, in_blocks) for voice in voices]
         known = {key: gain for key in keys if (gain := self._known.find(key)) is not None}
         pairs = zip(keys, voices, strict=True)
-        missing = {key: one for key, one in pairs if key not in known}
+        missing = {key: voice for key, voice in pairs if key not in known}
         if missing:
             rate, new = limb.sample_rate_hz, list(missing.values())
             spectra = [
-                self._drives.spectrum(one.unit, one.drive, rate, one.response.n_fft)
-                for one in new
+                self._drives.spectrum(voice.unit, voice.drive, rate, voice.response.n_fft)
+                for voice in new
                 if not in_blocks
             ]
-            drives, responses = [one.drive for one in new], [one.response for one in new]
-            found = unit_gains(drives, spectra, responses, stop)
-            for key, gain in zip(missing, found, strict=True):
+            drives, responses = [voice.drive for voice in new], [voice.response for voice in new]
+            gains = unit_gains(drives, spectra, responses, stop)
+            for key, gain in zip(missing, gains, strict=True):
                 known[key] = gain
                 self._known.add(key, gain)
         return [known[key] for key in keys]
 
 
-# What rules remember beyond their latest result: drives, spectra of responses, gains.
-
-
 class Remembered:
-    """Saves time and changes no result; it belongs to one thread, and graphs may share it."""
+    """What rules remember beyond their latest result: drives, spectra of responses, and gains.
+
+    It changes no result.  It belongs to one thread, whose graphs may share it.
+    """
 
     def __init__(self) -> None:
         self.responses = ResponseSpectra()
@@ -380,12 +373,9 @@ class Remembered:
         self.exact_spectra = ExactSpectra()
 
 
-# Voices with their drives, or why they cannot be played.
-
-
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """A voice, what it plays, and the sample at which it starts."""
+    """A voice, its drive, and the sample at which it starts."""
 
     voice: Voice
     drive: Drive
@@ -393,29 +383,29 @@ class Placed:
 
     @property
     def end(self) -> int:
-        """Sample after its last one."""
+        """Sample after the last sample of the drive."""
         return self.start + self.drive.samples.size
 
     @property
     def moves(self) -> bool:
-        """Whether the skin moves at all because of it."""
+        """Whether it moves the skin at all."""
         return self.voice.amplitude != 0.0 and not self.drive.silent
 
     def sounding(self, response: ResponseSpectrum) -> Sounding:
-        """The same without amplitude and start, with the responses to its place."""
+        """Return the voice without amplitude and start, with the responses to its location."""
         return Sounding(self.voice.unit, self.drive, response)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CheckedVoice:
-    """What a voice plays.
+    """The drive of a voice, or why the voice cannot be played.
 
     Attributes
     ----------
     drive
-        None: it cannot be sampled.
+        None where the voice cannot be sampled.
     problem
-        Why it cannot be played, as the error says it; empty: it can.
+        Message of the error where it cannot be played, otherwise empty.
     """
 
     drive: Drive | None
@@ -435,7 +425,7 @@ def checked_voice(
     *,
     leave_out: bool,
 ) -> CheckedVoice:
-    """Return what a voice plays.
+    """Return the drive of a voice, checked.
 
     Parameters
     ----------
@@ -445,8 +435,8 @@ def checked_voice(
     Raises
     ------
     InvalidInputError
-        It cannot be sampled, the limb does not have its place, there is no actuator at its place,
-        or that cannot follow it.
+        The voice cannot be sampled, the limb does not have its location, no actuator is there, or
+        the actuator cannot follow the drive.
     """
     drive = None
     try:
@@ -463,11 +453,10 @@ def checked_voice(
     return CheckedVoice(drive)
 
 
-# How wrong the traces are: some samples computed again, exactly; and how wrong they can be.
-
 #: Samples that are computed again, and the factor from their largest error to the estimate.
 N_SAMPLES, ESTIMATE_FACTOR = 64, 4.0
-# Drawn to find enough where something moves; checked wherever they fall.
+# Random positions that are drawn to find enough samples other than 0, and how many are checked
+# wherever they are.
 _N_DRAWN, _N_ANYWHERE = 4096, 16
 
 
@@ -481,7 +470,7 @@ class TraceError:
         Four times the largest error among 64 samples that were computed again, as sums of products
         in extended precision.
     bound
-        What no sample exceeds.
+        Error that no sample exceeds.
     """
 
     estimate: float
@@ -489,10 +478,10 @@ class TraceError:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Heard:
-    """A voice as the check sees it.
+class ExactVoice:
+    """A voice whose vibration can be computed exactly, sample by sample.
 
-    ``weight`` is what the vibration by the scaled samples is multiplied with.
+    ``weight`` is the factor of the vibration by the scaled samples.
     """
 
     drive: Drive
@@ -501,7 +490,7 @@ class Heard:
     response: ResponseSpectrum
 
     def exact(self, output: int, axis: int, time: int) -> np.longdouble:
-        """One sample of the vibration, by its definition."""
+        """Return one sample of the vibration, computed by its definition."""
         taps = self.response.taps[output - 1, axis]
         last = time - self.delay_samples
         first = max(last - taps.size + 1, 0)
@@ -510,7 +499,7 @@ class Heard:
         return np.longdouble(self.weight) * products.sum()
 
     def rounding(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> float:
-        """Size of the products whose rounding adds up, in the strongest of some channels."""
+        """Return what rounding is proportional to: norms of drive and strongest response."""
         energies = self.response.norms.energies.reshape(self.response.taps.shape[:2])
         strongest = energies[[output - 1 for output in outputs]][:, list(axes)].max()
         return float(abs(self.weight) * np.linalg.norm(self.drive.samples) * strongest)
@@ -522,65 +511,57 @@ def exact_gains(
     responses: Sequence[ResponseSpectrum],
     stop: Stop,
 ) -> list[float]:
-    """Gains as `skinsource.engine.gains.unit_gains`, from maxima computed by definition.
+    """Return the gains of `unit_gains`, from maxima computed by definition.
 
-    Transforms say where a maximum is, not how large.
+    Transforms tell where a maximum is; its value is computed exactly.
     """
     peaks = peaks_of([drive.samples for drive in drives], spectra, responses, stop)
     gains = []
     for drive, response, peak in zip(drives, responses, peaks, strict=True):
-        one = Heard(drive=drive, delay_samples=0, weight=1.0, response=response)
+        unit_voice = ExactVoice(drive=drive, delay_samples=0, weight=1.0, response=response)
         output, axis = divmod(peak.channel, response.taps.shape[1])
-        value = float(one.exact(output + 1, axis, peak.time))
+        value = float(unit_voice.exact(output + 1, axis, peak.time))
         positive = is_positive(peak, drive, response) and value > 0.0
         gains.append(1.0 / value if positive else drive.factor)
     return gains
 
 
-def _checked_places(samples: Floats) -> list[int]:
-    """Random places, most of them where there is something to be wrong: long designs rest a lot."""
+def _checked_positions(samples: Floats) -> list[int]:
+    """Return random positions, most of them where samples are not 0: long designs rest a lot."""
     drawn = np.random.default_rng(0).integers(0, samples.size, _N_DRAWN)
     sounding = drawn[samples[drawn] != 0.0][: N_SAMPLES - _N_ANYWHERE]
     return [*sounding.tolist(), *drawn[: N_SAMPLES - sounding.size].tolist()]
 
 
 def trace_error_of(
-    traces: Floats, outputs: tuple[int, ...], axes: tuple[int, ...], heard: list[Heard]
+    traces: Floats, outputs: tuple[int, ...], axes: tuple[int, ...], voices: list[ExactVoice]
 ) -> TraceError | None:
-    """Check ``traces``, (n_outputs, n_axes, n_times); None where there is nothing to check."""
+    """Return the error of ``traces``, (n_outputs, n_axes, n_times); None where all are silent."""
     peak = float(np.abs(traces).max(initial=0.0))
-    if peak == 0.0 or not heard:
+    if peak == 0.0 or not voices:
         return None
     worst = np.longdouble(0.0)
-    for place in _checked_places(traces.reshape(-1)):
-        row, column, time = np.unravel_index(int(place), traces.shape)
+    for position in _checked_positions(traces.reshape(-1)):
+        row, column, time = np.unravel_index(int(position), traces.shape)
         exact = sum(
-            (one.exact(outputs[row], axes[column], int(time)) for one in heard), np.longdouble(0.0)
+            (voice.exact(outputs[row], axes[column], int(time)) for voice in voices),
+            np.longdouble(0.0),
         )
         worst = max(worst, abs(exact - np.longdouble(traces[row, column, time])))
-    n_fft = max(one.response.n_fft for one in heard)
-    norms = sum(one.rounding(outputs, axes) for one in heard)
+    n_fft = max(voice.response.n_fft for voice in voices)
+    norms = sum(voice.rounding(outputs, axes) for voice in voices)
     return TraceError(
         estimate=float(ESTIMATE_FACTOR * worst / peak),
         bound=rounding_bound(norms, n_fft) / peak,
     )
 
 
-# Responses of a limb at the length that a design is transformed at.
-
-
 @dataclass(frozen=True, slots=True)
 class Responses:
-    """Reads and transforms responses when they are asked for; remembers them.
+    """Responses of a limb at the length of the transforms of a design.
 
-    Attributes
-    ----------
-    remembered
-        Where what is found is kept.
-    limb, scaling
-        Whose responses, and what an amplitude of 1 means.
-    n_fft
-        Length of the transforms; None: that of blocks.
+    They are read and transformed when they are used first, and remembered.  ``n_fft`` is None where
+    transforms have the length of blocks.
     """
 
     remembered: Remembered
@@ -590,36 +571,47 @@ class Responses:
 
     @property
     def blocks(self) -> Blocks:
-        """How long drives are cut."""
+        """How long drives are cut into blocks."""
         return Blocks(self.limb.n_taps)
 
-    def to(self, places: Iterable[int]) -> list[ResponseSpectrum]:
-        """Responses to each of some places."""
-        places = list(places)
+    def to(self, locations: Iterable[int]) -> list[ResponseSpectrum]:
+        """Return the responses to each of some locations."""
+        locations = list(locations)
         if self.n_fft is None:
-            stack = self.stack(places)
-            return [stack.responses[place] for place in places] if stack is not None else []
+            stack = self.stack(locations)
+            return (
+                [stack.responses[location] for location in locations] if stack is not None else []
+            )
         spectra = self.remembered.responses
-        return [spectra.of(self.limb, place, self.scaling, self.n_fft) for place in places]
+        return [spectra.of(self.limb, location, self.scaling, self.n_fft) for location in locations]
 
-    def stack(self, places: Iterable[int]) -> Stack | None:
-        """Responses to some places for matrix products over blocks; None for no places."""
-        used = tuple(sorted(set(places)))
+    def stack(self, locations: Iterable[int]) -> Stack | None:
+        """Return the responses to some locations for products over blocks; None for none."""
+        used = tuple(sorted(set(locations)))
         if not used:
             return None
         n_fft = self.blocks.n_fft
         return self.remembered.responses.stack(self.limb, used, self.scaling, n_fft)
 
     def drive_spectrum(self, unit: UnitVoice, drive: Drive) -> Complexes:
-        """Spectrum of what a voice plays, from time 0 on, (n_bins,); not for blocks."""
+        """Return the spectrum of a drive from time 0 on, (n_bins,); there is none for blocks."""
         if self.n_fft is None:
             raise ValueError("long drives have no spectrum as a whole")
         rate = self.limb.sample_rate_hz
         return self.remembered.drives.spectrum(unit, drive, rate, self.n_fft)
 
+    def moving(
+        self, placed: Sequence[Placed], stop: Stop
+    ) -> list[tuple[Placed, ResponseSpectrum, float]]:
+        """Return voices that move the skin, with the responses to their locations and gains."""
+        voices = [player for player in placed if player.moves]
+        responses = self.to(player.voice.location for player in voices)
+        sounding = [player.sounding(to) for player, to in zip(voices, responses, strict=True)]
+        return list(zip(voices, responses, self.gains(sounding, stop), strict=True))
+
     def gains(self, voices: Sequence[Sounding], stop: Stop = never) -> list[float]:
-        """What vibrations by unit voices, none of them silent, are multiplied with."""
+        """Return the gains of unit voices that are not silent."""
         if self.scaling != "upstream":
-            return [one.drive.factor for one in voices]
+            return [voice.drive.factor for voice in voices]
         in_blocks = self.n_fft is None
         return self.remembered.gains.of(self.limb, voices, in_blocks=in_blocks, stop=stop)

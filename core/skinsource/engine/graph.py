@@ -19,20 +19,20 @@ from skinsource.base.work import Work, counting, tally
 
 
 class UnknownQuantity(LookupError):
-    """Nothing computes the quantity that was asked for."""
+    """No rule computes the requested quantity."""
 
 
 class Graph:
-    """Computes what is asked for, and nothing else; recomputes only what changed.
+    """Computes the requested quantities and nothing else; recomputes only what changed.
 
-    Not thread-safe: one graph belongs to one thread.
+    It is not thread-safe: a graph belongs to one thread.
 
     Attributes
     ----------
     runs
         How often each rule has run.
     work
-        What the latest evaluation did.
+        Work done by the latest evaluation.
 
     Raises
     ------
@@ -49,7 +49,7 @@ class Graph:
         self._needs = {
             name: tuple(signature(rule).parameters) for name, rule in self._rules.items()
         }
-        self._refuse_circles()
+        self._check_for_circles()
         self._orders: dict[tuple[frozenset[str], frozenset[str]], tuple[_Step, ...]] = {}
         self._memo: dict[str, tuple[list[Any], Any]] = {}
         self.runs: Counter[str] = Counter()
@@ -61,19 +61,19 @@ class Graph:
         return dict(self._rules)
 
     def needs_of(self, name: str) -> tuple[str, ...]:
-        """Quantities that a rule needs, in its order; none for what is given."""
+        """Return the quantities that a rule needs, in its order; none for a given quantity."""
         return tuple(need for need in self._needs.get(name, ()) if need != "stop")
 
     def upstream_of(self, names: Iterable[str]) -> frozenset[str]:
-        """What quantities depend on: themselves, what rules compute, and what is given."""
-        found: set[str] = set()
+        """Return all quantities that ``names`` depend on, computed or given, and themselves."""
+        upstream: set[str] = set()
         waiting = set(names)
         while waiting:
             name = waiting.pop()
             if name in self._rules:
-                waiting.update(need for need in self.needs_of(name) if need not in found)
-            found.add(name)
-        return frozenset(found)
+                waiting.update(need for need in self.needs_of(name) if need not in upstream)
+            upstream.add(name)
+        return frozenset(upstream)
 
     def evaluate(
         self,
@@ -83,8 +83,9 @@ class Graph:
     ) -> dict[str, Any]:
         """Return the ``wanted`` quantities, starting from the ``given`` ones.
 
-        ``stop`` is asked before each rule runs; once true, `skinsource.base.errors.Stopped` is
-        raised. A rule that takes long has a parameter ``stop`` and asks itself.
+        ``stop`` is called before each rule runs; once it returns True,
+        `skinsource.base.errors.Stopped` is raised.  A rule that takes long has a parameter ``stop``
+        and calls it itself.
         """
         known = {"stop": stop, **given}
         wanted = frozenset(wanted)
@@ -94,7 +95,7 @@ class Graph:
         return {name: known[name] for name in wanted}
 
     def _order(self, wanted: frozenset[str], known: frozenset[str]) -> "tuple[_Step, ...]":
-        """Rules that lead from what is known to what is wanted, each after those it needs."""
+        """Return the rules that lead from known to wanted quantities, each after those it needs."""
         if (wanted, known) not in self._orders:
             steps: dict[str, _Step] = {}
             for name in sorted(wanted):
@@ -106,10 +107,10 @@ class Graph:
         if name in known or name in steps:
             return
         if name not in self._rules:
-            raise UnknownQuantity(_unknown(name, self._rules))
+            raise UnknownQuantity(_unknown_quantity_text(name, self._rules))
         for need in self._needs[name]:
             self._add(need, known, steps)
-        # How to stop is handed on, but is no part of what the result depends on.
+        # ``stop`` is passed on, but the result does not depend on it.
         needs = tuple(need for need in self._needs[name] if need != "stop")
         steps[name] = _Step(name, self._rules[name], needs, "stop" in self._needs[name])
 
@@ -121,22 +122,22 @@ class Graph:
             return memo[1]
         stop_if(known["stop"])
         if memo is not None and isinstance(memo[1], np.ndarray):
-            # No array equals another: this one goes before the next is made, long ones are large.
+            # Arrays are never compared, so the old one, which may be large, is freed first.
             del self._memo[name]
             memo = None
-        given = dict(zip(step.needs, inputs, strict=True))
+        arguments = dict(zip(step.needs, inputs, strict=True))
         if step.takes_stop:
-            given["stop"] = known["stop"]
-        result = step.rule(**given)
+            arguments["stop"] = known["stop"]
+        result = step.rule(**arguments)
         self.runs[name] += 1
         tally(rules_run=1)
-        _freeze(result)  # it is remembered, and shared with other threads
+        _freeze(result)  # it is remembered, and other threads read it
         if memo is not None and _same(memo[1], result):
-            result = memo[1]  # equal, so what follows from it stands
+            result = memo[1]  # equal, so that results that depend on it stay valid
         self._memo[name] = inputs, result
         return result
 
-    def _refuse_circles(self) -> None:
+    def _check_for_circles(self) -> None:
         settled: set[str] = set()
 
         def visit(name: str, path: tuple[str, ...]) -> None:
@@ -153,7 +154,7 @@ class Graph:
 
 
 class _Step(NamedTuple):
-    """A rule, and what it needs."""
+    """A rule and the quantities that it needs."""
 
     name: str
     rule: Callable[..., Any]
@@ -162,7 +163,7 @@ class _Step(NamedTuple):
 
 
 def _all_same(old: list[Any], new: list[Any]) -> bool:
-    # Most are what they were, which is quickly seen.
+    # Most values are the same objects as before, which is quick to find out.
     return all(map(is_, old, new)) or all(map(_same, old, new))
 
 
@@ -189,7 +190,7 @@ def _freeze(result: Any) -> None:
             _freeze(part)
 
 
-def _unknown(name: str, known: Iterable[str]) -> str:
+def _unknown_quantity_text(name: str, known: Iterable[str]) -> str:
     close = get_close_matches(name, list(known), n=1)
     hint = f"; perhaps {quoted(close[0])} is meant" if close else ""
     return f"no rule computes {quoted(name)}{hint}"

@@ -1,7 +1,8 @@
 """Rules from vibrations to levels.
 
-Levels of the whole record follow from moments, moments from spectra: no channel is brought back to
-time.  With the edited voice apart, a change of its amplitude is three terms.
+Levels of the whole record follow from moments, and moments from spectra: no channel is transformed
+back to time.  Moments are sums of three terms, so that a changed amplitude of the edited voice
+costs three products.
 """
 
 from dataclasses import dataclass
@@ -127,7 +128,7 @@ def moments(
 ) -> Moments:
     """Moments of the vibration by all voices.
 
-    Where the terms of an axis cancel, they are computed again from the sum of the vibrations, so
+    Where the terms of an axis cancel, the moments are computed from the sum of the vibrations, so
     that no digits are lost.
     """
     if streamed_vibration is not None:
@@ -159,8 +160,8 @@ def record_rms(
 ) -> Floats:
     """RMS over the whole record of the projected signals, (n_outputs,), in m/s².
 
-    Where the axes of an output cancel in its projection, its energy is taken from the projected
-    spectrum instead.
+    Where the axes of an output cancel in its projection, its energy is computed from the projected
+    spectrum.
     """
     energy, cancelled = energies(moments, projection.directions, projection.axis_numbers)
     if total_spectrum is not None and cancelled.any():

@@ -1,4 +1,4 @@
-"""Predicted levels of the wavelets of a train, each alone."""
+"""Predicted levels of the single wavelets of a train."""
 
 from dataclasses import replace
 
@@ -10,34 +10,34 @@ from skinsource.design.waveforms.wavelet_train import SOFTEST_DB, WaveletTrain
 from skinsource.engine.evaluation import Evaluator
 from skinsource.signals.loudest_window import LOUDEST_WINDOW_S
 
-#: What is measured, for labels.
+#: Label of the predicted level.
 MEASURE = f"loudest {LOUDEST_WINDOW_S * 1000:g} ms of any output"
-_LOOK = View(axes="xyz", method="mag", span="loudest")
+_VIEW = View(axes="xyz", method="mag", span="loudest")
 
 
 def wavelet_levels_db(
     design: Design, clip_id: int, *, progress: Progress = silent, stop: Stop = never
 ) -> tuple[float, ...]:
-    """Level of each wavelet of a train where it is strongest on the skin, its own gain left out.
+    """Return the level of each wavelet of a train where it is strongest on the skin.
 
-    Each wavelet is predicted alone, on the limb and at the place of its track, through the effects
-    of its clip; the others rest.  Its level is the highest RMS of any 100 ms of the length of the
-    acceleration vector, at whatever output that is highest.
+    Each wavelet is predicted alone, on the limb and at the location of its track, through the
+    effects of its clip.  Its level is that of the output and the 100 ms with the highest RMS of the
+    length of the acceleration vector.
 
     Parameters
     ----------
     design
-        What holds the clip.
+        Design with the clip.
     clip_id
         The clip, which plays a `WaveletTrain`.
     progress, stop
-        Told after each wavelet; asked before each.
+        ``progress`` is called after each wavelet, ``stop`` before each.
 
     Returns
     -------
-    In dB, as many as frequencies.  Only differences between them count: amplitudes and gains are
-    left out, and what scaling does to all frequencies alike.  Of a wavelet that moves nothing,
-    minus infinity.
+    One level for each frequency, dB; minus infinity for a wavelet that moves nothing.  Only
+    differences between levels count: amplitudes, gains and any factor that is common to all
+    frequencies are left out.
 
     Raises
     ------
@@ -46,7 +46,7 @@ def wavelet_levels_db(
     DatasetMissingError
         The limb is a measured one, and the measured dataset is not installed.
     Stopped
-        ``stop`` said so.
+        ``stop`` returned True.
     """
     clip, track = design.clip(clip_id), design.track_of(clip_id)
     train = clip.waveform
@@ -54,7 +54,7 @@ def wavelet_levels_db(
         raise InvalidInputError(
             f"clip {clip_id} plays a {type(train).__name__}, expected a WaveletTrain"
         )
-    # Each wavelet scaled to its own peak would be alike before anything is done.
+    # Upstream's scaling would give each wavelet the same peak.
     scaling = "relative" if design.scaling == "upstream" else design.scaling
     evaluator, levels_db = Evaluator(), []
     count = len(train.frequencies_hz)
@@ -64,7 +64,9 @@ def wavelet_levels_db(
         alone = replace(clip, gain=1.0, muted=False, waveform=replace(train, gains_db=gains_db))
         player = replace(track, clips=(alone,), amplitude=1.0, muted=False, solo=False)
         played = replace(design, inputs=(player,), scaling=scaling)
-        found = evaluator.evaluate(played, ("output_levels_db",), _LOOK)["output_levels_db"]
-        levels_db.append(float(found.max()))
+        output_levels_db = evaluator.evaluate(played, ("output_levels_db",), _VIEW)[
+            "output_levels_db"
+        ]
+        levels_db.append(float(output_levels_db.max()))
         progress(j + 1, count, f"Wavelet {j + 1} of {count}")
     return tuple(levels_db)

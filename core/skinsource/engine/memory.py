@@ -1,4 +1,8 @@
-"""Remembers values up to a budget; the least recently used go first."""
+"""Memory for computed values: a store with a budget, and the budgets of all stores.
+
+Budgets hold for all graphs that share values together.  Limbs with the responses that were read,
+and the latest result of each rule, come on top.
+"""
 
 from collections import OrderedDict
 from collections.abc import Callable, Hashable
@@ -6,17 +10,17 @@ from typing import Generic, TypeVar
 
 V = TypeVar("V")
 
-#: What an entry takes beside its value: key, and a place in the dictionary.
+#: Memory that an entry takes beside its value: its key, and its slot in the dictionary.
 ENTRY_BYTES = 1000
 
 
 class Memory(Generic[V]):
-    """Values by key; it belongs to one thread.
+    """Values by key, for one thread; beyond a budget the least recently used are dropped.
 
     Parameters
     ----------
     budget_bytes
-        What all entries together may take.
+        Memory that all entries together may take.
     size_of
         Bytes of one value.
     """
@@ -29,7 +33,7 @@ class Memory(Generic[V]):
 
     def find(self, key: Hashable) -> V | None:
         """Return the value of ``key``, or None."""
-        # A key takes longer to hash than to find: no more often than needed.
+        # Hashing a key takes longer than finding it, so that it is hashed as seldom as possible.
         try:
             self._values.move_to_end(key)
         except KeyError:
@@ -37,7 +41,7 @@ class Memory(Generic[V]):
         return self._values[key]
 
     def add(self, key: Hashable, value: V) -> None:
-        """Remember ``value``, which was not known."""
+        """Remember ``value`` under a key that is not known yet."""
         self._values[key] = value
         self.held_bytes += self._size_of(value) + ENTRY_BYTES
         while self.held_bytes > self._budget_bytes and self._values:
@@ -53,18 +57,13 @@ class Memory(Generic[V]):
         return value
 
 
-# How much memory may hold what was computed before.
-#
-# Each is what graphs that share hold together; limbs, with the responses that were read, and the
-# latest result of each rule come on top.
-
 _MIB = 2**20
 
-#: Spectra of responses: those of twenty places for stimuli of four seconds.
+#: Spectra of responses: those of twenty locations for stimuli of four seconds.
 RESPONSE_SPECTRA_BYTES = 204 * _MIB
 #: Samples of clips, before and after their effects.
 CLIPS_BYTES = 10 * _MIB
-#: Drives, as samples, and as much again as spectra.
+#: Samples of drives, and as much again for their spectra.
 DRIVES_BYTES = 11 * _MIB
 #: Spectra of single responses at exact lengths.
 EXACT_SPECTRA_BYTES = 12 * _MIB
@@ -73,7 +72,7 @@ GAINS_BYTES = 1 * _MIB
 #: Operators of the maps of a few limbs.
 SURFACES_BYTES = 7 * _MIB
 
-#: All of them together.
+#: All budgets of a graph together.
 TOTAL_BYTES = (
     RESPONSE_SPECTRA_BYTES
     + CLIPS_BYTES
@@ -83,8 +82,8 @@ TOTAL_BYTES = (
     + SURFACES_BYTES
 )
 
-#: What `skinsource.predict` remembers, beside all of that: twice what twenty places take for
-#: stimuli of one second.
+#: Spectra that `skinsource.predict` remembers on top: twice those of twenty locations for stimuli
+#: of one second.
 PREDICT_BYTES = 128 * _MIB
 #: Gains that it remembers.
 PREDICT_GAINS_BYTES = 1 * _MIB

@@ -1,7 +1,7 @@
-"""Second moments of the axes of each output, and what follows from them.
+"""Second moments of the axes of each output, and projections of axes to one signal.
 
-RMS levels of every projection follow from the moments, and the moments from spectra by Parseval:
-no channel is brought back to time.
+RMS levels of every projection follow from the moments, and the moments from spectra by Parseval's
+theorem: no channel is transformed back to time.
 """
 
 from collections.abc import Sequence
@@ -14,13 +14,13 @@ import numpy as np
 from skinsource.base.arrays import Booleans, Complexes, Floats
 from skinsource.signals.projection import Method, magnitude, no_main_axis, principal_axis_of
 
-#: Below this share of its terms a sum has lost too many digits, and is computed another way.  Above
-#: it the rounding of the terms, about 4e-16 of their size, keeps a level right to 1e-14.
+#: Below this share of its terms a sum has lost too many digits, and is computed in another way.
+#: Above it the rounding of the terms, about 4e-16 of their size, changes a level by at most 1e-14.
 _CANCELLED = 0.05
 
 
 def pairs(n_axes: int) -> tuple[tuple[int, int], ...]:
-    """Different axes whose products are wanted, by their numbers."""
+    """Return all pairs of different axes, by number."""
     return tuple(combinations(range(n_axes), 2))
 
 
@@ -41,14 +41,14 @@ class Moments:
 
 
 def needs_products(axes: tuple[int, ...], method: Method) -> bool:
-    """Whether a projection needs the products of different axes."""
+    """Return whether a projection needs the products of different axes."""
     return len(axes) > 1 and method != "mag"
 
 
 def moments_of(spectra: Complexes, n_fft: int, *, products: bool) -> Moments:
-    """Moments of a vibration from its spectra, (n_outputs, n_axes, n_fft // 2 + 1).
+    """Return the moments of a vibration from its spectra, (n_outputs, n_axes, n_fft // 2 + 1).
 
-    Products of different axes only if ``products`` are wanted.
+    Products of different axes are computed only with ``products``.
     """
     n_axes = spectra.shape[1]
     second = np.zeros((*spectra.shape[:2], n_axes))
@@ -60,7 +60,7 @@ def moments_of(spectra: Complexes, n_fft: int, *, products: bool) -> Moments:
 
 
 def _product_sum(left: Complexes, right: Complexes) -> Floats:
-    # Twice the real part of the product, but for the ends of the spectrum, which stand alone.
+    # All bins count twice, but for both ends of the spectrum.
     whole = np.vecdot(left.view(np.float64), right.view(np.float64))
     ends = left[:, 0].real * right[:, 0].real + left[:, -1].real * right[:, -1].real
     result: Floats = 2.0 * whole - ends
@@ -70,17 +70,16 @@ def _product_sum(left: Complexes, right: Complexes) -> Floats:
 def combined(
     others: Moments, cross: Moments, edited: Moments, weight: float
 ) -> tuple[Moments, np.ndarray]:
-    """Moments of ``others + weight * edited``, and the outputs where digits cancelled.
-
-    Each axis counts by itself: it may be the only one that is looked at.
+    """Return the moments of ``others + weight * edited``, and the outputs where digits cancelled.
 
     Returns
     -------
     moments
-        The exact three terms.
+        Sums of three terms.
     cancelled : (n_outputs,) of bool
-        Outputs with an axis whose energy is below 0.05 of the sum of the terms' magnitudes: compute
-        those from the sum of the vibrations instead.
+        Outputs with an axis whose energy is below 0.05 of the sum of the magnitudes of its terms:
+        compute them from the sum of the vibrations instead.  Axes are checked one by one, as the
+        view may show a single axis.
     """
     second = others.second + 2.0 * weight * cross.second + weight**2 * edited.second
     first = others.first + weight * edited.first
@@ -92,9 +91,9 @@ def combined(
 def directions_of(
     moments: Moments, axes: tuple[int, ...], method: Method, n_times: int | Floats
 ) -> Floats | None:
-    """Vector that the chosen axes, by their numbers, are projected on, (n_outputs, n_axes).
+    """Return the vectors that the chosen axes are projected on, (n_outputs, n_axes).
 
-    None for ``"mag"`` of several axes, which is no projection.
+    None for ``"mag"`` of several axes, which is not linear.
     """
     if len(axes) > 1 and method == "mag":
         return None
@@ -109,9 +108,9 @@ def directions_of(
 
 
 def covariance_of(moments: Moments, axes: tuple[int, ...], n_times: int | Floats) -> Floats:
-    """Sums of products of the chosen axes' centred samples, (n_outputs, n_axes, n_axes).
+    """Return the sums of products of centred samples of axes, (n_outputs, n_axes, n_axes).
 
-    ``n_times`` may differ between the outputs: (n_outputs, 1, 1) then.
+    ``n_times`` is a number, or (n_outputs, 1, 1) where outputs differ.
     """
     second, first = _chosen(moments, axes)
     return second - first[:, :, None] * first[:, None, :] / n_times
@@ -120,10 +119,9 @@ def covariance_of(moments: Moments, axes: tuple[int, ...], n_times: int | Floats
 def without_main_axis(
     moments: Moments, axes: tuple[int, ...], method: Method, n_times: int
 ) -> Booleans:
-    """Outputs that are projected on a main axis they do not have, (n_outputs,).
+    """Return whether each output is projected on a main axis that it does not have, (n_outputs,).
 
-    See `skinsource.signals.projection.no_main_axis`; False for all where no main axis is looked
-    for.
+    See `skinsource.signals.projection.no_main_axis`; all False for methods without a main axis.
     """
     if method != "pca" or len(axes) == 1:
         return np.zeros(len(moments.second), bool)
@@ -133,9 +131,10 @@ def without_main_axis(
 def energies(
     moments: Moments, directions: Floats | None, axes: tuple[int, ...]
 ) -> tuple[Floats, Booleans]:
-    """Sum of squares of the projected signal of each output, (n_outputs,).
+    """Return the sum of squares of the projected signal of each output, (n_outputs,).
 
-    Also where the axes cancelled in the projection, (n_outputs,): compute those another way.
+    Also return for which outputs axes cancelled in the projection, (n_outputs,): compute their
+    energies in another way.
     """
     second, _ = _chosen(moments, axes)
     if directions is None or len(axes) == 1:
@@ -146,7 +145,7 @@ def energies(
 
 
 def energies_of(spectra: Complexes, n_fft: int) -> Floats:
-    """Sum of squares of signals from their spectra, (n_signals,)."""
+    """Return the sum of squares of signals from their spectra, (n_signals,)."""
     return _product_sum(spectra, spectra) / n_fft
 
 
@@ -157,19 +156,13 @@ def _chosen(moments: Moments, axes: tuple[int, ...]) -> tuple[Floats, Floats]:
     return moments.second[:, numbers][:, :, numbers], moments.first[:, numbers]
 
 
-# Moments of the edited voice without its vibration.
-#
-# The vibration that a voice causes is its drive times a response, frequency by frequency.  Its
-# moments are sums over frequency of the drive's power times what responses make of it: a matrix
-# times a column.  Those between it and the other voices are a matrix times the drive, made of the
-# others' vibration and the responses.  Both matrices stay while the drive changes.
-
-
 @dataclass(frozen=True, eq=False)
 class OwnMatrix:
-    """What the responses to one place make of a drive's power.
+    """Matrix from the power spectrum of a drive to the moments of its vibration.
 
-    ``values`` are the spectra of the responses, (n_outputs, n_axes, n_bins).
+    A vibration is the drive times a response, frequency by frequency.  So its moments are sums over
+    frequency of the power of the drive times products of responses, ``values``, (n_outputs, n_axes,
+    n_bins), which stay while the drive changes.
     """
 
     values: Complexes
@@ -187,26 +180,30 @@ class OwnMatrix:
     def _products(self) -> Floats:
         n_outputs, n_axes, n_bins = self.values.shape
         of_pairs = pairs(n_axes)
-        found = np.empty((n_outputs, len(of_pairs), n_bins))
+        products = np.empty((n_outputs, len(of_pairs), n_bins))
         for k, (a, b) in enumerate(of_pairs):
             left, right = self.values[:, a], self.values[:, b]
-            found[:, k] = left.real * right.real + left.imag * right.imag
-        return found
+            products[:, k] = left.real * right.real + left.imag * right.imag
+        return products
 
     def moments(self, drive: Complexes, n_fft: int, *, products: bool) -> Moments:
-        """Moments of the vibration by ``drive``, (n_bins,); of different axes only if wanted."""
+        """Return the moments of the vibration by ``drive``, (n_bins,); see `moments_of`."""
         power = (np.square(drive.real) + np.square(drive.imag)) * _weights(n_fft)
         return Moments(
-            _filled(_by(self._squares, power), _by(self._products, power) if products else None),
+            _second_moments(
+                _row_products(self._squares, power),
+                _row_products(self._products, power) if products else None,
+            ),
             self.values[:, :, 0].real * drive[0].real,
         )
 
 
 @dataclass(frozen=True, eq=False)
 class CrossMatrix:
-    """What the vibration by other voices and the responses to one place make of a drive.
+    """Matrix from the spectrum of a drive to moments between its vibration and that of others.
 
-    ``others`` is that vibration, (n_outputs, n_axes, n_bins), ``own`` holds the responses.
+    It is made of the vibration by the other voices, (n_outputs, n_axes, n_bins), and the responses
+    to the location of the drive; both stay while the drive changes.
     """
 
     others: Complexes
@@ -220,52 +217,53 @@ class CrossMatrix:
     def _products(self) -> Floats:
         n_outputs, n_axes, n_bins = self.others.shape
         of_pairs = pairs(n_axes)
-        found = np.empty((n_outputs, len(of_pairs), n_bins), np.complex128)
+        products = np.empty((n_outputs, len(of_pairs), n_bins), np.complex128)
         for k, (a, b) in enumerate(of_pairs):
-            np.multiply(self.others[:, a], self.own.conjugates[:, b], out=found[:, k])
-            found[:, k] += self.others[:, b] * self.own.conjugates[:, a]
-        found *= 0.5
-        return found.view(np.float64)
+            np.multiply(self.others[:, a], self.own.conjugates[:, b], out=products[:, k])
+            products[:, k] += self.others[:, b] * self.own.conjugates[:, a]
+        products *= 0.5
+        return products.view(np.float64)
 
     def moments(self, drive: Complexes, n_fft: int, *, products: bool) -> Moments:
-        """Moments between the others and the vibration by ``drive``, symmetrised.
+        """Return the symmetrised moments between the others and the vibration by ``drive``.
 
-        There are none of first order between two vibrations.
+        First moments between two vibrations are 0.
         """
-        # The real part of a product of complex numbers, as one of real rows and columns.
+        # Real rows times a real column give the real part of the complex product.
         column = (drive * _weights(n_fft)).view(np.float64)
-        squares = _by(self._squares, column)
-        second = _filled(squares, _by(self._products, column) if products else None)
+        squares = _row_products(self._squares, column)
+        second = _second_moments(
+            squares, _row_products(self._products, column) if products else None
+        )
         return Moments(second, np.zeros(second.shape[:2]))
 
 
-# From 10 000 numbers on, products of two rows are shared out too.
+# From 10 000 numbers on, the library of linear algebra uses threads for products of rows too.
 _NUMBERS_AT_ONCE = 8192
 
 
-def _by(matrix: Floats, column: Floats) -> Floats:
-    """One product of a matrix and a column, (n_outputs, n_rows), row by row and by one thread.
+def _row_products(matrix: Floats, column: Floats) -> Floats:
+    """Return the product of a matrix and a column, (n_outputs, n_rows), computed row by row.
 
-    As a matrix product it would be shared out among the threads of the linear algebra library,
-    which wait for each other without sleeping: where another program has the second processor,
-    ten times the work.
+    A matrix product would use threads that wait for each other without sleeping, which takes ten
+    times as long where another program has the second processor.
     """
-    found = np.zeros(matrix.shape[:2])
+    sums = np.zeros(matrix.shape[:2])
     rows = matrix.reshape(*matrix.shape[:2], column.size)
     for begin in range(0, column.size, _NUMBERS_AT_ONCE):
         end = begin + _NUMBERS_AT_ONCE
-        found += np.vecdot(rows[..., begin:end], column[begin:end])
-    return found
+        sums += np.vecdot(rows[..., begin:end], column[begin:end])
+    return sums
 
 
 def _weights(n_fft: int) -> Floats:
-    """What stands before the terms of Parseval's sum: twice over n_fft, but once for the ends."""
+    """Return the factors in Parseval's sum: 2 / n_fft, and half of it at both ends."""
     weights = np.full(n_fft // 2 + 1, 2.0 / n_fft)
     weights[[0, -1]] *= 0.5
     return weights
 
 
-def _filled(squares: Floats, products: Floats | None) -> Floats:
+def _second_moments(squares: Floats, products: Floats | None) -> Floats:
     n_outputs, n_axes = squares.shape
     second = np.zeros((n_outputs, n_axes, n_axes))
     every = np.arange(n_axes)
@@ -276,41 +274,38 @@ def _filled(squares: Floats, products: Floats | None) -> Floats:
     return second
 
 
-# From axes to one signal for each output, along vectors that are known.
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class Projection:
-    """How the chosen axes of some outputs become one signal each.
+    """How the chosen axes of each output become one signal.
 
     Attributes
     ----------
     axis_numbers
-        Where the chosen axes are among those that the limb measures along.
+        Numbers of the chosen axes among those of the limb.
     directions : (n_outputs, n_axes) or None
-        Vector that each output is projected on; None: the length of the vector is taken.
+        Vector that each output is projected on; None for the length of the acceleration vector.
     """
 
     axis_numbers: tuple[int, ...]
     directions: Floats | None
 
     def at(self, rows: Sequence[int] | slice | np.ndarray) -> "Projection":
-        """The same for some of its outputs, counted from 0."""
+        """Return the projection of some of its outputs, counted from 0."""
         if self.directions is None:
             return self
         return Projection(self.axis_numbers, self.directions[rows])
 
     def signals(self, traces: Floats) -> Floats:
-        """Projected signals, (n_outputs, n_times), of the chosen axes, (…, n_axes, n_times)."""
+        """Return projected signals, (n_outputs, n_times), of the axes, (…, n_axes, n_times)."""
         if self.directions is None:
             return magnitude(traces)
         return np.einsum("oa,oat->ot", self.directions, traces)
 
     def spectra(self, spectra: Complexes) -> Complexes:
-        """Spectra of the projected signals; there are none for the length of the vector."""
+        """Return the spectra of projected signals; only where the projection is linear."""
         if self.directions is None:
             raise ValueError("the length of a vector has no spectrum of its own")
-        # As pairs of numbers: with both of one type it takes a quarter of the time.
+        # As pairs of real numbers it takes a quarter of the time.
         parts = np.ascontiguousarray(spectra).view(np.float64)
         projected: Floats = np.einsum("oa,oaf->of", self.directions, parts)
         return projected.view(np.complex128)

@@ -1,4 +1,8 @@
-"""A second thread that helps where a processor is free, and holds nobody up where none is."""
+"""The prediction for plain drives: `predict`, without a design.
+
+The skin answers with the sum of the convolutions of drives and responses (eq. 1 of the SkinSource
+paper).  Spectra of responses and gains of drives are remembered for all threads, in bounded memory.
+"""
 
 import math
 from _thread import start_new_thread
@@ -56,13 +60,13 @@ from skinsource.limbs.scaling import Scaling, check_scaling
 Result = TypeVar("Result")
 
 
-def helped(tasks: Sequence[Callable[[], Result]]) -> list[Result]:
-    """Return what ``tasks`` return, in their order.
+def run_with_helper(tasks: Sequence[Callable[[], Result]]) -> list[Result]:
+    """Run ``tasks`` and return their results, in order; a second thread helps where it can.
 
-    A second thread takes some of them.  What it has begun and not finished in the least time that
-    a task took, this one does itself: a task may be done twice, and be done again when this has
-    returned.  It may write only what it would write each time, and count no work, which belongs to
-    a thread.  What a task raises is raised here.
+    A task that the second thread has begun, and does not finish within the shortest time that a
+    task took, is run by this thread too: nobody waits where no processor is free.  So a task may
+    run twice, even after this function has returned.  It may write only what it would write each
+    time, and must not count work, which belongs to a thread.  What a task raises is raised here.
     """
     waiting = deque(range(len(tasks)))
     done: SimpleQueue[tuple[int, Result]] = SimpleQueue()
@@ -72,13 +76,13 @@ def helped(tasks: Sequence[Callable[[], Result]]) -> list[Result]:
             while waiting:
                 number = waiting.pop()
                 done.put((number, tasks[number]()))
-        except Exception:  # noqa: BLE001, S110  this thread finds no more, or fails as the other will
+        except Exception:  # noqa: BLE001, S110  no task is left, or the other thread fails too
             pass
 
-    found: dict[int, Result] = {}
+    results: dict[int, Result] = {}
     if len(tasks) > 1:
-        with suppress(RuntimeError):  # no more threads are to be had
-            # One of the threading module would be waited for until it runs.
+        with suppress(RuntimeError):  # the system has no more threads
+            # The threading module would wait until the thread runs.
             start_new_thread(help_out, ())
     shortest_s = inf
     while waiting:
@@ -87,24 +91,21 @@ def helped(tasks: Sequence[Callable[[], Result]]) -> list[Result]:
         except IndexError:
             break
         begin = perf_counter()
-        found[number] = tasks[number]()
+        results[number] = tasks[number]()
         shortest_s = min(shortest_s, perf_counter() - begin)
-    # Others took longer where other programs had the processor meanwhile.
-    deadline = perf_counter() + (shortest_s if found else 0.0)
-    while len(found) < len(tasks):
+    # The shortest time counts: other tasks took longer where other programs had the processor.
+    deadline = perf_counter() + (shortest_s if results else 0.0)
+    while len(results) < len(tasks):
         try:
             number, result = done.get(timeout=max(deadline - perf_counter(), 0.0))
         except Empty:
             break
-        found[number] = result
-    return [found[k] if k in found else tasks[k]() for k in range(len(tasks))]
-
-
-# Spectra of the responses of limbs that scripts use, in bounded memory, for all threads.
+        results[number] = result
+    return [results[k] if k in results else tasks[k]() for k in range(len(tasks))]
 
 
 class _Places:
-    """Spectra at one length, in one piece of memory for so many places."""
+    """Spectra of responses at one length; memory for ``most_places`` of them is one array."""
 
     def __init__(self, limb: Limb, n_fft: int, most_places: int) -> None:
         self.n_fft = n_fft
@@ -117,58 +118,60 @@ class _Places:
         return len(self.known) * 16 * prod(self._shape)
 
     def add(self, taps: dict[int, Floats]) -> dict[int, ResponseSpectrum]:
-        """Transform responses by place; they are remembered as far as there is room."""
+        """Transform responses by location; they are remembered as far as there is room."""
         first = len(self.known)
         rooms = list(self._values[first : first + len(taps)])
         rooms += [np.empty(self._shape, np.complex128) for _ in range(len(taps) - len(rooms))]
         pairs = zip(taps.values(), rooms, strict=True)
-        found = helped([partial(_response, *pair, self.n_fft) for pair in pairs])
+        spectra = run_with_helper([partial(_response, *pair, self.n_fft) for pair in pairs])
         tally(forward_transforms=len(taps) * prod(self._shape[:2]))
-        made = dict(zip(taps, found, strict=True))
-        self.known |= dict(list(made.items())[: len(self._values) - first])
-        return made
+        added = dict(zip(taps, spectra, strict=True))
+        self.known |= dict(list(added.items())[: len(self._values) - first])
+        return added
 
 
 def _response(taps: Floats, values: Complexes, n_fft: int) -> ResponseSpectrum:
-    # Some outputs at a time: their spectra stay in a core's own cache.
+    # A few outputs at a time: their spectra stay in the cache of a core.
     for part, spectra in forward_in_parts(taps, n_fft, OUTPUTS_AT_ONCE):
         values[part] = spectra
     return ResponseSpectrum(taps, values, n_fft, Norms.of(taps))
 
 
-# Far more than are asked for in turn.
-_MOST_ASKED = 10_000
-# Length, and whether calibrated.
+# Far more than anybody requests in turn.
+_MOST_REQUESTED = 10_000
+# Length of the transforms, and whether responses are calibrated.
 _Key = tuple[int, bool]
 _Lengths = OrderedDict[_Key, _Places]
 
 
 class SpectraOfLimbs:
-    """What is remembered of a limb goes with it; of the rest, the least recently used goes first.
+    """Spectra of responses, for all threads, in bounded memory.
+
+    Spectra of a limb are dropped together with it; of the others, the least recently used go first.
 
     Parameters
     ----------
     budget_bytes
-        What all spectra together may take.
+        Memory that all spectra together may take.
     """
 
     def __init__(self, budget_bytes: int = PREDICT_BYTES) -> None:
         self._budget_bytes = budget_bytes
         self._lock = Lock()
-        # The latest last, limbs and lengths.
+        # Limbs and lengths are in order of use, the latest last.
         self._known: WeakKeyDictionary[Limb, _Lengths] = WeakKeyDictionary()
         self._asked: WeakKeyDictionary[Limb, set[tuple[int, _Key]]] = WeakKeyDictionary()
 
     @property
     def held_bytes(self) -> int:
-        """What the spectra take in memory."""
+        """Memory that the spectra take."""
         with self._lock:
             return self._sum()
 
     def of(
-        self, limb: Limb, places: Sequence[int], scaling: Scaling, n_fft: int
+        self, limb: Limb, locations: Sequence[int], scaling: Scaling, n_fft: int
     ) -> list[ResponseSpectrum]:
-        """Responses to each of ``places``, transformed where they are not remembered."""
+        """Return the responses to each of ``places``; those not remembered are transformed."""
         key = n_fft, scaling == "probe"
         with self._lock:
             lengths = self._known.pop(limb, None)
@@ -177,30 +180,32 @@ class SpectraOfLimbs:
                 lengths[key] = _Places(limb, n_fft, self._most_places(limb, n_fft))
             lengths.move_to_end(key)
             known = lengths[key].known
-            new = [place for place in dict.fromkeys(places) if place not in known]
-            taps = {place: scaled_taps(limb, place, scaling) for place in new}
-            made = lengths[key].add(taps) if new else {}
+            new = [location for location in dict.fromkeys(locations) if location not in known]
+            taps = {location: scaled_taps(limb, location, scaling) for location in new}
+            added = lengths[key].add(taps) if new else {}
             self._forget()
-            return [made[place] if place in made else known[place] for place in places]
+            return [
+                added[location] if location in added else known[location] for location in locations
+            ]
 
     def of_one(
-        self, limb: Limb, place: int, scaling: Scaling, n_fft: int
+        self, limb: Limb, location: int, scaling: Scaling, n_fft: int
     ) -> ResponseSpectrum | None:
-        """Responses to ``place``; None where they are asked for the first time.
+        """Return the responses to ``location``; None where they are requested the first time.
 
-        Whoever predicts once does not pay for what is kept.
+        Whoever predicts once does not pay for remembered spectra.
         """
         with self._lock:
-            asked = self._asked.setdefault(limb, set())
+            requested = self._asked.setdefault(limb, set())
             key = n_fft, scaling == "probe"
             lengths = self._known.get(limb)
-            held = lengths is not None and key in lengths and place in lengths[key].known
-            if not held and (place, key) not in asked:
-                if len(asked) >= _MOST_ASKED:
-                    asked.clear()
-                asked.add((place, key))
+            is_known = lengths is not None and key in lengths and location in lengths[key].known
+            if not is_known and (location, key) not in requested:
+                if len(requested) >= _MOST_REQUESTED:
+                    requested.clear()
+                requested.add((location, key))
                 return None
-        return self.of(limb, [place], scaling, n_fft)[0]
+        return self.of(limb, [location], scaling, n_fft)[0]
 
     def _most_places(self, limb: Limb, n_fft: int) -> int:
         each = 16 * limb.n_outputs * limb.n_axes * (n_fft // 2 + 1)
@@ -215,47 +220,42 @@ class SpectraOfLimbs:
 
     def _sum(self) -> int:
         known = list(self._known.values())
-        return sum(one.held_bytes for lengths in known for one in lengths.values())
-
-
-# The vibration by drives at some places, from spectra.
-
-#: Spectra of the responses at some outputs.
-SpectraOf = Callable[[slice], Complexes]
+        return sum(spectra.held_bytes for lengths in known for spectra in lengths.values())
 
 
 def superposed(
-    spectra: Sequence[SpectraOf],
+    responses: Sequence[ResponseSpectrum],
     drives: Sequence[Complexes],
     shape: tuple[int, int, int],
     n_fft: int,
-) -> list[Floats]:
-    """Vibration by ``drives``.
+) -> Floats:
+    """Return the vibration by ``drives``, (n_outputs, 3 axes, n_times), m/s².
+
+    Some outputs at a time go from spectra to samples: they stay in the cache of a core.
 
     Parameters
     ----------
-    spectra
-        Of the responses to the place of each drive, (n, 3 axes, n_fft // 2 + 1) for n outputs.
+    responses
+        To the location of each drive.
     drives : (n_fft // 2 + 1,) each
         Spectra, at least one.
     shape
         Outputs, axes and samples of the vibration.
-
-    Returns
-    -------
-    The vibration, m/s², in pieces of some outputs (`parts_of`).  Each piece is taken from the
-    spectra to the samples at once: what lies between stays in a core's own cache.
     """
 
     def samples_of(part: slice) -> Floats:
-        found = [spectra_of(part) for spectra_of in spectra]
-        total = np.empty_like(found[0])
-        add_up(found, drives, total)
+        spectra = [response.values[part] for response in responses]
+        total = np.empty_like(spectra[0])
+        add_up(spectra, drives, total)
         return inverse_here(total, n_fft)[..., : shape[-1]]
 
-    pieces = helped([partial(samples_of, part) for part in parts_of(shape[0])])
+    parts = parts_of(shape[0])
+    pieces = run_with_helper([partial(samples_of, part) for part in parts])
     tally(inverse_transforms=shape[0] * shape[1])
-    return pieces
+    vibration = np.empty(shape)
+    for part, piece in zip(parts, pieces, strict=True):
+        vibration[part] = piece
+    return vibration
 
 
 def single_response(
@@ -264,23 +264,19 @@ def single_response(
     shape: tuple[int, int, int],
     n_fft: int,
 ) -> tuple[Floats, float]:
-    """Vibration by one drive, and its largest sample.
+    """Return the vibration by one drive, (n_outputs, 3 axes, n_times), and its maximum, m/s².
 
-    One thread does it: where no processor is free a second one would make it slower than the plain
-    way, and where one is free it gains little of what is over in a few milliseconds.
+    One thread computes it: a second one gains little in a few milliseconds, and makes it slower
+    where no processor is free.
 
     Parameters
     ----------
     responses
-        To its place: as samples, (n_outputs, 3 axes, n_taps), or transformed.
+        To the location of the drive: samples, (n_outputs, 3 axes, n_taps), or spectra.
     drive : (n_fft // 2 + 1,)
         Its spectrum.
     shape
         Outputs, axes and samples of the vibration.
-
-    Returns
-    -------
-    The vibration, (n_outputs, 3 axes, n_times), m/s², and m/s².
     """
     n_outputs, n_axes, n_times = shape
     vibration, largest = np.empty(shape), -np.inf
@@ -302,21 +298,18 @@ def _spectra_in_parts(
             yield part, responses.values[part] * drive
     else:
         for part, spectra in forward_in_parts(responses, n_fft, at_once):
-            # They are wanted for nothing else.
+            # Nobody else uses them.
             spectra *= drive
             yield part, spectra
         tally(forward_transforms=responses.shape[0] * responses.shape[1])
 
 
-# What a core's own cache holds of spectra and as many samples, beside what they come from.
+# So many spectra and samples fit into the cache of a core, with the responses.
 _SAMPLES_AT_ONCE = 2**16
 
 
-# Gains of any samples at places of limbs, which are searched for once.
-
-
 class GainsOfDrives:
-    """Gains of drives at places, in bounded memory, for all threads."""
+    """Gains of drives at locations, for all threads, in bounded memory."""
 
     def __init__(self) -> None:
         self._known = Memory[float](PREDICT_GAINS_BYTES, getsizeof)
@@ -325,43 +318,40 @@ class GainsOfDrives:
     def of(
         self,
         limb: Limb,
-        places: Sequence[int],
+        locations: Sequence[int],
         drives: Sequence[Drive],
         spectra: Sequence[Complexes],
         responses: Sequence[ResponseSpectrum],
     ) -> list[float]:
-        """Gain of each drive at its place; arguments as those of `unit_gains`."""
+        """Return the gain of each drive at its location; arguments as those of `unit_gains`."""
         keys = [
             (
                 ref(limb),
-                place,
+                location,
                 response.n_fft,
                 drive.factor,
                 sha256(drive.samples.tobytes()).digest(),
             )
-            for place, drive, response in zip(places, drives, responses, strict=True)
+            for location, drive, response in zip(locations, drives, responses, strict=True)
         ]
         with self._lock:
             known = {key: gain for key in keys if (gain := self._known.find(key)) is not None}
         missing = {key: k for k, key in enumerate(keys) if key not in known}
         new = list(missing.values())
         if new:
-            found = unit_gains(
+            gains = unit_gains(
                 [drives[k] for k in new],
                 [spectra[k] for k in new],
                 [responses[k] for k in new],
                 # Bounds by frequency cost more to prepare than the channels that they spare.
                 tight=False,
             )
-            known |= zip(missing, found, strict=True)
+            known |= zip(missing, gains, strict=True)
             with self._lock:
                 for key in missing:
                     if self._known.find(key) is None:
                         self._known.add(key, known[key])
         return [known[key] for key in keys]
-
-
-# How the skin answers: superposition of convolutions (eq. 1 of the SkinSource paper).
 
 
 def predict(
@@ -372,115 +362,127 @@ def predict(
     scaling: Scaling = "upstream",
     actuation: Actuation | None = None,
 ) -> Floats:
-    """Skin acceleration at all outputs, for drives at some input places.
+    """Return the skin acceleration at all outputs, for drives at some input locations.
 
     Parameters
     ----------
     limb
-        From `load_limb`.  Only the responses of the places in use are read.
+        From `load_limb`.  Only the responses to the locations in use are read.
     drives : (n_inputs, n_times)
-        What each input plays.  Dimensionless; with ``scaling="probe"`` probe acceleration, m/s².
+        Samples of each input.  Dimensionless; with ``scaling="probe"`` probe acceleration, m/s².
     locations : (n_inputs,)
-        Input place of each drive, from 1.  A place may occur more than once.
+        Input location of each drive, from 1.  A location may occur more than once.
     amplitudes : (n_inputs,), optional
         Factor of each input, 1 by default; may be negative or zero.
     scaling
-        ``"upstream"``: what each input causes is divided by its signed maximum over all outputs,
-        axes and times, so that an amplitude is that maximum in m/s².  ``"relative"``: no division;
+        ``"upstream"``: the vibration by each input is divided by its signed maximum over all
+        outputs, axes and times: an amplitude is that maximum in m/s².  ``"relative"``: no division;
         1 is the measuring pulse, sample by sample.  ``"probe"``: responses calibrated to probe
         acceleration (`skinsource.limbs.scaling`).
     actuation
-        Actuators before the skin, under ``"probe"`` scaling: drives are `Actuation`'s.
+        Actuators between drives and skin, under ``"probe"`` scaling; drives are then in the unit
+        that `Actuation` states.
 
     Returns
     -------
-    (n_outputs, n_axes, n_times + n_taps - 1), m/s², float64: the full linear convolution;
-    through actuators with what they ring after the end, from time 0 on.
+    (n_outputs, n_axes, n_times + n_taps - 1), m/s², float64: the full linear convolution.
+    Through actuators it starts at time 0 too, and is longer by what they ring after the end.
 
     Raises
     ------
     InvalidInputError
-        Empty or unequal drives, values that are not finite, unknown places or scaling.
+        Drives are empty or of unequal length, a value is not finite, or a location or the scaling
+        is unknown.
     """
     if not isinstance(limb, Limb):
         raise InvalidInputError(f"limb is {quoted(limb)}, expected a Limb, see load_limb")
     check_scaling(scaling)
     samples = _checked_drives(drives)
-    places = _checked_locations(locations, len(samples), limb.n_inputs)
+    checked_locations = _checked_locations(locations, len(samples), limb.n_inputs)
     if actuation is not None:
-        return _through(actuation, limb, samples, places, amplitudes, scaling)
+        return _predict_through(actuation, limb, samples, checked_locations, amplitudes, scaling)
     factors = _checked_amplitudes(amplitudes, len(samples))
     response_samples = samples.shape[-1] + limb.n_taps - 1
-    heard = [
-        (drive, place, amplitude)
-        for drive, place, amplitude in zip(map(drive_of, samples), places, factors, strict=True)
+    played = [
+        (drive, location, amplitude)
+        for drive, location, amplitude in zip(
+            map(drive_of, samples), checked_locations, factors, strict=True
+        )
         if not drive.silent and amplitude != 0.0
     ]
-    n_places = len({place for _, place, _ in heard})
-    n_fft = length_at_once(response_samples, n_places, limb.n_outputs * limb.n_axes)
+    n_locations = len({location for _, location, _ in played})
+    n_fft = length_at_once(response_samples, n_locations, limb.n_outputs * limb.n_axes)
     if n_fft is None:
-        return _streamed(limb, heard, scaling, response_samples).everything()
-    return _at_once(limb, heard, scaling, response_samples, _shorter(n_fft, response_samples))
+        return _streamed(limb, played, scaling, response_samples).everything()
+    return _at_once(
+        limb, played, scaling, response_samples, _shorter_length(n_fft, response_samples)
+    )
 
 
-def _shorter(n_fft: int, n_times: int) -> int:
-    """A transform of 27 times a power of two is as quick as its neighbours, 24 and 30 times."""
+def _shorter_length(n_fft: int, n_times: int) -> int:
+    """Return 27 times a power of two instead of 30 times, which is as quick, if it is enough."""
     shorter = n_fft * 9 // 10
     return shorter if n_fft % 10 == 0 and shorter >= n_times else n_fft
 
 
-def _through(
+def _predict_through(
     actuation: Actuation,
     limb: Limb,
     samples: Floats,
-    places: list[int],
+    locations: list[int],
     amplitudes: ArrayLike | None,
     scaling: Scaling,
 ) -> Floats:
-    """The same through actuators, from time 0 on."""
-    through = actuated_limb(limb, actuation, scaling)
-    for one, place in zip(samples, places, strict=True):
-        check_drive(actuation, drive_of(one), limb.sample_rate_hz, limb.band_hz, place)
-    vibration = predict(through, samples, places, amplitudes, scaling)
-    return vibration[..., through.lead_samples :]
+    """Return the prediction through actuators, from time 0 on."""
+    actuated = actuated_limb(limb, actuation, scaling)
+    for drive, location in zip(samples, locations, strict=True):
+        check_drive(actuation, drive_of(drive), limb.sample_rate_hz, limb.band_hz, location)
+    vibration = predict(actuated, samples, locations, amplitudes, scaling)
+    return vibration[..., actuated.lead_samples :]
 
 
 # Far more than anybody has drives for.
 _MOST_LOCATIONS = 10**5
-_Heard = tuple[Drive, int, float]
+_PlacedDrive = tuple[Drive, int, float]
 
 
 def _streamed(
-    limb: Limb, heard: list[_Heard], scaling: Scaling, response_samples: int
+    limb: Limb, placed_drives: list[_PlacedDrive], scaling: Scaling, response_samples: int
 ) -> StreamedVibration:
     blocks, shape = Blocks(limb.n_taps), (limb.n_outputs, limb.n_axes, response_samples)
-    if not heard:
+    if not placed_drives:
         return StreamedVibration([], None, shape, blocks)
-    used = tuple(sorted({place for _, place, _ in heard}))
-    # As large as all that is remembered: made anew.
+    used = tuple(sorted({location for _, location, _ in placed_drives}))
+    # It is not remembered: it takes as much memory as all that is.
     stack = ResponseSpectra().stack(limb, used, scaling, blocks.n_fft)
-    drives = [drive for drive, _, _ in heard]
+    drives = [drive for drive, _, _ in placed_drives]
     gains = [drive.factor for drive in drives]
     if scaling == "upstream":
-        gains = unit_gains(drives, [], [stack.responses[place] for _, place, _ in heard])
+        gains = unit_gains(
+            drives, [], [stack.responses[location] for _, location, _ in placed_drives]
+        )
     played = [
-        Played(drive=drive, start=0, weight=amplitude * gain, location=place)
-        for (drive, place, amplitude), gain in zip(heard, gains, strict=True)
+        Played(drive=drive, start=0, weight=amplitude * gain, location=location)
+        for (drive, location, amplitude), gain in zip(placed_drives, gains, strict=True)
     ]
     return StreamedVibration(played, stack, shape, blocks)
 
 
 def _at_once(
-    limb: Limb, heard: list[_Heard], scaling: Scaling, response_samples: int, n_fft: int
+    limb: Limb,
+    placed_drives: list[_PlacedDrive],
+    scaling: Scaling,
+    response_samples: int,
+    n_fft: int,
 ) -> Floats:
     shape = limb.n_outputs, limb.n_axes, response_samples
-    if not heard:
+    if not placed_drives:
         return np.zeros(shape)
-    drives = [drive for drive, _, _ in heard]
+    drives = [drive for drive, _, _ in placed_drives]
     played = [forward(drive.samples, n_fft) for drive in drives]
-    together = _alone if len(heard) == 1 else _together
-    vibration = together(limb, heard, played, scaling, shape, n_fft)
-    # Where nothing can move nothing does, not even by the rounding of the transforms.
+    respond = _response_to_drive if len(placed_drives) == 1 else _response_to_drives
+    vibration = respond(limb, placed_drives, played, scaling, shape, n_fft)
+    # Where nothing can move, the vibration is exactly 0, without the rounding of the transforms.
     if any(drive.samples.all() for drive in drives):
         return vibration
     sounding = np.zeros(response_samples, bool)
@@ -492,45 +494,44 @@ def _at_once(
     return vibration
 
 
-def _together(
+def _response_to_drives(
     limb: Limb,
-    heard: list[_Heard],
+    placed_drives: list[_PlacedDrive],
     played: list[Complexes],
     scaling: Scaling,
     shape: tuple[int, int, int],
     n_fft: int,
 ) -> Floats:
-    drives, places = [drive for drive, _, _ in heard], [place for _, place, _ in heard]
-    responses = _remembered().of(limb, places, scaling, n_fft)
+    drives, locations = (
+        [drive for drive, _, _ in placed_drives],
+        [location for _, location, _ in placed_drives],
+    )
+    responses = _cached_spectra().of(limb, locations, scaling, n_fft)
     gains = [drive.factor for drive in drives]
     if scaling == "upstream":
-        gains = _known_gains().of(limb, places, drives, played, responses)
+        gains = _cached_gains().of(limb, locations, drives, played, responses)
     weighted = [
         spectrum * (gain * amplitude)
-        for spectrum, gain, (_, _, amplitude) in zip(played, gains, heard, strict=True)
+        for spectrum, gain, (_, _, amplitude) in zip(played, gains, placed_drives, strict=True)
     ]
-    vibration = np.empty(shape)
-    pieces = superposed([one.values.__getitem__ for one in responses], weighted, shape, n_fft)
-    for part, piece in zip(parts_of(limb.n_outputs), pieces, strict=True):
-        vibration[part] = piece
-    return vibration
+    return superposed(responses, weighted, shape, n_fft)
 
 
-def _alone(
+def _response_to_drive(
     limb: Limb,
-    heard: list[_Heard],
+    placed_drives: list[_PlacedDrive],
     played: list[Complexes],
     scaling: Scaling,
     shape: tuple[int, int, int],
     n_fft: int,
 ) -> Floats:
-    """As `_together` by one drive, which has its maximum in what is computed anyway."""
-    ((drive, place, amplitude),) = heard
-    known = _remembered().of_one(limb, place, scaling, n_fft)
+    """Return the same for a single drive, whose gain follows from the computed vibration."""
+    ((drive, location, amplitude),) = placed_drives
+    known = _cached_spectra().of_one(limb, location, scaling, n_fft)
     if known is None:
-        taps, largest_tap = bounded_taps(limb, place, scaling)
+        taps, largest_tap = bounded_taps(limb, location, scaling)
         vibration, largest = single_response(taps, played[0], shape, n_fft)
-        energies = _energies(taps, largest_tap)
+        energies = _energy_bounds(taps, largest_tap)
     else:
         vibration, largest = single_response(known, played[0], shape, n_fft)
         energies = iter([float(known.norms.energies.max())])
@@ -543,21 +544,21 @@ def _alone(
     return vibration
 
 
-def _energies(taps: Floats, largest_tap: float) -> Iterator[float]:
-    """What the largest energy of a response is at most, and what it is."""
-    # None has more than one that is at its largest all the time.  Most often this is enough to
-    # know, and norms need not be computed.
+def _energy_bounds(taps: Floats, largest_tap: float) -> Iterator[float]:
+    """Yield a bound of the largest energy of a response, then that energy."""
+    # No response has more energy than one that is at the largest tap all the time.  Most often this
+    # bound is enough, and norms need not be computed.
     yield math.sqrt(taps.shape[-1]) * largest_tap
     yield float(Norms.of(taps).energies.max())
 
 
 @cache
-def _remembered() -> SpectraOfLimbs:
+def _cached_spectra() -> SpectraOfLimbs:
     return SpectraOfLimbs()
 
 
 @cache
-def _known_gains() -> GainsOfDrives:
+def _cached_gains() -> GainsOfDrives:
     return GainsOfDrives()
 
 
@@ -581,17 +582,17 @@ def _checked_drives(drives: ArrayLike) -> Floats:
 
 
 def _checked_locations(locations: Sequence[int] | int, n_drives: int, n_inputs: int) -> list[int]:
-    # An array would make 1 of True and 7.0 of 7 beside 2.5.
-    found = locations.tolist() if isinstance(locations, np.ndarray) else locations
-    # There may be no end to them.
-    places = list(islice(found, _MOST_LOCATIONS)) if isinstance(found, Iterable) else [found]
-    for place in places:
-        check_input_location(place, n_inputs)
-    if len(places) != n_drives:
+    # As an array, True would become 1, and 7 beside 2.5 would become 7.0.
+    values = locations.tolist() if isinstance(locations, np.ndarray) else locations
+    # An iterable may have no end.
+    checked = list(islice(values, _MOST_LOCATIONS)) if isinstance(values, Iterable) else [values]
+    for location in checked:
+        check_input_location(location, n_inputs)
+    if len(checked) != n_drives:
         raise InvalidInputError(
-            f"{len(places)} locations for {n_drives} drives: expected one location for each drive"
+            f"{len(checked)} locations for {n_drives} drives: expected one location for each drive"
         )
-    return places
+    return checked
 
 
 def _checked_amplitudes(amplitudes: ArrayLike | None, n_inputs: int) -> Floats:

@@ -1,7 +1,7 @@
-"""Every quantity the studio can show.  To add one, write one function here.
+"""Every quantity that the studio can show.  To add one, write one function here.
 
-A function's name is the quantity it computes, its parameters are the quantities it needs; those
-fields of the design and of the view that numbers depend on are given, see `sources`.
+The name of a function is the quantity that it computes; its parameters are the quantities that it
+needs.  `sources` gives the fields of design and view that numbers depend on.
 """
 
 from collections.abc import Callable
@@ -32,36 +32,36 @@ def voices(
     remembered: Remembered, inputs: tuple[Input, ...], sample_rate_hz: float
 ) -> tuple[Voice, ...]:
     """What sounds where, from when, how strong, through what chain: one for each input."""
-    heard = set(audible_indices(inputs))
-    found = []
-    for index, one in enumerate(inputs):
-        start, chain = remembered.chains.of(one.id, one.clips, one.gain_curve, sample_rate_hz)
-        found.append(
+    audible = set(audible_indices(inputs))
+    result = []
+    for index, track in enumerate(inputs):
+        start, chain = remembered.chains.of(track.id, track.clips, track.gain_curve, sample_rate_hz)
+        result.append(
             Voice(
-                id=one.id,
-                location=one.location,
+                id=track.id,
+                location=track.location,
                 start=start,
-                amplitude=one.amplitude,
-                heard=index in heard,
+                amplitude=track.amplitude,
+                heard=index in audible,
                 chain=chain,
             )
         )
-    return tuple(found)
+    return tuple(result)
 
 
 def clip_waveforms(
     remembered: Remembered, inputs: tuple[Input, ...], sample_rate_hz: float, stop: Stop
 ) -> tuple[tuple[Floats | None, ...], ...]:
-    """What each clip of each input plays, muted or not, after its effects and before its gain.
+    """Samples of each clip of each input, muted or not, after its effects and before its gain.
 
-    None: it cannot be sampled.
+    None for a clip that cannot be sampled.
     """
-    tracks = tuple(one.clips for one in inputs)
+    tracks = tuple(track.clips for track in inputs)
     return remembered.clip_waveforms.of(tracks, sample_rate_hz, stop)
 
 
 def limb_map(limb_data: Limb) -> LimbMap:
-    """Outline of the limb and places on it."""
+    """Outline of the limb, and positions on it."""
     return limb_data.map
 
 
@@ -71,7 +71,7 @@ def sample_rate_hz(limb_data: Limb) -> float:
 
 
 def band_hz(limb_data: Limb) -> Band | None:
-    """In which the limb was measured; None: not known."""
+    """Frequencies at which the limb was measured; None where they are not known."""
     return limb_data.band_hz
 
 
@@ -109,21 +109,21 @@ RULES: tuple[Callable[..., Any], ...] = (
 def sources(
     design: Design, view: View, *, match_gain: float = 1.0, leave_out_unplayable: bool = False
 ) -> dict[str, Any]:
-    """Return what evaluation starts from, by name: nothing that no quantity depends on.
+    """Return the given quantities, by name: all fields that some quantity depends on.
 
     Parameters
     ----------
     design, view
-        What is predicted, and how it is looked at.
+        The design that is predicted, and how it is viewed.
     match_gain
-        Factor on all that the skin does, see `View.match_gain`; drives do not have it.
+        Factor on the vibration, see `View.match_gain`; drives do not have it.
     leave_out_unplayable
-        Whether inputs that cannot be played are left out and listed in ``unplayable_inputs``; else
-        they are an error.
+        Whether inputs that cannot be played are left out and listed in ``unplayable_inputs``;
+        otherwise they are an error.
     """
     return {
         "limb": design.limb,
-        # One that is imported anew under its name is another one.
+        # A limb that is imported anew under the same name is another limb.
         "limb_digest": design.limb_digest or facts_of(design.limb).digest,
         "limb_mirrored": facts_of(design.limb).mirrored,
         "inputs": design.inputs,
@@ -146,16 +146,16 @@ def sources(
 
 
 def new_graph(shared: Shared | None = None) -> Graph:
-    """Return a graph of all quantities, which has not computed anything.
+    """Return a new graph of all quantities.
 
     Parameters
     ----------
     shared
-        What it shares with other graphs of its thread; nothing, unless given.
+        Values that it shares with other graphs of its thread; by default none.
     """
     return Graph(*RULES, *(shared or Shared()).rules())
 
 
 def graphs_that_share() -> Callable[[], Graph]:
-    """Return a function that makes graphs, all for one thread, which share what they can."""
+    """Return a function that makes graphs for one thread, which share values."""
     return partial(new_graph, Shared())

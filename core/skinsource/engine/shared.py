@@ -1,8 +1,8 @@
-"""What graphs share: limbs, the operators of their maps, and what rendering remembers.
+"""Values that several graphs share: limbs, operators of their maps, drives, spectra and gains.
 
-Two graphs that look at one limb read and transform its responses once.  All that is remembered
-takes at most as much as `skinsource.engine.memory` says; a limb itself, with the responses that
-were read, stays as long as a graph holds it.
+Graphs of one limb read and transform its responses once.  `skinsource.engine.memory` states how
+much memory remembered values take at most; a limb with the responses that were read stays as long
+as a graph holds it.
 """
 
 from collections.abc import Callable
@@ -25,9 +25,9 @@ _Actuated = tuple[ref[Limb], Actuation, Scaling]
 
 
 class Shared:
-    """Hand the same one to several graphs, all of one thread.
+    """Values for several graphs of one thread.
 
-    Its methods are rules: their names are what they compute.
+    Methods that are rules are named after the quantity that they compute.
     """
 
     def __init__(self) -> None:
@@ -37,7 +37,7 @@ class Shared:
         self._surfaces = Memory[SurfaceOperator](SURFACES_BYTES, _bytes_of)
 
     def rules(self) -> tuple[Callable[..., Any], ...]:
-        """The methods that are rules."""
+        """Return the methods that are rules."""
         return self.remembered, self.limb_data, self.driven_limb, self.surface
 
     def remembered(self) -> Remembered:
@@ -46,25 +46,25 @@ class Shared:
 
     def limb_data(self, limb: str, limb_digest: str, limb_mirrored: bool) -> Limb:
         """The limb, with its responses read when touched."""
-        # Once no graph holds it, it is opened anew: its name may mean other data by then.
+        # A limb that no graph holds is opened anew: its name may mean other data by then.
         key = limb, limb_digest, limb_mirrored
-        found = self._limbs.get(key)
-        if found is None:
-            found = self._limbs[key] = load_limb(limb, limb_digest)
-        return found
+        loaded = self._limbs.get(key)
+        if loaded is None:
+            loaded = self._limbs[key] = load_limb(limb, limb_digest)
+        return loaded
 
     def driven_limb(self, limb_data: Limb, actuation: Actuation | None, scaling: Scaling) -> Limb:
         """The limb as drives meet it: through the actuators, where there are any."""
         if actuation is None:
             return limb_data
         key = ref(limb_data), actuation, scaling
-        found = self._actuated.get(key)
-        if found is None:
-            found = self._actuated[key] = actuated_limb(limb_data, actuation, scaling)
-        return found
+        actuated = self._actuated.get(key)
+        if actuated is None:
+            actuated = self._actuated[key] = actuated_limb(limb_data, actuation, scaling)
+        return actuated
 
     def limb_of(self, name: str, digest: str = "") -> Limb:
-        """The limb that a design names."""
+        """Return the limb that a design names."""
         facts = facts_of(name)
         return self.limb_data(name, digest or facts.digest, facts.mirrored)
 

@@ -1,4 +1,4 @@
-"""Spectra of impulse responses, by place and length, in bounded memory."""
+"""Spectra of impulse responses, in bounded memory; of all voices together; behind actuators."""
 
 from collections import OrderedDict
 from collections.abc import Callable, Hashable
@@ -20,15 +20,15 @@ from skinsource.engine.transforms import Channel, driven, forward
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling, per_probe_acceleration
 
-#: Taps at which responses are cut for bounds by energy: finely where most of it is.
+#: Taps at which responses are cut for bounds by energy: short sections where most energy is.
 SECTIONS = (0, 32, 64, 96, 128, 192, 256)
-#: Bins of a band, over which responses, shorter than the transform, change little.
+#: Bins of a band: responses are shorter than the transform, and change little over so many bins.
 BAND_BINS = 8
 
 
 @dataclass(frozen=True, eq=False)
 class ResponseSpectrum:
-    """Responses to one place, in time and in frequency.
+    """Responses to one location, in time and in frequency.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class ResponseSpectrum:
     values : (n_outputs, n_axes, n_fft // 2 + 1)
         Their spectra.
     known_norms
-        Those of the taps, where they were computed already.
+        Norms of the taps, where they were computed already.
     """
 
     taps: Floats
@@ -47,18 +47,18 @@ class ResponseSpectrum:
 
     @cached_property
     def rows(self) -> Complexes:
-        """The spectra, one row for each channel, (n_channels, n_bins)."""
+        """Spectra with a row for each channel, (n_channels, n_bins)."""
         return self.values.reshape(-1, self.values.shape[-1])
 
     @cached_property
     def band_magnitudes(self) -> Floats:
         """Largest magnitude in each band of bins, (n_channels, n_bands), for bounds of samples.
 
-        Divided by n_fft and doubled but for the ends, as in the inverse transform.
+        They are divided by n_fft, and doubled but for the ends, as in the inverse transform.
         """
         magnitudes = np.abs(self.rows)
         magnitudes[:, [0, -1]] *= 0.5
-        # Bin by bin over all bands at once: quicker than band by band.
+        # All bands at once, bin by bin, are quicker than band by band.
         bands = magnitudes[:, ::BAND_BINS].copy()
         for k in range(1, BAND_BINS):
             bins = magnitudes[:, k::BAND_BINS]
@@ -96,7 +96,7 @@ class Norms:
 
     @classmethod
     def of(cls, taps: Floats) -> "Norms":
-        """Those of responses, (n_outputs, n_axes, n_taps)."""
+        """Return the norms of responses, (n_outputs, n_axes, n_taps)."""
         n_taps = taps.shape[-1]
         rows = taps.reshape(-1, n_taps)
         begins = [tap for tap in SECTIONS if tap < n_taps]
@@ -110,7 +110,7 @@ class Norms:
 
 
 class _Places:
-    """Spectra at one length, made place by place in one array."""
+    """Spectra of responses at one length, made location by location in one array."""
 
     def __init__(self, limb: Limb, n_fft: int) -> None:
         self._n_fft = n_fft
@@ -133,14 +133,14 @@ class _Places:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Stack:
-    """Spectra of the responses to some places, frequency by frequency, for matrix products.
+    """Spectra of the responses to some locations, frequency by frequency, for matrix products.
 
     Attributes
     ----------
-    values : (n_fft // 2 + 1, n_places, n_channels)
+    values : (n_fft // 2 + 1, n_locations, n_channels)
         The spectra.
     responses
-        The same, place by place.
+        The same, by location.
     """
 
     values: Complexes
@@ -148,69 +148,75 @@ class Stack:
 
     @property
     def held_bytes(self) -> int:
-        """What the spectra take in memory."""
+        """Memory that the spectra take."""
         return self.values.nbytes
 
 
-# Limb, whether calibrated, length, and the places of a stack.
+# Limb, whether responses are calibrated, length, and the locations of a stack.
 _Key = tuple[ref[Limb], bool, int, tuple[int, ...]]
 
 
 class ResponseSpectra:
-    """Spectra by limb, place, scaling and length; the least recently used lengths go first."""
+    """Spectra by limb, location, scaling and length; the least recently used lengths go first."""
 
     def __init__(self, budget_bytes: int = RESPONSE_SPECTRA_BYTES) -> None:
         self._budget_bytes = budget_bytes
-        self._held: OrderedDict[_Key, _Places | Stack] = OrderedDict()
+        self._cached: OrderedDict[_Key, _Places | Stack] = OrderedDict()
 
     @property
     def held_bytes(self) -> int:
-        """What the spectra take in memory."""
-        return sum(one.held_bytes for one in self._held.values())
+        """Memory that the spectra take."""
+        return sum(entry.held_bytes for entry in self._cached.values())
 
     def of(self, limb: Limb, location: int, scaling: Scaling, n_fft: int) -> ResponseSpectrum:
-        """Responses to ``location``; under ``"probe"`` scaling the calibrated ones."""
-        # A limb is the object, not the name: after a reinstall the name means other data.  What is
-        # remembered of it does not keep all its responses in memory.
+        """Return the responses to ``location``; under ``"probe"`` scaling the calibrated ones."""
+        # The key is the object, as a name may mean other data after an installation; and a weak
+        # reference, which does not keep all responses in memory.
         key: _Key = ref(limb), scaling == "probe", n_fft, ()
-        places = self._held.get(key)
-        if not isinstance(places, _Places):
-            places = _Places(limb, n_fft)
-        response = places.of(limb, location, scaling)
-        self._keep(key, places)
+        spectra = self._cached.get(key)
+        if not isinstance(spectra, _Places):
+            spectra = _Places(limb, n_fft)
+        response = spectra.of(limb, location, scaling)
+        self._remember(key, spectra)
         return response
 
-    def stack(self, limb: Limb, places: tuple[int, ...], scaling: Scaling, n_fft: int) -> Stack:
-        """Responses to ``places`` for matrix products."""
-        key: _Key = ref(limb), scaling == "probe", n_fft, places
-        stack = self._held.get(key)
+    def stack(self, limb: Limb, locations: tuple[int, ...], scaling: Scaling, n_fft: int) -> Stack:
+        """Return the responses to ``locations`` for matrix products."""
+        key: _Key = ref(limb), scaling == "probe", n_fft, locations
+        stack = self._cached.get(key)
         if not isinstance(stack, Stack):
-            stack = _stack(limb, places, scaling, n_fft)
-        self._keep(key, stack)
+            stack = _stack(limb, locations, scaling, n_fft)
+        self._remember(key, stack)
         return stack
 
-    def _keep(self, key: _Key, latest: _Places | Stack) -> None:
+    def _remember(self, key: _Key, latest: _Places | Stack) -> None:
         self._forget_lost_limbs()
-        self._held[key] = latest
-        self._held.move_to_end(key)
-        while len(self._held) > 1 and self.held_bytes > self._budget_bytes:
-            self._held.popitem(last=False)
+        self._cached[key] = latest
+        self._cached.move_to_end(key)
+        while len(self._cached) > 1 and self.held_bytes > self._budget_bytes:
+            self._cached.popitem(last=False)
 
     def _forget_lost_limbs(self) -> None:
-        """Nobody can ask for spectra of a limb that is gone."""
-        for key in [key for key in self._held if key[0]() is None]:
-            del self._held[key]
+        """Drop spectra of limbs that nobody holds any more."""
+        for key in [key for key in self._cached if key[0]() is None]:
+            del self._cached[key]
 
 
 def scaled_taps(limb: Limb, location: int, scaling: Scaling) -> Floats:
-    """Responses to ``location``, (n_outputs, n_axes, n_taps); refused where one is not usable."""
+    """Return the responses to ``location``, (n_outputs, n_axes, n_taps), m/s².
+
+    Raises
+    ------
+    InvalidInputError
+        A sample of them is not usable.
+    """
     return bounded_taps(limb, location, scaling)[0]
 
 
 def bounded_taps(limb: Limb, location: int, scaling: Scaling) -> tuple[Floats, float]:
-    """As `scaled_taps`, with the largest magnitude of them all, m/s²."""
+    """Return the same as `scaled_taps`, and the largest magnitude of them all, m/s²."""
     taps, largest = limb.response_to(location), limb.largest_response_to(location)
-    # Not a number is neither.
+    # Written so that NaN, too, is checked further.
     bad = None if largest <= LARGEST else first_unusable(taps)
     if bad is not None:
         output, axis, tap = bad
@@ -225,27 +231,25 @@ def bounded_taps(limb: Limb, location: int, scaling: Scaling) -> tuple[Floats, f
     return taps, float(np.abs(taps).max(initial=0.0))
 
 
-def _stack(limb: Limb, places: tuple[int, ...], scaling: Scaling, n_fft: int) -> Stack:
+def _stack(limb: Limb, locations: tuple[int, ...], scaling: Scaling, n_fft: int) -> Stack:
     n_bins, n_channels = n_fft // 2 + 1, limb.n_outputs * limb.n_axes
-    values = np.empty((n_bins, len(places), n_channels), np.complex128)
+    values = np.empty((n_bins, len(locations), n_channels), np.complex128)
     responses = {}
-    for row, place in enumerate(places):
-        taps = scaled_taps(limb, place, scaling)
+    for row, location in enumerate(locations):
+        taps = scaled_taps(limb, location, scaling)
         values[:, row] = forward(taps.reshape(n_channels, -1), n_fft).T
         by_channel = values[:, row].T.reshape(limb.n_outputs, limb.n_axes, n_bins)
-        responses[place] = ResponseSpectrum(taps, by_channel, n_fft)
+        responses[location] = ResponseSpectrum(taps, by_channel, n_fft)
     return Stack(values, responses)
 
 
-# Spectra over exactly the samples of a response, of one voice.
-#
-# They are taken over as many samples as there are, as upstream does, which is seldom a fast length
-# (1821 = 3 x 607).  The spectrum of a convolution is the product of those of drive and response;
-# those of responses stay the same when the drive changes, so that one transform is left of many.
-
-
 class ExactSpectra:
-    """Spectra of single responses at exact lengths, in bounded memory."""
+    """Spectra of single responses over exactly the samples of a vibration, in bounded memory.
+
+    Upstream takes spectra at that length too, which is seldom a fast one (1821 = 3 x 607).  The
+    spectrum of a convolution is the product of those of drive and response; those of responses stay
+    when the drive changes, so that only the drive is transformed again.
+    """
 
     def __init__(self) -> None:
         self._known = Memory[Complexes](EXACT_SPECTRA_BYTES, lambda spectrum: spectrum.nbytes)
@@ -258,11 +262,11 @@ class ExactSpectra:
         Parameters
         ----------
         samples
-            The drive; its response ends within ``n_times``.
+            The drive; its vibration ends within ``n_times``.
         taps : (n_outputs, 3 axes, n_taps)
-            Responses to the place of the drive.
+            Responses to the location of the drive.
         name
-            What the responses are remembered under.
+            Key of the responses.
         """
 
         def spectra(channels: list[Channel]) -> Complexes:
@@ -275,22 +279,19 @@ class ExactSpectra:
         self, taps: Floats, name: Hashable, n_times: int, channels: list[Channel]
     ) -> Complexes:
         keys = [(name, n_times, channel) for channel in channels]
-        found = {key: self._known.find(key) for key in keys}
-        missing = [key for key in keys if found[key] is None]
+        spectra = {key: self._known.find(key) for key in keys}
+        missing = [key for key in keys if spectra[key] is None]
         if missing:
             rows = np.array([taps[output - 1, axis] for _, _, (output, axis) in missing])
             for key, spectrum in zip(missing, forward(rows, n_times), strict=True):
-                found[key] = spectrum
+                spectra[key] = spectrum
                 self._known.add(key, spectrum)
-        return np.array([found[key] for key in keys])
-
-
-# The spectrum of all voices together, where it is asked for.
+        return np.array([spectra[key] for key in keys])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class TotalSpectrum:
-    """Sum of what the other voices and the edited one cause, made row by row.
+    """Spectrum of the vibration by all voices, summed for the rows that are requested.
 
     Attributes
     ----------
@@ -299,10 +300,10 @@ class TotalSpectrum:
     n_fft
         Length of the transforms.
     others : (n_outputs, n_axes, n_bins) or None
-        Vibration by the other voices; None: none of them moves anything.
+        Vibration by all voices but the edited one; None where they move nothing.
     response, drive, weight
-        Responses to the place of the edited voice, the spectrum of its drive, (n_bins,), onset
-        included, and what stands before it; None where there is no such voice.
+        Responses to the location of the edited voice, the spectrum of its drive, (n_bins,), with
+        its onset, and the factor of both; None where no voice is edited.
     """
 
     shape: tuple[int, int, int]
@@ -313,7 +314,7 @@ class TotalSpectrum:
     weight: float
 
     def times(self, weights: Floats) -> "TotalSpectrum":
-        """The same through a filter, of which ``weights``, (n_bins,), is the response."""
+        """Return the spectrum after a filter with the frequency response ``weights``, (n_bins,)."""
         return replace(
             self,
             others=None if self.others is None else self.others * weights,
@@ -321,7 +322,7 @@ class TotalSpectrum:
         )
 
     def rows(self, outputs: np.ndarray, axes: tuple[int, ...]) -> Complexes:
-        """Spectra of some outputs, counted from 0, and axes, (n, n_axes, n_bins)."""
+        """Return spectra of some outputs, counted from 0, and axes, (n, n_axes, n_bins)."""
         rows = np.ix_(outputs, np.array(axes))
         if self.others is None:
             total = np.zeros((len(outputs), len(axes), self.shape[-1]), np.complex128)
@@ -332,15 +333,12 @@ class TotalSpectrum:
         return total
 
 
-# A limb behind actuators: its responses are to the drives, not to the probe.
-
-
 def actuated_limb(limb: Limb, actuation: Actuation, scaling: Scaling) -> Limb:
-    """Return ``limb`` as it answers through actuators.
+    """Return ``limb`` as it answers drives through actuators.
 
     Its responses are those of the limb, calibrated to the acceleration of the probe, convolved with
-    what equaliser and actuator of the place make of an impulse: longer, and from before time 0 on.
-    Nothing is read yet.
+    the impulse response of equaliser and actuator: they are longer, and begin before time 0.  They
+    are read when they are used first.
 
     Raises
     ------
@@ -366,8 +364,8 @@ def actuated_limb(limb: Limb, actuation: Actuation, scaling: Scaling) -> Limb:
         spectra = scipy.fft.rfft(taps, n_fft)
         spectra *= scipy.fft.rfft(transfer.samples, n_fft)
         tally(inverse_transforms=taps.shape[0] * taps.shape[1])
-        found: Floats = scipy.fft.irfft(spectra, n_fft)
-        return found[..., :n_taps].copy()
+        responses: Floats = scipy.fft.irfft(spectra, n_fft)
+        return responses[..., :n_taps].copy()
 
     return Limb(
         name=limb.name,

@@ -1,4 +1,8 @@
-"""One channel of a stimulus."""
+"""Stimuli: sampled channels for actuators, made from a design, and changed before an export.
+
+Functions return a changed stimulus: other order, fades, scale, part of time, lead-in, sync channel,
+and polarity, volts and delays of the channels of a rig.
+"""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -33,20 +37,18 @@ from skinsource.signals.sampling import NEAR, band_limited_delay
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Channel:
-    """What goes to one actuator, or to whatever else is wired to an output.
+    """Channel for one actuator, or for another device that is wired to an output.
 
     Attributes
     ----------
     number
-        Its place among the channels, from 1.
+        Number of the channel, from 1.
     place
-        Input place of the actuator; None: it drives no actuator (sync, or left silent).
-    title
-        Words for it.
+        Input location of the actuator; None: it drives no actuator (sync, or left silent).
     inputs
         Ids of the inputs of the design that it plays.
     loss_db
-        How much of its energy does not reach the sample rate.
+        How much of its energy is lost at the sample rate.
     """
 
     number: int
@@ -56,33 +58,28 @@ class Channel:
     loss_db: float = 0.0
 
 
-# Channels with their samples.
-
-
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Stimulus:
-    """Sampled channels side by side.
+    """Sampled channels.
 
     Attributes
     ----------
     channels
-        What they are; none where nothing is heard.
+        Descriptions of the channels; none where no input is audible.
     samples : (n_channels, n_times)
         Amplitude times gain times waveform, read-only.
-    sample_rate_hz
-        Their rate.
     limb
-        Name of the limb that the design is for.
+        Name of the limb of the design.
     scaling
-        What an amplitude of 1 means in that design.
+        Meaning of an amplitude of 1 in the design.
     start_s
-        Time of the design at which the first sample lies.
+        Time of the first sample in the design.
     own_rate_hz
-        Rate at which the design was sampled: nothing above its half is in the samples.
+        Rate at which the design was sampled: samples hold no frequency above half of it.
     unit
-        Of the samples of channels that have a place, see `skinsource.design.amplitudes.drive_unit`.
+        Unit of channels that have a place, see `skinsource.design.amplitudes.drive_unit`.
     limb_band_hz
-        In which the limb was measured; None: not known.
+        Frequencies at which the limb was measured; None where they are not known.
     """
 
     channels: tuple[Channel, ...]
@@ -101,9 +98,9 @@ class Stimulus:
                 f"samples have the shape {self.samples.shape}, expected "
                 f"({len(self.channels)} channels, n_times)"
             )
-        held = self.samples.view()
-        held.flags.writeable = False
-        object.__setattr__(self, "samples", held)
+        samples = self.samples.view()
+        samples.flags.writeable = False
+        object.__setattr__(self, "samples", samples)
 
     @property
     def n_times(self) -> int:
@@ -112,12 +109,12 @@ class Stimulus:
 
     @property
     def duration_s(self) -> float:
-        """How long it lasts."""
+        """Duration."""
         return self.n_times / self.sample_rate_hz
 
     @property
     def band_hz(self) -> Band:
-        """Lowest and highest frequency at which what is written is what was predicted."""
+        """Lowest and highest frequency at which samples agree with the prediction."""
         lower_hz = min(self.sample_rate_hz, self.own_rate_hz)
         low_hz, high_hz = self.limb_band_hz or (0.0, np.inf)
         return low_hz, min(high_hz, PASSED_SHARE * 0.5 * lower_hz)
@@ -125,7 +122,7 @@ class Stimulus:
     @property
     def driving(self) -> tuple[int, ...]:
         """Rows of the channels that drive an actuator."""
-        return tuple(row for row, one in enumerate(self.channels) if one.place is not None)
+        return tuple(row for row, channel in enumerate(self.channels) if channel.place is not None)
 
     def with_samples(self, samples: Floats, **changes: object) -> "Stimulus":
         """Return a copy that holds other samples."""
@@ -134,44 +131,43 @@ class Stimulus:
 
 def numbered(channels: Iterable[Channel]) -> tuple[Channel, ...]:
     """Number ``channels`` from 1 in their order."""
-    return tuple(replace(one, number=number) for number, one in enumerate(channels, start=1))
+    return tuple(
+        replace(channel, number=number) for number, channel in enumerate(channels, start=1)
+    )
 
 
 def peaks(samples: Floats) -> Floats:
-    """Largest absolute sample of each channel, (n_channels,); without a copy of them all."""
+    """Return the largest absolute sample of each channel, (n_channels,), without copying them."""
     if not samples.shape[1]:
         return np.zeros(samples.shape[0])
     return np.maximum(samples.max(axis=1), -samples.min(axis=1))
 
 
-# Which channel goes to which output of a device.
-
-#: Outputs of the largest device that is thought of.
+#: Outputs of the largest device that is supported.
 MOST_OUTPUTS = 1024
 
 
 def in_order(stimulus: Stimulus, outputs: Sequence[int]) -> Stimulus:
-    """Return the channels in another order.
+    """Return the channels in the order of outputs.
 
     Parameters
     ----------
     stimulus
         Channels 1, 2, 3, …
     outputs
-        For each output of the device, from the first on, the number of the channel that it gets;
-        0: it stays silent.
+        Number of the channel for each output of the device; 0 for an output that stays silent.
 
     Raises
     ------
     InvalidInputError
-        A number that no channel has, a channel that is named twice, or one that is left out.
+        No channel has such a number, or a channel occurs twice or not at all.
     """
-    known = len(stimulus.channels)
-    numbers = [integer("Channel map", number, 0, known) for number in outputs]
+    n_channels = len(stimulus.channels)
+    numbers = [integer("Channel map", number, 0, n_channels) for number in outputs]
     used = [number for number in numbers if number]
-    if len(numbers) > MOST_OUTPUTS or sorted(used) != list(range(1, known + 1)):
+    if len(numbers) > MOST_OUTPUTS or sorted(used) != list(range(1, n_channels + 1)):
         raise InvalidInputError(
-            f"Channel map is {quoted(list(outputs))}, expected each channel from 1 to {known} "
+            f"Channel map is {quoted(list(outputs))}, expected each channel from 1 to {n_channels} "
             f"once, and 0 for outputs that stay silent, at most {MOST_OUTPUTS} altogether. Say "
             "which tracks take part where a channel shall be left out."
         )
@@ -185,9 +181,6 @@ def in_order(stimulus: Stimulus, outputs: Sequence[int]) -> Stimulus:
     return stimulus.with_samples(samples, channels=numbered(channels))
 
 
-# Fades at both ends of a stimulus.
-
-
 def faded(stimulus: Stimulus, fade_in_s: float = 0.0, fade_out_s: float = 0.0) -> Stimulus:
     """Fade all channels that drive an actuator in and out, along half a cosine.
 
@@ -196,9 +189,9 @@ def faded(stimulus: Stimulus, fade_in_s: float = 0.0, fade_out_s: float = 0.0) -
     Parameters
     ----------
     stimulus
-        As it would be cut off hard.
+        Stimulus without fades.
     fade_in_s, fade_out_s
-        How long; 0: nothing is changed at that end.
+        Durations of the fades; 0 for none.
 
     Raises
     ------
@@ -228,25 +221,22 @@ def faded(stimulus: Stimulus, fade_in_s: float = 0.0, fade_out_s: float = 0.0) -
 
 
 def _rise(n: int) -> Floats:
-    """From 0 on, towards 1 at sample n, (n,)."""
+    """Return a rise from 0 at the first sample to 1 at sample n, (n,)."""
     rise: Floats = 0.5 - 0.5 * np.cos(np.pi * np.arange(n) / max(n, 1))
     return rise
 
 
-# Which sample is full scale.
-
-
 def full_scale_factor(stimulus: Stimulus) -> float:
-    """One factor for all channels that brings the largest sample to 1; 1 where all are silent.
+    """Return the factor that brings the largest sample to 1; 1 where all channels are silent.
 
-    Channels that drive no actuator play no part.
+    Channels that drive no actuator do not count.
     """
     rows = list(stimulus.driving)
     peak = float(peaks(stimulus.samples)[rows].max(initial=0.0)) if rows else 0.0
     if peak == 0.0:
         return 1.0
     factor = 1.0 / peak
-    # Rounded down, so that the largest sample is 1 and not the next number above it.
+    # The factor is rounded down, so that the largest sample does not exceed 1.
     return float(np.nextafter(factor, 0.0)) if peak * factor > 1.0 else factor
 
 
@@ -259,17 +249,15 @@ def scaled(stimulus: Stimulus, factor: float) -> Stimulus:
     return stimulus.with_samples(stimulus.samples * factors)
 
 
-# When a stimulus begins and ends.
-
-#: Longest silence that is put before a stimulus.
+#: Longest silence before a stimulus.
 LONGEST_LEAD_IN_S = 60.0
 
 
 def part_of_time(stimulus: Stimulus, from_s: float, to_s: float) -> Stimulus:
     """Return the samples from one time of the design up to, not including, another.
 
-    What sounds at these times is cut off hard; see `faded`.  Where the stimulus ends earlier,
-    silence follows.
+    Both ends are cut without a fade, see `faded`.  Where the stimulus ends earlier, silence
+    follows.
 
     Raises
     ------
@@ -288,24 +276,26 @@ def part_of_time(stimulus: Stimulus, from_s: float, to_s: float) -> Stimulus:
             f"to_s is {end_s:g} and from_s is {begin_s:g}: no sample lies between them, expected "
             "at least one. Take a longer part."
         )
-    found = np.zeros((len(stimulus.channels), end - first))
+    samples = np.zeros((len(stimulus.channels), end - first))
     inside = stimulus.samples[:, first:end]
-    found[:, : inside.shape[1]] = inside
-    return stimulus.with_samples(found, start_s=stimulus.start_s + first / stimulus.sample_rate_hz)
+    samples[:, : inside.shape[1]] = inside
+    return stimulus.with_samples(
+        samples, start_s=stimulus.start_s + first / stimulus.sample_rate_hz
+    )
 
 
 def with_lead_in(stimulus: Stimulus, silence_s: float) -> Stimulus:
-    """Put silence before a stimulus, rounded up to whole samples."""
+    """Return a stimulus with silence before it, rounded up to whole samples."""
     n = lead_in_samples(silence_s, stimulus.sample_rate_hz)
     if not n:
         return stimulus
-    found = np.zeros((len(stimulus.channels), n + stimulus.n_times))
-    found[:, n:] = stimulus.samples
-    return stimulus.with_samples(found, start_s=stimulus.start_s - n / stimulus.sample_rate_hz)
+    samples = np.zeros((len(stimulus.channels), n + stimulus.n_times))
+    samples[:, n:] = stimulus.samples
+    return stimulus.with_samples(samples, start_s=stimulus.start_s - n / stimulus.sample_rate_hz)
 
 
 def lead_in_samples(length_s: float, sample_rate_hz: float) -> int:
-    """Return how many samples a lead-in has: rounded up.
+    """Return the number of samples of a lead-in, rounded up.
 
     Raises
     ------
@@ -322,14 +312,11 @@ def lead_in_samples(length_s: float, sample_rate_hz: float) -> int:
     return ceil(length_s * sample_rate_hz - NEAR)
 
 
-# From a design to the channels that actuators get.
-
-#: Something that is done to a stimulus at the rate of the device: an equaliser, for instance.
+#: A change of a stimulus at the rate of the device, for example by an equaliser.
 Stage = Callable[[Stimulus], Stimulus]
 
 #: Samples of all channels together: one gigabyte.
 MOST_SAMPLES = 2**27
-_PER = ("place", "input")
 
 
 def stimulus_of(
@@ -345,34 +332,37 @@ def stimulus_of(
     progress: Progress = silent,
     stop: Stop = never,
 ) -> Stimulus:
-    """Return what the actuators get to play a design.
+    """Return the samples that actuators play for a design.
 
-    Each channel is amplitude x gain x waveform, at the rate of the limb, where the prediction is
-    made from the same samples; another rate is reached by `skinsource.resample`, so that what is
-    played is what is predicted.  Sample 0 is time 0 of the design, unless there is a lead-in.
+    Each channel is amplitude x gain x waveform.  It is sampled at the rate of the limb, as for the
+    prediction, and converted to another rate by `skinsource.resample`, so that what is played is
+    what is predicted.  Sample 0 is time 0 of the design, unless there is a lead-in.
 
     Parameters
     ----------
-    design, sample_rate_hz
-        Inputs that are not heard are left out; whole hertz, None: the rate of the limb.
+    design
+        Inputs that are not audible are left out.
+    sample_rate_hz
+        A whole number of hertz; None for the rate of the limb.
     per
-        ``"place"``: one channel for each place in use, in the order of first use, so that inputs
-        at one place add up.  ``"input"``: one channel for each input.
+        ``"place"``: one channel for each location in use, in the order of first use, so that inputs
+        at one location add up.  ``"input"``: one channel for each input.
     inputs, clips
-        Ids of the inputs, or of the clips, that take part; None: all of them.
+        Ids of the inputs, or of the clips, that are played; None for all of them.
     stages
-        What is done at the end, at ``sample_rate_hz``, one after the other.
+        Changes at ``sample_rate_hz``, applied one after the other at the end.
     limb
-        Of the design, where it is open already.
+        Limb of the design, where it is open already.
     lead_in_s
-        How long before time 0 it begins: silence, but for what rings there at another rate.
+        How long before time 0 the samples begin: silence, with the ringing of a rate conversion.
     progress, stop
-        As of a job: told how many channels have their rate; `Stopped` is raised.
+        ``progress`` is called after each converted channel; once ``stop`` returns True, `Stopped`
+        is raised.
 
     Raises
     ------
     InvalidInputError
-        A place, an id, a rate or a sample that cannot be, or more samples than can be held.
+        A location, an id, a rate or a sample is not valid, or there are too many samples.
     DatasetMissingError
         The limb is a measured one, and the measured dataset is not installed.
 
@@ -383,37 +373,20 @@ def stimulus_of(
     >>> found.channels[0].title, found.samples.shape
     ('Digit II, pad', (1, 9600))
     """
-    heard = _taking_part(design, inputs, clips)
-    one_of("per", per, _PER)
-    found = _made(design, limb, heard, per, sample_rate_hz, lead_in_s, (progress, stop))
-    for stage in stages:
-        stop_if(stop)
-        found = stage(found)
-    return found
-
-
-def _made(
-    design: Design,
-    limb: Limb | None,
-    heard: tuple[Input, ...],
-    per: str,
-    sample_rate_hz: int | None,
-    lead_in_s: float,
-    job: tuple[Progress, Stop],
-) -> Stimulus:
-    """What ``heard`` plays."""
+    tracks = _playing_tracks(design, inputs, clips)
+    one_of("per", per, ("place", "input"))
     if sample_rate_hz is not None:
         sample_rate_hz = integer("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
     limb = load_limb(design.limb) if limb is None else limb
-    for one in heard:
-        check_input_location(one.location, limb.n_inputs)
+    for track in tracks:
+        check_input_location(track.location, limb.n_inputs)
     own_rate_hz = limb.sample_rate_hz
     rate_hz = own_rate_hz if sample_rate_hz is None else float(sample_rate_hz)
-    channels = _channels(heard, per, design.limb)
+    channels = _channels(tracks, per, design.limb)
     lead = lead_in_samples(lead_in_s, rate_hz)
-    return Stimulus(
+    stimulus = Stimulus(
         channels=channels,
-        samples=_sampled(heard, channels, own_rate_hz, rate_hz, lead, *job),
+        samples=_samples_of(tracks, channels, own_rate_hz, rate_hz, lead, progress, stop),
         sample_rate_hz=rate_hz,
         start_s=-lead / rate_hz if lead else 0.0,
         limb=design.limb,
@@ -422,44 +395,49 @@ def _made(
         limb_band_hz=limb.band_hz,
         unit=drive_unit(design, limb),
     )
+    for stage in stages:
+        stop_if(stop)
+        stimulus = stage(stimulus)
+    return stimulus
 
 
-def _taking_part(
+def _playing_tracks(
     design: Design, inputs: Iterable[int] | None, clips: Iterable[int] | None
 ) -> tuple[Input, ...]:
-    """Inputs that are heard, with those of their clips that take part."""
+    """Return audible inputs among ``inputs``, with those of their clips that are in ``clips``."""
     if not isinstance(design, Design):
         raise InvalidInputError(f"design is {quoted(design)}, expected a Design")
-    heard = audible_inputs(design.inputs)
+    tracks = audible_inputs(design.inputs)
     if inputs is not None:
-        wanted = {design.input(id).id for id in inputs}
-        heard = tuple(one for one in heard if one.id in wanted)
+        track_ids = {design.input(id).id for id in inputs}
+        tracks = tuple(track for track in tracks if track.id in track_ids)
     if clips is None:
-        return heard
+        return tracks
     chosen = {design.clip(id).id for id in clips}
-    left = (
-        replace(one, clips=tuple(clip for clip in one.clips if clip.id in chosen)) for one in heard
+    with_chosen_clips = (
+        replace(track, clips=tuple(clip for clip in track.clips if clip.id in chosen))
+        for track in tracks
     )
-    return tuple(one for one in left if one.clips)
+    return tuple(track for track in with_chosen_clips if track.clips)
 
 
-def _channels(heard: tuple[Input, ...], per: str, limb: str) -> tuple[Channel, ...]:
-    together: dict[int, list[Input]] = {}
-    for one in heard:
-        together.setdefault(one.location if per == "place" else one.id, []).append(one)
+def _channels(tracks: tuple[Input, ...], per: str, limb: str) -> tuple[Channel, ...]:
+    groups: dict[int, list[Input]] = {}
+    for track in tracks:
+        groups.setdefault(track.location if per == "place" else track.id, []).append(track)
     return tuple(
         Channel(
             number=number,
             place=group[0].location,
             title=input_name(group[0].location, limb).name,
-            inputs=tuple(one.id for one in group),
+            inputs=tuple(track.id for track in group),
         )
-        for number, group in enumerate(together.values(), start=1)
+        for number, group in enumerate(groups.values(), start=1)
     )
 
 
-def _sampled(
-    heard: tuple[Input, ...],
+def _samples_of(
+    tracks: tuple[Input, ...],
     channels: tuple[Channel, ...],
     own_rate_hz: float,
     rate_hz: float,
@@ -467,25 +445,25 @@ def _sampled(
     progress: Progress,
     stop: Stop,
 ) -> Floats:
-    """Samples at ``rate_hz`` from ``lead`` before time 0, (n_channels, n_times); at least one."""
+    """Return samples at ``rate_hz`` from ``lead`` samples before time 0, (n_channels, n_times)."""
     ratio = Fraction(rate_hz) / Fraction(own_rate_hz)
-    rows = {id: row for row, one in enumerate(channels) for id in one.inputs}
+    rows = {id: row for row, channel in enumerate(channels) for id in channel.inputs}
     pieces: list[tuple[int, int, float, Floats]] = []
 
     def drawn(part: Part) -> Floats:
         return played(part.waveform, part.effects, own_rate_hz, part.shift_s)
 
-    for one in heard:
+    for track in tracks:
         stop_if(stop)
-        start, chain = placed_chain(one.clips, one.gain_curve, own_rate_hz)
-        drive = drive_played(chain, own_rate_hz, one.location, drawn)
-        pieces.append((rows[one.id], start, one.amplitude * drive.factor, drive.samples))
+        start, chain = placed_chain(track.clips, track.gain_curve, own_rate_hz)
+        drive = drive_played(chain, own_rate_hz, track.location, drawn)
+        pieces.append((rows[track.id], start, track.amplitude * drive.factor, drive.samples))
     n = max([1, *(start + samples.size for _, start, _, samples in pieces)])
-    # Samples of both rates meet at time 0: what comes before is whole numbers of either.
+    # Samples of both rates coincide at time 0, so that the lead is a whole number of both.
     steps = -(-lead // ratio.numerator)
     before, surplus = steps * ratio.denominator, steps * ratio.numerator - lead
     n += before
-    _refuse_too_long(len(channels), -(-n * ratio.numerator // ratio.denominator), rate_hz)
+    _check_length(len(channels), -(-n * ratio.numerator // ratio.denominator), rate_hz)
     total = np.zeros((len(channels), n))
     for row, start, factor, samples in pieces:
         begin = before + start
@@ -493,16 +471,16 @@ def _sampled(
     stop_if(stop)
     if ratio == 1:
         return total
-    found = np.empty((len(channels), -(-n * ratio.numerator // ratio.denominator)))
+    converted = np.empty((len(channels), -(-n * ratio.numerator // ratio.denominator)))
     for row, samples in enumerate(total):
-        # A minute at the rate of a sound card takes a while.
+        # Converting a minute to the rate of a sound card takes a while.
         stop_if(stop)
         progress(row, len(channels), "Computing")
-        found[row] = by_ratio(samples, ratio, min(own_rate_hz, rate_hz))
-    return found[:, surplus:]
+        converted[row] = by_ratio(samples, ratio, min(own_rate_hz, rate_hz))
+    return converted[:, surplus:]
 
 
-def _refuse_too_long(n_channels: int, n_times: int, rate_hz: float) -> None:
+def _check_length(n_channels: int, n_times: int, rate_hz: float) -> None:
     if n_channels * n_times > MOST_SAMPLES:
         longest_s = MOST_SAMPLES / n_channels / rate_hz
         raise InvalidInputError(
@@ -512,27 +490,24 @@ def _refuse_too_long(n_channels: int, n_times: int, rate_hz: float) -> None:
         )
 
 
-# A channel that tells other devices when the stimulus begins.
-
-#: Long enough for a recorder at 1 kHz to see it ten times.
+#: Long enough for ten samples of a recorder at 1 kHz.
 PULSE_S = 0.01
 
 
 def with_sync(stimulus: Stimulus, pulse_s: float = PULSE_S, at_s: float = 0.0) -> Stimulus:
-    """Add a last channel: a pulse at full scale from a time of the design on.
+    """Add a last channel with a pulse at full scale, for other devices.
 
-    Where the stimulus begins later than that, the pulse begins with it; where it ends before the
-    pulse does, the pulse ends with it.  Its samples count in parts of full scale, whatever the
-    other channels are scaled with.
+    Where the stimulus begins after the pulse, or ends before its end, so does the pulse.  Samples
+    of the channel are in parts of full scale, whatever the unit of other channels.
 
     Parameters
     ----------
     stimulus
-        With its lead-in, if it has one: that is not marked.
+        Stimulus with its lead-in, if it has one.
     pulse_s
-        How long the pulse is.
+        Length of the pulse.
     at_s
-        When it begins.
+        Time of the design at which it begins.
     """
     length_s = real_number("pulse_s", pulse_s, "a time from 0.0001 to 10 s", least=1e-4, most=10.0)
     first = max(ceil((at_s - stimulus.start_s) * stimulus.sample_rate_hz - NEAR), 0)
@@ -544,53 +519,51 @@ def with_sync(stimulus: Stimulus, pulse_s: float = PULSE_S, at_s: float = 0.0) -
     )
 
 
-# A stimulus for the channels of a rig: which way round, how many volts, and when.
-
-#: Unit of samples that are volts, divided by what each channel gives at full scale.
+#: Unit of samples that are volts divided by the volts of their channel at full scale.
 FULL_SCALE_UNIT = "full scale of the channel"
-# Less than so much of a sample is no delay.
+# Shorter delays, in samples, count as none.
 _NO_DELAY = 1e-6
 
 
 def for_rig(
     stimulus: Stimulus, rig: Rig, equaliser: Equaliser | None, *, scaled: bool = False
 ) -> Stimulus:
-    """Return what the channels of a rig must play.
+    """Return the samples that the channels of a rig must play.
 
     With an equaliser, or where drives are volts, samples are in parts of full scale of their own
-    channel, polarity included; those that need more volts than it gives lie beyond 1.  Otherwise
-    only polarity is turned.  Channels wait for the one with the longest delay, so that all move
-    together.
+    channel, polarity included; samples beyond 1 need more volts than the channel gives.  Otherwise
+    only the polarity is applied.  Channels wait for the one with the longest delay, so that all
+    actuators move at the same time.
 
     Parameters
     ----------
     scaled
-        Whether a full scale is chosen elsewhere: volts then stay what they are.
+        Whether full scale is chosen elsewhere: volts are then not divided.
 
     Raises
     ------
     InvalidInputError
-        A place is not wired, drives are no accelerations, one leaves a velocity, or the rig does
-        not know the volts at full scale or how an actuator moves.
+        A location is not wired, drives are not accelerations, a drive leaves a velocity, or the rig
+        does not know the volts at full scale or how an actuator moves.
     """
     if equaliser is not None:
-        found = _equalised_for(stimulus, rig, equaliser)
+        played = _equalised_for(stimulus, rig, equaliser)
     elif stimulus.unit == "V" and not scaled:
-        found = _volts_for(stimulus, rig)
+        played = _volts_for(stimulus, rig)
     else:
-        found = _wired(stimulus, rig)
-    return _aligned(found, rig)
+        played = _wired(stimulus, rig)
+    return _aligned(played, rig)
 
 
 def through_actuators(stimulus: Stimulus, actuation: Actuation, equaliser: Equaliser) -> Stimulus:
-    """Return the volts that make actuators accelerate as the drives say, without a rig.
+    """Return the volts that make actuators follow the drives, without a rig.
 
     Raises
     ------
     InvalidInputError
-        As `for_rig`; or a place has no actuator.
+        Drives are not accelerations, a drive leaves a velocity, or a location has no actuator.
     """
-    _refuse_other_drives(stimulus)
+    _check_accelerations(stimulus)
     samples, band = np.array(stimulus.samples), _band_of(stimulus)
     for row in stimulus.driving:
         place = stimulus.channels[row].place
@@ -603,21 +576,21 @@ def through_actuators(stimulus: Stimulus, actuation: Actuation, equaliser: Equal
 
 
 def channel_of(stimulus: Stimulus, row: int, rig: Rig) -> RigChannel:
-    """The channel of the rig that a row of the samples goes to."""
+    """Return the channel of the rig for a row of the samples."""
     place = stimulus.channels[row].place
-    found = None if place is None else rig.channel_of(place)
-    if found is None:
+    channel = None if place is None else rig.channel_of(place)
+    if channel is None:
         raise InvalidInputError(
             f"place {place} is not wired in the rig; add a channel for it, or leave it out"
         )
-    return found
+    return channel
 
 
 def added_delays_s(stimulus: Stimulus, rig: Rig) -> dict[int, float]:
-    """By row that drives an actuator: how long its channel waits for the slowest."""
-    own = {row: channel_of(stimulus, row, rig).delay_s for row in stimulus.driving}
-    longest = max(own.values(), default=0.0)
-    return {row: longest - delay_s for row, delay_s in own.items()}
+    """Return how long each row that drives an actuator waits for the slowest channel, by row."""
+    delays_s = {row: channel_of(stimulus, row, rig).delay_s for row in stimulus.driving}
+    longest = max(delays_s.values(), default=0.0)
+    return {row: longest - delay_s for row, delay_s in delays_s.items()}
 
 
 def _wired(stimulus: Stimulus, rig: Rig) -> Stimulus:
@@ -629,7 +602,7 @@ def _wired(stimulus: Stimulus, rig: Rig) -> Stimulus:
 
 
 def _equalised_for(stimulus: Stimulus, rig: Rig, equaliser: Equaliser) -> Stimulus:
-    _refuse_other_drives(stimulus)
+    _check_accelerations(stimulus)
     samples, band = np.array(stimulus.samples), _band_of(stimulus)
     for row in stimulus.driving:
         channel = channel_of(stimulus, row, rig)
@@ -645,7 +618,7 @@ def _equalised_for(stimulus: Stimulus, rig: Rig, equaliser: Equaliser) -> Stimul
 
 
 def _band_of(stimulus: Stimulus) -> Band:
-    """In which the drives are followed: what they hold of the band of the limb."""
+    """Return the frequencies at which actuators follow the drives."""
     lower_hz = min(stimulus.sample_rate_hz, stimulus.own_rate_hz)
     return followed_band(stimulus.limb_band_hz, lower_hz)
 
@@ -665,8 +638,8 @@ def _aligned(stimulus: Stimulus, rig: Rig) -> Stimulus:
     longest = max(later.values(), default=0.0)
     if longest < _NO_DELAY:
         return stimulus
-    found = np.zeros((len(stimulus.channels), stimulus.n_times + floor(longest) + 1))
-    found[:, : stimulus.n_times] = stimulus.samples
+    delayed = np.zeros((len(stimulus.channels), stimulus.n_times + floor(longest) + 1))
+    delayed[:, : stimulus.n_times] = stimulus.samples
     for row, samples in later.items():
         whole = floor(samples)
         moved = stimulus.samples[row]
@@ -674,12 +647,12 @@ def _aligned(stimulus: Stimulus, rig: Rig) -> Stimulus:
             moved = band_limited_delay(moved, samples - whole)
         else:
             whole = round(samples)
-        found[row] = 0.0
-        found[row, whole : whole + moved.size] = moved
-    return stimulus.with_samples(found)
+        delayed[row] = 0.0
+        delayed[row, whole : whole + moved.size] = moved
+    return stimulus.with_samples(delayed)
 
 
-def _refuse_other_drives(stimulus: Stimulus) -> None:
+def _check_accelerations(stimulus: Stimulus) -> None:
     if stimulus.unit == "V":
         raise InvalidInputError(
             "The drives of this design are volts already: it is predicted through an actuator "
@@ -699,17 +672,17 @@ def _refuse_other_drives(stimulus: Stimulus) -> None:
 
 
 def _full_scale_v(channel: RigChannel) -> float:
-    found = channel.volts_at_full_scale
-    if found is None:
+    volts = channel.volts_at_full_scale
+    if volts is None:
         raise InvalidInputError(
             f"place {channel.place}: the rig does not say the volts at full scale. Measure them "
             "with a tone at full scale and a voltmeter."
         )
-    return found
+    return volts
 
 
 def _actuator_of(channel: RigChannel) -> Any:
-    """How it moves: as it was measured, else as its model says, else as the one of its name."""
+    """Return how the actuator moves: its measured response, its model, or that of its name."""
     if channel.moves_as is not None:
         return channel.moves_as
     if channel.actuator in names():

@@ -1,8 +1,9 @@
-"""Long designs, block by block: nothing as long as the response is held but the drives.
+"""The vibration by all voices: whole for short designs, block by block for long ones.
 
-Overlap-save: a block of ``Blocks.n_fft`` samples of the drives gives ``Blocks.n_samples`` samples
-of response.  At each frequency the vibrations by all voices, in some blocks, are one matrix
-product.  Blocks in which all are silent cost nothing.
+Long designs use overlap-save, so that only the drives are held as a whole: a block of
+``Blocks.n_fft`` samples of the drives gives ``Blocks.n_samples`` samples of response.  At each
+frequency the vibrations by all voices, in some blocks, are one matrix product.  Blocks in which all
+voices are silent cost nothing.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -11,7 +12,7 @@ from functools import partial
 
 import numpy as np
 
-from skinsource.base.arrays import Booleans, Complexes, Floats
+from skinsource.base.arrays import Booleans, Complexes, Floats, Indices
 from skinsource.base.job import Stop, never, stop_if
 from skinsource.engine.drives import active_samples, delayed
 from skinsource.engine.moments import Moments, Projection
@@ -22,29 +23,30 @@ from skinsource.engine.transforms import (
     Played,
     forward,
     inverse,
-    side_by_side,
+    run_on_two_threads,
 )
 from skinsource.signals.loudest_window import LoudestEnergy, loudest_energy
 
-# Blocks whose spectra are made together: enough for matrix products to be worth it.
+# Blocks whose spectra are one matrix product: enough for it to pay.
 _GROUP = 4
 
 
 class StreamedVibration:
     """The vibration by voices that play long.
 
+    Methods that take long call ``stop`` before each group of blocks; once it returns True,
+    `Stopped` is raised.
+
     Parameters
     ----------
     played
-        What is played.
+        Drives with location, start and weight.
     stack
-        Responses to the places, at the length of blocks; None where nothing is played.
+        Responses to the locations, at the length of blocks; None where nothing is played.
     shape
         Outputs, axes, and samples of the response.
     blocks
         How drives are cut.
-
-    What takes long asks ``stop`` before each group of blocks; once true, `Stopped` is raised.
     """
 
     def __init__(
@@ -62,13 +64,13 @@ class StreamedVibration:
         self._moments: Moments | None = None
 
     def played_through(self, change: Callable[[Played], Played]) -> "StreamedVibration":
-        """The same where something else is played, such as the same through a filter."""
-        played = [change(one) for one in self._played]
+        """Return the vibration by changed drives, for example filtered ones."""
+        played = [change(voice) for voice in self._played]
         shape = (*self._channels_shape, self.n_times)
         return StreamedVibration(played, self._stack, shape, self.cut)
 
     def moments(self, stop: Stop = never) -> Moments:
-        """Moments over the whole response, all products."""
+        """Return the moments over the whole response, with all products of axes."""
         if self._moments is None:
             n_outputs, n_axes = self._channels_shape
             second = np.zeros((n_outputs, n_axes, n_axes))
@@ -80,7 +82,7 @@ class StreamedVibration:
         return self._moments
 
     def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...], stop: Stop = never) -> Floats:
-        """Acceleration of some outputs, (n_outputs, n_axes, n_times)."""
+        """Return the acceleration of some outputs, (n_outputs, n_axes, n_times)."""
         result = np.zeros((len(outputs), len(axes), self.n_times))
         if result.size == 0:
             return result
@@ -89,14 +91,12 @@ class StreamedVibration:
         return result
 
     def everything(self) -> Floats:
-        """All outputs and axes, (n_outputs, n_axes, n_times): as long as the response."""
-        result = np.zeros((*self._channels_shape, self.n_times))
-        for first, block in self.blocks():
-            result[..., first : first + block.shape[-1]] = block
-        return result
+        """Return all outputs and axes, (n_outputs, n_axes, n_times), over the whole response."""
+        n_outputs, n_axes = self._channels_shape
+        return self.traces(tuple(range(1, n_outputs + 1)), tuple(range(n_axes)))
 
     def blocks(self, stop: Stop = never) -> Iterator[tuple[int, Floats]]:
-        """Yield first sample and samples, (n_outputs, n_axes, n), of each block that moves."""
+        """Yield first sample and samples, (n_outputs, n_axes, n), of each block with vibration."""
         for first, block in self._blocks(None, stop):
             yield first, block.reshape(*self._channels_shape, -1)
 
@@ -107,13 +107,13 @@ class StreamedVibration:
         stop: Stop = never,
         within: tuple[int, int] | None = None,
     ) -> Iterator[tuple[int, Floats]]:
-        """Yield the same of some outputs, 1, 2, …, and axes, 0 to 2; at least one of each.
+        """Yield the same for some outputs, 1, 2, …, and axes, 0 to 2; at least one of each.
 
-        With ``within`` only those blocks that hold a sample from its first to before its second.
+        With ``within``, first sample and end, only blocks that hold a sample between them.
         """
         n_axes = self._channels_shape[1]
         chosen = [(output - 1) * n_axes + axis for output in outputs for axis in axes]
-        # All of them in their order are not copied: of a large limb they take gigabytes.
+        # Responses of all channels are not copied: those of a large limb take gigabytes.
         every = chosen == list(range(self._channels_shape[0] * n_axes))
         for first, block in self._blocks(None if every else chosen, stop, within):
             yield first, block.reshape(len(outputs), len(axes), -1)
@@ -121,7 +121,7 @@ class StreamedVibration:
     def _blocks(
         self, channels: list[int] | None, stop: Stop, within: tuple[int, int] | None = None
     ) -> Iterator[tuple[int, Floats]]:
-        """Yield first sample and samples, (n_channels, n); None: all channels."""
+        """Yield first sample and samples, (n_channels, n), of ``channels``, or of all if None."""
         if self._stack is None:
             return
         values = self._stack.values
@@ -133,36 +133,39 @@ class StreamedVibration:
         for k in range(0, len(starts), _GROUP):
             stop_if(stop)
             segments = [self._segments(first) for first in starts[k : k + _GROUP]]
-            sounding = [place for place, found in enumerate(segments) if found]
+            sounding = [number for number, segment in enumerate(segments) if segment]
             if not sounding:
                 continue
-            spectra = self._spectra([segments[place] for place in sounding], values)
+            spectra = self._spectra([segments[number] for number in sounding], values)
             samples = inverse(spectra, cut.n_fft).reshape(len(sounding), -1, cut.n_fft)
-            for block, place in zip(samples, sounding, strict=True):
-                first = starts[k + place]
+            for block, number in zip(samples, sounding, strict=True):
+                first = starts[k + number]
                 inside = slice(cut.overlap, cut.overlap + min(cut.n_samples, self.n_times - first))
-                active = self._active(segments[place])[inside]
+                active = self._active(segments[number])[inside]
                 block = block[:, inside]
                 yield first, block if active.all() else np.where(active, block, 0.0)
 
     def _segments(self, first: int) -> dict[int, Floats]:
-        """Drives that the block from sample ``first`` on needs, by number; but silent ones."""
-        found = {
-            number: self.cut.segment(one.drive.samples, first - one.start)
-            for number, one in enumerate(self._played)
+        """Return pieces of drives for the block from sample ``first`` on, by number of the drive.
+
+        Silent pieces are left out.
+        """
+        pieces = {
+            number: self.cut.segment(voice.drive.samples, first - voice.start)
+            for number, voice in enumerate(self._played)
         }
-        return {number: piece for number, piece in found.items() if piece is not None}
+        return {number: piece for number, piece in pieces.items() if piece is not None}
 
     def _spectra(self, segments: list[dict[int, Floats]], values: Complexes) -> Complexes:
-        """Spectra of blocks, (n_blocks * n_channels, n_bins), from ``values`` of the stack."""
+        """Return spectra of blocks, (n_blocks * n_channels, n_bins), from values of the stack."""
         n_bins, n_places, n_channels = values.shape
         rows = list(self._stack.responses) if self._stack is not None else []
         drives = np.zeros((n_bins, len(segments), n_places), np.complex128)
-        for block, found in enumerate(segments):
-            for number, piece in found.items():
-                one = self._played[number]
-                spectrum = forward(piece, self.cut.n_fft) * one.weight
-                drives[:, block, rows.index(one.location)] += spectrum
+        for block, pieces in enumerate(segments):
+            for number, piece in pieces.items():
+                voice = self._played[number]
+                spectrum = forward(piece, self.cut.n_fft) * voice.weight
+                drives[:, block, rows.index(voice.location)] += spectrum
         spectra = np.empty((n_bins, len(segments), n_channels), np.complex128)
         half = n_bins // 2
 
@@ -170,7 +173,7 @@ class StreamedVibration:
             np.matmul(drives[part], values[part], out=spectra[part])
 
         parts = slice(0, half), slice(half, n_bins)
-        side_by_side(partial(multiply, part) for part in parts)
+        run_on_two_threads(partial(multiply, part) for part in parts)
         return spectra.reshape(n_bins, -1).T
 
     def _active(self, segments: dict[int, Floats]) -> Booleans:
@@ -178,36 +181,32 @@ class StreamedVibration:
         return active_samples(played, self.cut.n_taps)
 
 
-# The vibration by all voices, for the outputs that are looked at.
-
-
 def exact_transforms(signals: Floats, stop: Stop) -> Complexes:
-    """Transforms over exactly the samples of long signals, (..., n_times // 2 + 1).
+    """Return transforms over exactly the samples of long signals, (..., n_times // 2 + 1).
 
-    One after the other: each takes much memory, and a tenth of a second.
+    They are computed one by one: each takes much memory, and a tenth of a second.
     """
-    found = np.empty((*signals.shape[:-1], signals.shape[-1] // 2 + 1), np.complex128)
-    for place in np.ndindex(signals.shape[:-1]):
+    transforms = np.empty((*signals.shape[:-1], signals.shape[-1] // 2 + 1), np.complex128)
+    for channel in np.ndindex(signals.shape[:-1]):
         stop_if(stop)
-        found[place] = forward(signals[place], signals.shape[-1])
-    return found
+        transforms[channel] = forward(signals[channel], signals.shape[-1])
+    return transforms
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Vibration:
-    """What all voices cause together, as a sum of two, or as a stream.
+    """The vibration by all voices, as a sum of two, or as a stream.
 
     Attributes
     ----------
     n_times
         Samples of the response.
     others
-        That by all voices but the edited one.
+        Vibration by all voices but the edited one.
     edited, weight, delay_samples
-        That by the edited voice at amplitude 1 and onset 0, what it is multiplied with, and how
-        much later it starts.
+        Vibration by the edited voice at amplitude 1 and onset 0, its factor, and its delay.
     streamed
-        That by all, where they play too long to be transformed at once.
+        Vibration by all voices, where they play too long to be transformed at once.
     """
 
     n_times: int
@@ -218,7 +217,7 @@ class Vibration:
     streamed: StreamedVibration | None
 
     def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...], stop: Stop = never) -> Floats:
-        """Acceleration of some outputs, (n_outputs, n_axes, n_times), in m/s²."""
+        """Return the acceleration of some outputs, (n_outputs, n_axes, n_times), m/s²."""
         if self.streamed is not None:
             return self.streamed.traces(outputs, axes, stop)
         others = None if self.others is None else self.others.traces(outputs, axes)
@@ -236,15 +235,16 @@ class Vibration:
     def transforms(
         self, outputs: tuple[int, ...], axes: tuple[int, ...], stop: Stop = never
     ) -> Complexes:
-        """Their transforms over exactly n_times samples, (n_outputs, n_axes, n_times // 2 + 1)."""
+        """Return its transforms over n_times samples, (n_outputs, n_axes, n_times // 2 + 1)."""
         if self.streamed is not None:
             return exact_transforms(self.streamed.traces(outputs, axes, stop), stop)
         return self._summed_spectra(outputs, axes, lambda spectra: spectra)
 
     def projected_transforms(self, outputs: tuple[int, ...], projection: Projection) -> Complexes:
-        """The same of projected signals, (n_outputs, n_times // 2 + 1), which is no magnitude.
+        """Return transforms of projected signals, (n_outputs, n_times // 2 + 1).
 
-        Projected before they are summed: a third of the numbers.  Not of what is streamed.
+        The projection must be linear, and the vibration not streamed.  Spectra are projected before
+        they are summed, which leaves a third of the numbers.
         """
         return self._summed_spectra(outputs, projection.axis_numbers, projection.spectra)
 
@@ -252,46 +252,53 @@ class Vibration:
         self,
         outputs: tuple[int, ...],
         axes: tuple[int, ...],
-        seen: Callable[[Complexes], Complexes],
+        linear: Callable[[Complexes], Complexes],
     ) -> Complexes:
-        """Sum of what is ``seen``, which is linear, of the vibrations by all voices."""
+        """Return the sum over voices of ``linear``, a linear function, of their spectra."""
         total: Complexes | None = None
         if self.edited is not None and self.weight != 0.0:
-            unit = seen(self.edited.trace_spectra(outputs, axes))
+            unit = linear(self.edited.trace_spectra(outputs, axes))
             total = self.weight * delayed(unit, self.delay_samples, self.n_times)
         if self.others is not None:
-            others = seen(self.others.trace_spectra(outputs, axes))
-            # Never the other way round: what others cause is remembered.
+            others = linear(self.others.trace_spectra(outputs, axes))
+            # Never into the spectra of the others, which are remembered.
             total = others if total is None else np.add(total, others, out=total)
         if total is None:
             shape = len(outputs), len(axes), self.n_times // 2 + 1
-            total = seen(np.zeros(shape, np.complex128))
+            total = linear(np.zeros(shape, np.complex128))
         return total
 
 
-# Energy of the loudest window: projected signals of all outputs, some at a time.
-
-# Outputs that are held in time together: 12 MB at the longest.
+# Outputs that are transformed back at once: at most 12 MB.
 _OUTPUTS_AT_ONCE = 18
+
+
+def output_groups(n_outputs: int) -> Iterator[Indices]:
+    """Yield numbers of outputs, counted from 0, that are transformed back to time at once."""
+    for first in range(0, n_outputs, _OUTPUTS_AT_ONCE):
+        yield np.arange(first, min(first + _OUTPUTS_AT_ONCE, n_outputs))
 
 
 def loudest_energies(
     total: TotalSpectrum, projection: Projection, n_window: int, stop: Stop
 ) -> Floats:
-    """Largest energy of any window of the projected signal of each output, (n_outputs,)."""
-    found = []
-    for first in range(0, total.shape[0], _OUTPUTS_AT_ONCE):
+    """Return the energy of the loudest window of each projected signal, (n_outputs,)."""
+    energies = []
+    for outputs in output_groups(total.shape[0]):
         stop_if(stop)
-        outputs = np.arange(first, min(first + _OUTPUTS_AT_ONCE, total.shape[0]))
-        here = projection.at(outputs)
-        spectra = total.rows(outputs, projection.axis_numbers)
-        # A projection is linear, so that it comes before the way back to time; a length is not.
-        if here.directions is None:
-            signals = here.signals(inverse(spectra, total.n_fft))
-        else:
-            signals = inverse(here.spectra(spectra), total.n_fft)
-        found.append(loudest_energy(signals, n_window))
-    return np.concatenate(found)
+        signals = projected_signals(total, projection, outputs)
+        energies.append(loudest_energy(signals, n_window))
+    return np.concatenate(energies)
+
+
+def projected_signals(total: TotalSpectrum, projection: Projection, outputs: Indices) -> Floats:
+    """Return the projected signals of some outputs, counted from 0, (n_outputs, n_fft)."""
+    chosen = projection.at(outputs)
+    spectra = total.rows(outputs, projection.axis_numbers)
+    # A linear projection comes before the transform, which is quicker; a length comes after it.
+    if chosen.directions is None:
+        return chosen.signals(inverse(spectra, total.n_fft))
+    return inverse(chosen.spectra(spectra), total.n_fft)
 
 
 def loudest_energies_streamed(
@@ -301,7 +308,7 @@ def loudest_energies_streamed(
     n_window: int,
     stop: Stop,
 ) -> Floats:
-    """The same of voices that play long, block by block."""
+    """Return the same for voices that play long, block by block."""
     loudest = LoudestEnergy((n_outputs,), n_window)
     every = range(1, n_outputs + 1)
     for first, block in streamed.blocks_of(every, projection.axis_numbers, stop):

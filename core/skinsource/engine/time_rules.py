@@ -1,6 +1,9 @@
-"""Signals of all outputs over a part of the response, to be looked at instant by instant."""
+"""Rules from vibrations to signals of all outputs in time, from which frames are drawn.
 
-from collections.abc import Iterator
+Signals are transformed back once, for the part of the response that is kept; frames transform
+nothing.  Of a long response, two blocks and a margin are kept.
+"""
+
 from dataclasses import dataclass
 from math import floor
 
@@ -13,7 +16,7 @@ from skinsource.base.published import axes_text, axis_numbers
 from skinsource.base.quoting import quoted
 from skinsource.engine.moments import Projection
 from skinsource.engine.spectra import TotalSpectrum
-from skinsource.engine.streaming import StreamedVibration
+from skinsource.engine.streaming import StreamedVibration, output_groups
 from skinsource.engine.transforms import inverse
 from skinsource.limbs.limb import Limb
 from skinsource.signals.projection import magnitude
@@ -29,15 +32,13 @@ class Moving:
     signals : (n_outputs, n_axes, n_times)
         In m/s².
     first
-        The sample of the response with which they begin.
-    sample_rate_hz
-        Theirs.
+        Sample of the response at which they begin.
     response_samples
         Samples of the whole response.
     largest
-        The largest length of the vector at any output and any sample of the whole response, m/s².
+        Largest length of the vector at any output and any sample of the whole response, m/s².
     delay_s
-        The pre-trigger delay that the response contains.
+        Pre-trigger delay in the response.
     """
 
     signals: Floats
@@ -49,21 +50,21 @@ class Moving:
 
     @property
     def end(self) -> int:
-        """The sample of the response after the last one that is held."""
+        """Sample of the response after the last sample that is held."""
         return self.first + self.signals.shape[-1]
 
     def acceleration(self, time_s: float) -> Floats:
-        """Acceleration at an instant of the response, (n_outputs, n_axes), in m/s².
+        """Return the acceleration at an instant of the response, (n_outputs, n_axes), m/s².
 
-        Between samples it is what the samples describe, see `values_at`: a frame belongs to its
-        instant, however slowly they follow one another.  Before and after the response, silence.
+        Between samples it is interpolated, see `values_at`, so that a frame belongs to its instant
+        in slow motion too.  Before and after the response it is 0.
         """
         return values_at(self.signals, time_s * self.sample_rate_hz - self.first)
 
     def magnitude(self, time_s: float) -> Floats:
-        """Length of the vector at an instant, (n_outputs,), in m/s²."""
-        found: Floats = np.linalg.norm(self.acceleration(time_s), axis=-1)
-        return found
+        """Return the length of the vector at an instant, (n_outputs,), m/s²."""
+        length: Floats = np.linalg.norm(self.acceleration(time_s), axis=-1)
+        return length
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -73,9 +74,9 @@ class SlidingEnergy:
     Attributes
     ----------
     sums : (n_outputs, n_times + 1)
-        Sums of the squares of all samples before one, (m/s²)².
+        Sums of the squares of all samples before each sample, (m/s²)².
     first, sample_rate_hz, response_samples, largest, delay_s
-        As those of `Moving`.
+        As in `Moving`.
     """
 
     sums: Floats
@@ -87,15 +88,15 @@ class SlidingEnergy:
 
     @property
     def end(self) -> int:
-        """The sample of the response after the last one that is held."""
+        """Sample of the response after the last sample that is held."""
         return self.first + self.sums.shape[-1] - 1
 
     def rms(self, time_s: float, window_s: float) -> Floats:
-        """RMS around an instant, (n_outputs,), in m/s².
+        """Return the RMS around an instant, (n_outputs,), m/s².
 
         The window holds a whole number of samples, at least one, half of them before the instant
-        and half after; between two samples the mean square is on the line between its values
-        there.  Before and after the response there is silence.
+        and half after.  Between two samples the mean square is interpolated linearly.  Before and
+        after the response there is silence.
 
         Raises
         ------
@@ -105,59 +106,46 @@ class SlidingEnergy:
         if not window_s > 0.0:
             raise InvalidInputError(f"window_s is {quoted(window_s)}, expected a positive time")
         count = max(round(window_s * self.sample_rate_hz), 1)
-        # An odd window lies around a sample, an even one around the middle between two.
+        # An odd window is centred on a sample, an even one between two samples.
         start = time_s * self.sample_rate_hz - self.first - (count - 1) / 2
-        whole, behind = parted(start)
-        square = (1.0 - behind) * self._sum(whole, count) + behind * self._sum(whole + 1, count)
-        found: Floats = np.sqrt(np.maximum(square / count, 0.0))
-        return found
+        whole, share = parted(start)
+        square = (1.0 - share) * self._sum(whole, count) + share * self._sum(whole + 1, count)
+        rms: Floats = np.sqrt(np.maximum(square / count, 0.0))
+        return rms
 
     def _sum(self, start: int, count: int) -> Floats:
         last = self.sums.shape[-1] - 1
         low, high = min(max(start, 0), last), min(max(start + count, 0), last)
-        found: Floats = self.sums[:, high] - self.sums[:, low]
-        return found
+        energy: Floats = self.sums[:, high] - self.sums[:, low]
+        return energy
 
 
-# Which part of a long response is kept in time: two blocks, and what is looked at beyond.
-
-#: A response that is transformed at once is shorter at 1300 Hz; of a longer one, two blocks of
-#: this length are kept.
+#: Length of a block.  At 1300 Hz every response that is transformed at once is shorter.
 BLOCK_S = 12.0
-# What is looked at before and after: the reach of interpolation, half of a sliding window, and the
-# pre-trigger delay.
+# Margin around both blocks: for interpolation, half of a sliding window, and pre-trigger delay.
 _BEYOND_S = 1.0
 
-#: First sample, and the one after the last.
+#: First sample, and the sample after the last.
 Window = tuple[int, int]
 
 
 def block_of(time_s: float) -> int:
-    """Number of the block in which a time lies, from 0."""
+    """Return the number of the block in which a time lies, from 0."""
     return max(floor(time_s / BLOCK_S), 0)
 
 
 def window_of(block: int, n_times: int, sample_rate_hz: float) -> Window:
-    """Samples that are kept while one looks at a block: it, the next one, and a second around."""
+    """Return the samples that are kept for a block: it, the next block, and a second around."""
     first = floor((block * BLOCK_S - _BEYOND_S) * sample_rate_hz)
     end = floor(((block + 2) * BLOCK_S + _BEYOND_S) * sample_rate_hz)
     first = min(max(first, 0), n_times)
     return first, max(min(end, n_times), first)
 
 
-# Rules from vibrations to signals of all outputs in time.
-#
-# They are brought back to time once, for as much of the response as is kept; frames are taken from
-# them, and transform nothing.
-
-# Outputs that are held in time and as spectra together.
-_OUTPUTS_AT_ONCE = 18
-
-
 def moving_window(
     moving_block: int, response_samples: int, n_fft: int | None, sample_rate_hz: float
 ) -> Window:
-    """First sample that is kept in time, and the one after the last; all of a short response."""
+    """First sample that is kept, and the sample after the last; all of a short response."""
     if n_fft is not None:
         return 0, response_samples
     return window_of(moving_block, response_samples, sample_rate_hz)
@@ -172,7 +160,7 @@ def moving_z(
     limb_data: Limb,
     stop: Stop,
 ) -> Moving:
-    """Acceleration of all outputs along z, the axis that is upright to the skin everywhere."""
+    """Acceleration of all outputs along z, the axis that is normal to the skin everywhere."""
     axes = z_axis(limb_data)
     signals = _signals(total_spectrum, streamed_vibration, moving_window, axes, limb_data, stop)
     return _moving(signals, moving_window, response_samples, limb_data, moving_z_largest)
@@ -196,11 +184,11 @@ def moving_vector(
 def moving_energy(
     moving_vector: Moving, projection: Projection, limb_data: Limb, stop: Stop
 ) -> SlidingEnergy:
-    """Running sums of the squares of what levels are the RMS of."""
+    """Running sums of the squares of the projected signals, of which levels are the RMS."""
     n_outputs, _, n_times = moving_vector.signals.shape
     axes = np.array(projection.axis_numbers)
     sums = np.zeros((n_outputs, n_times + 1))
-    for rows in _some_outputs(limb_data):
+    for rows in output_groups(limb_data.n_outputs):
         stop_if(stop)
         signals = projection.at(rows).signals(moving_vector.signals[np.ix_(rows, axes)])
         sums[rows, 1:] = np.cumsum(np.square(signals), axis=1)
@@ -218,24 +206,24 @@ def moving_energy(
 def moving_z_largest(
     streamed_vibration: StreamedVibration | None, limb_data: Limb, stop: Stop
 ) -> float | None:
-    """Largest acceleration along z of a long response, m/s²; None: the signals tell."""
+    """Largest acceleration along z of a long response, m/s²; None: it follows from the signals."""
     return _largest(streamed_vibration, z_axis(limb_data), limb_data, stop)
 
 
 def moving_vector_largest(
     streamed_vibration: StreamedVibration | None, limb_data: Limb, stop: Stop
 ) -> float | None:
-    """Largest length of the vector of a long response, m/s²; None: the signals tell."""
+    """Largest length of the vector of a long response, m/s²; None: it follows from the signals."""
     return _largest(streamed_vibration, _all_axes(limb_data), limb_data, stop)
 
 
 def z_axis(limb: Limb) -> tuple[int, ...]:
-    """Place of z among the axes of a limb.
+    """Return the number of z among the axes of a limb.
 
     Raises
     ------
     InvalidInputError
-        It was measured without.
+        The limb was not measured along z.
     """
     if "z" not in limb.axes:
         raise InvalidInputError(
@@ -272,28 +260,25 @@ def _signals(
     limb: Limb,
     stop: Stop,
 ) -> Floats:
-    """Acceleration of all outputs over a window, (n_outputs, n_axes, n_times)."""
+    """Return the acceleration of all outputs over a window, (n_outputs, n_axes, n_times)."""
     first, end = window
-    found = np.zeros((limb.n_outputs, len(axes), end - first))
+    acceleration = np.zeros((limb.n_outputs, len(axes), end - first))
     if total is not None:
-        for rows in _some_outputs(limb):
+        for rows in output_groups(limb.n_outputs):
             stop_if(stop)
             signals = inverse(total.rows(rows, axes), total.n_fft)
-            found[rows] = signals[..., first:end]
+            acceleration[rows] = signals[..., first:end]
     elif streamed is not None:
         every = range(1, limb.n_outputs + 1)
         for begin, block in streamed.blocks_of(every, axes, stop, window):
             low, high = max(begin, first), min(begin + block.shape[-1], end)
             if low < high:
-                found[..., low - first : high - first] = block[..., low - begin : high - begin]
-    # Frames are read by one thread while the next window is made by another.
-    found.flags.writeable = False
-    return found
-
-
-def _some_outputs(limb: Limb) -> Iterator[np.ndarray]:
-    for first in range(0, limb.n_outputs, _OUTPUTS_AT_ONCE):
-        yield np.arange(first, min(first + _OUTPUTS_AT_ONCE, limb.n_outputs))
+                acceleration[..., low - first : high - first] = block[
+                    ..., low - begin : high - begin
+                ]
+    # One thread reads frames while another computes the next window.
+    acceleration.flags.writeable = False
+    return acceleration
 
 
 def _largest(

@@ -1,11 +1,11 @@
-"""Rules from vibrations to traces and spectra of the outputs that are looked at."""
+"""Rules from vibrations to traces and spectra of the selected outputs."""
 
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop
 from skinsource.base.quoting import quoted
 from skinsource.engine.gains import (
-    Heard,
+    ExactVoice,
     Placed,
     Responses,
     TraceError,
@@ -55,7 +55,7 @@ def selected_without_main_axis(
     rows = [output - 1 for output in shown_outputs]
     of_selected = Moments(moments.second[rows], moments.first[rows])
     without = without_main_axis(of_selected, axis_numbers, method, response_samples).tolist()
-    return tuple(output for output, found in zip(shown_outputs, without, strict=True) if found)
+    return tuple(output for output, missing in zip(shown_outputs, without, strict=True) if missing)
 
 
 def selected_traces(axis_traces: Floats, selected_projection: Projection) -> Floats:
@@ -69,7 +69,7 @@ def selected_extremes(
     """Lowest and highest value of the waves of the selected outputs between samples, in m/s²."""
     if selected_projection.directions is not None:
         return extremes_between(selected_traces, stop=stop)
-    # The wave runs along the axes: a magnitude is its length.
+    # Values between samples are those of the axes: a magnitude is their length.
     return extremes_between(axis_traces, stop=stop)
 
 
@@ -90,8 +90,8 @@ def selected_spectra(
 ) -> tuple[Floats, Floats]:
     """Frequencies, (n_bins,), in Hz, and magnitudes, (n_selected, n_bins), in m/s².
 
-    A projection is linear in its axes, so their transforms serve it, whatever its direction; a
-    magnitude is not, and the traces of a long response are at hand: those are transformed.
+    A projection is linear, so that it follows from the transforms of the axes.  A magnitude is not;
+    it and the traces of a long response are transformed themselves.
     """
     if vibration.streamed is not None:
         transforms = exact_transforms(selected_traces, stop)
@@ -118,7 +118,7 @@ def selected_axis_spectra(
 ) -> tuple[Floats, Floats]:
     """Like `selected_spectra` along each axis of the limb, magnitudes (n_selected, n_axes, n_bins).
 
-    Whatever axes are chosen.
+    They do not depend on the chosen axes.
     """
     transforms = vibration.transforms(shown_outputs, tuple(range(limb_data.n_axes)), stop)
     return one_sided_magnitude(transforms, vibration.n_times, sample_rate_hz)
@@ -146,27 +146,27 @@ def trace_error(
     stop: Stop,
 ) -> TraceError | None:
     """Error of the selected traces; None where there is nothing to check."""
-    moving = [one for one in placed if one.moves]
-    to_places = responses.to(one.voice.location for one in moving)
-    drives = [one.drive for one in moving]
+    moving = [player for player in placed if player.moves]
+    to_places = responses.to(player.voice.location for player in moving)
+    drives = [player.drive for player in moving]
     factors = [drive.factor for drive in drives]
     if responses.scaling == "upstream" and moving:
         spectra = [
-            responses.drive_spectrum(one.voice.unit, one.drive)
-            for one in moving
+            responses.drive_spectrum(player.voice.unit, player.drive)
+            for player in moving
             if responses.n_fft is not None
         ]
         factors = exact_gains(drives, spectra, to_places, stop)
-    heard = [
-        Heard(
-            drive=one.drive,
-            delay_samples=one.start,
-            weight=one.voice.amplitude * match_gain * factor,
+    exact_voices = [
+        ExactVoice(
+            drive=player.drive,
+            delay_samples=player.start,
+            weight=player.voice.amplitude * match_gain * factor,
             response=response,
         )
-        for one, response, factor in zip(moving, to_places, factors, strict=True)
+        for player, response, factor in zip(moving, to_places, factors, strict=True)
     ]
-    return trace_error_of(axis_traces, shown_outputs, axis_numbers, heard)
+    return trace_error_of(axis_traces, shown_outputs, axis_numbers, exact_voices)
 
 
 RULES = (

@@ -1,4 +1,4 @@
-"""Fourier transforms, counted; and their lengths."""
+"""Counted Fourier transforms and their lengths, sums of spectra, and blocks of long drives."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -12,16 +12,16 @@ from skinsource.base.arrays import Booleans, Complexes, Floats
 from skinsource.base.work import tally
 from skinsource.design.signal_path import Drive
 
-#: Lengths are 9, 12 or 15 times a power of two: fast, and few, so that spectra of responses are
-#: used again when a duration changes a little.
+#: Lengths are 9, 12 or 15 times a power of two, at least 9 times this one: they are fast, and so
+#: few that spectra of responses are used again when a duration changes a little.
 _SHORTEST_OCTAVE = 64
-# Two threads pay from about a tenth of a millisecond of work on; more help no further.  Very long
-# transforms take so much memory each that one after the other is better.
+# Two threads pay from about a tenth of a millisecond of work on; more threads do not help.  Very
+# long transforms take so much memory that one thread is better.
 _WORTH_A_THREAD, _LONG = 2**14, 2**17
 
 
 def transform_length(n_samples: int) -> int:
-    """Shortest length of the ladder 576, 768, 960, 1152, 1536, … that holds ``n_samples``."""
+    """Return the shortest of the lengths 576, 768, 960, 1152, 1536, … that holds ``n_samples``."""
     octave = _SHORTEST_OCTAVE
     while 15 * octave < n_samples:
         octave *= 2
@@ -29,7 +29,7 @@ def transform_length(n_samples: int) -> int:
 
 
 def forward(signals: Floats, n_fft: int) -> Complexes:
-    """One-sided spectra, (..., n_fft // 2 + 1), of signals padded with zeros to ``n_fft``."""
+    """Return one-sided spectra, (..., n_fft // 2 + 1), of signals padded with 0 to ``n_fft``."""
     count = signals.size // max(signals.shape[-1], 1)
     tally(forward_transforms=count)
     spectra: Complexes = scipy.fft.rfft(signals, n_fft, workers=_workers(count, n_fft))
@@ -37,7 +37,7 @@ def forward(signals: Floats, n_fft: int) -> Complexes:
 
 
 def inverse(spectra: Complexes, n_fft: int) -> Floats:
-    """Signals, (..., n_fft), of one-sided spectra."""
+    """Return the signals, (..., n_fft), of one-sided spectra."""
     count = spectra.size // spectra.shape[-1]
     tally(inverse_transforms=count)
     signals: Floats = scipy.fft.irfft(spectra, n_fft, workers=_workers(count, n_fft))
@@ -47,18 +47,18 @@ def inverse(spectra: Complexes, n_fft: int) -> Floats:
 def forward_in_parts(
     signals: Floats, n_fft: int, at_once: int
 ) -> Iterator[tuple[slice, Complexes]]:
-    """As `forward`, some signals at a time, by this thread alone; whoever wants them counts them.
+    """Yield spectra as `forward`, of some signals at a time, in this thread; the caller counts.
 
     Parameters
     ----------
     signals : (n, m, n_times)
-        They are padded in one piece of memory, which is used again for each part.
+        Signals.
     at_once
         How many of the n are transformed at a time.
 
     Yields
     ------
-    Which of the n, and their spectra, (at most at_once, m, n_fft // 2 + 1), which are the caller's.
+    Which of the n, and their spectra, (at most at_once, m, n_fft // 2 + 1), a new array each time.
     """
     count, each, n_times = signals.shape
     padded = np.empty((min(at_once, count), each, n_fft))
@@ -72,7 +72,7 @@ def forward_in_parts(
 
 
 def inverse_here(spectra: Complexes, n_fft: int) -> Floats:
-    """As `inverse`, by this thread alone; whoever shares work out counts it."""
+    """Return signals as `inverse`, computed in this thread; the caller counts."""
     signals: Floats = scipy.fft.irfft(spectra, n_fft)
     return signals
 
@@ -81,40 +81,38 @@ def _workers(count: int, n_fft: int) -> int:
     return 2 if count > 1 and count * n_fft >= _WORTH_A_THREAD and n_fft < _LONG else 1
 
 
-# A vibration by its spectrum, whose channels are brought back to time when they are looked at.
-
 #: Output, 1, 2, 3, …, and axis, 0 to 2.
 Channel = tuple[int, int]
 
 
 def rows_of(spectrum: Complexes, channels: list[Channel]) -> Complexes:
-    """Some channels of (n_outputs, 3 axes, n_bins), one in a row; a copy."""
+    """Return a copy of some channels of (n_outputs, 3 axes, n_bins), a row for each."""
     return np.array([spectrum[output - 1, axis] for output, axis in channels])
 
 
 def driven(rows: Complexes, drive: Complexes) -> Complexes:
-    """Rows times the spectrum of a drive, (n_bins,), in their place: one pass of memory less."""
+    """Multiply rows with the spectrum of a drive, (n_bins,), in place, and return them."""
     return np.multiply(rows, drive, out=rows)
 
 
 class ChannelsOnDemand:
-    """A vibration by its spectrum; channels are brought back to time when asked for.
+    """A vibration as a spectrum, whose channels are transformed back to time when requested.
 
-    What is missing is computed together.  A transform gives the same bits alone and beside others
-    (a test sees to it), so what comes out does not depend on what was asked for before.
+    Missing channels are transformed in one call.  A transform gives the same bits alone and in a
+    batch (a test checks it), so that results do not depend on earlier requests.
 
     Parameters
     ----------
     spectra
         Function from channels to their spectra, (n_channels, n_fft // 2 + 1).
     active : (n_times,) of bool
-        When the skin can move at all; elsewhere it is exactly at rest.
+        When the skin can move at all; elsewhere samples are exactly 0.
     exact_spectra
-        Spectra of channels over exactly n_times samples, (n_channels, n_times // 2 + 1), where
-        there is a shorter way to them than by their traces.
+        Function from channels to spectra over exactly n_times samples, (n_channels,
+        n_times // 2 + 1), where that is quicker than transforming traces.
     """
 
-    # Nothing here refers back to it, so that an old one goes at once with its megabytes.
+    # Nothing in here refers back to the object, so that its memory is freed at once.
     __slots__ = (
         "__weakref__",
         "_active",
@@ -140,7 +138,7 @@ class ChannelsOnDemand:
         self._trace_spectra = _Channels(np.empty((0, active.size // 2 + 1), np.complex128))
 
     def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Floats:
-        """Acceleration of some outputs, (n_outputs, n_axes, n_times)."""
+        """Return the acceleration of some outputs, (n_outputs, n_axes, n_times)."""
         missing = self._traces.missing(outputs, axes)
         if missing:
             samples = inverse(self._spectra(missing), self._n_fft)[:, : self._active.size]
@@ -149,16 +147,16 @@ class ChannelsOnDemand:
         return self._traces.of(outputs, axes)
 
     def trace_spectra(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> Complexes:
-        """Their spectra over exactly n_times samples, (n_outputs, n_axes, n_times // 2 + 1)."""
+        """Return spectra over exactly n_times samples, (n_outputs, n_axes, n_times // 2 + 1)."""
         missing = self._trace_spectra.missing(outputs, axes)
         if missing:
             if self._exact_spectra is None:
                 self.traces(outputs, axes)
                 traces = np.array([self._traces.known[channel] for channel in missing])
-                found = forward(traces, self._active.size)
+                spectra = forward(traces, self._active.size)
             else:
-                found = self._exact_spectra(missing)
-            self._trace_spectra.add(missing, found)
+                spectra = self._exact_spectra(missing)
+            self._trace_spectra.add(missing, spectra)
         return self._trace_spectra.of(outputs, axes)
 
 
@@ -179,12 +177,12 @@ class _Channels:
         self._latest = channels, rows
 
     def of(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> np.ndarray:
-        asked = _all(outputs, axes)
+        selected = _all(outputs, axes)
         channels, rows = self._latest
-        if channels != asked:
-            rows = np.array([self.known[channel] for channel in asked], rows.dtype)
-            rows = rows.reshape(len(asked), self._latest[1].shape[-1])
-            self._latest = asked, rows
+        if channels != selected:
+            rows = np.array([self.known[channel] for channel in selected], rows.dtype)
+            rows = rows.reshape(len(selected), self._latest[1].shape[-1])
+            self._latest = selected, rows
         return rows.reshape(len(outputs), len(axes), rows.shape[-1])
 
 
@@ -192,14 +190,12 @@ def _all(outputs: tuple[int, ...], axes: tuple[int, ...]) -> list[Channel]:
     return [(output, axis) for output in outputs for axis in axes]
 
 
-# Two threads for work that leaves Python's lock alone: large array operations.
+def run_on_two_threads(tasks: Iterable[Callable[[], None]]) -> None:
+    """Run all of ``tasks``, large array operations, on two threads.
 
-
-def side_by_side(tasks: Iterable[Callable[[], None]]) -> None:
-    """Run all of ``tasks``, by two threads; none may count work, which belongs to a thread.
-
-    Each thread takes the next one that nobody took: where other programs keep the second one
-    waiting, the first does it all.  What a task raises is raised here.
+    Each thread takes the next task, so that the first one does all where other programs keep the
+    second one waiting.  No task may count work, which belongs to a thread.  What a task raises is
+    raised here.
     """
     waiting = iter(tuple(tasks))
     failures: list[BaseException] = []
@@ -208,7 +204,7 @@ def side_by_side(tasks: Iterable[Callable[[], None]]) -> None:
         while not failures and (task := next(waiting, None)) is not None:
             try:
                 task()
-            except BaseException as error:  # noqa: BLE001  of whichever thread
+            except BaseException as error:  # noqa: BLE001  either thread may fail
                 failures.append(error)
 
     helper = Thread(target=work)
@@ -219,16 +215,14 @@ def side_by_side(tasks: Iterable[Callable[[], None]]) -> None:
         raise failures[0]
 
 
-# Sums of vibrations, written so that memory is read once, by two threads.
-
-#: Outputs whose spectra, at the lengths of a second, stay in a core's own cache.
+#: Outputs whose spectra, for stimuli of a second, stay in the cache of a core.
 OUTPUTS_AT_ONCE = 18
 # A second thread pays from about a millisecond of work on.
 _SUMS_WORTH_A_THREAD = 10**6
 
 
 def sum_of_vibrations(responses: Sequence[Complexes], drives: Sequence[Complexes]) -> Complexes:
-    """Sum over voices of the spectra of responses times that of the drive.
+    """Return the sum over voices of the spectra of responses times those of drives.
 
     Parameters
     ----------
@@ -239,30 +233,29 @@ def sum_of_vibrations(responses: Sequence[Complexes], drives: Sequence[Complexes
 
     Returns
     -------
-    (n_outputs, 3 axes, n_bins), the same bits whatever the number of threads
+    (n_outputs, 3 axes, n_bins), the same bits with one thread or two
     """
     total = np.empty(responses[0].shape, np.complex128)
-
     tasks = [
-        partial(add_up, [one[part] for one in responses], drives, total[part])
+        partial(add_up, [response[part] for response in responses], drives, total[part])
         for part in parts_of(len(total))
     ]
     if len(responses) * total.size < _SUMS_WORTH_A_THREAD:
         for task in tasks:
             task()
     else:
-        side_by_side(tasks)
+        run_on_two_threads(tasks)
     return total
 
 
 def parts_of(n_outputs: int) -> list[slice]:
-    """Outputs that are summed at a time: they stay in a core's own cache."""
+    """Return slices of outputs that are summed at once, which stay in the cache of a core."""
     return [slice(low, low + OUTPUTS_AT_ONCE) for low in range(0, n_outputs, OUTPUTS_AT_ONCE)]
 
 
 def add_up(responses: Sequence[Complexes], drives: Sequence[Complexes], total: Complexes) -> None:
     """Write the sum of responses times drives to ``total``, as `sum_of_vibrations` says."""
-    # The total may be the first response.
+    # ``total`` may be the first response.
     np.multiply(responses[0], drives[0], out=total)
     if len(responses) > 1:
         buffer = np.empty(total.shape, np.complex128)
@@ -270,15 +263,13 @@ def add_up(responses: Sequence[Complexes], drives: Sequence[Complexes], total: C
             total += np.multiply(response, drive, out=buffer)
 
 
-# Blocks of long drives, for overlap-save.
-
-#: A block of so many samples of a drive, for responses of up to half its length.
+#: Samples of a block of a drive, for responses of up to half as many.
 BLOCK_FFT = 2048
-#: Responses longer than this are computed block by block where twenty places of a limb of 216
-#: channels are in use, of any where spectra of the responses take as much.
+#: Longer vibrations are computed block by block where 20 locations of a limb of 216 channels are in
+#: use, or where spectra of the responses take as much memory.
 LONGEST_AT_ONCE = 6144
 _MOST_BINS = LONGEST_AT_ONCE * 20 * 216
-#: With few places in use there is memory for longer ones, up to this.
+#: With fewer locations in use there is memory for longer vibrations, up to this length.
 LONGEST_OF_FEW = 15_360
 
 
@@ -304,7 +295,7 @@ class Blocks:
 
     @property
     def n_samples(self) -> int:
-        """Samples of response that a block gives: those in which nothing wraps round."""
+        """Samples of response that a block gives: those into which nothing wraps round."""
         return self.n_fft - self.overlap
 
     @property
@@ -313,7 +304,7 @@ class Blocks:
         return self.n_taps - 1
 
     def segment(self, samples: Floats, first: int) -> Floats | None:
-        """Samples that the block from sample ``first`` on needs, (n_fft,); None if silent."""
+        """Return samples for the block from sample ``first`` on, (n_fft,); None if silent."""
         begin = first - self.overlap
         piece = samples[max(begin, 0) : max(begin + self.n_fft, 0)]
         if not piece.any():
@@ -326,18 +317,9 @@ class Blocks:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Played:
-    """What is played at a place.
+    """A drive at an input location, counted from 1.
 
-    Attributes
-    ----------
-    drive
-        Its samples.
-    start
-        Sample at which the drive starts.
-    weight
-        What the vibration by it is multiplied with.
-    location
-        Input place, 1, 2, 3, …
+    It starts at sample ``start``; its vibration is multiplied with ``weight``.
     """
 
     drive: Drive
@@ -347,14 +329,14 @@ class Played:
 
 
 def length_at_once(response_samples: int, n_places: int, n_channels: int) -> int | None:
-    """Length of the transforms of a whole design; None: it is to be computed block by block.
+    """Return the length of the transforms of a whole design; None for block by block.
 
     Parameters
     ----------
     response_samples
-        Length of the response.
+        Length of the vibration.
     n_places
-        Input places in use: spectra of the responses to them are kept.
+        Input locations in use, whose spectra of responses are remembered.
     n_channels
         Channels of the responses, outputs times axes.
     """

@@ -1,7 +1,7 @@
-"""Rules from drives and responses to vibrations: of the edited voice, of the others, of all.
+"""Rules from drives and responses to vibrations: by the edited voice, by the others, and by all.
 
-Where a design is long, neither is made; all voices are streamed together.  The gain with which a
-snapshot is shown as loud as another one enters here: the skin has it, and no drive.
+Long designs have one streamed vibration by all voices instead.  The gain that makes a snapshot as
+loud as another one is applied here: to the vibration, and to no drive.
 """
 
 from weakref import ref
@@ -35,19 +35,16 @@ def others_spectrum(
     responses: Responses, others_placed: tuple[Placed, ...], match_gain: float, stop: Stop
 ) -> Complexes | None:
     """Vibration by the other voices, (n_outputs, 3, n_bins); None: none of them moves anything."""
-    moving = [one for one in others_placed if one.moves]
     n_fft = responses.n_fft
+    moving = [] if n_fft is None else responses.moving(others_placed, stop)
     if n_fft is None or not moving:
         return None
-    to_places = responses.to(one.voice.location for one in moving)
-    sounding = [one.sounding(to) for one, to in zip(moving, to_places, strict=True)]
-    gains = responses.gains(sounding, stop)
     spectra = [
-        delayed(responses.drive_spectrum(one.voice.unit, one.drive), one.start, n_fft)
-        * (one.voice.amplitude * match_gain * gain)
-        for one, gain in zip(moving, gains, strict=True)
+        delayed(responses.drive_spectrum(other.voice.unit, other.drive), other.start, n_fft)
+        * (other.voice.amplitude * match_gain * gain)
+        for other, _, gain in moving
     ]
-    return sum_of_vibrations([to.values for to in to_places], spectra)
+    return sum_of_vibrations([response.values for _, response, _ in moving], spectra)
 
 
 def edited_response(
@@ -58,8 +55,8 @@ def edited_response(
         return None
     if edited_drive.silent:
         return None
-    [found] = responses.to([edited_unit.location])
-    return found
+    [response] = responses.to([edited_unit.location])
+    return response
 
 
 def edited_spectrum(
@@ -92,8 +89,8 @@ def edited_gain(
         return 0.0
     if edited_drive.silent:
         return 0.0
-    [found] = responses.gains([Sounding(edited_unit, edited_drive, edited_response)], stop)
-    return found
+    [gain] = responses.gains([Sounding(edited_unit, edited_drive, edited_response)], stop)
+    return gain
 
 
 def edited_weight(edited_voice: Voice | None, edited_gain: float, match_gain: float) -> float:
@@ -167,21 +164,16 @@ def streamed_vibration(
     """Vibration by all voices where the response is too long to be transformed at once."""
     if responses.n_fft is not None:
         return None
-    moving = [one for one in placed if one.moves]
-    stack = responses.stack(one.voice.location for one in moving)
-    sounding = [
-        one.sounding(stack.responses[one.voice.location]) for one in moving if stack is not None
-    ]
-    gains = responses.gains(sounding, stop)
     played = [
         Played(
-            drive=one.drive,
-            start=one.start,
-            weight=one.voice.amplitude * match_gain * gain,
-            location=one.voice.location,
+            drive=player.drive,
+            start=player.start,
+            weight=player.voice.amplitude * match_gain * gain,
+            location=player.voice.location,
         )
-        for one, gain in zip(moving, gains, strict=True)
+        for player, _, gain in responses.moving(placed, stop)
     ]
+    stack = responses.stack(drive.location for drive in played)
     shape = responses.limb.n_outputs, responses.limb.n_axes, response_samples
     return StreamedVibration(played, stack, shape, responses.blocks)
 

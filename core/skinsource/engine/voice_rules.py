@@ -1,7 +1,7 @@
 """Rules from voices to drives and lengths.
 
-The edited voice is the one that the user works on.  It stands apart from the sum of the others, so
-that a change of it leaves them alone.  No number depends on which one it is.
+The edited voice is the one that the user works on.  The others are summed without it, so that their
+sum stays when it changes.  No number depends on which voice is edited.
 """
 
 import numpy as np
@@ -19,17 +19,17 @@ from skinsource.limbs.limb import Limb
 
 def edited_voice(voices: tuple[Voice, ...], selected_input: int | None) -> Voice | None:
     """The voice that is being edited, if it is heard; ``selected_input`` is its id."""
-    return next((one for one in voices if one.heard and one.id == selected_input), None)
+    return next((voice for voice in voices if voice.heard and voice.id == selected_input), None)
 
 
 def other_voices(voices: tuple[Voice, ...], selected_input: int | None) -> tuple[Voice, ...]:
     """All voices that are heard but the edited one."""
-    return tuple(one for one in voices if one.heard and one.id != selected_input)
+    return tuple(voice for voice in voices if voice.heard and voice.id != selected_input)
 
 
 def unit_voices(voices: tuple[Voice, ...]) -> tuple[UnitVoice, ...]:
     """All voices, heard or not, without amplitude and start."""
-    return tuple(one.unit for one in voices)
+    return tuple(voice.unit for voice in voices)
 
 
 def edited_unit(edited_voice: Voice | None) -> UnitVoice | None:
@@ -44,7 +44,7 @@ def edited_delay(edited_voice: Voice | None) -> int:
 
 def heard_voices(voices: tuple[Voice, ...]) -> tuple[bool, ...]:
     """Whether each voice is heard."""
-    return tuple(one.heard for one in voices)
+    return tuple(voice.heard for voice in voices)
 
 
 def unit_drives(
@@ -74,7 +74,7 @@ def input_waveforms(unit_drives: tuple[Drive | None, ...]) -> tuple[Floats | Non
 
 
 def _unscaled(drive: Drive) -> Floats:
-    # Long ones are not held twice: most have a peak of exactly 1.
+    # Most long drives have a peak of exactly 1, and are not copied.
     return drive.samples if drive.factor in (0.0, 1.0) else drive.samples * drive.factor
 
 
@@ -90,8 +90,9 @@ def edited_checked(
     if edited_unit is None:
         return None
     stop_if(stop)
-    leave_out = leave_out_unplayable
-    return checked_voice(remembered, edited_unit, limb_data, actuation, leave_out=leave_out)
+    return checked_voice(
+        remembered, edited_unit, limb_data, actuation, leave_out=leave_out_unplayable
+    )
 
 
 def others_checked(
@@ -103,11 +104,13 @@ def others_checked(
     stop: Stop,
 ) -> tuple[CheckedVoice, ...]:
     """What the other voices play, or why they cannot be played."""
-    checked, leave_out = [], leave_out_unplayable
-    for one in other_voices:
+    checked = []
+    for voice in other_voices:
         stop_if(stop)
         checked.append(
-            checked_voice(remembered, one.unit, limb_data, actuation, leave_out=leave_out)
+            checked_voice(
+                remembered, voice.unit, limb_data, actuation, leave_out=leave_out_unplayable
+            )
         )
     return tuple(checked)
 
@@ -120,10 +123,10 @@ def checked_voices(
     others_checked: tuple[CheckedVoice, ...],
 ) -> tuple[tuple[Voice, CheckedVoice], ...]:
     """All voices that are heard, in their order, and what each plays."""
-    checked = {one.id: each for one, each in zip(other_voices, others_checked, strict=True)}
+    checked = {voice.id: each for voice, each in zip(other_voices, others_checked, strict=True)}
     if edited_voice is not None and edited_checked is not None:
         checked[edited_voice.id] = edited_checked
-    return tuple((one, checked[one.id]) for one in voices if one.id in checked)
+    return tuple((voice, checked[voice.id]) for voice in voices if voice.id in checked)
 
 
 def edited_drive(edited_checked: CheckedVoice | None) -> Drive | None:
@@ -136,8 +139,8 @@ def others_placed(
 ) -> tuple[Placed, ...]:
     """The other voices with their drives, without those that cannot be played."""
     return tuple(
-        Placed(one, checked.played, one.start)
-        for one, checked in zip(other_voices, others_checked, strict=True)
+        Placed(voice, checked.played, voice.start)
+        for voice, checked in zip(other_voices, others_checked, strict=True)
         if checked.played is not None
     )
 
@@ -147,8 +150,8 @@ def unplayable_inputs(
 ) -> tuple[UnplayableInput, ...]:
     """Inputs that are heard and cannot be played; nothing is predicted of them."""
     return tuple(
-        UnplayableInput(one.id, checked.problem)
-        for one, checked in checked_voices
+        UnplayableInput(voice.id, checked.problem)
+        for voice, checked in checked_voices
         if checked.problem
     )
 
@@ -156,8 +159,8 @@ def unplayable_inputs(
 def sampled_voices(checked_voices: tuple[tuple[Voice, CheckedVoice], ...]) -> tuple[Placed, ...]:
     """Voices that are heard, with their drives, also those that no actuator can follow."""
     return tuple(
-        Placed(one, checked.drive, one.start)
-        for one, checked in checked_voices
+        Placed(voice, checked.drive, voice.start)
+        for voice, checked in checked_voices
         if checked.drive is not None
     )
 
@@ -170,17 +173,17 @@ def placed(
     edited_delay: int,
 ) -> tuple[Placed, ...]:
     """All voices that are heard with their drives, in their order."""
-    found = {one.voice.id: one for one in others_placed}
+    by_id = {other.voice.id: other for other in others_placed}
     if edited_voice is not None and edited_drive is not None:
-        found[edited_voice.id] = Placed(edited_voice, edited_drive, edited_delay)
-    return tuple(found[one.id] for one in voices if one.id in found)
+        by_id[edited_voice.id] = Placed(edited_voice, edited_drive, edited_delay)
+    return tuple(by_id[voice.id] for voice in voices if voice.id in by_id)
 
 
 def stimulus_samples(
     others_placed: tuple[Placed, ...], edited_drive: Drive | None, edited_delay: int
 ) -> int:
     """Samples from time 0 to the end of the last voice; 1 where nothing is heard."""
-    ends = [one.end for one in others_placed]
+    ends = [other.end for other in others_placed]
     if edited_drive is not None:
         ends.append(edited_delay + edited_drive.samples.size)
     return max([1, *ends])
@@ -204,7 +207,7 @@ def n_fft(
     driven_limb: Limb,
 ) -> int | None:
     """Length of transforms; None where the response is too long to be transformed at once."""
-    places = {one.voice.location for one in others_placed}
+    places = {other.voice.location for other in others_placed}
     if edited_unit is not None and edited_drive is not None:
         places.add(edited_unit.location)
     return length_at_once(response_samples, len(places), driven_limb.n_outputs * driven_limb.n_axes)
@@ -220,8 +223,8 @@ def others_active(
 ) -> Booleans:
     """When any other voice can move the skin, (response_samples,); not for long responses."""
     played = np.zeros(0 if n_fft is None else response_samples, bool)
-    for one in others_placed if played.size else ():
-        played[one.start : one.end] |= one.drive.samples != 0.0
+    for other in others_placed if played.size else ():
+        played[other.start : other.end] |= other.drive.samples != 0.0
     return active_samples(played, driven_limb.n_taps)
 
 

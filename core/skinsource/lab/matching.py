@@ -1,4 +1,9 @@
-"""Which vibrations are made as strong as a reference, and in which order."""
+"""Matching: a person makes one vibration as strong as a reference; strength is not predicted.
+
+A person compares a reference and a test in turn, makes the test stronger or weaker until both are
+as strong, and stores the match in a CSV table.  The means of many matches are used in sweeps, see
+`Strengths`.
+"""
 
 import csv
 import io
@@ -6,6 +11,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import astuple, dataclass, fields
 from hashlib import sha256
 from itertools import product
+from math import inf
 from pathlib import Path
 from typing import Literal, get_args
 
@@ -28,11 +34,11 @@ from skinsource.lab.playing.stream import Stream
 
 Direction = Literal["ascending", "descending"]
 DIRECTIONS: tuple[Direction, ...] = get_args(Direction)
-#: The test relative to the reference, in dB, at most.
+#: Range of the test relative to the reference.
 LOWEST_DB, HIGHEST_DB = -40.0, 30.0
-#: How far from equal drives a test begins.
+#: Range of the distance from equal drives at which a test begins.
 NEAREST_START_DB, FARTHEST_START_DB = 6.0, 12.0
-#: Drives that a reference can have: the strongest test stays within what a design can hold.
+#: Strongest drive of a reference, so that the strongest test is an amplitude that designs allow.
 MOST_AMPLITUDE = 30.0
 _LOWEST_HZ, _HIGHEST_HZ = 1.0, 1000.0
 _MOST_TRIALS, _LONGEST_NAME = 2000, 40
@@ -46,13 +52,13 @@ class Trial:
     Attributes
     ----------
     number
-        From 1, in the order in which a person meets them.
+        From 1, in the order of a person.
     frequency_hz, place
-        What the test is.
+        Frequency and input location of the test.
     direction
         ``"ascending"``: it begins weaker than the drive of the reference, else stronger.
     start_db
-        Where it begins, relative to that.
+        Level at which it begins, relative to the reference.
     """
 
     number: int
@@ -66,23 +72,23 @@ class Trial:
 class Procedure:
     """All matches of one person.
 
-    Each test is met twice, from below and from above, so that what people do because of where they
-    begin cancels (Stevens, "Psychophysics", 1975, on the method of adjustment); where they begin
-    and the order are random, and follow from the seed and the name.
+    Each test is matched twice, from below and from above, so that the influence of the start
+    cancels (Stevens, "Psychophysics", 1975, on the method of adjustment).  Order and starts are
+    random, and follow from the seed and the name.
 
     Attributes
     ----------
     person
-        Who matches: letters, digits, spaces, and any of ``-_.``
+        Name of the person: letters, digits, spaces, and any of ``-_.``
     frequencies_hz, places
-        The tests are all combinations.
+        The tests are all combinations of these frequencies and input locations.
     reference_hz, reference_place, amplitude
-        The reference, and its drive in the unit of the design's amplitudes, see
+        The reference, and its drive in the unit of the amplitudes of a design, see
         `skinsource.design.signal_path`.
     duration_s, pause_s
-        Of each of both, and between them.
+        Duration of reference and test, and the pause between them.
     seed
-        Of what is random.
+        Seed of order and starts.
     limb
         Limb of the designs that are played.
     """
@@ -120,25 +126,25 @@ class Procedure:
             )
 
     def __len__(self) -> int:
-        """How many matches there are."""
+        """Number of matches."""
         return len(self.frequencies_hz) * len(self.places) * len(DIRECTIONS)
 
     @property
     def trials(self) -> tuple[Trial, ...]:
-        """The matches, in the order in which this person makes them."""
+        """All trials, in the order for this person."""
         name = np.frombuffer(sha256(self.person.encode()).digest()[:8], np.uint32)
         rng = np.random.default_rng([self.seed, *name.tolist()])
         tests = list(product(self.frequencies_hz, self.places, DIRECTIONS))
         starts_db = rng.uniform(NEAREST_START_DB, FARTHEST_START_DB, len(tests)).round(1)
-        found = []
-        for number, which in enumerate(rng.permutation(len(tests)).tolist(), start=1):
-            frequency_hz, place, direction = tests[which]
-            start_db = float(starts_db[which]) * (-1.0 if direction == "ascending" else 1.0)
-            found.append(Trial(number, float(frequency_hz), place, direction, start_db))
-        return tuple(found)
+        trials = []
+        for number, test in enumerate(rng.permutation(len(tests)).tolist(), start=1):
+            frequency_hz, place, direction = tests[test]
+            start_db = float(starts_db[test]) * (-1.0 if direction == "ascending" else 1.0)
+            trials.append(Trial(number, float(frequency_hz), place, direction, start_db))
+        return tuple(trials)
 
     def design(self, trial: Trial, level_db: float) -> Design:
-        """What is played again and again: the reference, then the test at ``level_db``."""
+        """Return the design that is repeated: the reference, then the test at ``level_db``."""
         level = real_number("level_db", level_db, least=LOWEST_DB, most=HIGHEST_DB)
         second_s = self.duration_s + self.pause_s
         return Design(
@@ -162,12 +168,12 @@ class Procedure:
 
 
 def check_person(person: object) -> str:
-    """Return the name of a person; refuse what a table or a file could take for something else."""
+    """Return the name of a person; raise where it could mean something else in a table or file."""
     if (
         not isinstance(person, str)
         or not 0 < len(person) <= _LONGEST_NAME
         or person != person.strip()
-        or not all(one.isalnum() or one in " -_." for one in person)
+        or not all(character.isalnum() or character in " -_." for character in person)
         or not person[0].isalnum()
     ):
         raise InvalidInputError(
@@ -177,28 +183,24 @@ def check_person(person: object) -> str:
     return person
 
 
-# A match, as it is kept.
-
-#: What tells one match from another in a table.
+#: Person, frequency, location and direction: a table holds one match for each.
 Key = tuple[str, float, int, Direction]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Match:
-    """A test that felt as strong as the reference.
+    """A test that a person has made as strong as the reference.
 
     Attributes
     ----------
-    person
-        Whose match it is.
     frequency_hz, place, direction, start_db
         The test, and where it began, see `skinsource.lab.matching.Trial`.
     matched_db
-        Its drive where both felt equally strong, relative to that of the reference.
+        Drive of the test when both felt equally strong, relative to that of the reference.
     reference_hz, reference_place, amplitude
-        The reference.
+        The reference, see `Procedure`.
     trial, seed
-        Which trial of which random order it was.
+        Number of the trial, and seed of its random order.
     """
 
     person: str
@@ -215,7 +217,7 @@ class Match:
 
     @property
     def key(self) -> Key:
-        """What tells it from others in one table."""
+        """Key of the match in a table."""
         return self.person, self.frequency_hz, self.place, self.direction
 
     @property
@@ -224,11 +226,8 @@ class Match:
         return self.reference_hz, self.reference_place, self.amplitude
 
 
-# Tables of matches: CSV, one row for each, never doubled.
-
 _MOST_BYTES = 64 * 2**20
-_COLUMNS = tuple(one.name for one in fields(Match))
-_MOST = 2**63 - 1
+_COLUMNS = tuple(field.name for field in fields(Match))
 
 
 def read_matches(path: Path) -> tuple[Match, ...]:
@@ -237,9 +236,10 @@ def read_matches(path: Path) -> tuple[Match, ...]:
     Raises
     ------
     StorageError
-        It cannot be read.
+        The file cannot be read.
     FileFormatError
-        It is no such table, holds a match twice, or matches with different references.
+        The file is no table of matches, or holds a match twice, or matches with different
+        references.
     """
     try:
         text = read_bytes(path, most=_MOST_BYTES).decode()
@@ -252,40 +252,40 @@ def read_matches(path: Path) -> tuple[Match, ...]:
             f"{quoted(','.join(rows[0]) if rows else '')}, expected {','.join(_COLUMNS)}. Choose "
             "another file."
         )
-    found: list[Match] = []
+    matches: list[Match] = []
     known: dict[object, int] = {}
     for line, row in enumerate(rows[1:], start=2):
         try:
-            one = _match(row)
-            before = known.setdefault(one.key, line)
+            match = _match(row)
+            before = known.setdefault(match.key, line)
             if before != line:
                 raise InvalidInputError(f"the same match stands in line {before} already")
-            if one.reference != (found or [one])[0].reference:
+            if match.reference != (matches or [match])[0].reference:
                 raise InvalidInputError("its reference is not that of line 2")
         except InvalidInputError as error:
             raise FileFormatError(
                 f"{named(path)}, line {line}: {sentence(str(error))} Correct or remove it."
             ) from error
-        found.append(one)
-    return tuple(found)
+        matches.append(match)
+    return tuple(matches)
 
 
 def add_match(path: Path, new: Match) -> tuple[Match, ...]:
-    """Add a row to a table, which is made where there is none; returns all of them.
+    """Add a match to a table, which is created if there is none, and return all matches.
 
-    The file is replaced as a whole: whatever happens, it holds all rows before, or one more.
+    The file is replaced as a whole: after any failure it holds all old rows, or one more.
     Processes that add at the same time wait for each other.
 
     Raises
     ------
     InvalidInputError
-        The match is there already, or the table has another reference.
+        The table holds this match already, or has another reference.
     FileFormatError, StorageError
-        The file is no table of matches; it cannot be read or written.
+        The file is no table of matches, or cannot be read or written.
     """
     with Lock(path).hold():
         before = read_matches(path) if is_there(path) else ()
-        if any(one.key == new.key for one in before):
+        if any(match.key == new.key for match in before):
             raise InvalidInputError(
                 f"{named(path)} has the {new.direction} match of {new.frequency_hz:g} Hz at place "
                 f"{new.place} by {new.person} already. Nothing was changed."
@@ -299,10 +299,10 @@ def add_match(path: Path, new: Match) -> tuple[Match, ...]:
 def check_reference(
     path: Path, matches: Iterable[Match], reference: tuple[float, int, float]
 ) -> None:
-    """Refuse a table whose reference is another one than ``reference``."""
-    for one in matches:
-        if one.reference != reference:
-            frequency_hz, place, amplitude = one.reference
+    """Raise where a table has another reference than ``reference``."""
+    for match in matches:
+        if match.reference != reference:
+            frequency_hz, place, amplitude = match.reference
             raise InvalidInputError(
                 f"{named(path)} holds matches with another reference: {frequency_hz:g} Hz at place "
                 f"{place}, a drive of {amplitude:g}. Choose another file, or that reference."
@@ -312,65 +312,58 @@ def check_reference(
 def _match(row: list[str]) -> Match:
     if len(row) != len(_COLUMNS):
         raise InvalidInputError(f"it has {counted(len(row), 'value')}, expected {len(_COLUMNS)}")
-    cell = dict(zip(_COLUMNS, row, strict=True))
+    cells = dict(zip(_COLUMNS, row, strict=True))
+
+    def number(name: str, least: float = -inf, most: float = inf) -> float:
+        try:
+            value = float(cells[name])
+        except ValueError:
+            raise InvalidInputError(f"{name} is {quoted(cells[name])}, expected a number") from None
+        return real_number(name, value, least=least, most=most)
+
+    def whole(name: str, least: int, most: int) -> int:
+        text = cells[name]
+        if not (text.isdecimal() and len(text) < 20):
+            raise InvalidInputError(f"{name} is {quoted(text)}, expected a whole number")
+        return integer(name, int(text), least, most)
+
     return Match(
-        person=check_person(cell["person"]),
-        frequency_hz=real_number("frequency_hz", _number(cell, "frequency_hz"), least=1e-3),
-        place=integer("place", _whole(cell, "place"), 1, MOST_PLACES),
-        direction=one_of("direction", cell["direction"], DIRECTIONS),
-        start_db=real_number("start_db", _number(cell, "start_db")),
-        matched_db=real_number(
-            "matched_db", _number(cell, "matched_db"), least=LOWEST_DB, most=HIGHEST_DB
-        ),
-        reference_hz=real_number("reference_hz", _number(cell, "reference_hz"), least=1e-3),
-        reference_place=integer("reference_place", _whole(cell, "reference_place"), 1, MOST_PLACES),
-        amplitude=real_number(
-            "amplitude", _number(cell, "amplitude"), least=1e-6, most=MOST_AMPLITUDE
-        ),
-        trial=integer("trial", _whole(cell, "trial"), 1, _MOST),
-        seed=integer("seed", _whole(cell, "seed"), 0, _MOST),
+        person=check_person(cells["person"]),
+        frequency_hz=number("frequency_hz", least=1e-3),
+        place=whole("place", 1, MOST_PLACES),
+        direction=one_of("direction", cells["direction"], DIRECTIONS),
+        start_db=number("start_db"),
+        matched_db=number("matched_db", least=LOWEST_DB, most=HIGHEST_DB),
+        reference_hz=number("reference_hz", least=1e-3),
+        reference_place=whole("reference_place", 1, MOST_PLACES),
+        amplitude=number("amplitude", least=1e-6, most=MOST_AMPLITUDE),
+        trial=whole("trial", 1, _MOST_SEED),
+        seed=whole("seed", 0, _MOST_SEED),
     )
-
-
-def _number(cell: dict[str, str], name: str) -> float:
-    try:
-        return float(cell[name])
-    except ValueError:
-        raise InvalidInputError(f"{name} is {quoted(cell[name])}, expected a number") from None
-
-
-def _whole(cell: dict[str, str], name: str) -> int:
-    text = cell[name]
-    if not (text.isdecimal() and len(text) < 20):
-        raise InvalidInputError(f"{name} is {quoted(text)}, expected a whole number")
-    return int(text)
 
 
 def _text(matches: Iterable[Match]) -> str:
     text = io.StringIO(newline="")
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(_COLUMNS)
-    writer.writerows(astuple(one) for one in matches)
+    writer.writerows(astuple(match) for match in matches)
     return text.getvalue()
 
 
-# Plays what is matched, again and again, while it is changed.
-
-
 class Presenter:
-    """Reference and test in turn on a device; where there is none, in silence: a rehearsal.
+    """Plays reference and test in turn on a device, or in silence where there is none.
 
-    `present` and `close` belong to one thread, which may wait for the device; `stop_at_once` to
-    any.  The guard of the outputs stays: what would pass full scale ends what is played.
+    One thread, which may wait for the device, calls `present` and `close`; any thread may call
+    `stop_at_once`.  Playing ends before a sample would pass full scale.
 
     Parameters
     ----------
     output
-        What is played on.
+        Device, and its outputs.
     finished
-        Called from the thread of the device, with its stream, when nothing is played any more.
+        Called from the thread of the device, with its stream, when playing has ended.
     rig
-        What is wired to the device, whose limits then hold; None: not known.
+        What is wired to the device, with limits; None where it is not known.
     """
 
     def __init__(
@@ -382,12 +375,12 @@ class Presenter:
         self._stopped = False
 
     def present(self, design: Design, gain_db: float = START_DB) -> Playing:
-        """Play ``design`` again and again, or go over to it without a click.
+        """Play ``design`` again and again, or change to it without a click.
 
         Raises
         ------
         SkinSourceError
-            The design cannot be played, or the device refuses; nothing is played then.
+            The design cannot be played, or the device refuses it; nothing is played then.
         """
         if self._stopped:
             self.close()
@@ -405,50 +398,49 @@ class Presenter:
 
     @property
     def reason(self) -> str:
-        """Why nothing is heard, and what to do; "" where it is, or nothing is played."""
+        """Why there is no sound, and what to do; "" where there is, or nothing is played."""
         return "" if self._playing is None else self._playing.reason
 
     def stop_at_once(self) -> None:
-        """Be silent within a millisecond."""
+        """Fall silent within a millisecond."""
         self._stopped = True
         playing = self._playing
         if playing is not None and playing.stream is not None:
             playing.stream.deck.stop_at_once()
 
     def close(self) -> None:
-        """End what is played, and let go of the device."""
+        """Stop playing and close the device."""
         self._stopped, self._playing = False, None
         self._session.close()
 
 
-# One person makes all matches of a procedure, today or on several days.
-
-#: What an arrow key changes.
+#: Change of the level by an arrow key.
 STEP_DB = 1.0
 
 
 class MatchingRun:
-    """Knows what is to be matched next; what was stored is not asked again.
+    """All matches of a procedure, made by one person, on one day or several.
+
+    Matches that the table holds already are left out.
 
     Parameters
     ----------
     procedure
-        What is matched.
+        The matches to make.
     path
-        Table that matches are added to, and that says what was stored already; None: a rehearsal,
-        of which nothing is kept.
+        Table that matches are added to; None for a rehearsal, whose matches are not stored.
 
     Attributes
     ----------
     level_db
-        The test relative to the reference, now.
+        Present level of the test relative to the reference.
 
     Raises
     ------
     InvalidInputError
         The table holds matches with another reference.
     FileFormatError, StorageError
-        It is no table of matches; it cannot be read.
+        The file is no table of matches, or cannot be read.
     """
 
     def __init__(self, procedure: Procedure, path: Path | None) -> None:
@@ -458,51 +450,51 @@ class MatchingRun:
             matches = read_matches(path)
             reference = procedure.reference_hz, procedure.reference_place, procedure.amplitude
             check_reference(path, matches, reference)
-            known = {one.key for one in matches}
-        self._left = [one for one in procedure.trials if self._key(one) not in known]
+            known = {match.key for match in matches}
+        self._remaining = [trial for trial in procedure.trials if self._key(trial) not in known]
         self.level_db = 0.0
         self._begin()
 
     @property
     def trial(self) -> Trial | None:
-        """What is matched now; None: all is done."""
-        return self._left[0] if self._left else None
+        """Present trial; None when all matches are made."""
+        return self._remaining[0] if self._remaining else None
 
     @property
     def done(self) -> int:
-        """How many matches there are already."""
-        return len(self.procedure) - len(self._left)
+        """Number of matches that are made."""
+        return len(self.procedure) - len(self._remaining)
 
     @property
     def design(self) -> Design:
-        """What is to be played now, again and again.
+        """Design that is repeated now.
 
         Raises
         ------
         InvalidInputError
-            All is done.
+            All matches are made.
         """
-        return self.procedure.design(self._now(), self.level_db)
+        return self.procedure.design(self._current(), self.level_db)
 
     def step(self, by_db: float) -> bool:
-        """Make the test stronger or weaker; whether that could be."""
-        wanted_db = round(min(max(self.level_db + by_db, LOWEST_DB), HIGHEST_DB), 6)
-        changed = self.trial is not None and wanted_db != self.level_db
+        """Make the test stronger or weaker; return whether its level has changed."""
+        level_db = round(min(max(self.level_db + by_db, LOWEST_DB), HIGHEST_DB), 6)
+        changed = self.trial is not None and level_db != self.level_db
         if changed:
-            self.level_db = wanted_db
+            self.level_db = level_db
         return changed
 
     def store(self) -> Match:
-        """Keep that both are as strong now, and go on to the next.
+        """Store that both are equally strong now, and go on to the next trial.
 
         Raises
         ------
         InvalidInputError
-            All is done, or the match is in the table already.
+            All matches are made, or the table holds this match already.
         FileFormatError, StorageError
             The table cannot be read or written; the same trial goes on.
         """
-        trial, procedure = self._now(), self.procedure
+        trial, procedure = self._current(), self.procedure
         match = Match(
             person=procedure.person,
             frequency_hz=trial.frequency_hz,
@@ -518,7 +510,7 @@ class MatchingRun:
         )
         if self.path is not None:
             add_match(self.path, match)
-        del self._left[0]
+        del self._remaining[0]
         self._begin()
         return match
 
@@ -526,7 +518,7 @@ class MatchingRun:
         if self.trial is not None:
             self.level_db = self.trial.start_db
 
-    def _now(self) -> Trial:
+    def _current(self) -> Trial:
         if self.trial is None:
             raise InvalidInputError("all matches are made; nothing is left to match")
         return self.trial
@@ -535,20 +527,17 @@ class MatchingRun:
         return self.procedure.person, trial.frequency_hz, trial.place, trial.direction
 
 
-# What matches say: the drive at which each vibration feels as strong as the reference.
-
-
 @dataclass(frozen=True, slots=True)
 class Strengths:
-    """Drives of equal strength, by place and frequency.
+    """Drives at which vibrations feel as strong as the reference.
 
     Attributes
     ----------
     points
-        Place, frequency in Hz, and the drive in dB relative to that of the reference: the mean over
-        persons of the mean over the matches of each.
+        Input location, frequency in Hz, and the drive in dB relative to that of the reference: the
+        mean over persons of the mean over the matches of each.
     reference
-        Place and frequency of the reference, which is 0 dB.
+        Input location and frequency of the reference, which has 0 dB.
     """
 
     points: tuple[tuple[int, float, float], ...]
@@ -556,7 +545,7 @@ class Strengths:
 
     @classmethod
     def of(cls, matches: Iterable[Match]) -> "Strengths":
-        """Average over the persons of a table.
+        """Return the averages over the persons of a table.
 
         Raises
         ------
@@ -565,29 +554,33 @@ class Strengths:
         """
         by_test: dict[tuple[int, float], dict[str, list[float]]] = {}
         reference = None
-        for one in matches:
-            reference = one.reference_place, one.reference_hz
-            of_test = by_test.setdefault((one.place, one.frequency_hz), {})
-            of_test.setdefault(one.person, []).append(one.matched_db)
+        for match in matches:
+            reference = match.reference_place, match.reference_hz
+            by_person = by_test.setdefault((match.place, match.frequency_hz), {})
+            by_person.setdefault(match.person, []).append(match.matched_db)
         if reference is None:
             raise InvalidInputError("the table holds no matches, expected at least one")
         points = tuple(
-            (place, frequency_hz, float(np.mean([np.mean(own) for own in persons.values()])))
+            (
+                place,
+                frequency_hz,
+                float(np.mean([np.mean(levels_db) for levels_db in persons.values()])),
+            )
             for (place, frequency_hz), persons in sorted(by_test.items())
         )
         return cls(points, reference)
 
     def level_db(self, frequency_hz: float, place: int) -> float:
-        """Drive that feels as strong as the reference, relative to that of the reference.
+        """Return the drive that feels as strong as the reference, relative to its drive.
 
-        Between measured frequencies in a straight line over the logarithm of the frequency.
+        Between matched frequencies it is interpolated linearly over the logarithm of the frequency.
 
         Raises
         ------
         InvalidInputError
-            Nothing was matched at the place, or the frequency lies outside of those that were.
+            Nothing was matched at the location, or the frequency is outside the matched range.
         """
-        known = {one: level for at, one, level in self.points if at == place}
+        known = {at_hz: level for at, at_hz, level in self.points if at == place}
         if place == self.reference[0]:
             known.setdefault(self.reference[1], 0.0)
         if not known:
@@ -601,14 +594,9 @@ class Strengths:
                 f"{frequency_hz:g} Hz was not matched at place {place}, expected "
                 f"{measured_hz[0]:g} to {measured_hz[-1]:g} Hz. Match it, or leave it out."
             )
-        levels_db = [known[one] for one in measured_hz]
+        levels_db = [known[at_hz] for at_hz in measured_hz]
         return float(np.interp(np.log(frequency_hz), np.log(measured_hz), levels_db))
 
-
-# Equal strength is measured, not predicted: one vibration is made as strong as another one.
-#
-# A person feels a reference and a test in turn, makes the test stronger or weaker until both are as
-# strong, and stores that.  What many such matches say goes into sweeps, see `Strengths`.
 
 __all__ = [
     "Match",

@@ -16,7 +16,7 @@ def test_slow_motion_runs_in_silence_and_complains_of_nothing(sound, studio, pla
     assert not sound.streams
     assert player.settings.missing == ""
     assert not studio.notice.text.startswith("In silence")
-    assert now.seen_s == pytest.approx(0.5 + RESPONSE_S)
+    assert now.visible_s == pytest.approx(0.5 + RESPONSE_S)
 
 
 def test_faster_and_slower_go_through_the_paces(studio):

@@ -1,4 +1,7 @@
-"""Where it is played: what one machine knows of its device and its actuators."""
+"""Devices to play on: which ones there are, which output drives which actuator, and their rate.
+
+sounddevice and PortAudio are imported when devices are listed or used first.
+"""
 
 import json
 from collections.abc import Iterable, Mapping, Sequence
@@ -27,9 +30,9 @@ if TYPE_CHECKING:
     from skinsource.actuators.rigs import Rig
 
 
-#: Rates that devices are asked for.
+#: Rates that devices are checked for.
 RATES_HZ = (8_000, 16_000, 32_000, 44_100, 48_000, 88_200, 96_000, 176_400, 192_000)
-#: Outputs of the largest device that is thought of.
+#: Outputs of the largest device that is supported.
 MOST_OUTPUTS = 128
 SHORTEST_LATENCY_S, LONGEST_LATENCY_S = 0.002, 0.5
 LEAST_SHIFT_HZ, MOST_SHIFT_HZ = 50.0, 2000.0
@@ -40,23 +43,23 @@ _LONGEST_NAME = 400
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Output:
-    """A device, and which of its outputs drives which place.
+    """A device, and which of its outputs drives which input location.
 
     Attributes
     ----------
     device, host_api
-        Names, as the machine has them; ``""``: what the system plays on.
+        Names in the system; ``""`` for the default device.
     sample_rate_hz
-        Rate that the device is asked for.
+        Requested rate.
     latency_s
-        Delay that it is asked for; it may take more.
+        Requested delay; the device may need more.
     outputs
-        Pairs of an input place and the output, from 1, that drives its actuator.  Other places
-        take the free outputs, in their order.
+        Pairs of an input location and the output, from 1, that drives its actuator.  Other
+        locations get the free outputs, in order.
     stand_in
-        Whether it is made audible on two channels, for people without actuators.
+        Whether the design is made audible on two channels, for people without actuators.
     shift_hz
-        How far the stand-in shifts all frequencies up.
+        Shift of all frequencies in the stand-in.
     """
 
     device: str = ""
@@ -68,9 +71,9 @@ class Output:
     shift_hz: float = 300.0
 
     def __post_init__(self) -> None:
-        for name, words in (("device", self.device), ("host_api", self.host_api)):
-            if not isinstance(words, str) or len(words) > _LONGEST_NAME:
-                raise InvalidInputError(f"{name} is {quoted(words)}, expected a name")
+        for name, value in (("device", self.device), ("host_api", self.host_api)):
+            if not isinstance(value, str) or len(value) > _LONGEST_NAME:
+                raise InvalidInputError(f"{name} is {quoted(value)}, expected a name")
         integer("sample_rate_hz", self.sample_rate_hz, _LOWEST_RATE_HZ, _HIGHEST_RATE_HZ)
         least_s, most_s = SHORTEST_LATENCY_S, LONGEST_LATENCY_S
         real_number("latency_s", self.latency_s, least=least_s, most=most_s)
@@ -81,7 +84,7 @@ class Output:
         for name, numbers in zip(
             ("place", "output"), zip(*self.outputs, strict=True), strict=False
         ):
-            twice = next((one for one in numbers if numbers.count(one) > 1), None)
+            twice = next((number for number in numbers if numbers.count(number) > 1), None)
             if twice is not None:
                 raise InvalidInputError(
                     f"{name} {twice} stands twice in the channel map, expected once: each place "
@@ -89,51 +92,46 @@ class Output:
                 )
 
     def outputs_of(self, places: Iterable[int]) -> dict[int, int]:
-        """Output of each of ``places``, from 1: the one in the map, else the next that is free.
+        """Return the output of each of ``places``, from 1: that in the map, else the next free one.
 
-        Ask with all places of a design, heard or not: what one drives then does not depend on
-        whether another is muted.
+        Pass all locations of a design, audible or not, so that outputs do not depend on muting.
         """
-        wanted = tuple(dict.fromkeys(places))
-        found = {place: output for place, output in self.outputs if place in wanted}
-        taken = {output for _, output in self.outputs}
-        free = (
-            output for output in range(1, MOST_OUTPUTS + 1 + len(wanted)) if output not in taken
-        )
-        for place in wanted:
-            if place not in found:
-                found[place] = next(free)
-        return found
+        unique = tuple(dict.fromkeys(places))
+        output_of = {place: output for place, output in self.outputs if place in unique}
+        used = {output for _, output in self.outputs}
+        free = (output for output in range(1, MOST_OUTPUTS + 1 + len(unique)) if output not in used)
+        for place in unique:
+            if place not in output_of:
+                output_of[place] = next(free)
+        return output_of
 
     def to_text(self) -> str:
-        """Write it down."""
+        """Return it as JSON text."""
         return json.dumps(asdict(self))
 
 
 def output_from_text(text: str) -> Output:
-    """Read what `Output.to_text` wrote.
+    """Return the output of a text of `Output.to_text`.
 
     Raises
     ------
     InvalidInputError
-        It is something else.
+        The text is something else.
     """
     try:
-        held = json.loads(text)
+        values = json.loads(text)
     except (ValueError, RecursionError) as error:
         raise InvalidInputError(f"{quoted(text)} describes no output") from error
-    if not isinstance(held, dict) or not set(held) <= set(Output.__slots__):
+    if not isinstance(values, dict) or not set(values) <= set(Output.__slots__):
         raise InvalidInputError(f"{quoted(text)} describes no output")
     try:
-        held["outputs"] = tuple((place, output) for place, output in held.get("outputs", ()))
-        if not isinstance(held.get("stand_in", False), bool):
+        values["outputs"] = tuple((place, output) for place, output in values.get("outputs", ()))
+        if not isinstance(values.get("stand_in", False), bool):
             raise TypeError("stand_in is no switch")
-        return Output(**held)
+        return Output(**values)
     except (TypeError, ValueError) as error:
         raise InvalidInputError(f"{quoted(text)} describes no output: {error}") from error
 
-
-# The way to PortAudio: imported when somebody wants to hear something, and not before.
 
 _LIBRARY = (
     "PortAudio is not installed, without which nothing can be played. On Linux it is a package of "
@@ -148,7 +146,7 @@ def sound_library() -> ModuleType:
     Raises
     ------
     NothingToPlayOnError
-        It is not installed, or PortAudio is not, or does not start; the message says what to type.
+        It or PortAudio is not installed, or does not start; the message says what to type.
     """
     try:
         return package_of_extra("sounddevice", "audio")
@@ -161,27 +159,23 @@ def sound_library() -> ModuleType:
         raise NothingToPlayOnError(f"{_LIBRARY} ({printable(error)})") from error
 
 
-# Devices that can be played on.
-
-_NONE = "No device to play on was found. Connect one and look again."
+_NO_DEVICE = "No device to play on was found. Connect one and look again."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Device:
-    """Something with outputs.
+    """A device with outputs, as the system describes it.
 
     Attributes
     ----------
     index
-        Its number, until devices are looked for again.
+        Number of the device, until devices are listed again.
     name, host_api
-        As the system has them; both together tell it from the others.
-    n_outputs
-        How many outputs it has, as it says.
+        Both together identify it.
     sample_rate_hz
         The rate that it prefers.
     is_default
-        Whether it is what the system plays on.
+        Whether the system plays on it by default.
     """
 
     index: int
@@ -193,13 +187,13 @@ class Device:
 
     @property
     def title(self) -> str:
-        """Words for it."""
+        """Name, host and number of outputs."""
         return f"{self.name} ({self.host_api}, {counted(self.n_outputs, 'output')})"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Listed:
-    """What the system says of a device."""
+    """A device as the system describes it."""
 
     index: int
     name: str
@@ -210,7 +204,7 @@ class Listed:
 
 
 def listed(direction: Literal["input", "output"]) -> list[Listed]:
-    """Return what has inputs, or outputs, the default device first.
+    """Return all devices with inputs, or with outputs, the default device first.
 
     Raises
     ------
@@ -219,29 +213,29 @@ def listed(direction: Literal["input", "output"]) -> list[Listed]:
     """
     library = sound_library()
     try:
-        apis, known = library.query_hostapis(), library.query_devices()
+        apis, system_devices = library.query_hostapis(), library.query_devices()
         default = library.default.device[direction]
         if default < 0:
-            default = next((one[f"default_{direction}_device"] for one in apis), -1)
+            default = next((api[f"default_{direction}_device"] for api in apis), -1)
     except library.PortAudioError as error:
         raise PlaybackError(f"The sound system does not answer: {printable(error)}.") from error
-    found = [
+    devices_of_direction = [
         Listed(
             index=index,
-            name=one["name"],
-            host_api=apis[one["hostapi"]]["name"],
-            n_channels=one[f"max_{direction}_channels"],
-            sample_rate_hz=round(one["default_samplerate"]),
+            name=device["name"],
+            host_api=apis[device["hostapi"]]["name"],
+            n_channels=device[f"max_{direction}_channels"],
+            sample_rate_hz=round(device["default_samplerate"]),
             is_default=index == default,
         )
-        for index, one in enumerate(known)
-        if one[f"max_{direction}_channels"] > 0
+        for index, device in enumerate(system_devices)
+        if device[f"max_{direction}_channels"] > 0
     ]
-    return sorted(found, key=lambda one: not one.is_default)
+    return sorted(devices_of_direction, key=lambda device: not device.is_default)
 
 
 def devices() -> tuple[Device, ...]:
-    """Return what can be played on, the default device first.
+    """Return the devices to play on, the default device first.
 
     Raises
     ------
@@ -250,22 +244,22 @@ def devices() -> tuple[Device, ...]:
     """
     return tuple(
         Device(
-            index=one.index,
-            name=one.name,
-            host_api=one.host_api,
-            n_outputs=one.n_channels,
-            sample_rate_hz=one.sample_rate_hz,
-            is_default=one.is_default,
+            index=device.index,
+            name=device.name,
+            host_api=device.host_api,
+            n_outputs=device.n_channels,
+            sample_rate_hz=device.sample_rate_hz,
+            is_default=device.is_default,
         )
-        for one in listed("output")
+        for device in listed("output")
     )
 
 
 def refresh_devices() -> tuple[Device, ...]:
-    """Return what can be played on now, with what was connected since; nothing may be playing."""
+    """Look for devices again, and return those to play on; nothing may be playing."""
     library = sound_library()
     try:
-        # PortAudio looks once, when it starts; sounddevice offers no other door to that.
+        # PortAudio looks for devices when it starts; sounddevice has no public way to restart it.
         library._terminate()
         library._initialize()
     except library.PortAudioError as error:
@@ -273,37 +267,37 @@ def refresh_devices() -> tuple[Device, ...]:
     return devices()
 
 
-def device_of(output: Output, found: Sequence[Device]) -> Device:
+def device_of(output: Output, known_devices: Sequence[Device]) -> Device:
     """Return the device that ``output`` names.
 
     Raises
     ------
     PlaybackError
-        There is none at all, or not that one.
+        There is no device, or none of that name.
     """
-    if not found:
-        raise NothingToPlayOnError(_NONE)
+    if not known_devices:
+        raise NothingToPlayOnError(_NO_DEVICE)
     if not output.device:
-        return found[0]
-    for one in found:
-        if one.name == output.device and output.host_api in ("", one.host_api):
-            return one
+        return known_devices[0]
+    for device in known_devices:
+        if device.name == output.device and output.host_api in ("", device.host_api):
+            return device
     raise PlaybackError(
         f"The device {quoted(output.device)} is not there. Connect it and look again, or choose "
-        f"another; there {'is' if len(found) == 1 else 'are'} "
-        f"{', '.join(one.name for one in found[:5])}."
+        f"another; there {'is' if len(known_devices) == 1 else 'are'} "
+        f"{', '.join(device.name for device in known_devices[:5])}."
     )
 
 
 def check_outputs(device: Device, outputs: Mapping[int, int]) -> None:
-    """Refuse a device that does not have all ``outputs``, by place.
+    """Check that a device has all ``outputs``, by location.
 
     Raises
     ------
     PlaybackError
-        It has too few; the message says which place has none.
+        It has too few; the message names the location without an output.
     """
-    place, output = max(outputs.items(), key=lambda one: one[1], default=(0, 0))
+    place, output = max(outputs.items(), key=lambda pair: pair[1], default=(0, 0))
     if output > device.n_outputs:
         raise PlaybackError(
             f"{device.name} has {counted(device.n_outputs, 'output')}, "
@@ -314,13 +308,13 @@ def check_outputs(device: Device, outputs: Mapping[int, int]) -> None:
 
 
 def rates_of(device: Device) -> tuple[int, ...]:
-    """Rates, in Hz, that a device takes; asked one by one, so that it takes a while."""
+    """Return the rates that a device accepts, Hz; it takes a while, as each rate is tried."""
     library = sound_library()
     rates = sorted({*RATES_HZ, device.sample_rate_hz})
-    return tuple(rate for rate in rates if _takes(library, device, rate))
+    return tuple(rate for rate in rates if _accepts_rate(library, device, rate))
 
 
-def _takes(library: object, device: Device, rate_hz: int) -> bool:
+def _accepts_rate(library: object, device: Device, rate_hz: int) -> bool:
     channels = min(device.n_outputs, 2)
     try:
         library.check_output_settings(  # type: ignore[attr-defined]
@@ -331,30 +325,30 @@ def _takes(library: object, device: Device, rate_hz: int) -> bool:
     return True
 
 
-# What a device does not take, in plain words.
-
-# What PortAudio calls them.
+# Error codes of PortAudio.
 _WRONG_RATE, _TOO_MANY_CHANNELS, _UNAVAILABLE = -9997, -9998, -9985
 
 
 def playing_error_text(error: Any, device: Device, sample_rate_hz: int, n_outputs: int) -> str:
-    """Say what a device does not play, and what to do."""
+    """Return why a device cannot be played on, and what to do."""
     channels = (
         f"{counted(n_outputs, 'output')}. Mute what has no actuator, give it another output, or "
         "choose another device."
     )
-    return _words(error, device.name, device.sample_rate_hz, sample_rate_hz, channels, "played on")
+    return _error_text(
+        error, device.name, device.sample_rate_hz, sample_rate_hz, channels, "played on"
+    )
 
 
 def recording_error_text(
     error: Any, name: str, prefers_hz: int, sample_rate_hz: int, n_inputs: int
 ) -> str:
-    """Say what a device does not record, and what to do."""
+    """Return why a device cannot be recorded from, and what to do."""
     channels = f"{counted(n_inputs, 'input')}. Choose another input, or another device."
-    return _words(error, name, prefers_hz, sample_rate_hz, channels, "recorded from")
+    return _error_text(error, name, prefers_hz, sample_rate_hz, channels, "recorded from")
 
 
-def _words(
+def _error_text(
     error: Any, name: str, prefers_hz: int, sample_rate_hz: int, channels: str, what: str
 ) -> str:
     code = error.args[1] if len(error.args) > 1 else 0
@@ -374,22 +368,19 @@ def _words(
     return f"{name} cannot be {what}: {reason}. Choose another device."
 
 
-# Channels at the rate of a device; what has not changed is not computed again.
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class _Row:
-    own: Floats
-    there: Floats
+    original: Floats
+    resampled: Floats
 
 
 class DeviceRows:
-    """Resamples channels, and keeps those of last time.
+    """Resamples channels; channels that have not changed since the last call are used again.
 
     Attributes
     ----------
     n_resampled
-        Input samples that went through the filter so far.
+        Input samples that have been filtered so far.
     """
 
     def __init__(self) -> None:
@@ -400,47 +391,46 @@ class DeviceRows:
     def at(self, rows: Floats, from_hz: int, to_hz: int) -> Floats:
         """Return `skinsource.resample` of ``rows``, (n_channels, n_times), to the last bit.
 
-        Only the stretch of each channel that is not silent goes through the filter, and only
-        where no channel of last time was the same.
+        Only the part of a channel that is not silent is filtered, and only where no channel of the
+        last call was the same.
         """
         if self._rates != (from_hz, to_hz):
             self._rates, self._rows = (from_hz, to_hz), []
         n = -(-rows.shape[1] * to_hz // from_hz)
-        found = np.zeros((rows.shape[0], n))
-        kept = []
-        for row, own in zip(found, rows, strict=True):
-            known = next((one for one in self._rows if np.array_equal(one.own, own)), None)
+        resampled = np.zeros((rows.shape[0], n))
+        latest = []
+        for row, samples in zip(resampled, rows, strict=True):
+            known = next(
+                (cached for cached in self._rows if np.array_equal(cached.original, samples)), None
+            )
             if known is None:
-                self._resample(own, row)
-                known = _Row(own.copy(), row)
+                self._resample(samples, row)
+                known = _Row(samples.copy(), row)
             else:
-                row[:] = known.there
-            kept.append(known)
-        self._rows = kept
-        return found
+                row[:] = known.resampled
+            latest.append(known)
+        self._rows = latest
+        return resampled
 
-    def _resample(self, own: Floats, out: Floats) -> None:
-        sounding = np.flatnonzero(own)
+    def _resample(self, samples: Floats, out: Floats) -> None:
+        sounding = np.flatnonzero(samples)
         if not sounding.size:
             return
         from_hz, to_hz = self._rates
         needed = stretch_of(from_hz, to_hz)
-        # From a sample on that both rates share.
+        # The part begins at a sample that both rates share.
         first = max(int(sounding[0]) - needed.reach, 0) // needed.period * needed.period
-        last = min(int(sounding[-1]) + 1 + needed.reach, own.size)
-        there = resample(own[first:last], from_hz, to_hz)
+        last = min(int(sounding[-1]) + 1 + needed.reach, samples.size)
+        there = resample(samples[first:last], from_hz, to_hz)
         start = first * to_hz // from_hz
         out[start : start + there.size] = there[: out.size - start]
         self.n_resampled += last - first
 
 
-# Which output drives which place.
-
-
 def outputs_by_place(design: Design, output: Output, rig: "Rig | None" = None) -> dict[int, int]:
-    """Output of each place of a design, heard or not; none where a rig does not wire it."""
-    places = tuple(dict.fromkeys(one.location for one in design.inputs))
+    """Return the output of each location of a design, audible or not, that the rig wires."""
+    places = tuple(dict.fromkeys(track.location for track in design.inputs))
     if rig is None or output.stand_in:
         return output.outputs_of(places)
     channels = (rig.channel_of(place) for place in places)
-    return {one.place: one.output for one in channels if one is not None}
+    return {channel.place: channel.output for channel in channels if channel is not None}

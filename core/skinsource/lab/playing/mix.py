@@ -1,4 +1,8 @@
-"""What is played: samples of each output of a device, and the part that is played again."""
+"""What is played and what is known of it: mixes, gain, levels, timing, and the play queue.
+
+A `PlayQueue` is the state between two threads: one requests mixes and gains, the thread of the
+device plays them, see `skinsource.lab.playing.stream`.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,39 +18,37 @@ from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError
 
-#: What a device gets.
+#: Samples for a device.
 Frames = NDArray[np.float32]
 
-#: How long one sound passes into another.
+#: Duration of the fade from one mix to another.
 FADE_S = 0.005
-#: A loop has room for two of those.
+#: A loop has room for two fades.
 SHORTEST_LOOP_S = 2 * FADE_S
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Mix:
-    """Samples at the rate of a device, that do not change while they are played.
+    """Samples at the rate of a device, which do not change while they are played.
 
-    Made by `mix_of`.
+    `mix_of` makes mixes.
 
     Attributes
     ----------
     samples : (n_outputs, n_times)
-        From time 0 of the design on; silence before and after.  1 is full scale.
-    sample_rate_hz
-        Their rate.
+        From time 0 of the design on; before and after there is silence.  1 is full scale.
     peak
         Largest absolute sample.
     names
-        Words for what each output plays, ``""`` where it is silent.
+        Label of what each output plays, ``""`` where it is silent.
     loop
-        First sample of what is played again and again, and the sample after its last; None:
-        nothing is.
+        First sample of the repeated part, and the sample after its last; None where nothing is
+        repeated.
     seam : (n_outputs, n_seam)
-        What the last samples of the loop play: they pass over into what stands before its first
-        sample, so that the first is reached without a step.
+        Last samples of the loop, faded into the samples before its first one, so that the loop
+        begins again without a step.
     most_gain, limit
-        The highest gain that the rig allows, and the limit that it would pass first.
+        Highest gain that the rig allows, and the limit that a higher one would pass first.
     """
 
     samples: Frames
@@ -60,7 +62,7 @@ class Mix:
 
     @property
     def n_outputs(self) -> int:
-        """Outputs of the device that it needs."""
+        """Number of outputs of the device that the mix needs."""
         return self.samples.shape[0]
 
     @property
@@ -70,58 +72,56 @@ class Mix:
 
     @property
     def duration_s(self) -> float:
-        """How long it lasts."""
+        """Duration."""
         return self.n_times / self.sample_rate_hz
 
     def plays_on(self, output: int) -> bool:
-        """Whether an output, from 1, plays something."""
+        """Return whether an output, from 1, plays something."""
         return output <= len(self.names) and self.names[output - 1] != ""
 
     def read(self, position: int, out: Floats) -> int:
-        """Fill ``out``, (n_outputs, n), with what is played from ``position`` on.
+        """Fill ``out``, (n_outputs, n), with samples from ``position`` on.
 
         Returns
         -------
-        The position behind it: beyond the end of a loop it goes on at its first sample.
+        Position of the next sample; at the end of a loop that is its first sample.
         """
-        done, wanted = 0, out.shape[1]
-        while done < wanted:
-            end = position + wanted - done
+        done, n_times = 0, out.shape[1]
+        while done < n_times:
+            end = position + n_times - done
             loops = self.loop is not None and position < self.loop[1] <= end
             if self.loop is not None and loops:
                 end = self.loop[1]
             self._copy(position, end, out[:, done : done + end - position])
             if self.loop is not None and position < self.loop[1]:
-                self._join(position, end, out[:, done : done + end - position])
+                self._join(self.loop[1], position, end, out[:, done : done + end - position])
             done += end - position
             position = self.loop[0] if self.loop is not None and loops else end
         return position
 
     def _copy(self, start: int, end: int, out: Floats) -> None:
-        """Samples ``start`` to ``end`` as they are, silence where there are none."""
+        """Copy samples ``start`` to ``end``, and silence where there are none."""
         first = min(max(start, 0), end)
         last = max(min(end, self.n_times), first)
         out[:, : first - start] = 0.0
         out[:, first - start : last - start] = self.samples[:, first:last]
         out[:, last - start :] = 0.0
 
-    def _join(self, start: int, end: int, out: Floats) -> None:
-        """Put the seam over the samples that it stands for."""
-        if self.loop is None:
-            return
-        seam_start = self.loop[1] - self.seam.shape[1]
+    def _join(self, loop_end: int, start: int, end: int, out: Floats) -> None:
+        """Write the seam over the last samples of the loop."""
+        seam_start = loop_end - self.seam.shape[1]
         first = max(start, seam_start)
         if first < end:
             out[:, first - start :] = self.seam[:, first - seam_start : end - seam_start]
 
 
 def fade_samples(sample_rate_hz: int) -> int:
-    """Samples of a fade."""
+    """Return the number of samples of a fade."""
     return max(round(FADE_S * sample_rate_hz), 1)
 
 
 def rise(n: int) -> Floats:
-    """Half a cosine from nearly 0 to nearly 1, (n,): 0 stands before it, 1 after it."""
+    """Return half a cosine from just above 0 to just below 1, (n,)."""
     risen: Floats = 0.5 - 0.5 * np.cos(np.pi * np.arange(1, n + 1) / (n + 1))
     return risen
 
@@ -140,17 +140,17 @@ def mix_of(
     Parameters
     ----------
     rows : (n_channels, n_times)
-        What each channel plays, at the rate of the device; 1 is full scale, before the gain.
+        Samples of each channel, at the rate of the device; 1 is full scale, before the gain.
     sample_rate_hz
         Of the device.
     outputs
         Output of each channel, from 1; channels at one output add up.
     titles
-        Words for each channel.
+        Label of each channel.
     n_outputs
-        Outputs that the device gets samples for; those nobody uses are silent.
+        Outputs of the device; those without a channel are silent.
     loop_s
-        Begin and end of what is played again and again.
+        Begin and end of the repeated part.
 
     Raises
     ------
@@ -158,18 +158,18 @@ def mix_of(
         A sample is not finite, an output is not among those of the device, or the loop is shorter
         than 10 ms.
     """
-    found = finite_array("samples", rows, largest=float(np.finfo(np.float32).max))
-    if found.ndim != 2 or not len(outputs) == len(titles) == found.shape[0]:
+    values = finite_array("samples", rows, largest=float(np.finfo(np.float32).max))
+    if values.ndim != 2 or not len(outputs) == len(titles) == values.shape[0]:
         raise InvalidInputError(
-            f"samples have the shape {found.shape}, expected (n_channels, n_times) with an output "
+            f"samples have the shape {values.shape}, expected (n_channels, n_times) with an output "
             f"for each of {len(outputs)} channels"
         )
-    wrong = next((one for one in outputs if not 1 <= one <= n_outputs), None)
+    wrong = next((output for output in outputs if not 1 <= output <= n_outputs), None)
     if wrong is not None:
         raise InvalidInputError(f"output {wrong} is not among 1 to {n_outputs}")
-    samples = np.zeros((n_outputs, found.shape[1]), np.float32)
+    samples = np.zeros((n_outputs, values.shape[1]), np.float32)
     names: list[list[str]] = [[] for _ in range(n_outputs)]
-    for row, output, title in zip(found, outputs, titles, strict=True):
+    for row, output, title in zip(values, outputs, titles, strict=True):
         samples[output - 1] += row
         names[output - 1].append(title)
     samples.flags.writeable = False
@@ -178,7 +178,7 @@ def mix_of(
         samples=samples,
         sample_rate_hz=sample_rate_hz,
         peak=float(np.abs(samples).max(initial=0.0)),
-        names=tuple(" + ".join(one) for one in names),
+        names=tuple(" + ".join(titles_of_output) for titles_of_output in names),
         loop=loop,
         seam=_seam_of(samples, loop, sample_rate_hz),
     )
@@ -187,7 +187,7 @@ def mix_of(
 def _loop_of(loop_s: tuple[float, float] | None, rate_hz: int) -> tuple[int, int] | None:
     if loop_s is None:
         return None
-    first_s, end_s = (real_number("loop_s", one, least=0.0) for one in loop_s)
+    first_s, end_s = (real_number("loop_s", time_s, least=0.0) for time_s in loop_s)
     if end_s - first_s < SHORTEST_LOOP_S * (1 - 1e-9):
         raise InvalidInputError(
             f"The loop lasts {(end_s - first_s) * 1e3:.4g} ms, expected at least "
@@ -197,7 +197,7 @@ def _loop_of(loop_s: tuple[float, float] | None, rate_hz: int) -> tuple[int, int
 
 
 def _seam_of(samples: Frames, loop: tuple[int, int] | None, rate_hz: int) -> Frames:
-    """What the last samples of the loop play, (n_outputs, n_seam)."""
+    """Return the seam of a loop, (n_outputs, n_seam), see `Mix`."""
     if loop is None:
         return np.zeros((samples.shape[0], 0), np.float32)
     n = fade_samples(rate_hz)
@@ -207,36 +207,34 @@ def _seam_of(samples: Frames, loop: tuple[int, int] | None, rate_hz: int) -> Fra
 
 
 def _part(samples: Frames, start: int, end: int) -> Floats:
-    """Samples ``start`` to ``end``, silence where there are none."""
-    found = np.zeros((samples.shape[0], end - start))
+    """Return samples ``start`` to ``end``, with silence where there are none."""
+    piece = np.zeros((samples.shape[0], end - start))
     first = min(max(start, 0), samples.shape[1])
     part = samples[:, first : max(min(end, samples.shape[1]), first)]
-    found[:, first - start : first - start + part.shape[1]] = part
-    return found
+    piece[:, first - start : first - start + part.shape[1]] = part
+    return piece
 
-
-# Why it became silent.
 
 Reason = Literal["end", "stopped", "panic", "limit", "broken", "rig"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Ending:
-    """Why nothing is played any more.
+    """Why playing has ended.
 
     Attributes
     ----------
     reason
-        ``"end"``: all has been played.  ``"stopped"``, ``"panic"``: somebody said so.
-        ``"limit"``: a sample would have passed full scale.  ``"broken"``: a sample was no finite
-        number.  ``"rig"``: a limit of the rig would have been passed.
+        ``"end"``: all was played.  ``"stopped"``, ``"panic"``: it was stopped with a fade, or at
+        once.  ``"limit"``: a sample would have passed full scale.  ``"broken"``: a sample was no
+        finite number.  ``"rig"``: a limit of the rig would have been passed.
     output, name
-        Of the first such sample: number of the output, from 1, and what it plays; 0 and "" where
-        no sample is to blame.  Of a rig, its limit.
+        Output of the first such sample, from 1, and its label; 0 and "" where no sample is the
+        reason.  For ``"rig"`` the name is that of the limit.
     peak
-        Its absolute value, 1 is full scale.
+        Absolute value of that sample; 1 is full scale.
     highest_db
-        The highest gain at which all of it stays within full scale.
+        Highest gain at which all samples stay within full scale.
     """
 
     reason: Reason
@@ -247,19 +245,15 @@ class Ending:
 
     @property
     def sentence(self) -> str:
-        """What to tell, and what to do next; "" where it is what was asked for."""
+        """Message with advice for the user; "" where the end was expected."""
         where = f"output {self.output}{f' ({self.name})' if self.name else ''}"
-        if self.reason == "limit":
-            # Rounded down, so that what is said is enough.
-            most_db = floor(10.0 * self.highest_db) / 10.0
-            return (
-                f"Stopped: {where} would have passed full scale. Turn the gain down to "
-                f"{most_db:.1f} dB or less, or lower the amplitude."
-            ).replace("-", "\u2212")
-        if self.reason == "rig":
-            what = f"Stopped: a limit of the rig would have been passed ({self.name})."
+        if self.reason in ("limit", "rig"):
+            what = f"Stopped: {where} would have passed full scale."
+            if self.reason == "rig":
+                what = f"Stopped: a limit of the rig would have been passed ({self.name})."
             if self.highest_db == -inf:
                 return f"{what} Shorten what is played, or change the rig."
+            # Rounded down, so that the advised gain is low enough.
             most_db = floor(10.0 * self.highest_db) / 10.0
             return (
                 f"{what} Turn the gain down to {most_db:.1f} dB or less, or lower the amplitude."
@@ -271,68 +265,64 @@ class Ending:
         return ""
 
 
-# How loud it is played, without steps.
-
-#: Where it begins, each time something new is connected.
+#: Gain at the start, and after each change of the device.
 START_DB = -20.0
 LOWEST_DB, HIGHEST_DB = -60.0, 20.0
 
-# From silence to full scale.
+# Time from silence to full scale.
 _RAMP_S = 0.05
 
 
 def factor_of(gain_db: float) -> float:
-    """Factor of a gain; refuses what is not between -60 and 20 dB."""
-    given = real_number(
+    """Return the factor of a gain from -60 to 20 dB; other values are an error."""
+    number_db = real_number(
         "gain_db",
         gain_db,
         f"a number from {LOWEST_DB:g} to {HIGHEST_DB:g}",
         least=LOWEST_DB,
         most=HIGHEST_DB,
     )
-    return float(10.0 ** (given / 20.0))
+    return float(10.0 ** (number_db / 20.0))
 
 
 class Gain:
-    """Goes in a straight line to where it is wanted, so far each sample.
+    """A gain that approaches its target linearly, by the same step each sample.
 
     Attributes
     ----------
-    wanted
-        Factor that it goes to; may be set from another thread.
+    target
+        Factor that it approaches; may be set from another thread.
     now
         Factor of the last sample.
     """
 
     def __init__(self, factor: float, sample_rate_hz: int, most_samples: int) -> None:
-        self.wanted = self.now = factor
+        self.target = self.now = factor
         self._step = 1.0 / (_RAMP_S * sample_rate_hz)
         self._count = np.arange(1.0, most_samples + 1)
-        # Counted from where it set out, so that it is the same however it is cut into blocks.
-        self._from, self._to, self._gone = factor, factor, 0
+        # Samples count from the start of the ramp, so that it does not depend on blocks.
+        self._from, self._to, self._done = factor, factor, 0
 
     def fill(self, out: Floats) -> None:
-        """Factors of the next samples, (n_times,)."""
-        wanted, n = self.wanted, out.size
-        if wanted != self._to:
-            self._from, self._to, self._gone = self.now, wanted, 0
+        """Fill ``out`` with the factors of the next samples, (n_times,)."""
+        target, n = self.target, out.size
+        if target != self._to:
+            self._from, self._to, self._done = self.now, target, 0
         if self._from == self._to:
-            out[:] = wanted
+            out[:] = target
             return
         step = copysign(self._step, self._to - self._from)
-        np.add(self._count[:n], self._gone, out=out)
+        np.add(self._count[:n], self._done, out=out)
         out *= step
         out += self._from
         (np.minimum if step > 0 else np.maximum)(out, self._to, out=out)
-        self._gone += n
+        self._done += n
         self.now = float(out[-1])
         if self.now == self._to:
             self._from = self._to
 
 
-# How loud each output is.
-
-#: What a peak and an RMS are measured over.
+#: Window of a peak and an RMS.
 WINDOW_S = 0.1
 
 
@@ -345,7 +335,7 @@ class Levels:
     peak_db, rms_db
         Over the last whole window of 0.1 s; a steady tone at full scale has an RMS of -3 dB.
     highest_db
-        The highest peak since playing began.
+        Highest peak since playing began.
     """
 
     peak_db: Floats
@@ -354,21 +344,21 @@ class Levels:
 
 
 class Meters:
-    """Gathers peaks and squares of blocks; makes nothing new while it does."""
+    """Measures peaks and RMS of blocks, without allocating memory."""
 
     def __init__(self, n_outputs: int, sample_rate_hz: int) -> None:
         self._window = max(round(WINDOW_S * sample_rate_hz), 1)
-        self._peak, self._squares, self._seen = np.zeros(n_outputs), np.zeros(n_outputs), 0
+        self._peak, self._squares, self._counted = np.zeros(n_outputs), np.zeros(n_outputs), 0
         self._of_block = np.zeros(n_outputs)
         self._shown_peak, self._shown_rms = np.zeros(n_outputs), np.zeros(n_outputs)
         self._highest = np.zeros(n_outputs)
 
-    def hear(self, samples: Floats, scratch: Floats) -> None:
-        """Take in what was played, (n_outputs, n_times); ``scratch`` has room for as much."""
-        taken, n = 0, samples.shape[1]
-        while taken < n:
-            step = min(self._window - self._seen, n - taken)
-            part = samples[:, taken : taken + step]
+    def add(self, samples: Floats, scratch: Floats) -> None:
+        """Add played samples, (n_outputs, n_times); ``scratch`` has room for as many."""
+        done, n = 0, samples.shape[1]
+        while done < n:
+            step = min(self._window - self._counted, n - done)
+            part = samples[:, done : done + step]
             work = scratch[:, :step]
             np.abs(part, out=work)
             np.max(work, axis=1, out=self._of_block)
@@ -376,9 +366,9 @@ class Meters:
             np.multiply(part, part, out=work)
             np.sum(work, axis=1, out=self._of_block)
             self._squares += self._of_block
-            self._seen += step
-            taken += step
-            if self._seen == self._window:
+            self._counted += step
+            done += step
+            if self._counted == self._window:
                 self._show()
 
     def _show(self) -> None:
@@ -388,10 +378,10 @@ class Meters:
         np.maximum(self._highest, self._peak, out=self._highest)
         self._peak[:] = 0.0
         self._squares[:] = 0.0
-        self._seen = 0
+        self._counted = 0
 
     def levels(self) -> Levels:
-        """What can be shown; asked from another thread."""
+        """Return the levels for a display; another thread may call it."""
         return Levels(
             decibels(self._shown_peak),
             decibels(self._shown_rms),
@@ -399,9 +389,7 @@ class Meters:
         )
 
 
-# A tone by which one finds the actuator of an output.
-
-#: Strong in the skin, and audible where an actuator rattles.
+#: Test tone for finding the actuator of an output: strong in the skin, and audible as rattle.
 FREQUENCY_HZ = 100.0
 DURATION_S = 0.6
 _FADE_S = 0.05
@@ -423,26 +411,24 @@ def tone_of(output: int, n_outputs: int, sample_rate_hz: int) -> Mix:
     )
 
 
-# When it is heard.
-
-# Blocks that are remembered: a second and more.
+# Blocks that are remembered: more than a second.
 _REMEMBERED = 512
-# Behind it is all that is played.
+# A loop that no position can reach.
 _NO_LOOP = (0, -(2**62))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Delay:
-    """From an edit to the actuator, in its parts.
+    """Delay from an edit to the outputs, in parts.
 
     Attributes
     ----------
     render_s
         Until the edited design was ready to be played.
     wait_s
-        Until the device asked for the next block.
+        Until the device requested the next block.
     device_s
-        Until that block reached its outputs, as the device says.
+        Until that block reached the outputs, as the device reports.
     """
 
     render_s: float
@@ -451,12 +437,12 @@ class Delay:
 
     @property
     def total_s(self) -> float:
-        """All of it."""
+        """Sum of all parts."""
         return self.render_s + self.wait_s + self.device_s
 
     @property
     def words(self) -> str:
-        """All of it and its parts, in ms."""
+        """The delay and its parts as text, in ms."""
         parts = ", ".join(
             f"{name} {seconds * 1e3:.0f} ms"
             for name, seconds in (
@@ -469,9 +455,9 @@ class Delay:
 
 
 class DeviceClock:
-    """Tells the time of a device without asking it: one that is stuck keeps whoever asks.
+    """Tells the time of a device without calling it, as a device that hangs would block the caller.
 
-    One thread notes what the device says whenever it asks for a block, another asks.
+    The thread of the device notes its time with each block; another thread reads it.
     """
 
     def __init__(self) -> None:
@@ -479,20 +465,20 @@ class DeviceClock:
         self._behind_s = np.full(_REMEMBERED, np.inf)
 
     def note(self, device_s: float, now_s: float) -> None:
-        """Note that the clock of the device showed ``device_s`` when here it was ``now_s``."""
+        """Note that the clock of the device was at ``device_s`` when ours was at ``now_s``."""
         self._behind_s[self._noted % _REMEMBERED] = now_s - device_s
         self._noted += 1
 
     def at(self, now_s: float) -> float:
-        """What it shows when here it is ``now_s``; before anything is noted, long before."""
-        # Threads wait for each other: the least that was between the two is nearest to the truth.
+        """Return the time of the device when ours is ``now_s``; minus infinity before any note."""
+        # Threads wait for each other, so that the smallest difference is the most exact one.
         return now_s - float(self._behind_s.min())
 
 
 class HeardPosition:
-    """Tells which sample is heard now, from when blocks reach the outputs.
+    """Tells which sample is heard now, from the times at which blocks reach the outputs.
 
-    One thread notes blocks, another asks.
+    The thread of the device notes blocks; another thread reads the position.
     """
 
     def __init__(self, sample_rate_hz: int) -> None:
@@ -511,15 +497,15 @@ class HeardPosition:
         self._noted += 1
 
     def at(self, now_s: float) -> float | None:
-        """Time in the design, in s, of what is heard at ``now_s``; None: nothing is yet.
+        """Return the time in the design that is heard at ``now_s``, s; None before the first block.
 
-        Never before 0, though the fade before the first sample is.
+        It is at least 0, also during the fade before the first sample.
         """
         for block in range(self._noted - 1, max(self._noted - _REMEMBERED, 0) - 1, -1):
             slot = block % _REMEMBERED
             since_s = now_s - float(self._at_s[slot])
             if since_s >= 0.0:
-                first, end = (int(one) for one in self._loop[slot])
+                first, end = (int(sample) for sample in self._loop[slot])
                 position = int(self._position[slot])
                 later = position + since_s * self._rate_hz
                 if position < end <= later:
@@ -528,78 +514,76 @@ class HeardPosition:
         return None
 
 
-# What is known while something is played, and what is wanted next.
-
-#: Samples that are computed at once; longer blocks are made of several.
+#: Samples that are computed at once; longer blocks are computed in several steps.
 MOST_SAMPLES = 2048
-# Time in which what is stopped at once becomes silent.
+# Time of the fall to silence after an immediate stop.
 _FALL_S = 0.001
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MixChange:
-    """A mix that is wanted in the place of the present one.
+    """A requested change to another mix.
 
     Attributes
     ----------
     mix
-        What to play; it needs no more outputs than the deck has.
+        What to play, with at most as many outputs as the queue; None for silence.
     at
-        Sample at which it goes on; None: where the present one is.
-    handed_s
-        When it was wanted, by `time.perf_counter`.
+        Sample at which it begins; None for the position of the present mix.
+    requested_s
+        When it was requested, by `time.perf_counter`.
     """
 
     mix: Mix | None
     at: int | None
-    handed_s: float
+    requested_s: float
 
 
 class PlayQueue:
-    """The state behind a stream: one thread asks for things, another plays.
+    """The state behind a stream: one thread requests changes, another plays.
 
-    What is asked for is one attribute each, which `skinsource.lab.playing.stream.next_block` looks
-    at once per block: nobody ever waits for the other.
+    Each request is one attribute, which `skinsource.lab.playing.stream.next_block` reads once per
+    block, so that no thread ever waits for the other.
 
     Parameters
     ----------
     n_outputs
-        Outputs that are played on.
+        Outputs to play on.
     sample_rate_hz
-        Of the device; mixes have the same.
+        Of the device and of all mixes.
     gain_db
-        Where the gain begins.
+        Gain at the start.
     """
 
     def __init__(self, n_outputs: int, sample_rate_hz: int, gain_db: float = START_DB) -> None:
         self.n_outputs, self.sample_rate_hz = n_outputs, sample_rate_hz
-        # What is wanted.
+        # Requests.
         self.swap: MixChange | None = None
         self.panic = False
         self.gain = Gain(factor_of(gain_db), sample_rate_hz, MOST_SAMPLES)
-        # What is played: the mix, and the one it takes over from.
+        # What is played: the mix, and the old one that fades into it.
         self.mix: Mix | None = None
         self.old: Mix | None = None
         self.position = self.old_position = 0
         self.fade = rise(fade_samples(sample_rate_hz))
         self.faded = self.fade.size
-        # What falls to silence from where it was.
+        # The fall to silence, from the last samples on.
         self.fall = 1.0 - rise(max(round(_FALL_S * sample_rate_hz), 1))
         self.fallen: int | None = None
         self.last = np.zeros(n_outputs)
-        # What is known.
+        # Results.
         self.ending: Ending | None = None
         self.played_samples = 0
-        # Where the block that was played last begins, and in what.
+        # First position of the last block, and its mix.
         self.began_at = 0
         self.began_in: Mix | None = None
-        self.taken_s = self.waited_s = 0.0
+        self.changed_s = self.waited_s = 0.0
         self.meters = Meters(n_outputs, sample_rate_hz)
         self.work, self.other, self.scratch = np.zeros((3, n_outputs, MOST_SAMPLES))
         self.factors = np.ones(MOST_SAMPLES)
 
     def play(self, mix: Mix, at: int | None = None) -> None:
-        """Go over to ``mix``: at sample ``at``, or where the present one is by then."""
+        """Change to ``mix`` at sample ``at``, or at the position of the present mix."""
         if mix.n_outputs > self.n_outputs or mix.sample_rate_hz != self.sample_rate_hz:
             raise ValueError(
                 f"the mix has {mix.n_outputs} outputs at {mix.sample_rate_hz} Hz, the deck "
@@ -608,7 +592,7 @@ class PlayQueue:
         self.swap = MixChange(mix, at, perf_counter())
 
     def seek(self, at: int) -> None:
-        """Go on at another sample of what is played."""
+        """Continue at another sample of the mix."""
         swap = self.swap
         mix = self.mix if swap is None else swap.mix
         if mix is not None:
@@ -619,23 +603,23 @@ class PlayQueue:
         self.swap = MixChange(None, None, perf_counter())
 
     def stop_at_once(self) -> None:
-        """Fall silent within a millisecond, whatever else is going on."""
+        """Fall silent within a millisecond."""
         self.panic = True
 
     def set_gain(self, gain_db: float) -> None:
-        """Go to another gain within 50 ms."""
-        self.gain.wanted = factor_of(gain_db)
+        """Change the gain, within 50 ms."""
+        self.gain.target = factor_of(gain_db)
 
     @property
     def silent(self) -> bool:
-        """Whether nothing but silence will come."""
+        """Whether only silence follows."""
         return self.ending is not None and (self.fallen is None or self.fallen >= self.fall.size)
 
     @property
     def gain_db(self) -> float:
-        """The gain that is wanted."""
-        return 20.0 * log10(self.gain.wanted)
+        """Target of the gain."""
+        return 20.0 * log10(self.gain.target)
 
     def levels(self) -> Levels:
-        """How loud each output is."""
+        """Return the levels of the outputs."""
         return self.meters.levels()

@@ -1,8 +1,8 @@
-"""A sound that stands in for the actuators, for people who have none.
+"""From a design to the mix for a device, or to a stand-in sound for people without actuators.
 
-All frequencies are shifted up by the same number of hertz (single sideband): 25 to 600 Hz become
-325 to 900 Hz with a shift of 300 Hz, which small loudspeakers play and ears hear evenly.  Times
-and envelopes stay as they are, and so do distances in hertz, as of beats; intervals do not.
+For the stand-in, all frequencies are shifted up by the same number of hertz (single sideband): 25
+to 600 Hz become 325 to 900 Hz with a shift of 300 Hz, which small loudspeakers play, and which ears
+hear evenly.  Times, envelopes and differences of frequencies stay the same; intervals do not.
 """
 
 from dataclasses import replace
@@ -25,13 +25,13 @@ from skinsource.limbs.limb import Limb
 def analytic(rows: Floats) -> Complexes:
     """Return ``rows``, (n_channels, n_times), without their negative frequencies.
 
-    The real part is ``rows``.  What it rings beyond the ends is cut off.
+    The real part is ``rows``.  Ringing beyond the ends is cut off.
     """
     n = rows.shape[1]
-    # Room for what rings, so that it does not come back at the other end.
+    # Padding, so that ringing at one end does not wrap round to the other.
     length = scipy.fft.next_fast_len(2 * n + 1)
-    found: Complexes = scipy.signal.hilbert(rows, length, axis=1)[:, :n]
-    return found
+    signals: Complexes = scipy.signal.hilbert(rows, length, axis=1)[:, :n]
+    return signals
 
 
 def turned_up(parts: Floats, sample_rate_hz: int, shift_hz: float) -> Floats:
@@ -42,20 +42,20 @@ def turned_up(parts: Floats, sample_rate_hz: int, shift_hz: float) -> Floats:
     parts : (2 n_channels, n_times)
         Real parts of all analytic signals, then their imaginary parts.
     sample_rate_hz
-        Their rate, high enough for what comes out.
+        Their rate, high enough for the shifted frequencies.
     shift_hz
-        How far.
+        The shift.
 
     Returns
     -------
     (n_channels, n_times)
     """
     n = parts.shape[0] // 2
-    # Whole turns are taken off first, so that long designs lose no accuracy.
+    # Whole turns are subtracted first, so that long designs lose no accuracy.
     turns = (np.arange(parts.shape[1]) * (shift_hz / sample_rate_hz)) % 1.0
     angle = 2.0 * np.pi * turns
-    found: Floats = parts[:n] * np.cos(angle) - parts[n:] * np.sin(angle)
-    return found
+    shifted: Floats = parts[:n] * np.cos(angle) - parts[n:] * np.sin(angle)
+    return shifted
 
 
 def on_two_ears(rows: Floats) -> Floats:
@@ -65,11 +65,9 @@ def on_two_ears(rows: Floats) -> Floats:
     """
     n = rows.shape[0]
     to_right = (np.arange(n) + 0.5) / max(n, 1)
-    found: Floats = np.stack((1.0 - to_right, to_right)) @ rows
-    return found
+    ears: Floats = np.stack((1.0 - to_right, to_right)) @ rows
+    return ears
 
-
-# From a design to what a device gets.
 
 #: Samples of all outputs together: one gigabyte.
 MOST_SAMPLES = 2**28
@@ -77,10 +75,10 @@ _EARS = {1: "left", 2: "right"}
 
 
 class Mixer:
-    """Makes mixes; what has not changed since the last one is not computed again.
+    """Makes mixes; unchanged rows and margins of the last mix are used again.
 
-    An amplitude of 1 is full scale, before the gain: what is heard of one track does not change
-    because another becomes louder.
+    An amplitude of 1 is full scale, before the gain, so that the level of a track does not depend
+    on other tracks.
     """
 
     def __init__(self) -> None:
@@ -89,7 +87,7 @@ class Mixer:
         self._margins: dict[tuple[int, RigChannel | None, bool, bytes], Margin] = {}
 
     def stimulus(self, design: Design) -> Stimulus:
-        """Channels of a design, at the rate of its limb."""
+        """Return the channels of a design, at the rate of its limb."""
         if self._limb is None or self._limb[0] != design.limb:
             self._limb = design.limb, load_limb(design.limb)
         return stimulus_of(design, limb=self._limb[1])
@@ -108,26 +106,25 @@ class Mixer:
         Parameters
         ----------
         loops
-            Whether all of it is played again and again, where the design has no loop.
+            Whether the whole design is repeated where it has no loop.
         least_outputs
-            The mix has silent outputs up to so many.
+            Outputs of the mix at least; further ones are silent.
         rig
-            What its outputs are wired to: it says which place has which, how many volts, which way
-            round, and how far it may be turned up.  Drives are equalised for it as the design is
-            predicted.
+            What the outputs are wired to: locations, volts, polarity and limits.  Drives are
+            equalised for it as for the prediction of the design.
 
         Raises
         ------
         InvalidInputError
-            The design cannot be played: what its inputs play cannot be computed, it is too long,
-            or its loop too short.
+            The design cannot be played: an input cannot be sampled, or the design is too long, or
+            its loop too short.
         DatasetMissingError
             Its limb is a measured one, and no measured dataset is installed.
         """
         stimulus = self.stimulus(design)
         rate_hz = output.sample_rate_hz
-        own_hz = _whole(stimulus.sample_rate_hz)
-        _refuse_too_long(stimulus, rate_hz)
+        own_hz = _whole_hertz(stimulus.sample_rate_hz)
+        _check_length(stimulus, rate_hz)
         if output.stand_in:
             whole = analytic(stimulus.samples)
             parts = self.rows.at(np.concatenate((whole.real, whole.imag)), own_hz, rate_hz)
@@ -137,7 +134,7 @@ class Mixer:
             sent = stimulus if rig is None else for_rig(stimulus, rig, _equaliser_of(design))
             rows = self.rows.at(sent.samples, own_hz, rate_hz)
             wired = outputs_by_place(design, output, rig)
-            places = [one.place for one in stimulus.channels if one.place is not None]
+            places = [channel.place for channel in stimulus.channels if channel.place is not None]
             outputs = [wired[place] for place in places]
             titles = [f"place {place}" for place in places]
         loop_s = loop_of(design, stimulus.duration_s, loops=loops)
@@ -157,17 +154,15 @@ class Mixer:
     def _margin(
         self, rig: Rig, places: list[int], rows: Floats, rate_hz: int, *, repeated: bool
     ) -> Margin:
-        """How far all may be turned up; what has not changed since the last time is known."""
+        """Return the highest gain of all rows; margins of unchanged rows are not computed again."""
         known, self._margins = self._margins, {}
-        found = Margin()
         for place, row in zip(places, rows, strict=True):
             key = place, rig.channel_of(place), repeated, row.tobytes()
-            one = known.get(key)
-            if one is None:
-                one = highest_gain(rig, [place], row[np.newaxis], rate_hz, repeated=repeated)
-            self._margins[key] = one
-            found = min(found, one, key=lambda margin: margin.factor)
-        return found
+            margin = known.get(key)
+            if margin is None:
+                margin = highest_gain(rig, [place], row[np.newaxis], rate_hz, repeated=repeated)
+            self._margins[key] = margin
+        return min([Margin(), *self._margins.values()], key=lambda margin: margin.factor)
 
 
 def _equaliser_of(design: Design) -> Equaliser | None:
@@ -175,13 +170,13 @@ def _equaliser_of(design: Design) -> Equaliser | None:
 
 
 def loop_of(design: Design, duration_s: float, *, loops: bool) -> tuple[float, float] | None:
-    """Begin and end of what is played again and again, s; None: nothing is."""
+    """Return begin and end of the repeated part, s; None where nothing is repeated."""
     if design.loop_s is not None:
         return design.loop_s
     return (0.0, max(duration_s, SHORTEST_LOOP_S)) if loops else None
 
 
-def _whole(rate_hz: float) -> int:
+def _whole_hertz(rate_hz: float) -> int:
     if not float(rate_hz).is_integer():
         raise InvalidInputError(
             f"The limb is sampled at {rate_hz:g} Hz, expected a whole number of hertz to play"
@@ -189,7 +184,7 @@ def _whole(rate_hz: float) -> int:
     return int(rate_hz)
 
 
-def _refuse_too_long(stimulus: Stimulus, rate_hz: int) -> None:
+def _check_length(stimulus: Stimulus, rate_hz: int) -> None:
     samples = len(stimulus.channels) * stimulus.duration_s * rate_hz
     if samples > MOST_SAMPLES:
         raise InvalidInputError(

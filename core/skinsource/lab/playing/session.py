@@ -1,4 +1,7 @@
-"""The playhead runs where there is nothing to play on."""
+"""Playing designs on a device, one after the other, with changes while they play.
+
+Where there is no device, and in slow motion, a clock moves the playhead in silence.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -30,18 +33,18 @@ Loop = tuple[float, float] | None
 
 
 class SilentRun:
-    """Tells where playing would be, from the clock alone.
+    """Tells the position of silent playing from a clock.
 
     Parameters
     ----------
     duration_s
-        Where it ends, unless it loops.
+        Time at which it ends, unless it loops.
     loop_s
-        Begin and end of what is played again and again.
+        Begin and end of the repeated part.
     at_s
-        Where it begins.
+        Time at which it begins.
     clock
-        Tells seconds.
+        Returns seconds.
     slow_motion
         How many times slower than the clock it runs.
     """
@@ -59,7 +62,7 @@ class SilentRun:
         self._at_s, self._since_s = at_s, clock()
 
     def position_s(self) -> float:
-        """Time in the design, s."""
+        """Return the time in the design, s."""
         later_s = self._at_s + (self._clock() - self._since_s) / self._slow_motion
         if self._loop_s is None or not self._at_s < self._loop_s[1] <= later_s:
             return later_s
@@ -68,29 +71,27 @@ class SilentRun:
 
     @property
     def over(self) -> bool:
-        """Whether all has been passed."""
+        """Whether the end has passed."""
         loops = self._loop_s is not None and self._at_s < self._loop_s[1]
         return not loops and self.position_s() >= self._duration_s
 
     def seek(self, at_s: float) -> None:
-        """Go on elsewhere."""
+        """Continue at another time."""
         self._at_s, self._since_s = at_s, self._clock()
 
     def run_at(self, slow_motion: float) -> None:
-        """Go on where it is, so many times slower than the clock."""
+        """Continue from the present position, so many times slower than the clock."""
         self.seek(self.position_s())
         self._slow_motion = slow_motion
 
     def change(self, duration_s: float, loop_s: Loop) -> None:
-        """Go on where it is, in another design; at the beginning of a loop that lies behind."""
+        """Continue in another design; at the beginning of the loop where its end has passed."""
         here_s = self.position_s()
         self._duration_s, self._loop_s = duration_s, loop_s
         self.seek(loop_s[0] if loop_s is not None and here_s >= loop_s[1] else here_s)
 
 
-# Designs played on a device: one after the other, and changed while they play.
-
-#: A device of two outputs gets both: what is given one alone, it may play on both.
+#: Outputs that are opened at least: a device of two may play a single channel on both.
 _FEWEST = 2
 
 
@@ -101,55 +102,55 @@ class Playing:
     Attributes
     ----------
     stream
-        Where it is heard; None where it is not.
+        The stream of the device; None where it plays in silence.
     silent
-        What tells where playing would be, where nothing is heard.
+        The silent playhead, where there is no stream.
     reason
-        Why nothing is heard, and what to do.
-    seen_s
-        When all that is seen of it is over: the skin moves on after the last sound.
+        Why there is no sound, and what to do.
+    visible_s
+        When the response ends, which is after the last sound.
     """
 
     stream: Stream | None = None
     silent: SilentRun | None = None
     reason: str = ""
-    seen_s: float = 0.0
+    visible_s: float = 0.0
 
     def seen_on(self, from_s: float) -> "Playing | None":
-        """What goes on in silence where nothing more is heard; None: nothing does."""
-        if from_s >= self.seen_s:
+        """Return the rest of the response, in silence, from a time on; None after its end."""
+        if from_s >= self.visible_s:
             return None
-        return Playing(silent=SilentRun(self.seen_s, None, from_s), seen_s=self.seen_s)
+        return Playing(silent=SilentRun(self.visible_s, None, from_s), visible_s=self.visible_s)
 
     def position_s(self) -> float | None:
-        """Time in the design of what is heard now; None: nothing is yet."""
+        """Return the time in the design that is heard now; None before the first sound."""
         if self.stream is not None:
             return self.stream.position_s()
         return None if self.silent is None else self.silent.position_s()
 
     def seek(self, at_s: float) -> None:
-        """Go on elsewhere."""
+        """Continue at another time."""
         if self.silent is not None:
             self.silent.seek(at_s)
         elif self.stream is not None:
-            deck = self.stream.deck
-            deck.seek(round(at_s * deck.sample_rate_hz))
+            queue = self.stream.deck
+            queue.seek(round(at_s * queue.sample_rate_hz))
 
     @property
     def over(self) -> bool:
-        """Whether nothing comes any more, and nobody says so: it ran out in silence, or is gone."""
+        """Whether it has ended unnoticed: in silence, or because the device is gone."""
         if self.stream is not None:
             return self.stream.gone
         return self.silent is not None and self.silent.over
 
 
 class Session:
-    """Renders and plays; all methods belong to one thread, which may wait for the device.
+    """Renders and plays designs, for one thread, which may wait for the device.
 
     Parameters
     ----------
     finished
-        Called from the thread of the device, with its stream, when nothing is played any more.
+        Called from the thread of the device, with its stream, when playing has ended.
     """
 
     def __init__(self, finished: Callable[[Stream], None]) -> None:
@@ -158,7 +159,7 @@ class Session:
         self._stream: Stream | None = None
 
     def devices(self) -> tuple[Device, ...]:
-        """What can be played on, with what was connected since; ends what is played."""
+        """Stop playing, look for devices again, and return those to play on."""
         self.close()
         return refresh_devices()
 
@@ -174,49 +175,45 @@ class Session:
         rig: Rig | None = None,
         stop: Stop = never,
     ) -> Playing:
-        """Begin to play a design; in slow motion, and with nothing to play on, in silence.
+        """Begin to play a design; in slow motion, and without a device, in silence.
 
         Parameters
         ----------
-        design, output
-            What, and where.
         loops
-            Whether all of it is played again and again, where the design has no loop.
+            Whether the whole design is repeated where it has no loop.
         at_s
-            From when on; from the beginning where that is behind the end, or outside the loop.
-        gain_db
-            Gain.
+            Time to begin at; where it is after the end or outside the loop, the beginning.
         slow_motion
-            How many times slower than it happens.
+            How many times slower than real time.
         rig
-            What is wired to the device; None: not known.
+            What is wired to the device; None where it is not known.
         stop
-            Asked once the sound is prepared, which may take long, and before the device is opened.
+            Called after rendering, which may take long, and before the device is opened.
 
         Raises
         ------
         SkinSourceError
-            The design cannot be played, or the device refuses; nothing is played then.
+            The design cannot be played, or the device refuses it; nothing is played then.
         Stopped
-            ``stop`` said so.
+            ``stop`` returned True.
         """
         self.close()
-        # What a limb's name means may have changed since.
+        # The name of a limb may mean other data by now.
         self._mixer = Mixer()
         silently = partial(self._in_silence, design, loops=loops, at_s=at_s)
         if slow_motion != 1.0:
             return silently(reason="", slow_motion=slow_motion)
         try:
-            found = devices()
-            device = device_of(output, found)
+            known_devices = devices()
+            device = device_of(output, known_devices)
         except NothingToPlayOnError as missing:
             return silently(reason=str(missing))
-        _refuse_other_device(rig, device)
+        _check_rig_device(rig, device)
         mix = self._mix(design, output, device, loops=loops, rig=rig)
         stop_if(stop)
         begin_s = _begin(at_s, mix.duration_s, loop_of(design, mix.duration_s, loops=loops))
         stream = self._open(mix, device, output, begin_s, gain_db)
-        return Playing(stream=stream, seen_s=response_end_s(design, mix.duration_s))
+        return Playing(stream=stream, visible_s=response_end_s(design, mix.duration_s))
 
     def change(
         self,
@@ -227,7 +224,7 @@ class Session:
         loops: bool,
         rig: Rig | None = None,
     ) -> Playing | None:
-        """Go over to an edited design, where it is; None: nothing is played any more."""
+        """Change to an edited design at the present position; None where playing has ended."""
         if playing.silent is not None:
             duration_s = response_end_s(design, self._mixer.stimulus(design).duration_s)
             playing.silent.change(duration_s, loop_of(design, duration_s, loops=loops))
@@ -235,17 +232,19 @@ class Session:
         stream = playing.stream
         if stream is None or stream is not self._stream or stream.deck.ending is not None:
             return None
-        deck = stream.deck
+        queue = stream.deck
         mix = self._mix(design, output, stream.device, loops=loops, rig=rig)
-        seen_s = response_end_s(design, mix.duration_s)
-        if mix.n_outputs <= deck.n_outputs:
-            deck.play(mix)
-            return playing if seen_s == playing.seen_s else replace(playing, seen_s=seen_s)
-        # More outputs than the device was opened with.
-        at_s, gain_db = stream.position_s() or 0.0, deck.gain_db
+        visible_s = response_end_s(design, mix.duration_s)
+        if mix.n_outputs <= queue.n_outputs:
+            queue.play(mix)
+            return (
+                playing if visible_s == playing.visible_s else replace(playing, visible_s=visible_s)
+            )
+        # The mix needs more outputs than the device was opened with.
+        at_s, gain_db = stream.position_s() or 0.0, queue.gain_db
         self.close()
         opened = self._open(mix, stream.device, output, at_s, gain_db)
-        return Playing(stream=opened, seen_s=seen_s)
+        return Playing(stream=opened, visible_s=visible_s)
 
     def tone(self, number: int, output: Output, gain_db: float, rig: Rig | None = None) -> Playing:
         """Play the test tone on one output; no louder than ``rig`` allows.
@@ -253,15 +252,17 @@ class Session:
         Raises
         ------
         SkinSourceError
-            There is nothing to play on, or the device refuses.
+            There is no device, or it refuses.
         """
         self.close()
         device = device_of(output, devices())
         check_outputs(device, {0: number})
         n_outputs = max(number, min(_FEWEST, device.n_outputs))
-        _refuse_other_device(rig, device)
+        _check_rig_device(rig, device)
         tone = tone_of(number, n_outputs, output.sample_rate_hz)
-        places = [one.place for one in rig.channels if one.output == number] if rig else []
+        places = (
+            [channel.place for channel in rig.channels if channel.output == number] if rig else []
+        )
         if rig is not None and places:
             row = tone.samples[number - 1 : number].astype(np.float64)
             margin = highest_gain(rig, places[:1], row, output.sample_rate_hz)
@@ -269,12 +270,12 @@ class Session:
         return Playing(stream=self._open(tone, device, output, 0.0, gain_db))
 
     def let_go(self, stream: Stream) -> None:
-        """Close ``stream``, if it is still the one."""
+        """Close ``stream``, if it is the present one."""
         if stream is self._stream:
             self.close()
 
     def close(self) -> None:
-        """End what is played, and let go of the device."""
+        """Stop playing and close the device."""
         if self._stream is not None:
             self._stream.close()
             self._stream = None
@@ -282,10 +283,10 @@ class Session:
     def _open(
         self, mix: Mix, device: Device, output: Output, at_s: float, gain_db: float
     ) -> Stream:
-        deck = PlayQueue(mix.n_outputs, mix.sample_rate_hz, gain_db)
-        deck.play(mix, round(at_s * mix.sample_rate_hz))
+        queue = PlayQueue(mix.n_outputs, mix.sample_rate_hz, gain_db)
+        queue.play(mix, round(at_s * mix.sample_rate_hz))
         opened: list[Stream] = []
-        stream = Stream(deck, device, output.latency_s, lambda: self._finished(opened[0]))
+        stream = Stream(queue, device, output.latency_s, lambda: self._finished(opened[0]))
         opened.append(stream)
         self._stream = stream
         stream.start()
@@ -298,8 +299,8 @@ class Session:
         mix = self._mixer.mix(design, output, loops=loops, least_outputs=least, rig=rig)
         if not output.stand_in:
             wired = outputs_by_place(design, output, rig)
-            heard = {place: number for place, number in wired.items() if mix.plays_on(number)}
-            check_outputs(device, heard)
+            audible = {place: number for place, number in wired.items() if mix.plays_on(number)}
+            check_outputs(device, audible)
         return mix
 
     def _in_silence(
@@ -309,13 +310,13 @@ class Session:
         loop_s = loop_of(design, duration_s, loops=loops)
         begin_s = _begin(at_s, duration_s, loop_s)
         silent = SilentRun(duration_s, loop_s, begin_s, slow_motion=slow_motion)
-        return Playing(silent=silent, reason=reason, seen_s=duration_s)
+        return Playing(silent=silent, reason=reason, visible_s=duration_s)
 
 
 def response_end_s(design: Design, duration_s: float) -> float:
-    """When the skin comes to rest after a stimulus of ``duration_s``: one response later.
+    """Return when the skin comes to rest after a stimulus of ``duration_s``: one response later.
 
-    Where the limb is not installed nothing is seen, and the stimulus is all there is.
+    Where the limb is not installed there is no response, and it is the end of the stimulus.
     """
     try:
         limb = load_limb(design.limb)
@@ -324,17 +325,17 @@ def response_end_s(design: Design, duration_s: float) -> float:
     return duration_s + limb.n_taps / limb.sample_rate_hz
 
 
-def _refuse_other_device(rig: Rig | None, device: Device) -> None:
-    """What a rig knows of volts is true of its own device alone."""
-    for one in rig.channels if rig is not None else ():
-        if one.device and one.device not in (device.name, device.title):
+def _check_rig_device(rig: Rig | None, device: Device) -> None:
+    """Raise where a rig, whose volts hold for its own device alone, is wired to another device."""
+    for channel in rig.channels if rig is not None else ():
+        if channel.device and channel.device not in (device.name, device.title):
             raise PlaybackError(
-                f"The rig is wired to {quoted(one.device)}, and {device.name} is chosen. Choose "
-                "that device, another rig, or none."
+                f"The rig is wired to {quoted(channel.device)}, and {device.name} is chosen. "
+                "Choose that device, another rig, or none."
             )
 
 
 def _begin(at_s: float, duration_s: float, loop_s: tuple[float, float] | None) -> float:
-    """Where it begins: at the playhead, where that is inside of what is played."""
+    """Return ``at_s`` where it is inside the played part, else the beginning of that."""
     first_s, end_s = loop_s or (0.0, duration_s)
     return at_s if first_s <= at_s < end_s else first_s

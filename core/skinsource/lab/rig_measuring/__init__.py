@@ -1,6 +1,6 @@
-"""A rig is measured: a sweep on one output, and an accelerometer on an input of the sound card.
+"""Measuring a rig: sweeps on one output, and an accelerometer on an input of the sound card.
 
-Nothing of sounddevice is imported before somebody measures.
+sounddevice is imported only when devices are listed or used.
 """
 
 from skinsource.lab.rig_measuring.duplex import InputDevice, input_devices

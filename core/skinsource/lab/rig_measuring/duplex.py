@@ -1,4 +1,4 @@
-"""Devices that can be recorded from."""
+"""Devices to record from, and playing a queue while inputs are recorded."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -25,20 +25,16 @@ from skinsource.lab.playing.stream import next_block
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InputDevice:
-    """Something with inputs.
+    """A device with inputs, as the system describes it.
 
     Attributes
     ----------
     index
-        Its number, until devices are looked for again.
-    name, host_api
-        As the system has them.
-    n_inputs
-        How many inputs it has, as it says.
+        Number of the device, until devices are listed again.
     sample_rate_hz
         The rate that it prefers.
     is_default
-        Whether it is what the system records from.
+        Whether the system records from it by default.
     """
 
     index: int
@@ -50,12 +46,12 @@ class InputDevice:
 
     @property
     def title(self) -> str:
-        """Words for it."""
+        """Name, host and number of inputs."""
         return f"{self.name} ({self.host_api}, {counted(self.n_inputs, 'input')})"
 
 
 def input_devices() -> tuple[InputDevice, ...]:
-    """Return what can be recorded from, the default device first.
+    """Return the devices to record from, the default device first.
 
     Raises
     ------
@@ -64,56 +60,56 @@ def input_devices() -> tuple[InputDevice, ...]:
     """
     return tuple(
         InputDevice(
-            index=one.index,
-            name=one.name,
-            host_api=one.host_api,
-            n_inputs=one.n_channels,
-            sample_rate_hz=one.sample_rate_hz,
-            is_default=one.is_default,
+            index=device.index,
+            name=device.name,
+            host_api=device.host_api,
+            n_inputs=device.n_channels,
+            sample_rate_hz=device.sample_rate_hz,
+            is_default=device.is_default,
         )
-        for one in listed("input")
+        for device in listed("input")
     )
 
 
-def input_device_of(name: str, played_on: Device, found: Sequence[InputDevice]) -> InputDevice:
+def input_device_of(name: str, played_on: Device, inputs: Sequence[InputDevice]) -> InputDevice:
     """Return the device that is recorded from while ``played_on`` plays.
 
     Parameters
     ----------
     name
-        Of it; empty: the same device, or where that has no inputs, the first of its host, or else
-        the one that the system records from.  A name that several hosts have is that of the same
-        host, if it can be.
+        Name of the device.  Where it is empty: the same device, else the first of the same host,
+        else the default device of the system.  Where several hosts have a device of that name, that
+        of the same host is preferred.
 
     Raises
     ------
     PlaybackError
-        There is none at all, or not that one.
+        There is no device with inputs, or none of that name.
     """
-    if not found:
+    if not inputs:
         raise PlaybackError(
             "No device to record from was found. Connect the sound card that the accelerometer is "
             "wired to, and measure again."
         )
-    named = [one for one in found if name in ("", one.name, one.title)]
+    named = [device for device in inputs if name in ("", device.name, device.title)]
     if not named:
-        listed = ", ".join(one.name for one in found[:5])
+        listed = ", ".join(device.name for device in inputs[:5])
         raise PlaybackError(
             f"The device {quoted(name)} has no inputs or is not there. Connect it, or choose "
-            f"another; there {'is' if len(found) == 1 else 'are'} {listed}."
+            f"another; there {'is' if len(inputs) == 1 else 'are'} {listed}."
         )
-    same = [one for one in named if one.index == played_on.index]
-    beside = [one for one in named if one.host_api == played_on.host_api]
-    return (same or beside or named)[0]
+    same = [device for device in named if device.index == played_on.index]
+    same_host = [device for device in named if device.host_api == played_on.host_api]
+    return (same or same_host or named)[0]
 
 
 def check_inputs(device: InputDevice, *numbers: int) -> None:
-    """Refuse a device that does not have all of these inputs.
+    """Check that a device has all of these inputs.
 
     Raises
     ------
     PlaybackError
-        It has too few.
+        It has too few inputs.
     """
     if max(numbers) > device.n_inputs:
         raise PlaybackError(
@@ -122,26 +118,24 @@ def check_inputs(device: InputDevice, *numbers: int) -> None:
         )
 
 
-# A deck that is heard on a device while inputs are recorded.
-
 _BLOCK_S = 0.01
 _GONE_AFTER_S = 5.0
-_LOOK_S = 0.02
+_POLL_S = 0.02
 _LONGEST_WAIT_S = 1.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Card:
-    """What is played on and recorded from.
+    """The devices to play on and to record from.
 
     Attributes
     ----------
     device, inputs
-        The same, or two: each has a clock of its own then.
+        The same device, or two, each with a clock of its own.
     n_inputs
         Inputs that are recorded, from the first.
     latency_s
-        Delay that it is asked for.
+        Requested delay.
     """
 
     device: Device
@@ -151,76 +145,76 @@ class Card:
 
     @property
     def two_clocks(self) -> bool:
-        """Whether it is recorded from another device than the one that is played on."""
+        """Whether one device plays and another one records."""
         return self.inputs.index != self.device.index
 
 
 class Duplex:
-    """Plays a deck to its end, and records meanwhile.
+    """Plays a queue to its end, and records at the same time.
 
-    One device gets one stream both ways: what is recorded stays as late as it is.  Two devices get
-    a stream each: the inputs begin first, and what they hear before the first sample is played is
-    left out, so that it is known to within a few blocks where the recording begins.
+    One device gets one stream in both directions, with a constant delay.  Two devices get a stream
+    each: the inputs start first, and samples before the first played sample are left out, so that
+    the start of the recording is known to within a few blocks.
 
     Parameters
     ----------
-    deck
-        What to play; something is wanted of it already.
+    queue
+        What to play; a mix is requested already.
     card
-        Where.
+        The devices.
     n_samples
-        So many are recorded, from the first that is played on.
+        Samples to record, from the first played sample on.
 
     Attributes
     ----------
     recorded : (n_inputs, n_samples)
-        What came in.
+        Recorded samples.
     n_recorded
-        How much of it there is.
+        How many of them are recorded so far.
     n_lost
-        How often samples were lost, on one way or the other, since recording began.
+        How often samples were lost, in either direction, since recording began.
 
     Raises
     ------
     PlaybackError
-        sounddevice is missing, or the device does not take what it is asked for.
+        sounddevice is missing, or the device refuses rate, channels or delay.
     """
 
-    def __init__(self, deck: PlayQueue, card: Card, n_samples: int) -> None:
+    def __init__(self, queue: PlayQueue, card: Card, n_samples: int) -> None:
         self._library = sound_library()
-        self._deck, self._card = deck, card
+        self._deck, self._card = queue, card
         self.recorded: Frames = np.zeros((card.n_inputs, n_samples), np.float32)
         self.n_recorded = self.n_lost = 0
-        self._finished, self._begun = Event(), False
-        self._played_s = self._heard_s = perf_counter()
-        # In the order in which they begin.
+        self._finished, self._started = Event(), False
+        self._played_s = self._recorded_s = perf_counter()
+        # In the order in which they start.
         self._streams: list[Any] = []
-        self._asks_inputs = False
+        self._opens_inputs = False
         try:
             self._open_two() if card.two_clocks else self._open_one()
         except PlaybackError:
             self._close()
             raise
 
-    def run(self, stop: Stop, told: Callable[[int], None]) -> None:
-        """Play and record until the deck ends; ``told`` hears how much is recorded.
+    def run(self, stop: Stop, progress: Callable[[int], None]) -> None:
+        """Play and record until the queue ends; ``progress`` gets the number of recorded samples.
 
         Raises
         ------
         Stopped
-            ``stop`` said so; all is silent.
+            ``stop`` returned True; all is silent.
         PlaybackError
-            The device does not begin, or is gone before the end.
+            The device does not start, or stops answering before the end.
         """
-        self._played_s = self._heard_s = perf_counter()
-        gone = ""
+        self._played_s = self._recorded_s = perf_counter()
+        unresponsive = ""
         try:
             for stream in self._streams:
-                self._asks_inputs = stream is not self._streams[-1]
+                self._opens_inputs = stream is not self._streams[-1]
                 stream.start()
-            while self._goes_on and not (gone := self._gone):
-                sleep(_LOOK_S)
-                told(self.n_recorded)
+            while self._is_running and not (unresponsive := self._unresponsive):
+                sleep(_POLL_S)
+                progress(self.n_recorded)
                 if stop():
                     raise Stopped("Stopped; nothing was measured.")
         except self._library.PortAudioError as error:
@@ -228,41 +222,41 @@ class Duplex:
         finally:
             self._fall_silent()
         ending = self._deck.ending
-        if ending is None or (ending.reason == "end" and self._missing):
+        if ending is None or (ending.reason == "end" and self._incomplete):
             raise PlaybackError(
-                f"{gone or self._card.device.name} stopped answering while it was measured "
+                f"{unresponsive or self._card.device.name} stopped answering while it was measured "
                 "with. Connect it again, and measure again."
             )
 
     def _open_one(self) -> None:
-        card, deck = self._card, self._deck
+        card, queue = self._card, self._deck
         self._open(
             self._library.Stream,
             device=(card.inputs.index, card.device.index),
-            channels=(card.n_inputs, deck.n_outputs),
-            callback=self._pass,
+            channels=(card.n_inputs, queue.n_outputs),
+            callback=self._play_and_record,
             finished_callback=self._finished.set,
         )
 
     def _open_two(self) -> None:
-        card, deck = self._card, self._deck
-        self._asks_inputs = True
+        card, queue = self._card, self._deck
+        self._opens_inputs = True
         self._open(
             self._library.InputStream,
             device=card.inputs.index,
             channels=card.n_inputs,
-            callback=self._hear,
+            callback=self._record,
         )
-        self._asks_inputs = False
+        self._opens_inputs = False
         self._open(
             self._library.OutputStream,
             device=card.device.index,
-            channels=deck.n_outputs,
+            channels=queue.n_outputs,
             callback=self._play,
             finished_callback=self._finished.set,
         )
 
-    def _open(self, kind: Callable[..., Any], **asked: Any) -> None:
+    def _open(self, kind: Callable[..., Any], **options: Any) -> None:
         """Open a stream of the library's ``kind``."""
         rate_hz = self._deck.sample_rate_hz
         try:
@@ -271,80 +265,84 @@ class Duplex:
                 blocksize=round(_BLOCK_S * rate_hz),
                 dtype="float32",
                 latency=self._card.latency_s,
-                # What arrives is what was sent: nothing is added, and full scale is kept before.
+                # Samples arrive unchanged; full scale is checked before.
                 dither_off=True,
                 clip_off=True,
-                **asked,
+                **options,
             )
         except self._library.PortAudioError as error:
             raise PlaybackError(self._refusal(error)) from error
         self._streams.append(stream)
 
     @property
-    def _goes_on(self) -> bool:
-        """Whether something plays, or, with two streams, what played last is on its way in."""
+    def _is_running(self) -> bool:
+        """Whether something plays, or the last played samples are still to be recorded."""
         if not self._finished.is_set():
             return True
-        return self._missing and self._deck.ending is not None and self._deck.ending.reason == "end"
+        return (
+            self._incomplete and self._deck.ending is not None and self._deck.ending.reason == "end"
+        )
 
     @property
-    def _missing(self) -> bool:
-        """Whether less was recorded than is wanted."""
+    def _incomplete(self) -> bool:
+        """Whether samples are still to be recorded."""
         return self.n_recorded < self.recorded.shape[1]
 
     @property
-    def _gone(self) -> str:
-        """The device that has not answered for a while, or ""."""
-        last = min(self._played_s, self._heard_s)
+    def _unresponsive(self) -> str:
+        """Name of a device that has not answered for a while, or ""."""
+        last = min(self._played_s, self._recorded_s)
         if self._finished.is_set():
-            last = self._heard_s
+            last = self._recorded_s
         if perf_counter() - last <= _GONE_AFTER_S:
             return ""
         card = self._card
-        return card.inputs.name if last == self._heard_s else card.device.name
+        return card.inputs.name if last == self._recorded_s else card.device.name
 
     def _fall_silent(self) -> None:
         if self._streams[-1].active:
-            # To close it at once would be a click.
+            # Closing the stream at once would make a click.
             self._deck.stop_at_once()
             self._finished.wait(_LONGEST_WAIT_S)
         self._close()
 
     def _close(self) -> None:
         for stream in self._streams:
-            # A device that is gone cannot be closed in order, and need not be.
+            # Closing a device that was unplugged fails, and that does not matter.
             stream.close(ignore_errors=True)
 
-    # In the threads of the devices: nothing waits, nothing grows.
+    # The following run in the threads of the devices: nothing may wait or allocate much.
 
-    def _pass(self, came: Frames, out: Frames, frames: int, times: Any, status: Any) -> None:
-        self._begun = True
-        self._hear(came, frames, times, status)
+    def _play_and_record(
+        self, recorded: Frames, out: Frames, frames: int, times: Any, status: Any
+    ) -> None:
+        self._started = True
+        self._record(recorded, frames, times, status)
         self._play(out, frames, times, None)
 
-    def _hear(self, came: Frames, frames: int, _times: Any, status: Any) -> None:
-        self._heard_s = perf_counter()
-        if not self._begun:
+    def _record(self, recorded: Frames, frames: int, _times: Any, status: Any) -> None:
+        self._recorded_s = perf_counter()
+        if not self._started:
             return
         if self.n_recorded:
-            # A stream both ways says of both what was lost.
+            # The status of a stream in both directions tells of losses in both.
             self.n_lost += bool(status.input_overflow or status.output_underflow)
         end = min(self.n_recorded + frames, self.recorded.shape[1])
-        self.recorded[:, self.n_recorded : end] = came[: end - self.n_recorded].T
+        self.recorded[:, self.n_recorded : end] = recorded[: end - self.n_recorded].T
         self.n_recorded = end
 
     def _play(self, out: Frames, _frames: int, _times: Any, status: Any) -> None:
         self._played_s = perf_counter()
-        if status is not None and self._begun:
+        if status is not None and self._started:
             self.n_lost += bool(status.output_underflow)
-        self._begun = True
+        self._started = True
         next_block(self._deck, out)
         if self._deck.silent:
             raise self._library.CallbackStop
 
     def _refusal(self, error: Any) -> str:
-        deck, card, rate_hz = self._deck, self._card, self._deck.sample_rate_hz
-        if self._asks_inputs:
+        queue, card, rate_hz = self._deck, self._card, self._deck.sample_rate_hz
+        if self._opens_inputs:
             name, prefers_hz = card.inputs.name, card.inputs.sample_rate_hz
             return recording_error_text(error, name, prefers_hz, rate_hz, card.n_inputs)
-        return playing_error_text(error, card.device, rate_hz, deck.n_outputs)
+        return playing_error_text(error, card.device, rate_hz, queue.n_outputs)

@@ -1,9 +1,11 @@
-"""How an actuator is measured."""
+"""Measuring one channel of a rig: silence, a quiet sweep that is checked, then the sweeps.
+
+All devices are looked up, and all limits checked, before anything is played.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from datetime import UTC, date, datetime
-from functools import partial
 from math import floor, log10
 
 import numpy as np
@@ -95,7 +97,7 @@ HIGHEST = NumberSpec(label="To", unit="Hz", minimum=2.0, maximum=20_000.0)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MeasuringSetup:
-    """The sensor, where it is wired, and the sweep.
+    """The sensor, its wiring, and the sweep.
 
     Attributes
     ----------
@@ -104,17 +106,17 @@ class MeasuringSetup:
     input_full_scale_v
         Voltage at the input where a recorded sample is 1.
     input_number, loopback_input
-        Inputs of the accelerometer, and of a wire from the output that is measured, from 1;
-        0: there is no such wire.
+        Inputs, from 1, of the accelerometer, and of a wire from the measured output; 0 where there
+        is no such wire.
     input_device
-        What is recorded from; empty: the device that is played on.  Another one, of whatever host,
-        has a clock of its own, which the sweeps tell.
+        Device to record from; empty for the device that plays.  Another device has a clock of its
+        own, whose rate follows from the sweeps.
     level_db
         Amplitude of the sweep, dB of full scale.
     sweep_s, repeats
-        How long a sweep lasts, and how often it is played.
+        Duration of a sweep, and how often it is played.
     lowest_hz, highest_hz
-        Where the response is wanted.
+        Frequencies between which the response is measured.
     """
 
     sensitivity_v_per_m_per_s2: float = fields.number(0.0102, SENSITIVITY)
@@ -143,29 +145,27 @@ class MeasuringSetup:
 
     @property
     def band_hz(self) -> tuple[float, float]:
-        """Where the response is wanted."""
+        """Frequencies between which the response is measured."""
         return self.lowest_hz, self.highest_hz
 
     @property
     def m_per_s2_at_full_scale(self) -> float:
-        """What a recorded sample of 1 is."""
+        """Acceleration of a recorded sample of 1."""
         return self.input_full_scale_v / self.sensitivity_v_per_m_per_s2
 
 
-# All that is needed to measure a channel, looked for before anything is played.
-
-# After each sweep, in which what rings dies away.
+# Silence after each sweep, in which ringing dies away.
 _REST_S = 0.5
-# The sweep goes beyond what is wanted: so the delay is told well, and the ends are whole.
-_LOWER, _HIGHER = 0.6, 4.0
-_MOST_OF_RATE = 0.42
-# At least so many outputs and inputs, where the device has them: some know pairs only.
-FEWEST_WAYS = 2
+# The sweep extends beyond the measured band, so that the delay is exact, and the band complete.
+_LOWER_SHARE, _HIGHER_SHARE = 0.6, 4.0
+_HIGHEST_SHARE_OF_RATE = 0.42
+# Channels that are opened at least, where the device has them: some devices offer pairs only.
+FEWEST_CHANNELS = 2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Bench:
-    """All that stays the same while a channel is measured."""
+    """Devices, sweep and setup for measuring one channel."""
 
     channel: RigChannel
     volts: float
@@ -177,40 +177,40 @@ class Bench:
 
     @property
     def numbers(self) -> tuple[int, ...]:
-        """Inputs that are looked at."""
+        """Inputs that are evaluated."""
         setup = self.setup
-        return tuple(one for one in (setup.input_number, setup.loopback_input) if one)
+        return tuple(number for number in (setup.input_number, setup.loopback_input) if number)
 
     @property
     def period(self) -> int:
-        """Samples from one sweep to the next."""
+        """Samples from the start of a sweep to the start of the next."""
         return self.sweep.size + round(_REST_S * self.rate_hz)
 
     def sweep_by(self, clock_ratio: float) -> Floats:
-        """One period, (period,), as a clock counts it that is so many times as quick."""
-        found = np.zeros(self.period)
+        """Return one period, (period,), as counted by a clock that is so many times as quick."""
+        samples = np.zeros(self.period)
         sweep = self.sweep
         if clock_ratio != 1.0:
             sweep = exponential_sweep(self.swept_hz, self.setup.sweep_s, self.rate_hz, clock_ratio)
-        found[: sweep.size] = sweep
-        return found
+        samples[: sweep.size] = sweep
+        return samples
 
     def row(self, repeats: int, lead: int) -> Floats:
-        """Samples that are played at a gain of 1, (n_times,)."""
-        one = self.sweep_by(1.0)
+        """Return the samples that are played, at a gain of 1, (n_times,)."""
+        period = self.sweep_by(1.0)
         tail = np.zeros(round(LONGEST_DELAY_S * self.rate_hz))
-        return np.concatenate((np.zeros(lead), np.tile(one, repeats), tail))
+        return np.concatenate((np.zeros(lead), np.tile(period, repeats), tail))
 
 
 def measurable(
     channel: RigChannel, setup: MeasuringSetup, sample_rate_hz: float
 ) -> tuple[float, float]:
-    """Volts at full scale, and the highest frequency that can be told, Hz.
+    """Return the volts at full scale, and the highest frequency that can be measured, Hz.
 
     Raises
     ------
     InvalidInputError
-        The channel or the setup cannot be measured, whatever devices there are.
+        The channel cannot be measured with this setup on any device.
     """
     volts = channel.volts_at_full_scale
     if volts is None:
@@ -218,7 +218,7 @@ def measurable(
             f"place {channel.place}: the rig does not say the volts at full scale, without which "
             "m/s² per V cannot be told; measure them with a tone and a voltmeter"
         )
-    highest_hz = _MOST_OF_RATE * sample_rate_hz
+    highest_hz = _HIGHEST_SHARE_OF_RATE * sample_rate_hz
     if setup.highest_hz > highest_hz:
         raise InvalidInputError(
             f"the response is wanted up to {setup.highest_hz:g} Hz, and {sample_rate_hz:g} Hz can "
@@ -228,7 +228,7 @@ def measurable(
 
 
 def bench_of(rig: Rig, place: int, setup: MeasuringSetup, output: Output) -> Bench:
-    """Look for all that is needed; refuse what is missing before anything is played."""
+    """Return devices, sweep and setup; raise where something is missing, before playing."""
     channel = rig.channel_of(place)
     if channel is None:
         raise InvalidInputError(
@@ -236,74 +236,70 @@ def bench_of(rig: Rig, place: int, setup: MeasuringSetup, output: Output) -> Ben
         )
     rate_hz = output.sample_rate_hz
     volts, highest_hz = measurable(channel, setup, rate_hz)
-    swept_hz = _LOWER * setup.lowest_hz, min(_HIGHER * setup.highest_hz, highest_hz)
-    found = devices()
-    named = [one for one in found if channel.device in (one.name, one.title)]
+    swept_hz = _LOWER_SHARE * setup.lowest_hz, min(_HIGHER_SHARE * setup.highest_hz, highest_hz)
+    known_devices = devices()
+    named = [device for device in known_devices if channel.device in (device.name, device.title)]
     if channel.device:
-        own = named[0].name if named else channel.device
+        name = named[0].name if named else channel.device
         api = named[0].host_api if named else ""
-        output = replace(output, device=own, host_api=api)
-    device = device_of(output, found)
+        output = replace(output, device=name, host_api=api)
+    device = device_of(output, known_devices)
     check_outputs(device, {place: channel.output})
     inputs = input_device_of(setup.input_device, device, input_devices())
     check_inputs(inputs, setup.input_number, setup.loopback_input)
-    most = max(setup.input_number, setup.loopback_input)
+    highest_input = max(setup.input_number, setup.loopback_input)
     card = Card(
         device=device,
         inputs=inputs,
-        n_inputs=max(most, min(FEWEST_WAYS, inputs.n_inputs)),
+        n_inputs=max(highest_input, min(FEWEST_CHANNELS, inputs.n_inputs)),
         latency_s=output.latency_s,
     )
     sweep = exponential_sweep(swept_hz, setup.sweep_s, rate_hz)
     return Bench(channel, volts, setup, card, rate_hz, sweep, swept_hz)
 
 
-# What was measured of one channel of a rig.
-
-# A phase further from what a delay explains says little; about 30 degrees.
+# A phase that differs more from that of a delay is doubtful; about 30 degrees.
 _DOUBTFUL_RAD = 0.5
-# What less is, a sweep hardly tells; and it turns the phase by nothing.
+# Smaller differences of clocks do not follow from a sweep, and hardly change the phase.
 _SAME_CLOCK_PPM = 0.1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class ChannelMeasurement:
-    """The response of one channel, and how far it can be trusted.
+    """The measured response of one channel, with its error.
 
     Attributes
     ----------
     place
-        Input place of the channel.
+        Input location of the channel.
     response
-        Acceleration for each volt at the actuator, without the delay.
+        Acceleration per volt at the actuator, without the delay.
     error : (n_points,)
-        Standard error of each of its points, relative to the gain.
+        Standard error of each point of the response, relative to the gain.
     n_left_out
-        Points of the band that the noise covers, and that are left out.
+        Points of the band that are below the noise, and left out.
     delay_s
-        From a sample that is played to the one that is recorded of it: out of the device, through
-        actuator and sensor, and in again; with two devices also when each of them began.
+        From playing a sample to recording it: through the device, actuator and sensor; with two
+        devices it contains the difference of their starts.
     delay_by_wire
-        Whether a loop-back said so; else the phase did.
+        Whether the delay was measured with a loop-back; otherwise it follows from the phase.
     played_on, recorded_from
         Names of the devices.
     clock_ppm
-        How much quicker the clock of the inputs is than that of the outputs, in millionths; None:
-        both are one device.
+        How much quicker the clock of the inputs is than that of the outputs, in millionths; None
+        where both are one device.
     inverted
         Whether the sensor moves against the voltage.
     misfit_rad
-        Root mean square of the phase that neither gain nor delay explain.
+        Root mean square of the phase that neither gain nor delay explains.
     noise_m_per_s2
         RMS while nothing was played.
-    peak_m_per_s2
-        Largest acceleration that was recorded.
-    peak_input_db
-        The same at the input, dB of full scale.
+    peak_m_per_s2, peak_input_db
+        Largest recorded acceleration, and the same at the input, dB of full scale.
     level_db
-        Of the sweep, dB of full scale.
+        Level of the sweep, dB of full scale.
     measured_on
-        Date.
+        Date of the measurement.
     """
 
     place: int
@@ -325,12 +321,12 @@ class ChannelMeasurement:
 
     @property
     def lines(self) -> tuple[str, ...]:
-        """What there is to tell, a sentence each."""
+        """Report of the measurement, in sentences."""
         points = self.response.points
         by = "the loop-back" if self.delay_by_wire else "the phase"
         typical, worst = 100.0 * np.median(self.error), 100.0 * np.max(self.error)
         left_out = f"; {self.n_left_out} under the noise are left out" if self.n_left_out else ""
-        told = [
+        sentences = [
             f"Place {self.place}: {len(points)} points from {points[0][0]:.4g} to "
             f"{points[-1][0]:.4g} Hz{left_out}.",
             f"Their standard error is {typical:.2g} % in the middle, at most {worst:.2g} %.",
@@ -341,20 +337,20 @@ class ChannelMeasurement:
             f"full scale), noise {self.noise_m_per_s2:.2g} m/s² RMS.".replace("-", "\u2212"),
         ]
         if self.inverted:
-            told.append(
+            sentences.append(
                 "It moves against the voltage: set the polarity to the other, or turn the sensor, "
                 "and measure again."
             )
         if self.misfit_rad > _DOUBTFUL_RAD:
-            told.append(
+            sentences.append(
                 f"Its phase is doubtful: {np.degrees(self.misfit_rad):.0f} degrees of it are "
                 "explained by neither gain nor delay. Wire a loop-back, or look at the sensor."
             )
-        return tuple(told)
+        return tuple(sentences)
 
     @property
     def _clocks(self) -> tuple[str, ...]:
-        """What two devices make of it."""
+        """Sentences on the clocks, where there are two devices."""
         ppm = self.clock_ppm
         if ppm is None:
             return ()
@@ -374,12 +370,12 @@ class ChannelMeasurement:
 
 
 def kept(rig: Rig, measurement: ChannelMeasurement) -> Rig:
-    """The rig with what was measured in its channel, and the date.
+    """Return the rig with the measured response and its date in the channel.
 
     Raises
     ------
     InvalidInputError
-        Nothing is wired to that place any more.
+        The rig has no channel for that location any more.
     """
     if rig.channel_of(measurement.place) is None:
         raise InvalidInputError(
@@ -389,21 +385,19 @@ def kept(rig: Rig, measurement: ChannelMeasurement) -> Rig:
     return replace(
         rig,
         channels=tuple(
-            replace(one, measured=measurement.response, measured_on=day)
-            if one.place == measurement.place
-            else one
-            for one in rig.channels
+            replace(channel, measured=measurement.response, measured_on=day)
+            if channel.place == measurement.place
+            else channel
+            for channel in rig.channels
         ),
     )
 
 
-# Measures one channel: silence, a quiet sweep that is looked at, then the sweeps that count.
-
 #: How much weaker the first sweep is, dB.
 QUIETER_DB = 20.0
-#: Silence in which the noise is measured; what a device does when it begins is not part of it.
+#: Silence in which the noise is measured, and the time before it in which a device settles.
 NOISE_S, SETTLING_S = 2.0, 0.2
-# Recorded samples from here on may be clipped, whatever bits the device has.
+# From this recorded sample on the input may be clipped, whatever bits the device has.
 _CLIPPED = 0.999
 
 
@@ -416,30 +410,32 @@ def measure(
     progress: Progress = silent,
     stop: Stop = never,
 ) -> ChannelMeasurement:
-    """Measure how a channel of a rig answers, with an accelerometer on an input.
+    """Measure the response of a channel of a rig, with an accelerometer on an input.
 
-    Nothing is played that passes a limit of the rig.  A sweep that is 20 dB quieter comes first:
-    what would clip at the input, or pass a limit once the response is known, is not played louder.
+    Limits of the rig are kept.  A sweep that is 20 dB quieter comes first, and the louder sweeps
+    are not played where the input would clip, or a limit would be passed by the response.
 
     Parameters
     ----------
     rig, place
-        What is wired to the device, and which channel is measured.
+        What is wired to the device, and the input location of the channel.
     setup
-        The sensor, and the sweep.
+        The sensor and the sweep.
     output
-        Device where the channel names none, its rate and the delay that it is asked for.
+        Sample rate and delay of the device, and the device where the channel names none.
+    progress, stop
+        ``progress`` is called while samples are recorded; once ``stop`` returns True, all is silent
+        and `Stopped` is raised.
 
     Raises
     ------
     InvalidInputError
-        The channel is not known so far that it can be measured, a limit would be passed, the
-        input would clip, or nothing is heard above the noise.
+        The rig states too little of the channel, a limit would be passed, the input would clip, or
+        the response is not above the noise.
     PlaybackError
-        sounddevice, the device or an input is missing, the device refuses, or it is gone before
-        the end.
+        sounddevice, the device or an input is missing, the device refuses, or it stops answering.
     Stopped
-        ``stop`` said so.
+        ``stop`` returned True.
     """
     bench = bench_of(rig, place, setup, output or Output())
     settling = round(SETTLING_S * bench.rate_hz)
@@ -447,45 +443,49 @@ def measure(
     row, loud_db = bench.row(setup.repeats, settling), setup.level_db
     margin = _margin(bench.channel, row, bench.rate_hz, loud_db)
     quiet_db = max(loud_db - QUIETER_DB, LOWEST_DB)
-    # How two clocks differ is told from one sweep to the next.
+    # The difference of two clocks follows from the distance of two sweeps.
     n_quiet = 2 if bench.card.two_clocks else 1
     first = bench.row(n_quiet, lead)
-    told = partial(_tell, progress, first.size + row.size)
-    heard = _take(bench, first, quiet_db, margin, stop, partial(told, 0, "Quiet sweep"))
-    noise = heard[:, settling:lead]
-    _refuse_clipping(bench, heard, quiet_db)
-    _refuse_what_will_clip(bench, heard, noise, quiet_db)
-    found, _ = _found(bench, heard, noise, quiet_db, lead, n_quiet)
-    if isinstance(found, AveragedResponse):
-        known = replace(bench.channel, measured=_response(found))
-        margin = _margin(known, row, bench.rate_hz, loud_db)
+    total = first.size + row.size
+    recorded = _record(
+        bench, first, quiet_db, margin, stop, lambda done: progress(done, total, "Quiet sweep")
+    )
+    noise = recorded[:, settling:lead]
+    _check_clipping(bench, recorded, quiet_db)
+    _check_level(bench, recorded, noise, quiet_db)
+    averaged, _ = _averaged_from(bench, recorded, noise, quiet_db, lead, n_quiet)
+    if isinstance(averaged, AveragedResponse):
+        measured_channel = replace(bench.channel, measured=_response(averaged))
+        margin = _margin(measured_channel, row, bench.rate_hz, loud_db)
     stop_if(stop)
-    words = f"{setup.repeats} sweeps"
-    heard = _take(bench, row, loud_db, margin, stop, partial(told, first.size, words))
-    _refuse_clipping(bench, heard, loud_db)
-    found, ratio = _found(bench, heard, noise, loud_db, settling, setup.repeats)
-    if isinstance(found, InvalidInputError):
-        raise found
-    return _told(bench, found, heard, noise, ratio)
+    label = f"{setup.repeats} sweeps"
+    recorded = _record(
+        bench, row, loud_db, margin, stop, lambda done: progress(first.size + done, total, label)
+    )
+    _check_clipping(bench, recorded, loud_db)
+    averaged, ratio = _averaged_from(bench, recorded, noise, loud_db, settling, setup.repeats)
+    if isinstance(averaged, InvalidInputError):
+        raise averaged
+    return _measurement_of(bench, averaged, recorded, noise, ratio)
 
 
-def _told(
-    bench: Bench, found: AveragedResponse, heard: Floats, noise: Floats, ratio: float
+def _measurement_of(
+    bench: Bench, averaged: AveragedResponse, recorded: Floats, noise: Floats, ratio: float
 ) -> ChannelMeasurement:
-    """What was found, with all that says how far it can be trusted."""
+    """Return the response with its errors, noise and levels."""
     setup = bench.setup
     scale = setup.m_per_s2_at_full_scale
-    own = heard[setup.input_number - 1] - noise[setup.input_number - 1].mean()
-    # A wire says nothing of the sensor's phase.
-    phase = found.delay
+    sensor = recorded[setup.input_number - 1] - noise[setup.input_number - 1].mean()
+    # A delay by wire says nothing about the phase of the sensor.
+    phase = averaged.delay
     if setup.loopback_input:
-        phase = excess_delay(found.frequency_hz, found.response)
+        phase = excess_delay(averaged.frequency_hz, averaged.response)
     return ChannelMeasurement(
         place=bench.channel.place,
-        response=_response(found),
-        error=found.error,
-        n_left_out=found.n_left_out,
-        delay_s=found.delay.seconds,
+        response=_response(averaged),
+        error=averaged.error,
+        n_left_out=averaged.n_left_out,
+        delay_s=averaged.delay.seconds,
         delay_by_wire=setup.loopback_input > 0,
         played_on=bench.card.device.name,
         recorded_from=bench.card.inputs.name,
@@ -493,43 +493,39 @@ def _told(
         inverted=phase.inverted,
         misfit_rad=phase.misfit_rad,
         noise_m_per_s2=float(noise[setup.input_number - 1].std() * scale),
-        peak_m_per_s2=float(np.abs(own).max() * scale),
-        peak_input_db=float(decibels(np.abs(heard[setup.input_number - 1]).max())),
+        peak_m_per_s2=float(np.abs(sensor).max() * scale),
+        peak_input_db=float(decibels(np.abs(recorded[setup.input_number - 1]).max())),
         level_db=setup.level_db,
         measured_on=datetime.now(UTC).date(),
     )
 
 
 def _margin(channel: RigChannel, row: Floats, rate_hz: int, level_db: float) -> Margin:
-    """How loud the rig lets it be; refuses what is louder."""
+    """Return the highest gain that the rig allows; raise where ``level_db`` is higher."""
     margin = highest_gain(Rig(channels=(channel,)), [channel.place], row[np.newaxis], rate_hz)
     if factor_of(level_db) <= margin.factor:
         return margin
     if margin.factor == 0.0:
         advice = "choose shorter sweeps, or fewer of them"
     else:
-        advice = f"choose a level of {_down(20.0 * log10(margin.factor))} dB or less"
+        advice = f"choose a level of {_rounded_down(20.0 * log10(margin.factor))} dB or less"
     raise InvalidInputError(
         f"at {_minus(f'{level_db:g}')} dB the sweep would pass a limit of the rig "
         f"({margin.words}); {advice}"
     )
 
 
-def _tell(progress: Progress, total: int, before: int, words: str, done: int) -> None:
-    progress(before + done, total, words)
-
-
-def _take(
+def _record(
     bench: Bench,
     row: Floats,
     level_db: float,
     margin: Margin,
     stop: Stop,
-    told: Callable[[int], None],
+    report: Callable[[int], None],
 ) -> Floats:
-    """Play a row, and return what came in, (n_inputs, n_times), from its first sample on."""
+    """Play a row, and return the recorded samples, (n_inputs, n_times), from its start on."""
     output, fade = bench.channel.output, fade_samples(bench.rate_hz)
-    n_outputs = max(output, min(FEWEST_WAYS, bench.card.device.n_outputs))
+    n_outputs = max(output, min(FEWEST_CHANNELS, bench.card.device.n_outputs))
     mix = mix_of(
         row[np.newaxis],
         bench.rate_hz,
@@ -538,11 +534,11 @@ def _take(
         n_outputs=n_outputs,
     )
     mix = replace(mix, most_gain=margin.factor, limit=margin.words)
-    deck = PlayQueue(n_outputs, bench.rate_hz, level_db)
-    deck.play(mix, 0)
-    duplex = Duplex(deck, bench.card, fade + row.size)
-    duplex.run(stop, told)
-    ending = deck.ending
+    queue = PlayQueue(n_outputs, bench.rate_hz, level_db)
+    queue.play(mix, 0)
+    duplex = Duplex(queue, bench.card, fade + row.size)
+    duplex.run(stop, report)
+    ending = queue.ending
     if ending is not None and ending.reason != "end":
         raise PlaybackError(ending.sentence)
     if duplex.n_lost:
@@ -550,50 +546,52 @@ def _take(
             f"Samples were lost {duplex.n_lost} times while measuring, so that what was recorded "
             "has holes. Close other programs, or ask the device for a longer delay."
         )
-    # The deck fades in what stands before its first sample: silence.
+    # The queue begins with a fade of silence before the first sample.
     return duplex.recorded[:, fade:].astype(np.float64)
 
 
-def _refuse_clipping(bench: Bench, heard: Floats, level_db: float) -> None:
-    """Refuse what reaches the ends of an input."""
+def _check_clipping(bench: Bench, recorded: Floats, level_db: float) -> None:
+    """Raise where recorded samples reach full scale of an input."""
     for number in bench.numbers:
-        peak = float(np.abs(heard[number - 1]).max(initial=0.0))
+        peak = float(np.abs(recorded[number - 1]).max(initial=0.0))
         if not np.isfinite(peak):
             raise PlaybackError("The device recorded something that is no number. Choose another.")
         if peak >= _CLIPPED:
-            raise _clips(number, "clips", level_db, "a lower level")
+            raise _clipping_error(number, "clips", level_db, "a lower level")
 
 
-def _refuse_what_will_clip(bench: Bench, heard: Floats, noise: Floats, level_db: float) -> None:
-    """Refuse what would reach the ends of an input at the level that is wanted."""
+def _check_level(bench: Bench, recorded: Floats, noise: Floats, level_db: float) -> None:
+    """Raise where samples would reach full scale of an input at the level of the setup."""
     louder = 10.0 ** ((bench.setup.level_db - level_db) / 20.0)
     for number in bench.numbers:
         mean = float(noise[number - 1].mean())
         still = abs(mean) + float(np.abs(noise[number - 1] - mean).max())
-        # The noise stays as loud as it is.
-        moved = max(float(np.abs(heard[number - 1] - mean).max()) + abs(mean) - still, 0.0)
+        # The noise does not become louder with the sweep.
+        moved = max(float(np.abs(recorded[number - 1] - mean).max()) + abs(mean) - still, 0.0)
         if still + moved * louder >= _CLIPPED:
             most_db = level_db + 20.0 * log10((_CLIPPED - still) / moved) - 0.1
-            raise _clips(number, "would clip", bench.setup.level_db, f"{_down(most_db)} dB or less")
+            raise _clipping_error(
+                number, "would clip", bench.setup.level_db, f"{_rounded_down(most_db)} dB or less"
+            )
 
 
-def _clips(number: int, what: str, level_db: float, advice: str) -> InvalidInputError:
+def _clipping_error(number: int, what: str, level_db: float, advice: str) -> InvalidInputError:
     return InvalidInputError(
         f"input {number} {what} at {_minus(f'{level_db:g}')} dB; choose {advice}, or turn the gain "
         "of that input down"
     )
 
 
-def _found(
-    bench: Bench, heard: Floats, noise: Floats, level_db: float, start: int, repeats: int
+def _averaged_from(
+    bench: Bench, recorded: Floats, noise: Floats, level_db: float, start: int, repeats: int
 ) -> tuple[AveragedResponse | InvalidInputError, float]:
-    """The response of what was heard, or the error where that is not enough; and the clocks."""
+    """Return the averaged response, or the error where it is too weak, and the clock ratio."""
     setup, latest = bench.setup, round(LONGEST_DELAY_S * bench.rate_hz)
     ratio = 1.0
     if bench.card.two_clocks:
-        # A wire says it best.
+        # The loop-back has the best signal.
         number = setup.loopback_input or setup.input_number
-        still = heard[number - 1] - noise[number - 1].mean()
+        still = recorded[number - 1] - noise[number - 1].mean()
         ratio = clock_ratio(still, start, bench.period, repeats)
     sent = bench.sweep_by(ratio) * factor_of(level_db)
 
@@ -601,28 +599,28 @@ def _found(
         mean = noise[number - 1].mean()
         n = bench.period + latest
         begins = start + bench.period * ratio * np.arange(repeats)
-        parts = [part_from(heard[number - 1] - mean, begin, n) for begin in begins]
+        parts = [part_from(recorded[number - 1] - mean, begin, n) for begin in begins]
         silence = (noise[number - 1] - mean) * scale
         return Sweeps(played, np.stack(parts) * scale, silence, bench.rate_hz)
 
-    known = None
+    delay = None
     try:
-        own = sweeps_of(setup.input_number, sent * bench.volts, setup.m_per_s2_at_full_scale)
+        sensor = sweeps_of(setup.input_number, sent * bench.volts, setup.m_per_s2_at_full_scale)
         if setup.loopback_input:
-            known = delay_of(sweeps_of(setup.loopback_input, sent, 1.0), bench.swept_hz)
-        return averaged_response(own, setup.band_hz, bench.swept_hz, known), ratio
+            delay = delay_of(sweeps_of(setup.loopback_input, sent, 1.0), bench.swept_hz)
+        return averaged_response(sensor, setup.band_hz, bench.swept_hz, delay), ratio
     except InvalidInputError as error:
         return InvalidInputError(sentence(str(error))), ratio
 
 
-def _response(found: AveragedResponse) -> MeasuredResponse:
-    return MeasuredResponse.of(found.frequency_hz, found.response)
+def _response(averaged: AveragedResponse) -> MeasuredResponse:
+    return MeasuredResponse.of(averaged.frequency_hz, averaged.response)
 
 
-def _down(decibels_: float) -> str:
-    """Rounded down, so that what is said is enough."""
+def _rounded_down(decibels_: float) -> str:
+    """Return decibels as text, rounded down, so that the advised level is low enough."""
     return _minus(f"{floor(10.0 * decibels_) / 10.0:.1f}")
 
 
-def _minus(words: str) -> str:
-    return words.replace("-", "\u2212")
+def _minus(text: str) -> str:
+    return text.replace("-", "\u2212")
