@@ -48,23 +48,23 @@ def real_array(name: str, values: ArrayLike, expected: str = "real numbers") -> 
             )
         values = values.data
     try:
-        found = np.asarray(values)
+        array = np.asarray(values)
     except Exception as error:  # what claims to be an array may raise anything
         raise InvalidInputError(
             f"{name} cannot be read as one array of real numbers: found {quoted(values)}, expected "
             f"{expected}"
         ) from error
-    if found.dtype.kind == "c":
+    if array.dtype.kind == "c":
         raise InvalidInputError(
             f"{name} holds complex numbers, expected {expected}. Take their magnitude or their "
             "real part first."
         )
-    if found.dtype.kind not in _NUMBERS:
+    if array.dtype.kind not in _NUMBERS:
         raise InvalidInputError(
             f"{name} cannot be read as one array of real numbers: found {quoted(values)}, expected "
             f"{expected}"
         )
-    return _as_floats(found)
+    return _as_floats(array)
 
 
 def finite_array(
@@ -74,16 +74,16 @@ def finite_array(
     largest: float = math.inf,
 ) -> Floats:
     """Return ``values`` as `real_array` does; refuse what is not finite or beyond ``largest``."""
-    found = real_array(name, values, expected)
+    array = real_array(name, values, expected)
     # NaN is the maximum of whatever holds it, and not less than anything.
-    if found.size and not np.abs(found).max() <= min(largest, np.finfo(np.float64).max):
-        bad = ~(np.abs(found) <= min(largest, np.finfo(np.float64).max))
+    if array.size and not np.abs(array).max() <= min(largest, np.finfo(np.float64).max):
+        bad = ~(np.abs(array) <= min(largest, np.finfo(np.float64).max))
         place = tuple(int(k) for k in np.argwhere(bad)[0])
         limit = "" if largest == math.inf else f" of at most {largest:g}"
         raise InvalidInputError(
-            f"{name} is {found[place]} at index {place}, expected finite numbers{limit}"
+            f"{name} is {array[place]} at index {place}, expected finite numbers{limit}"
         )
-    return found
+    return array
 
 
 def real_number(
@@ -101,18 +101,18 @@ def real_number(
     InvalidInputError
         Says ``name``, the value, and what was ``expected``.
     """
-    found = _single(value)
-    if found is None or not (math.isfinite(found) and least <= found <= most):
+    number = _single(value)
+    if number is None or not (math.isfinite(number) and least <= number <= most):
         raise InvalidInputError(f"{name} is {quoted(value)}, expected {expected}")
-    return found
+    return number
 
 
 def positive_number(name: str, value: object) -> float:
     """Return ``value`` as a float; refuse what is no finite number above 0."""
-    found = real_number(name, value, "a positive number")
-    if found <= 0:
+    number = real_number(name, value, "a positive number")
+    if number <= 0:
         raise InvalidInputError(f"{name} is {quoted(value)}, expected a positive number")
-    return found
+    return number
 
 
 def integer(name: str, value: object, least: int, most: int) -> int:
@@ -148,10 +148,10 @@ def one_of(name: str, value: object, allowed: Sequence[Text]) -> Text:
     )
 
 
-def _as_floats(found: NDArray[np.generic]) -> Floats:
+def _as_floats(array: NDArray[np.generic]) -> Floats:
     # A wider float may not fit; what becomes infinite is then seen as that.
     with np.errstate(over="ignore"):
-        return found.astype(np.float64, copy=False)
+        return array.astype(np.float64, copy=False)
 
 
 def _single(value: object) -> float | None:

@@ -327,14 +327,14 @@ def replacing_folder(path: Path, mark: str, kept: str = "") -> Iterator[Path]:
     try:
         with explained(path):
             yield temporary
-            for one in path.glob(kept) if kept else ():
-                if one.is_file() and not (temporary / one.name).exists():
-                    shutil.copy2(one, temporary / one.name)
-            for one in sorted(temporary.rglob("*"), reverse=True):
-                if one.is_dir():
-                    flush_folder(one)
+            for entry in path.glob(kept) if kept else ():
+                if entry.is_file() and not (temporary / entry.name).exists():
+                    shutil.copy2(entry, temporary / entry.name)
+            for entry in sorted(temporary.rglob("*"), reverse=True):
+                if entry.is_dir():
+                    flush_folder(entry)
                 else:
-                    flush_file(one)
+                    flush_file(entry)
             flush_folder(temporary)
             _refuse_foreign(path, mark)
             if path.exists():
@@ -366,11 +366,11 @@ def _sweep(folder: Path) -> None:
     """Delete one's own temporary folders that nobody has written to for a day."""
     now = time.time()
     with suppress(OSError):
-        for one in folder.iterdir():
+        for entry in folder.iterdir():
             with suppress(OSError):
-                about = one.lstat()
-                if stat.S_ISDIR(about.st_mode) and is_stale_temporary(one.name, about, now):
-                    shutil.rmtree(one, ignore_errors=True)
+                about = entry.lstat()
+                if stat.S_ISDIR(about.st_mode) and is_stale_temporary(entry.name, about, now):
+                    shutil.rmtree(entry, ignore_errors=True)
 
 
 # HDF5, imported when the first file is touched.

@@ -44,7 +44,7 @@ def _refuse_constant(name: str) -> NoReturn:
 
 
 def _without_doubles(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    found = dict(pairs)
-    if len(found) < len(pairs):
-        raise FileFormatError(f"the text names a field twice among {quoted(list(found))}")
-    return found
+    fields = dict(pairs)
+    if len(fields) < len(pairs):
+        raise FileFormatError(f"the text names a field twice among {quoted(list(fields))}")
+    return fields

@@ -69,9 +69,9 @@ def still_runs(owner: Owner) -> bool | None:
     if owner.host != platform.node():
         return None
     try:
-        found = psutil.Process(owner.pid)
-        started_s = found.create_time()
-        ended = found.status() == psutil.STATUS_ZOMBIE
+        process = psutil.Process(owner.pid)
+        started_s = process.create_time()
+        ended = process.status() == psutil.STATUS_ZOMBIE
     except (psutil.NoSuchProcess, ValueError, OverflowError):
         return False
     except psutil.AccessDenied:
@@ -95,10 +95,10 @@ def read_owner(path: Path) -> Owner | None:
 def owner_of(text: bytes) -> Owner | None:
     """Return the process that ``text`` names; None where it names none."""
     with suppress(FileFormatError):
-        found = loaded(text)
-        if isinstance(found, dict):
-            host, user = found.get("host"), found.get("user")
-            pid, started_s = found.get("pid"), found.get("started_s")
+        fields = loaded(text)
+        if isinstance(fields, dict):
+            host, user = fields.get("host"), fields.get("user")
+            pid, started_s = fields.get("pid"), fields.get("started_s")
             if (
                 isinstance(host, str)
                 and isinstance(user, str)
@@ -155,10 +155,10 @@ class Lock:
 
     def owner(self) -> Owner | None:
         """Who has the file, as far as can be known; None: nobody that runs, or this process."""
-        found = self._found()
-        if found is None or found.is_same(this_process()) or _is_over(found):
+        owner = self._found()
+        if owner is None or owner.is_same(this_process()) or _is_over(owner):
             return None
-        return found
+        return owner
 
     def take(self, *, from_other: bool = False) -> Owner | None:
         """Have the file; returns who has it already, or None once it is ours.
@@ -172,21 +172,21 @@ class Lock:
             No lock can be written there.
         """
         for _ in range(_TRIES):
-            found = self._found()
-            if found is not None:
-                if found.is_same(this_process()):
+            owner = self._found()
+            if owner is not None:
+                if owner.is_same(this_process()):
                     return None
-                if not from_other and not _is_over(found):
-                    return found
-                self._remove(found)
+                if not from_other and not _is_over(owner):
+                    return owner
+                self._remove(owner)
             if self._create():
                 return None
         return self._found() or _UNKNOWN
 
     def release(self) -> None:
         """Give the file up, if this process has it."""
-        found = read_owner(self.path)
-        if found is not None and found.is_same(this_process()):
+        owner = read_owner(self.path)
+        if owner is not None and owner.is_same(this_process()):
             with suppress(OSError):
                 self.path.unlink()
 
@@ -215,9 +215,9 @@ class Lock:
                 self.release()
 
     def _found(self) -> Owner | None:
-        found = read_owner(self.path)
-        if found is not None:
-            return found
+        owner = read_owner(self.path)
+        if owner is not None:
+            return owner
         try:
             age_s = time.time() - self.path.stat().st_mtime
         except (OSError, ValueError):

@@ -43,7 +43,8 @@ def printable(thing: object) -> str:
 def escaped(text: str) -> str:
     """Return ``text`` with what cannot be printed written as Python does."""
     return "".join(
-        one if one.isprintable() else one.encode("unicode_escape").decode("ascii") for one in text
+        character if character.isprintable() else character.encode("unicode_escape").decode("ascii")
+        for character in text
     )
 
 

@@ -54,14 +54,14 @@ def add_to(subparsers: Any) -> None:
 def _show(arguments: argparse.Namespace) -> int:
     content = open_design(arguments.design)
     design, view = content.design, content.view
-    found = evaluate(design, "limb_data", "validity", "output_levels_db", view=view)
-    note, judged = found["limb_data"].note, Judged(label="", findings=found["validity"])
+    results = evaluate(design, "limb_data", "validity", "output_levels_db", view=view)
+    note, judged = results["limb_data"].note, Judged(label="", findings=results["validity"])
     lines = [
         *_about_design(design),
         *([f"NOTE      {note}"] if note else []),
         *(f"CAUTION   {words}" for words in in_short([judged])),
         *_about_inputs(design),
-        *_levels(design, view, found["output_levels_db"]),
+        *_levels(design, view, results["output_levels_db"]),
     ]
     sys.stdout.write("\n".join(lines) + "\n")
     return 0
@@ -103,28 +103,28 @@ def _about_inputs(design: Design) -> list[str]:
     return [
         *([f"amplitude {meaning}"] if meaning else []),
         f"inputs    {len(design.inputs)}, {heard} of them heard",
-        *(line for one in design.inputs for line in _about_input(one, design)),
+        *(line for track in design.inputs for line in _about_input(track, design)),
     ]
 
 
-def _about_input(one: Input, design: Design) -> list[str]:
+def _about_input(track: Input, design: Design) -> list[str]:
     marks = "".join(
-        f", {word}" for word, is_so in (("muted", one.muted), ("solo", one.solo)) if is_so
+        f", {word}" for word, is_so in (("muted", track.muted), ("solo", track.solo)) if is_so
     )
-    curve = f", gain curve of {counted(len(one.gain_curve), 'point')}" if one.gain_curve else ""
-    strength = amplitude_text(design, one)
-    if not is_gain(design, one):
+    curve = f", gain curve of {counted(len(track.gain_curve), 'point')}" if track.gain_curve else ""
+    strength = amplitude_text(design, track)
+    if not is_gain(design, track):
         strength = f"amplitude {strength}"
     return [
-        f"  {one.id:3}  place {one.location}, {input_name(one.location, design.limb).name}: "
+        f"  {track.id:3}  place {track.location}, {input_name(track.location, design.limb).name}: "
         f"{strength}{curve}{marks}",
-        *(f"       from {clip.onset_s:g} s: {_about_clip(clip)}" for clip in one.clips),
+        *(f"       from {clip.onset_s:g} s: {_about_clip(clip)}" for clip in track.clips),
     ]
 
 
 def _about_clip(clip: Clip) -> str:
     gain = "" if clip.gain == 1.0 else f", gain {clip.gain:g}"
-    effects = "".join(f", {one}" for one in clip.effects if one.on)
+    effects = "".join(f", {effect}" for effect in clip.effects if effect.on)
     return f"{clip.waveform}{gain}{effects}{', muted' if clip.muted else ''}"
 
 

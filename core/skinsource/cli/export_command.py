@@ -23,7 +23,7 @@ _NAMES_OF_TIMES = {
 
 def add_to(subparsers: Any) -> None:
     """Add the command ``export``."""
-    listed = "\n".join(f"  {one.name:10} {one.hint}" for one in FORMATS)
+    listed = "\n".join(f"  {file_format.name:10} {file_format.hint}" for file_format in FORMATS)
     parser = subparsers.add_parser(
         "export",
         help="write the stimulus of a design file: WAV, CSV, MATLAB, C and others",
@@ -109,13 +109,13 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
 
 def _choices() -> dict[str, tuple[list[str], list[str]]]:
     """By name of a choice: the formats that offer it, and all that some of them offers."""
-    found: dict[str, tuple[list[str], list[str]]] = {}
-    for one in FORMATS:
-        for name, spec in one.choices.items():
-            formats, options = found.setdefault(name, ([], []))
-            formats.append(one.name)
+    choices: dict[str, tuple[list[str], list[str]]] = {}
+    for file_format in FORMATS:
+        for name, spec in file_format.choices.items():
+            formats, options = choices.setdefault(name, ([], []))
+            formats.append(file_format.name)
             options.extend(value for value, _ in spec.options if value not in options)
-    return found
+    return choices
 
 
 def _export(arguments: argparse.Namespace) -> int:
@@ -147,8 +147,8 @@ def _export(arguments: argparse.Namespace) -> int:
         equaliser=_equaliser(arguments),
         confirmed=arguments.confirm,
     )
-    for one in done.objections:
-        sys.stderr.write(f"skinsource: confirmed: {one}\n")
+    for objection in done.objections:
+        sys.stderr.write(f"skinsource: confirmed: {objection}\n")
     for path in done.files:
         sys.stdout.write(f"{path}\n")
     for note in filter(None, (done.edges, done.loses, done.equalised, done.calibration)):

@@ -20,17 +20,17 @@ _MARKED = re.compile(r"(<!-- drawn: ([\w ]+) -->\n).*?(<!-- end -->)", re.DOTALL
 
 def rules_of(graph: Graph, wanted: Iterable[str]) -> tuple[str, ...]:
     """Names of all rules that lead to what is ``wanted``, each after those it needs."""
-    found: dict[str, None] = {}
+    names: dict[str, None] = {}
 
     def visit(name: str) -> None:
-        if name in graph.rules and name not in found:
+        if name in graph.rules and name not in names:
             for need in graph.needs_of(name):
                 visit(need)
-            found[name] = None
+            names[name] = None
 
     for name in wanted:
         visit(name)
-    return tuple(found)
+    return tuple(names)
 
 
 def drawing(graph: Graph, names: Iterable[str]) -> str:

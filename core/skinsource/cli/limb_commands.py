@@ -34,76 +34,80 @@ def add_to(subparsers: Any) -> None:
     )
     actions = limb.add_subparsers(title="actions", metavar="ACTION", required=True)
     _add_import(actions)
-    one = actions.add_parser("list", help="show the limbs that were imported")
-    one.set_defaults(run=_list)
-    one = actions.add_parser("mirror", help="show a left hand as a right one, or as it is")
-    one.add_argument("name", metavar="NAME")
-    one.add_argument("--off", action="store_true", help="as it is")
-    one.set_defaults(run=_mirror)
-    one = actions.add_parser("export", help="write a limb in the layout of docs/limbs.md")
-    one.add_argument("name", metavar="NAME")
-    one.add_argument("--out", type=Path, required=True, metavar="FILE", help="an .h5 file")
-    one.set_defaults(run=_export)
-    one = actions.add_parser("remove", help="delete a limb that was imported")
-    one.add_argument("name", metavar="NAME")
-    one.set_defaults(run=_remove)
+    parser = actions.add_parser("list", help="show the limbs that were imported")
+    parser.set_defaults(run=_list)
+    parser = actions.add_parser("mirror", help="show a left hand as a right one, or as it is")
+    parser.add_argument("name", metavar="NAME")
+    parser.add_argument("--off", action="store_true", help="as it is")
+    parser.set_defaults(run=_mirror)
+    parser = actions.add_parser("export", help="write a limb in the layout of docs/limbs.md")
+    parser.add_argument("name", metavar="NAME")
+    parser.add_argument("--out", type=Path, required=True, metavar="FILE", help="an .h5 file")
+    parser.set_defaults(run=_export)
+    parser = actions.add_parser("remove", help="delete a limb that was imported")
+    parser.add_argument("name", metavar="NAME")
+    parser.set_defaults(run=_remove)
 
 
 def _add_import(actions: Any) -> None:
-    one = actions.add_parser("import", help="import impulse responses", description=_IMPORT)
-    one.add_argument("file", type=Path, metavar="FILE", help="the responses, in m/s²")
-    one.add_argument("--name", help=f"what designs call it: {NAME_RULE}")
-    one.add_argument("--title", help="what the window calls it")
-    one.add_argument("--note", help="what users should know of it")
-    one.add_argument("--array", default="", metavar="NAME", help="which array (default: largest)")
-    one.add_argument(
+    parser = actions.add_parser("import", help="import impulse responses", description=_IMPORT)
+    parser.add_argument("file", type=Path, metavar="FILE", help="the responses, in m/s²")
+    parser.add_argument("--name", help=f"what designs call it: {NAME_RULE}")
+    parser.add_argument("--title", help="what the window calls it")
+    parser.add_argument("--note", help="what users should know of it")
+    parser.add_argument(
+        "--array", default="", metavar="NAME", help="which array (default: largest)"
+    )
+    parser.add_argument(
         "--order",
         default="",
         metavar="LETTERS",
         help="what its dimensions are: i input, o output, a axis, t tap (default: ioat, or iot)",
     )
-    one.add_argument("--axes", choices=AXES, help="along which each output measures; z: normal")
-    one.add_argument("--rate", type=float, metavar="HZ", help="samples a second")
-    one.add_argument("--delay", type=float, metavar="S", help="how late the responses are")
-    one.add_argument(
+    parser.add_argument("--axes", choices=AXES, help="along which each output measures; z: normal")
+    parser.add_argument("--rate", type=float, metavar="HZ", help="samples a second")
+    parser.add_argument("--delay", type=float, metavar="S", help="how late the responses are")
+    parser.add_argument(
         "--band",
         type=float,
         nargs=2,
         metavar=("LOWEST", "HIGHEST"),
         help="in which the responses hold, Hz (default: not known)",
     )
-    one.add_argument("--hand-length", type=float, metavar="MM", help="middle finger tip to wrist")
-    one.add_argument(
+    parser.add_argument(
+        "--hand-length", type=float, metavar="MM", help="middle finger tip to wrist"
+    )
+    parser.add_argument(
         "--hand-length-units",
         type=float,
         metavar="N",
         help="the same in the unit of the coordinates (default: they are mm)",
     )
-    one.add_argument("--outline", type=Path, metavar="FILE", help="SVG, or CSV of x, y")
-    one.add_argument("--inputs", type=Path, metavar="CSV", help="places of inputs: x, y, name")
-    one.add_argument("--outputs", type=Path, metavar="CSV", help="places of outputs: x, y, name")
-    one.add_argument(
+    parser.add_argument("--outline", type=Path, metavar="FILE", help="SVG, or CSV of x, y")
+    parser.add_argument("--inputs", type=Path, metavar="CSV", help="places of inputs: x, y, name")
+    parser.add_argument("--outputs", type=Path, metavar="CSV", help="places of outputs: x, y, name")
+    parser.add_argument(
         "--y-down", action="store_true", default=None, help="y points down in these files, too"
     )
-    one.add_argument("--left", action="store_true", default=None, help="it is a left hand")
-    one.add_argument(
+    parser.add_argument("--left", action="store_true", default=None, help="it is a left hand")
+    parser.add_argument(
         "--mirrored", action="store_true", default=None, help="show it as a right hand"
     )
-    one.add_argument(
+    parser.add_argument(
         "--pulse",
         action="store_true",
         help="responses to the pulse of the published limbs, not to one sample of the drive",
     )
-    one.add_argument(
+    parser.add_argument(
         "--synthetic",
         action="store_true",
         default=None,
         help="the responses are computed, not measured",
     )
-    one.add_argument(
+    parser.add_argument(
         "--replace", action="store_true", help="take the place of an own limb of the same name"
     )
-    one.set_defaults(run=_import)
+    parser.set_defaults(run=_import)
 
 
 def _import(arguments: argparse.Namespace) -> int:

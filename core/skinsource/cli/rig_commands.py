@@ -28,49 +28,51 @@ def add_to(subparsers: Any) -> None:
     )
     actions = rig.add_subparsers(title="actions", metavar="ACTION", required=True)
     _add_measure(actions)
-    one = actions.add_parser("devices", help="show what can be played on and recorded from")
-    one.set_defaults(run=_devices)
+    parser = actions.add_parser("devices", help="show what can be played on and recorded from")
+    parser.set_defaults(run=_devices)
 
 
 def _add_measure(actions: Any) -> None:
     usual, played = MeasuringSetup(), Output()
-    one = actions.add_parser(
+    parser = actions.add_parser(
         "measure", help="measure a channel with an accelerometer", description=_MEASURE
     )
-    one.add_argument("rig", type=Path, metavar="RIG", help="a .skinrig file")
-    one.add_argument("--place", type=int, required=True, metavar="N", help="of the channel")
-    one.add_argument(
+    parser.add_argument("rig", type=Path, metavar="RIG", help="a .skinrig file")
+    parser.add_argument("--place", type=int, required=True, metavar="N", help="of the channel")
+    parser.add_argument(
         "--sensitivity",
         type=float,
         required=True,
         metavar="V",
         help="of the accelerometer, V per m/s² (100 mV per g is 0.0102)",
     )
-    one.add_argument(
+    parser.add_argument(
         "--input-volts",
         type=float,
         required=True,
         metavar="V",
         help="at the input where a recorded sample is 1",
     )
-    one.add_argument("--input", type=int, default=usual.input_number, metavar="N", help="from 1")
-    one.add_argument(
+    parser.add_argument("--input", type=int, default=usual.input_number, metavar="N", help="from 1")
+    parser.add_argument(
         "--loopback",
         type=int,
         default=usual.loopback_input,
         metavar="N",
         help="input that is wired to the output, to tell the delay (default: none)",
     )
-    one.add_argument(
+    parser.add_argument(
         "--level",
         type=float,
         default=usual.level_db,
         metavar="DB",
         help=f"of full scale (default: {usual.level_db:g})",
     )
-    one.add_argument("--seconds", type=float, default=usual.sweep_s, metavar="S", help="per sweep")
-    one.add_argument("--repeats", type=int, default=usual.repeats, metavar="N")
-    one.add_argument(
+    parser.add_argument(
+        "--seconds", type=float, default=usual.sweep_s, metavar="S", help="per sweep"
+    )
+    parser.add_argument("--repeats", type=int, default=usual.repeats, metavar="N")
+    parser.add_argument(
         "--band",
         type=float,
         nargs=2,
@@ -78,15 +80,15 @@ def _add_measure(actions: Any) -> None:
         metavar="HZ",
         help="lowest and highest frequency that are wanted (default: 20 1000)",
     )
-    one.add_argument("--rate", type=int, default=played.sample_rate_hz, metavar="HZ")
-    one.add_argument(
+    parser.add_argument("--rate", type=int, default=played.sample_rate_hz, metavar="HZ")
+    parser.add_argument(
         "--device", default="", metavar="NAME", help="where the rig names none (default: usual)"
     )
-    one.add_argument(
+    parser.add_argument(
         "--input-device", default="", metavar="NAME", help="default: the one that is played on"
     )
-    one.add_argument("--out", type=Path, metavar="FILE", help="rig to write (default: the same)")
-    one.set_defaults(run=_measure)
+    parser.add_argument("--out", type=Path, metavar="FILE", help="rig to write (default: the same)")
+    parser.set_defaults(run=_measure)
 
 
 def _measure(arguments: argparse.Namespace) -> int:
@@ -105,19 +107,19 @@ def _measure(arguments: argparse.Namespace) -> int:
     )
     output = Output(device=arguments.device, sample_rate_hz=arguments.rate)
     with ProgressBar(sys.stderr) as bar:
-        found = measure(rig, arguments.place, setup, output=output, progress=bar)
+        measurement = measure(rig, arguments.place, setup, output=output, progress=bar)
     path = arguments.out or arguments.rig
-    save_rig(path, kept(rig, found))
-    sys.stdout.write("\n".join((*found.lines, str(path))) + "\n")
+    save_rig(path, kept(rig, measurement))
+    sys.stdout.write("\n".join((*measurement.lines, str(path))) + "\n")
     return 0
 
 
 def _devices(_: argparse.Namespace) -> int:
     for title, listed in (("Outputs", devices()), ("Inputs", input_devices())):
         sys.stdout.write(f"{title}\n")
-        for one in listed:
-            mark = "  (usual)" if one.is_default else ""
-            sys.stdout.write(f"  {one.title}{mark}\n")
+        for device in listed:
+            mark = "  (usual)" if device.is_default else ""
+            sys.stdout.write(f"  {device.title}{mark}\n")
         if not listed:
             sys.stdout.write("  none\n")
     return 0

@@ -81,7 +81,7 @@ def look(path: Path, file_format: str, opened: Open) -> Found:
                 "a list of real numbers",
                 "Choose another file, or save the signal as a plain array.",
             )
-        series = tuple(one for one, *_ in offered)
+        series = tuple(series for series, *_ in offered)
         if len(series) > limits.MOST_SERIES:
             members.notes.append(f"Left out: all after the first {limits.MOST_SERIES} signals.")
         return Found(
@@ -96,26 +96,26 @@ def look(path: Path, file_format: str, opened: Open) -> Found:
 def blocks(path: Path, keys: Sequence[str], start: int, stop: int, opened: Open) -> Iterator[Block]:
     """Give samples of some signals among the arrays of a file."""
     with opened(path) as members:
-        places = {one.key: (one, member, axis) for one, member, axis in _offered(members)}
+        places = {series.key: (series, member, axis) for series, member, axis in _offered(members)}
         chosen = []
         for key in keys:
             if key not in places:
                 raise unknown_series_error(path, key)
             chosen.append(places[key])
-        stop = min([stop, *(one.n_samples for one, *_ in chosen)])
+        stop = min([stop, *(series.n_samples for series, *_ in chosen)])
         for at in range(start, stop, limits.BLOCK):
             end = min(at + limits.BLOCK, stop)
-            parts = [_part(one, member, axis, at, end) for one, member, axis in chosen]
+            parts = [_part(series, member, axis, at, end) for series, member, axis in chosen]
             yield np.stack(parts)
 
 
-def _part(one: Series, member: Member, axis: int, start: int, end: int) -> np.ndarray:
+def _part(series: Series, member: Member, axis: int, start: int, end: int) -> np.ndarray:
     place: list[Any] = [0] * len(member.array.shape)
     place[axis] = slice(start, end)
     if len(place) == 2:
-        place[1 - axis] = _column(one.key)
-    found = np.asarray(member.array[tuple(place)])
-    return found.astype(np.float64, copy=False)
+        place[1 - axis] = _column(series.key)
+    part = np.asarray(member.array[tuple(place)])
+    return part.astype(np.float64, copy=False)
 
 
 def _column(key: str) -> int:
@@ -412,8 +412,8 @@ def _collect(name: str, value: Any, members: Members, depth: int) -> None:
     if depth >= limits.MOST_DEPTH:
         members.leave_out(name, f"it is more than {limits.MOST_DEPTH} structures deep")
     elif isinstance(value, Mapping):
-        for inner, one in list(value.items())[:_MOST_ELEMENTS]:
-            _collect(f"{name}/{inner}", one, members, depth + 1)
+        for inner, member in list(value.items())[:_MOST_ELEMENTS]:
+            _collect(f"{name}/{inner}", member, members, depth + 1)
     elif isinstance(value, str):
         return  # a comment, such as the unit
     elif isinstance(value, bool | int | float | np.generic | np.ndarray):

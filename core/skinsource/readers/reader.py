@@ -79,11 +79,11 @@ class Found:
 
     def signals(self) -> tuple[Series, ...]:
         """What can be felt: all that is not time, or all if nothing else is there."""
-        return tuple(one for one in self.series if not one.is_time) or self.series
+        return tuple(series for series in self.series if not series.is_time) or self.series
 
     def one(self, key: str) -> Series | None:
         """The series of that key."""
-        return next((one for one in self.series if one.key == key), None)
+        return next((series for series in self.series if series.key == key), None)
 
     def rate_of(self, series: Series) -> float | None:
         """Samples a second of a series; None where the file does not say."""
@@ -92,26 +92,29 @@ class Found:
     def time_of(self, series: Series) -> Series | None:
         """The time stamps of a series: as many as it has samples, from the same group if any."""
         stamps = [
-            one
-            for one in self.series
-            if one.is_time and one.n_samples == series.n_samples and one.key != series.key
+            candidate
+            for candidate in self.series
+            if candidate.is_time
+            and candidate.n_samples == series.n_samples
+            and candidate.key != series.key
         ]
         group = series.key.rpartition("/")[0]
         return next(
-            (one for one in stamps if one.key.rpartition("/")[0] == group),
+            (candidate for candidate in stamps if candidate.key.rpartition("/")[0] == group),
             stamps[0] if stamps else None,
         )
 
 
-def to_tree(found: Found) -> dict[str, Any]:
+def to_tree(content: Found) -> dict[str, Any]:
     """Return ``found`` as JSON carries it."""
-    return asdict(found)
+    return asdict(content)
 
 
 def from_tree(tree: Mapping[str, Any]) -> Found:
     """Return what `to_tree` made; raise `TypeError` or `KeyError` on anything else."""
     series = tuple(
-        Series(**{**one, "shape": tuple(int(n) for n in one["shape"])}) for one in tree["series"]
+        Series(**{**fields, "shape": tuple(int(n) for n in fields["shape"])})
+        for fields in tree["series"]
     )
     return Found(**{**tree, "series": series, "notes": tuple(map(str, _list(tree["notes"])))})
 
@@ -155,9 +158,9 @@ class Reader:
     blocks: Callable[[Path, Sequence[str], int, int], Iterator[Block]]
 
 
-def reading_error(path: Path, found: str, expected: str, advice: str) -> RecordingError:
+def reading_error(path: Path, actual: str, expected: str, advice: str) -> RecordingError:
     """The error that names the file, what is wrong with it, what was expected, and what to do."""
-    return RecordingError(f"{named(Path(path.name))}: {found}, expected {expected}. {advice}")
+    return RecordingError(f"{named(Path(path.name))}: {actual}, expected {expected}. {advice}")
 
 
 def check_rate(path: Path, rate_hz: float) -> float:
@@ -261,24 +264,26 @@ def dft321(axes: Floats) -> Floats:
     return scipy.fft.irfft(magnitude * turn, axes.shape[1])
 
 
-def other_axes(found: Found, series: Series) -> tuple[Series, ...]:
+def other_axes(content: Found, series: Series) -> tuple[Series, ...]:
     """Return the two axes that belong to ``series``; empty where the file does not tell.
 
     They are as long, in the same unit and of the same group, and their names are those of x, y and
     z; without such names, a file that holds just three such signals holds three axes.
     """
-    alike = [one for one in found.signals() if _likeness(one) == _likeness(series)]
+    alike = [signal for signal in content.signals() if _likeness(signal) == _likeness(series)]
     name = _AXIS.match(series.name)
     if name is not None:
         around = (name[1], name[3])
-        axes = [one for one in alike if (m := _AXIS.match(one.name)) and (m[1], m[3]) == around]
-        letters = {_AXIS.match(one.name)[2].lower() for one in axes}  # type: ignore[index]
+        axes = [
+            signal for signal in alike if (m := _AXIS.match(signal.name)) and (m[1], m[3]) == around
+        ]
+        letters = {_AXIS.match(axis.name)[2].lower() for axis in axes}  # type: ignore[index]
         if len(axes) == N_AXES and len(letters) == N_AXES:
-            return tuple(one for one in axes if one.key != series.key)
+            return tuple(axis for axis in axes if axis.key != series.key)
     if len(alike) == N_AXES:
-        return tuple(one for one in alike if one.key != series.key)
+        return tuple(signal for signal in alike if signal.key != series.key)
     return ()
 
 
-def _likeness(one: Series) -> tuple[object, ...]:
-    return one.n_samples, one.unit, one.rate_hz, one.key.rpartition("/")[0]
+def _likeness(series: Series) -> tuple[object, ...]:
+    return series.n_samples, series.unit, series.rate_hz, series.key.rpartition("/")[0]

@@ -62,11 +62,11 @@ def _of_windows(pid: int) -> int:
     # cb, PageFaultCount, then sizes: PeakWorkingSetSize, WorkingSetSize, ...
     counters = (ctypes.c_size_t * 10)()
     ctypes.cast(counters, ctypes.POINTER(ctypes.c_uint32))[0] = ctypes.sizeof(counters)
-    found = kernel.K32GetProcessMemoryInfo(
+    answered = kernel.K32GetProcessMemoryInfo(
         ctypes.c_void_p(handle), ctypes.byref(counters), ctypes.sizeof(counters)
     )
     kernel.CloseHandle(ctypes.c_void_p(handle))
-    if not found:
+    if not answered:
         raise OSError("no answer")
     return int(counters[2])
 
@@ -177,13 +177,13 @@ class ReadingProcess:
         request = {"do": "overview", "key": key, "samples": n_samples, "columns": columns}
         with self._lock:
             self._ask(path, request, stop)
-            found = np.empty((2, 0))
+            extremes = np.empty((2, 0))
             while True:
                 answer, content = self._next(path, stop)
                 if "end" in answer:
-                    return found
+                    return extremes
                 if "block" in answer:
-                    found = np.frombuffer(content, "<f8").reshape(2, -1)
+                    extremes = np.frombuffer(content, "<f8").reshape(2, -1)
 
     def ask(self, path: Path, request: dict[str, Any], *, stop: Stop = never) -> dict[str, Any]:
         """Return the one answer to a request of another kind; raises what `look` does."""
@@ -199,16 +199,16 @@ class ReadingProcess:
             self._ask(path, request, stop)
             ended = False
             try:
-                while not (ended := "end" in (found := self._next(path, stop))[0]):
-                    height, width, kind = found[0]["block"]
-                    flat = np.frombuffer(found[1], {"f4": "<f4", "f8": "<f8"}[kind])
+                while not (ended := "end" in (answer := self._next(path, stop))[0]):
+                    height, width, kind = answer[0]["block"]
+                    flat = np.frombuffer(answer[1], {"f4": "<f4", "f8": "<f8"}[kind])
                     yield flat.reshape(height, width).astype(np.float64, copy=False)
             finally:
                 if not ended:  # what else it says is no answer to the next request
                     self._end()
 
     def _gathered(self, path: Path, rows: int, n: int, progress: Progress, stop: Stop) -> Block:
-        found: Block = np.empty((rows, 0), np.float32)
+        samples: Block = np.empty((rows, 0), np.float32)
         done = 0
         while True:
             answer, content = self._next(path, stop)
@@ -220,9 +220,9 @@ class ReadingProcess:
                 part = flat.reshape(height, width)
                 if not width:
                     continue
-                if not found.size:
-                    found = np.empty((rows, n), part.dtype)
-                found[:, done : done + width] = part
+                if not samples.size:
+                    samples = np.empty((rows, n), part.dtype)
+                samples[:, done : done + width] = part
             except (KeyError, TypeError, ValueError) as error:
                 raise self._lost(path, "what was read makes no sense") from error
             done += width
@@ -231,7 +231,7 @@ class ReadingProcess:
             raise RecordingError(
                 f"{_name(path)}: {done} samples were found, expected {n}. {_ADVICE}"
             )
-        return found
+        return samples
 
     def _ask(self, path: Path, request: dict[str, Any], stop: Stop) -> None:
         text = json.dumps({**request, "path": str(path.absolute())}).encode("ascii") + b"\n"

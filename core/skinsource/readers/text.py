@@ -96,10 +96,10 @@ def layout_of(lines: Sequence[str]) -> TextLayout | None:
         for decimal in (".", ","):
             if decimal == separator:
                 continue
-            found = _rows_of_numbers(lines, separator, decimal)
-            if found is None:
+            layout = _rows_of_numbers(lines, separator, decimal)
+            if layout is None:
                 continue
-            first, columns, trailing = found
+            first, columns, trailing = layout
             # Fewer lines before the numbers, then more columns; the likelier separator wins a tie.
             if best is None or (-first, columns) > (-best[0], best[1]):
                 best = (first, columns, separator, decimal, trailing)
@@ -163,8 +163,8 @@ def _with_headings(
 def _are_units(cells: Sequence[str]) -> bool:
     plain = [cell.strip("[]() ") for cell in cells]
     times = ("s", "ms", "us", "µs", "ns", "sec")
-    known = [bool(unit_named(one)) or one.lower() in times for one in plain]
-    return any(known) and all(ok or not one for ok, one in zip(known, plain, strict=True))
+    known = [bool(unit_named(cell)) or cell.lower() in times for cell in plain]
+    return any(known) and all(ok or not cell for ok, cell in zip(known, plain, strict=True))
 
 
 # CSV, TSV and other tables of numbers in text; read line by line.
@@ -309,12 +309,12 @@ def _parsed(path: Path, lines: list[str], first_line: int, layout: TextLayout) -
         text = (line.replace(",", ".") for line in lines) if layout.decimal == "," else lines
         separator = None if layout.separator == " " else layout.separator
         try:
-            found = np.loadtxt(text, delimiter=separator, ndmin=2, comments=None)
+            table = np.loadtxt(text, delimiter=separator, ndmin=2, comments=None)
         except ValueError:
             pass  # cells that are empty or quoted, or a mistake: slowly
         else:
-            if found.shape == (len(lines), columns):
-                return found.T
+            if table.shape == (len(lines), columns):
+                return table.T
     rows = np.empty((columns, len(lines)))
     for k, line in enumerate(lines):
         cells = layout.cells(line)

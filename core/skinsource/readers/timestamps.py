@@ -92,14 +92,14 @@ def at_steady_rate(values: Floats, stamps_s: Floats, rate_hz: Fraction) -> Float
     start = stamps_s[0]
     n = int((stamps_s[-1] - start) * float(rate_hz) + 1e-6) + 1
     times = start + np.arange(n) / float(rate_hz)
-    found = np.interp(times, stamps_s, values)
+    resampled = np.interp(times, stamps_s, values)
     for first, last in _without_gaps(stamps_s):
         for a, b in _blocks(first, last):
             within = slice(*np.searchsorted(times, (stamps_s[a], stamps_s[b - 1])))
             around = slice(max(a - _OVERLAP, first), min(b + _OVERLAP, last))
             spline = scipy.interpolate.CubicSpline(stamps_s[around], values[around])
-            found[within] = spline(times[within])
-    return found
+            resampled[within] = spline(times[within])
+    return resampled
 
 
 def _without_gaps(stamps_s: Floats) -> Iterator[tuple[int, int]]:
@@ -153,8 +153,8 @@ def stated_rate_hz(lines: Sequence[str], decimal: str) -> float | None:
     """
     for line in lines:
         named, sampling = _NAMED.search(line), _SAMPLING.search(line)
-        found = named or (sampling if sampling and sampling["unit"] else None)
-        rate_hz = None if found is None else _hz(found["number"], found["unit"] or "", decimal)
+        match = named or (sampling if sampling and sampling["unit"] else None)
+        rate_hz = None if match is None else _hz(match["number"], match["unit"] or "", decimal)
         if rate_hz is not None and limits.LEAST_RATE_HZ <= rate_hz <= limits.MOST_RATE_HZ:
             return rate_hz
     return None

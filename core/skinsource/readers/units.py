@@ -81,15 +81,15 @@ def unit_named(text: str) -> str:
 
 def split_heading(heading: str) -> tuple[str, str]:
     """A column's name and what it says in brackets: "acc_x [g]" is "acc_x" and "g"."""
-    found = _IN_BRACKETS.match(heading.strip())
-    return (found[1], found[2]) if found else (heading.strip(), "")
+    match = _IN_BRACKETS.match(heading.strip())
+    return (match[1], match[2]) if match else (heading.strip(), "")
 
 
 def time_unit_s(name: str, words: str = "") -> float | None:
     """Seconds that one of a series of this name means; None if the name is not one of time."""
     base, ending = name.strip().lower(), words.strip().lower()
-    if not ending and (found := _AFTER.match(base)):
-        base, ending = found[1], found[2]
+    if not ending and (match := _AFTER.match(base)):
+        base, ending = match[1], match[2]
     if not _TIME_NAMES.fullmatch(base):
         return None
     return _TIMES_S.get(ending) if ending else 1.0

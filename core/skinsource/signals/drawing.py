@@ -155,15 +155,15 @@ class Stroke:
             raise InvalidInputError(
                 f"the stroke ends at {end_s:g} s: {last} samples, expected at most {MAX_SAMPLES}"
             )
-        times, values = (np.array(one) for one in zip(*self.points, strict=True))
+        times, values = (np.array(column) for column in zip(*self.points, strict=True))
         if last < first or times.size == 1:
             # Between two samples: it moves the nearer one.
             nearest = round((start_s + end_s) / 2 * rate_hz)
             return nearest, np.array([values[-1]])
         instants = np.clip(np.arange(first, last + 1) / rate_hz, start_s, end_s)
-        found = np.asarray(scipy.interpolate.PchipInterpolator(times, values)(instants), np.float64)
+        curve = np.asarray(scipy.interpolate.PchipInterpolator(times, values)(instants), np.float64)
         # Rounding may leave the neighbours by one place.
-        return first, np.clip(found, values.min(), values.max())
+        return first, np.clip(curve, values.min(), values.max())
 
 
 def drawn_over(samples: Floats, stroke: Stroke, sample_rate_hz: float) -> Floats:
@@ -172,17 +172,17 @@ def drawn_over(samples: Floats, stroke: Stroke, sample_rate_hz: float) -> Floats
     A stroke that goes on behind the last sample makes them more; between both lies silence.
     """
     first, values = stroke.samples(sample_rate_hz)
-    found = np.zeros(max(samples.size, first + values.size))
-    found[: samples.size] = samples
-    found[first : first + values.size] = values
-    return found
+    drawn = np.zeros(max(samples.size, first + values.size))
+    drawn[: samples.size] = samples
+    drawn[first : first + values.size] = values
+    return drawn
 
 
 def zeroed(samples: Floats, start_s: float, end_s: float, sample_rate_hz: float) -> Floats:
     """Return ``samples``, (n_times,), with 0 from ``start_s`` to ``end_s``."""
     low, high = sorted((real_number("start_s", start_s), real_number("end_s", end_s)))
     rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
-    found = samples.copy()
+    zeroed_samples = samples.copy()
     first = max(ceil(low * rate_hz - _ON_SAMPLE), 0)
-    found[first : max(floor(high * rate_hz + _ON_SAMPLE) + 1, first)] = 0.0
-    return found
+    zeroed_samples[first : max(floor(high * rate_hz + _ON_SAMPLE) + 1, first)] = 0.0
+    return zeroed_samples

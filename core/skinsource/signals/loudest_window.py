@@ -80,12 +80,12 @@ class LoudestEnergy:
 def _largest_sums(squares: Floats, n: int) -> Floats:
     """Largest sum of any ``n`` neighbours, (...,), of (..., n_samples)."""
     rows = squares.reshape(-1, squares.shape[-1])
-    found = np.empty(len(rows))
+    largest = np.empty(len(rows))
     at_once = max(_NUMBERS_AT_ONCE // rows.shape[-1], 1)
     for low in range(0, len(rows), at_once):
         some = slice(low, low + at_once)
-        found[some] = _window_sums(rows[some], n).max(axis=-1)
-    return found.reshape(squares.shape[:-1])
+        largest[some] = _window_sums(rows[some], n).max(axis=-1)
+    return largest.reshape(squares.shape[:-1])
 
 
 def _window_sums(squares: Floats, n: int) -> Floats:

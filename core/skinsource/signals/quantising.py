@@ -42,8 +42,8 @@ class IntegerKind:
 
 
 KINDS = {
-    one.name: one
-    for one in (
+    kind.name: kind
+    for kind in (
         IntegerKind(name="int8", bits=8, zero=0, dtype="int8"),
         IntegerKind(name="uint8", bits=8, zero=128, dtype="uint8"),
         IntegerKind(name="int12", bits=12, zero=0, dtype="int16"),
@@ -102,12 +102,12 @@ def quantised(samples: ArrayLike, kind: str, *, dither_seed: int | None = None) 
         A sample is not finite, or no kind has this name.
     """
     wanted = np.atleast_2d(finite_array("samples", samples))
-    found = KINDS[one_of("kind", kind, tuple(KINDS))]
+    integer_kind = KINDS[one_of("kind", kind, tuple(KINDS))]
     seed = None
     if dither_seed is not None:
         seed = integer("dither_seed", dither_seed, 0, _LARGEST_SEED)
-    full_scale = found.most if seed is None else found.most - 1
-    values = np.empty(wanted.shape, found.dtype)
+    full_scale = integer_kind.most if seed is None else integer_kind.most - 1
+    values = np.empty(wanted.shape, integer_kind.dtype)
     clipped = np.zeros(wanted.shape[0], np.int64)
     largest_error = 0.0
     for row in range(wanted.shape[0]):
@@ -124,10 +124,10 @@ def quantised(samples: ArrayLike, kind: str, *, dither_seed: int | None = None) 
             largest_error = max(
                 largest_error, float(np.abs(steps / full_scale - inside).max(initial=0.0))
             )
-            values[row, start : start + _BLOCK] = steps.astype(np.int64) + found.zero
+            values[row, start : start + _BLOCK] = steps.astype(np.int64) + integer_kind.zero
     return Quantised(
         values=values,
-        kind=found,
+        kind=integer_kind,
         full_scale=full_scale,
         clipped=clipped,
         largest_error=largest_error,

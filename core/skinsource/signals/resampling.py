@@ -82,10 +82,10 @@ class Kernel:
 
     def made(self) -> Floats:
         """Compute all of it, (2 half_length + 1,)."""
-        found = np.empty(2 * self.half_length + 1)
-        for start, end in blocks(found.size, _BLOCK):
-            found[start:end] = self.at(np.arange(start, end) - self.half_length)
-        return found
+        taps = np.empty(2 * self.half_length + 1)
+        for start, end in blocks(taps.size, _BLOCK):
+            taps[start:end] = self.at(np.arange(start, end) - self.half_length)
+        return taps
 
     def weights(self) -> Floats:
         """What each result of a period is made of, (n_used, periods up); the last are kept."""
@@ -94,9 +94,9 @@ class Kernel:
 
 @lru_cache(maxsize=4)
 def _kept(up: int, down: int, half_transition: float) -> Floats:
-    found = Kernel(up, down, half_transition).made()
-    found.flags.writeable = False
-    return found
+    taps = Kernel(up, down, half_transition).made()
+    taps.flags.writeable = False
+    return taps
 
 
 @lru_cache(maxsize=4)
@@ -104,13 +104,13 @@ def _kept_weights(up: int, down: int, half_transition: float) -> Floats:
     kernel = Kernel(up, down, half_transition)
     used = np.arange(kernel.n_used)[:, np.newaxis] - kernel.reach
     place = np.arange(kernel.periods * up) * down - used * up
-    found = np.where(
+    weights = np.where(
         np.abs(place) <= kernel.half_length,
         kernel.whole()[np.clip(place + kernel.half_length, 0, 2 * kernel.half_length)],
         0.0,
     )
-    found.flags.writeable = False
-    return found
+    weights.flags.writeable = False
+    return weights
 
 
 def half_transition(lower_hz: float) -> float:
@@ -199,26 +199,26 @@ def by_ratio(
     offset
         Taken off each sample first, without another copy of them all.
     """
-    found = _Signals(_array(samples), offset)
+    source = _Signals(_array(samples), offset)
     up, down = ratio.numerator, ratio.denominator
-    n = -(-found.shape[-1] * up // down)
+    n = -(-source.shape[-1] * up // down)
     if n > MAX_SAMPLES:
         raise InvalidInputError(
-            f"{found.shape[-1]} samples become {n}, expected at most {MAX_SAMPLES}; take a part"
+            f"{source.shape[-1]} samples become {n}, expected at most {MAX_SAMPLES}; take a part"
         )
-    result = np.empty((*found.shape[:-1], n))
+    result = np.empty((*source.shape[:-1], n))
     if ratio == 1:
-        for start, end in blocks(n, _step(found.shape, 1)):
-            result[..., start:end] = found.part(start, end)
+        for start, end in blocks(n, _step(source.shape, 1)):
+            result[..., start:end] = source.part(start, end)
         return result
     kernel = Kernel(up, down, half_transition(lower_hz))
     length = 2 * kernel.half_length
     if kernel.is_small:
-        _multiplied(found, kernel, result)
+        _multiplied(source, kernel, result)
     elif length < min(n * (length // up + 1), _LONGEST_FILTER):
-        _filtered(found, kernel, result)
+        _filtered(source, kernel, result)
     else:
-        _summed(found, kernel, result)
+        _summed(source, kernel, result)
     return result
 
 
@@ -304,8 +304,8 @@ def _filtered(samples: _Signals, kernel: Kernel, result: Floats) -> None:
         before = min(lead, first)
         missing = (lead - before) * up // down
         part = samples.part(first - before, max(last, first - before))
-        found = scipy.signal.upfirdn(taps, part, up, down, axis=-1) if part.size else part
-        wanted = found[..., skipped - missing : skipped - missing + end - start]
+        filtered = scipy.signal.upfirdn(taps, part, up, down, axis=-1) if part.size else part
+        wanted = filtered[..., skipped - missing : skipped - missing + end - start]
         result[..., start : start + wanted.shape[-1]] = wanted
         result[..., start + wanted.shape[-1] : end] = 0.0
 
@@ -331,12 +331,12 @@ def _summed(samples: _Signals, kernel: Kernel, result: Floats) -> None:
 
 def _array(samples: ArrayLike) -> np.ndarray:
     if isinstance(samples, np.ndarray) and samples.dtype.kind in "iuf" and samples.ndim:
-        found = samples
+        array = samples
     else:
-        found = real_array("samples", samples, "finite real numbers, (..., n_times)")
-    if not found.ndim:
+        array = real_array("samples", samples, "finite real numbers, (..., n_times)")
+    if not array.ndim:
         raise InvalidInputError("samples is a single number, expected (..., n_times)")
-    return found
+    return array
 
 
 def _step(shape: tuple[int, ...], per_step: int) -> int:
@@ -484,7 +484,7 @@ def extremes_between(
     end = n_times if end is None else end
     around = max(first - _REACH, 0), min(end + _REACH, n_times)
     sizes = _sizes(vectors[..., slice(*around)])
-    found = Extremes(
+    extremes = Extremes(
         low=np.empty((n_curves, end - first), np.float32),
         high=np.empty((n_curves, end - first), np.float32),
         sizes=sizes[:, 0],
@@ -493,15 +493,15 @@ def extremes_between(
     for start, last in blocks(end - first, step):
         stop_if(stop)
         samples = _samples(vectors, sizes, first + start, first + last)
-        low, high = found.low[:, start:last], found.high[:, start:last]
+        low, high = extremes.low[:, start:last], extremes.high[:, start:last]
         _find(samples, low, high, length=signals.ndim == 3)
     if n_curves and end == n_times and end > first:
         # Behind the last sample there is no next one.
         only = vectors[..., -1] / sizes[:, :, 0]
         only = np.sqrt(np.square(only).sum(axis=1)) if signals.ndim == 3 else only[:, 0]
-        found.low[:, -1] = found.high[:, -1] = only
-    found.low.flags.writeable = found.high.flags.writeable = False
-    return found
+        extremes.low[:, -1] = extremes.high[:, -1] = only
+    extremes.low.flags.writeable = extremes.high.flags.writeable = False
+    return extremes
 
 
 def _sizes(vectors: Floats) -> Floats:
@@ -544,15 +544,15 @@ def _find(samples: Singles, low: Singles, high: Singles, *, length: bool) -> Non
     own = samples[..., _REACH - 1 : _REACH - 1 + n]
     if length:
         # Of squares: roots are drawn of the extremes alone.
-        found = np.einsum("caspt,caspt->cspt", points, points)
+        between = np.einsum("caspt,caspt->cspt", points, points)
         values = np.einsum("cat,cat->ct", own, own)
     else:
-        found, values = points[:, 0], own[:, 0]
+        between, values = points[:, 0], own[:, 0]
     wanted = low.shape[1]
     for reached, of_two in ((low, np.minimum), (high, np.maximum)):
         extreme = values.reshape(n_curves, n // _STRETCH, _STRETCH)
         for k in range(FINER - 1):  # three times as quick as along the axis
-            extreme = of_two(extreme, found[:, :, k])
+            extreme = of_two(extreme, between[:, :, k])
         extreme = extreme.reshape(n_curves, n)[:, :wanted]
         if length:
             np.sqrt(extreme, out=reached)
@@ -568,12 +568,12 @@ def _weights() -> Singles:
     points = (shift[:, np.newaxis] + np.arange(_STRETCH)).ravel()
     away = points - used[:, np.newaxis]
     within = np.clip(1.0 - (away / _REACH) ** 2, 0.0, None)
-    found = (
+    weights = (
         np.sinc(away) * np.i0(_EXTREMES_BETA * np.sqrt(within)) / np.i0(_EXTREMES_BETA)
     ).astype(np.float32)
-    found[np.abs(away) > _REACH] = 0.0
-    found.flags.writeable = False
-    return found
+    weights[np.abs(away) > _REACH] = 0.0
+    weights.flags.writeable = False
+    return weights
 
 
 # What of a signal reaches another rate.
@@ -608,8 +608,8 @@ def passed(samples: Floats, from_hz: float, to_hz: float) -> Floats:
     length = scipy.fft.next_fast_len(padded.size, real=True)
     share = scipy.fft.rfftfreq(length, 1.0 / from_hz) / (0.5 * lower_hz)
     gain = np.interp(share, *_response(transition))
-    found: Floats = scipy.fft.irfft(gain * scipy.fft.rfft(padded, length), length)[: padded.size]
-    return found
+    signal: Floats = scipy.fft.irfft(gain * scipy.fft.rfft(padded, length), length)[: padded.size]
+    return signal
 
 
 @lru_cache(maxsize=4)

@@ -114,8 +114,8 @@ def values_at(samples: Floats, place: float) -> Floats:
         return np.zeros(samples.shape[:-1])
     apart = np.arange(first, end) - whole - behind
     window = np.i0(_BETA * np.sqrt(1.0 - (apart / REACH) ** 2)) / np.i0(_BETA)
-    found: Floats = samples[..., first:end] @ (np.sinc(apart) * window)
-    return found
+    values: Floats = samples[..., first:end] @ (np.sinc(apart) * window)
+    return values
 
 
 # Values of a signal between its samples.
@@ -144,9 +144,9 @@ def values_between(samples: Floats, places: Floats, band: float = 1.0) -> Floats
         Part of half the sample rate that is kept, up to 1: less where places lie further apart
         than samples, so that nothing folds.
     """
-    found = np.zeros(places.size)
+    values = np.zeros(places.size)
     if not samples.size:
-        return found
+        return values
     reach = int(np.ceil(REACH / band))
     table = _table()
     # Whoever has fewer samples than the kernel reaches adds up all of them.
@@ -162,8 +162,8 @@ def values_between(samples: Floats, places: Floats, band: float = 1.0) -> Floats
         kernel = np.interp(distance, np.arange(table.size), table, right=0.0)
         there = (index >= 0) & (index < samples.size)
         taken = samples[np.clip(index, 0, samples.size - 1)] * there
-        found[start : start + rows] = (kernel * taken).sum(axis=1) * band
-    return found
+        values[start : start + rows] = (kernel * taken).sum(axis=1) * band
+    return values
 
 
 @cache
@@ -210,5 +210,5 @@ def turns(frequency_hz: float, n: int, sample_rate_hz: float, shift_s: float = 0
     above, below = hz * per_rate, per_hz * rate
     starts = [k * above % below / below for k in range(0, n, _BLOCK)]
     within = np.arange(_BLOCK) * (above / below)
-    found = np.add.outer(np.array(starts), within).ravel()[:n]
-    return found - frequency * shift_s if shift_s else found
+    phases = np.add.outer(np.array(starts), within).ravel()[:n]
+    return phases - frequency * shift_s if shift_s else phases

@@ -54,12 +54,12 @@ def bent_turns(
             starts[block] = _less_whole(start + (frequency_hz + slope_hz_per_s / 2 * time) * time)
             steps[block] = _less_whole((frequency_hz + slope_hz_per_s * time) / rate)
     within = np.arange(min(n, _BLOCK))
-    found = np.multiply.outer(steps, within)
+    phases = np.multiply.outer(steps, within)
     # Whole numbers times whole turns are whole turns.
-    found += bend * np.square(within)
-    found += starts[:, np.newaxis]
-    found -= np.rint(found)
-    return found.ravel()[:n]
+    phases += bend * np.square(within)
+    phases += starts[:, np.newaxis]
+    phases -= np.rint(phases)
+    return phases.ravel()[:n]
 
 
 def _less_whole(turns: Decimal) -> float:
@@ -118,11 +118,11 @@ def turns_about_middle(
     frequency_hz: float, n: int, sample_rate_hz: float, shift_s: float = 0.0
 ) -> Floats:
     """Turns of a tone at the times `about_middle`, (n_times,), less whole ones."""
-    found = turns(frequency_hz, n + (shift_s > 0.0), sample_rate_hz, shift_s)
+    phases = turns(frequency_hz, n + (shift_s > 0.0), sample_rate_hz, shift_s)
     # Exact, as the turns themselves.
     until_middle = Fraction(frequency_hz) * (n - 1) / (2 * Fraction(sample_rate_hz))
-    found -= float(until_middle % 1)
-    return found
+    phases -= float(until_middle % 1)
+    return phases
 
 
 def begun(samples: Floats, shift_s: float) -> Floats:
@@ -155,7 +155,7 @@ def curve_of(points: Points, column: Column) -> Curve:
     ((0.0, 50.0), (0.2, 70.0))
     """
     place = _PLACES[column]
-    return bends_of(tuple((one[0], one[place]) for one in points))
+    return bends_of(tuple((point[0], point[place]) for point in points))
 
 
 def bends_of(curve: Curve) -> Curve:
@@ -182,14 +182,14 @@ def with_curve(points: Points, column: Column, curve: Curve) -> Points:
     other: Column = "amplitude" if column == "frequency" else "frequency"
     kept = curve_of(points, other)
     end_s = curve[-1][0]
-    times = sorted({one[0] for one in (*curve, *kept) if one[0] <= end_s})
-    found = []
+    times = sorted({point[0] for point in (*curve, *kept) if point[0] <= end_s})
+    points_with_curve = []
     for time_s in times:
         own, beside = _around(curve, time_s), _around(kept, time_s)
         both = zip(own, beside, strict=True)
         values = [(a, b) if column == "frequency" else (b, a) for a, b in both]
-        found += [(time_s, *one) for one in dict.fromkeys(values)]
-    return tuple(found)
+        points_with_curve += [(time_s, *values_there) for values_there in dict.fromkeys(values)]
+    return tuple(points_with_curve)
 
 
 def _around(curve: Curve, time_s: float) -> tuple[float, float]:
@@ -298,11 +298,11 @@ def sum_of_harmonics(coefficients: Complexes, turns: Floats) -> Floats:
         nearest = np.rint(steps)
         steps -= nearest
         terms = table[nearest.astype(np.int64) & (n_points - 1)]
-        found = terms[:, -1].copy()
+        part_sums = terms[:, -1].copy()
         for power in range(_TERMS - 2, -1, -1):
-            found *= steps
-            found += terms[:, power]
-        sums[part] = found
+            part_sums *= steps
+            part_sums += terms[:, power]
+        sums[part] = part_sums
     return sums
 
 
@@ -360,9 +360,9 @@ def linear_sweep_turns(
 
         start, step = _blocks(starts(), n)
     within = np.arange(_SWEEP_BLOCK)
-    found = np.multiply.outer(step, within)
-    found += bend * within**2
-    return _less_whole_turns(found, start, n)
+    phases = np.multiply.outer(step, within)
+    phases += bend * within**2
+    return _less_whole_turns(phases, start, n)
 
 
 def logarithmic_sweep_turns(
@@ -398,8 +398,8 @@ def logarithmic_sweep_turns(
 
 def _blocks(starts: Iterator[tuple[float, float]], n: int) -> tuple[Floats, Floats]:
     """Phase at the start of each block in turns, and frequency there in turns per sample."""
-    found = np.array(list(islice(starts, ceil(n / _SWEEP_BLOCK)))).reshape(-1, 2)
-    return found[:, 0], found[:, 1]
+    pairs = np.array(list(islice(starts, ceil(n / _SWEEP_BLOCK)))).reshape(-1, 2)
+    return pairs[:, 0], pairs[:, 1]
 
 
 def _less_whole_turns(within: Floats, start: Floats, n: int) -> Floats:

@@ -44,8 +44,8 @@ class SlopedPoint(tuple[float, float, Segment]):
 
     def __ne__(self, other: object) -> bool:
         # Without this one the tuple's own would be asked.
-        found = self.__eq__(other)
-        return found if found is NotImplemented else not found
+        equal = self.__eq__(other)
+        return equal if equal is NotImplemented else not equal
 
     def __hash__(self) -> int:
         return hash((*self, self.slope))

@@ -42,17 +42,17 @@ _REFERENCE = "$samples"
 
 def without_samples(tree: Tree) -> tuple[Tree, dict[str, Samples]]:
     """Return the tree with names in place of samples, and the samples by name."""
-    found: dict[str, Samples] = {}
+    samples: dict[str, Samples] = {}
 
     def walked(part: Tree) -> Tree:
         if isinstance(part, Samples):
-            found[part.digest] = part
+            samples[part.digest] = part
             return {_REFERENCE: part.digest}
         if isinstance(part, dict):
-            return {name: walked(one) for name, one in part.items()}
-        return [walked(one) for one in part] if isinstance(part, list) else part
+            return {name: walked(value) for name, value in part.items()}
+        return [walked(value) for value in part] if isinstance(part, list) else part
 
-    return walked(tree), found
+    return walked(tree), samples
 
 
 def put_back(tree: Tree, samples: dict[str, Samples]) -> Tree:
@@ -70,8 +70,8 @@ def put_back(tree: Tree, samples: dict[str, Samples]) -> Tree:
             if _REFERENCE in part:
                 named.add(_name(part, samples))
                 return samples[part[_REFERENCE]]
-            return {name: walked(one) for name, one in part.items()}
-        return [walked(one) for one in part] if isinstance(part, list) else part
+            return {name: walked(value) for name, value in part.items()}
+        return [walked(value) for value in part] if isinstance(part, list) else part
 
     try:
         whole = walked(tree)
@@ -114,7 +114,7 @@ def to_text(tree: Tree, format: str) -> str:
     content, samples = without_samples(tree)
     body = {
         "content": content,
-        "samples": {digest: _as_tree(one) for digest, one in samples.items()},
+        "samples": {digest: _as_tree(signal) for digest, signal in samples.items()},
     }
     text = dumped({"format": format, "version": TEXT_VERSION, "sha256": _checksum(body), **body})
     if len(text) > MAX_TEXT_BYTES:
@@ -133,12 +133,12 @@ def from_text(text: str, format: str) -> Tree:
     FileFormatError
         The text is something else, is damaged, or was written in another version.
     """
-    found = loaded(text.encode(errors="replace"))
-    if not isinstance(found, dict) or found.get("format") != format:
+    fields = loaded(text.encode(errors="replace"))
+    if not isinstance(fields, dict) or fields.get("format") != format:
         raise FileFormatError(f"the text does not hold {format}, but {quoted(text)}")
-    check_version(found.get("version"), TEXT_VERSION)
-    body = {name: found.get(name) for name in ("content", "samples")}
-    if not _is_whole(found.get("sha256"), body) or not isinstance(body["samples"], dict):
+    check_version(fields.get("version"), TEXT_VERSION)
+    body = {name: fields.get(name) for name in ("content", "samples")}
+    if not _is_whole(fields.get("sha256"), body) or not isinstance(body["samples"], dict):
         raise FileFormatError(f"the text was changed on its way. {_COPY_AGAIN}")
     samples = {digest: _samples(digest, tree) for digest, tree in body["samples"].items()}
     return put_back(body["content"], samples)
@@ -164,12 +164,12 @@ def _as_tree(samples: Samples) -> Tree:
 def _samples(digest: str, tree: Tree) -> Samples:
     try:
         values = np.frombuffer(base64.b64decode(tree["values"], validate=True), "<f8")
-        found = Samples(values=values, sample_rate_hz=tree["sample_rate_hz"], unit=tree["unit"])
+        samples = Samples(values=values, sample_rate_hz=tree["sample_rate_hz"], unit=tree["unit"])
     except (TypeError, KeyError, ValueError, binascii.Error) as error:
         raise FileFormatError(f"the samples in the text are damaged. {_COPY_AGAIN}") from error
-    if found.digest != digest:
+    if samples.digest != digest:
         raise FileFormatError(f"the samples in the text are damaged. {_COPY_AGAIN}")
-    return found
+    return samples
 
 
 # A tree as text that people read and write too: no checksum, checked all the more strictly.
@@ -201,17 +201,17 @@ def from_plain_text(text: bytes, format: str, version: int) -> Tree:
         The text is something else, or was written in another version.
     """
     try:
-        found = loaded(text)
+        fields = loaded(text)
     except FileFormatError as error:
         raise FileFormatError(
             f"not the text of a {format} ({error}). Correct it, or go back to an earlier copy."
         ) from error
-    if not isinstance(found, dict) or found.get("format") != format:
-        said = found.get("format") if isinstance(found, dict) else found
+    if not isinstance(fields, dict) or fields.get("format") != format:
+        said = fields.get("format") if isinstance(fields, dict) else fields
         raise FileFormatError(f"its format is {quoted(said)}, expected {quoted(format)}")
-    if set(found) != {"format", "version", "content"}:
+    if set(fields) != {"format", "version", "content"}:
         raise FileFormatError(
-            f"it holds {quoted(sorted(found))}, expected format, version and content"
+            f"it holds {quoted(sorted(fields))}, expected format, version and content"
         )
-    check_version(found["version"], version)
-    return found["content"]
+    check_version(fields["version"], version)
+    return fields["content"]

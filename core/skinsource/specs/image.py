@@ -59,11 +59,15 @@ def to_image(tree: Tree, version: int) -> bytes:
     """
     content, samples = without_samples(tree)
     about = {
-        digest: {"count": one.values.size, "sample_rate_hz": one.sample_rate_hz, "unit": one.unit}
-        for digest, one in samples.items()
+        digest: {
+            "count": signal.values.size,
+            "sample_rate_hz": signal.sample_rate_hz,
+            "unit": signal.unit,
+        }
+        for digest, signal in samples.items()
     }
     text = dumped({"content": content, "samples": about})
-    size = len(text) + sum(one.values.nbytes for one in samples.values())
+    size = len(text) + sum(signal.values.nbytes for signal in samples.values())
     if len(text) > MAX_TEXT_BYTES or size + _allowance(len(samples)) > MAX_IMAGE_BYTES:
         raise InvalidInputError(
             f"the design is too large for a file: {len(text)} bytes, expected at most "
@@ -77,8 +81,8 @@ def to_image(tree: Tree, version: int) -> bytes:
         file.attrs["version"] = version
         _write(file, "content", np.frombuffer(text, np.uint8))
         group = file.create_group("samples")
-        for digest, one in samples.items():
-            _write(group, digest, one.values.astype("<f8", copy=False))
+        for digest, signal in samples.items():
+            _write(group, digest, signal.values.astype("<f8", copy=False))
     image = memory.getvalue()[HEADER_BYTES:]
     return _header(image, version) + image
 
@@ -127,18 +131,18 @@ def _write(group: "h5py.Group", name: str, values: NDArray[Any]) -> None:
 
 
 def _tree(file: "h5py.File", size: int) -> Tree:
-    found = loaded(_array(file, "content", np.dtype(np.uint8), size).tobytes())
-    if not isinstance(found, dict) or set(found) != {"content", "samples"}:
-        raise FileFormatError(f"the content is {quoted(found)}. {_DAMAGED}")
-    about = found["samples"]
+    stored_tree = loaded(_array(file, "content", np.dtype(np.uint8), size).tobytes())
+    if not isinstance(stored_tree, dict) or set(stored_tree) != {"content", "samples"}:
+        raise FileFormatError(f"the content is {quoted(stored_tree)}. {_DAMAGED}")
+    about = stored_tree["samples"]
     group = _member(file, "samples", files.Group)
     if not isinstance(about, dict) or set(about) != set(group) or len(file) != 2:
         raise FileFormatError(f"the samples are not those that the content names. {_DAMAGED}")
     samples = {digest: _samples(group, digest, words, size) for digest, words in about.items()}
-    stored = sum(one.values.nbytes for one in samples.values())
+    stored = sum(signal.values.nbytes for signal in samples.values())
     if size > MAX_TEXT_BYTES + stored + _allowance(len(samples)):
         raise FileFormatError(f"{size} bytes, of which {stored} are samples. {_DAMAGED}")
-    return put_back(found["content"], samples)
+    return put_back(stored_tree["content"], samples)
 
 
 def _allowance(count: int) -> int:
@@ -147,10 +151,10 @@ def _allowance(count: int) -> int:
 
 def _samples(group: "h5py.Group", digest: str, words: Any, size: int) -> Samples:
     values = _array(group, digest, np.dtype("<f8"), size)
-    found = Samples(values=values, sample_rate_hz=words["sample_rate_hz"], unit=words["unit"])
-    if found.digest != digest or words["count"] != values.size or len(words) != 3:
+    stored = Samples(values=values, sample_rate_hz=words["sample_rate_hz"], unit=words["unit"])
+    if stored.digest != digest or words["count"] != values.size or len(words) != 3:
         raise FileFormatError(f"samples {quoted(digest)} are not what was saved. {_DAMAGED}")
-    return found
+    return stored
 
 
 def _array(group: "h5py.Group", name: str, dtype: np.dtype[Any], size: int) -> NDArray[Any]:

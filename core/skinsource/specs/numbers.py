@@ -137,7 +137,7 @@ class RangeSpec(Spec):
         if not isinstance(value, tuple) or len(value) != 2:
             raise ValidationError(expected)
         try:
-            low, high = (end.checked(one) for one in value)
+            low, high = (end.checked(number) for number in value)
         except ValidationError:
             raise ValidationError(expected) from None
         if not low < high:
@@ -216,18 +216,19 @@ class PointsSpec(Spec):
 
     def checked(self, value: Any) -> tuple[tuple[float, ...], ...]:
         """Return a tuple of points of plain numbers."""
-        names = ", ".join(f"{one.label.lower()} {one.expected}" for one in self.columns)
+        names = ", ".join(f"{column.label.lower()} {column.expected}" for column in self.columns)
         expected = f"{self.fewest} to {self.most} points ({names}), the first never falling"
         if not isinstance(value, tuple) or not self.fewest <= len(value) <= self.most:
             raise ValidationError(expected)
-        if not all(isinstance(one, tuple) and len(one) == len(self.columns) for one in value):
+        if not all(isinstance(point, tuple) and len(point) == len(self.columns) for point in value):
             raise ValidationError(expected)
         try:
             points = tuple(
                 tuple(
-                    column.checked(number) for column, number in zip(self.columns, one, strict=True)
+                    column.checked(number)
+                    for column, number in zip(self.columns, point, strict=True)
                 )
-                for one in value
+                for point in value
             )
         except ValidationError:
             raise ValidationError(expected) from None
@@ -237,7 +238,7 @@ class PointsSpec(Spec):
 
     def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "PointsSpec":
         """What is allowed on a limb of this rate, column by column."""
-        columns = tuple(one.at_rate(sample_rate_hz, band_hz) for one in self.columns)
+        columns = tuple(column.at_rate(sample_rate_hz, band_hz) for column in self.columns)
         return replace(self, columns=columns)
 
     def encoded(self, value: tuple[tuple[float, ...], ...]) -> Tree:
@@ -385,7 +386,7 @@ class ModelSpec(Spec):
         """Return the fields by name, and the kind."""
         kind = type(value)
         if kind not in self.kinds():
-            names = ", ".join(one.__name__ for one in self.kinds())
+            names = ", ".join(kind.__name__ for kind in self.kinds())
             raise InvalidInputError(
                 f"a {kind.__name__} cannot be written, nothing could read it: choose {names}."
             )

@@ -90,27 +90,27 @@ class Samples:
         if rate_hz == self.sample_rate_hz:
             return band_limited_delay(self.values, shift) if shift else self.values.copy()
         ratio = Fraction(rate_hz) / Fraction(self.sample_rate_hz)
-        found = by_ratio(self.values, ratio, min(rate_hz, self.sample_rate_hz))
-        return band_limited_delay(found[: sample_count(self.duration_s, rate_hz)], shift)
+        resampled = by_ratio(self.values, ratio, min(rate_hz, self.sample_rate_hz))
+        return band_limited_delay(resampled[: sample_count(self.duration_s, rate_hz)], shift)
 
     def _digest(self) -> str:
         words = f"{self.sample_rate_hz.hex()} {self.unit}\n"
-        found = hashlib.sha256(words.encode("utf-8", "surrogatepass"))
-        found.update(self.values.astype("<f8", copy=False).data)
-        return found.hexdigest()
+        digest = hashlib.sha256(words.encode("utf-8", "surrogatepass"))
+        digest.update(self.values.astype("<f8", copy=False).data)
+        return digest.hexdigest()
 
 
 def _read_only(values: ArrayLike) -> NDArray[np.float64]:
-    found = np.asarray(values)
+    array = np.asarray(values)
     masked = isinstance(values, np.ma.MaskedArray)
-    if masked or found.dtype.kind not in "iuf" or found.ndim != 1:
+    if masked or array.dtype.kind not in "iuf" or array.ndim != 1:
         raise InvalidInputError(
-            f"values are {'masked ' if masked else ''}{found.dtype} of shape {found.shape}, "
+            f"values are {'masked ' if masked else ''}{array.dtype} of shape {array.shape}, "
             "expected real numbers, (n_times,)"
         )
-    if not 1 <= found.size <= MAX_SAMPLES:
-        raise InvalidInputError(f"{found.size} samples, expected 1 to {MAX_SAMPLES}")
-    own = np.array(found, np.float64)
+    if not 1 <= array.size <= MAX_SAMPLES:
+        raise InvalidInputError(f"{array.size} samples, expected 1 to {MAX_SAMPLES}")
+    own = np.array(array, np.float64)
     if not np.isfinite(own).all():
         raise InvalidInputError("samples that are not finite numbers cannot be played")
     own.flags.writeable = False

@@ -154,7 +154,9 @@ def _parts(value: Any, depth: int) -> int:
 
 def _can_be_written(text: str) -> bool:
     # Half of a pair of surrogates is no text that a file can hold.
-    return len(text) <= _MAX_CHARACTERS and not any("\ud800" <= one <= "\udfff" for one in text)
+    return len(text) <= _MAX_CHARACTERS and not any(
+        "\ud800" <= character <= "\udfff" for character in text
+    )
 
 
 # Choices, yes or no, texts, and bytes.

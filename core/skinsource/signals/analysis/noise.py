@@ -149,5 +149,5 @@ def _played_until(played: Floats, instants: Indices) -> Floats:
     energy = np.cumsum(np.square(played))
     summed = np.concatenate([[0.0], np.cumsum(energy)])
     after = np.maximum(instants - played.size, 0) * energy[-1]
-    found: Floats = summed[np.clip(instants, 0, played.size)] + after
-    return found
+    total: Floats = summed[np.clip(instants, 0, played.size)] + after
+    return total

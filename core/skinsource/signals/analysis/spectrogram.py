@@ -95,9 +95,9 @@ def spectrogram(
     for first in range(0, last, pooled * _AT_ONCE):
         stop_if(stop)
         end = min(first + pooled * _AT_ONCE, last)
-        found = np.abs(transform.stft(data, p0=first, p1=end))
+        magnitude = np.abs(transform.stft(data, p0=first, p1=end))
         column = first // pooled
-        held = np.maximum.reduceat(found, np.arange(0, end - first, pooled), axis=1)
+        held = np.maximum.reduceat(magnitude, np.arange(0, end - first, pooled), axis=1)
         amplitude[:, column : column + held.shape[1]] = held
     middles = np.arange(last) * (transform.hop / rate)
     time_s = np.array([middles[k : k + pooled].mean() for k in range(0, last, pooled)])

@@ -42,8 +42,8 @@ def crest_factor(peak: ArrayLike, rms: ArrayLike) -> Floats:
     """Return peak over RMS, same shape; NaN where the RMS is 0."""
     peaks, levels = finite_array("peak", peak), finite_array("rms", rms)
     whole = np.full(np.broadcast_shapes(peaks.shape, levels.shape), np.nan)
-    found: Floats = np.divide(peaks, levels, out=whole, where=levels > 0.0)
-    return found
+    crest: Floats = np.divide(peaks, levels, out=whole, where=levels > 0.0)
+    return crest
 
 
 def dominant_frequency(power: ArrayLike, step_hz: float) -> Floats:
@@ -77,13 +77,13 @@ def dominant_frequency(power: ArrayLike, step_hz: float) -> Floats:
         )
     rows = data.reshape(-1, data.shape[-1])
     at = 1 + np.argmax(rows[:, 1:], axis=-1)
-    found = np.where(rows[:, 1:].max(axis=-1, initial=0.0) > 0.0, at.astype(np.float64), np.nan)
+    bins = np.where(rows[:, 1:].max(axis=-1, initial=0.0) > 0.0, at.astype(np.float64), np.nan)
     for row, k in enumerate(at):
         beside = rows[row, k - 1 : k + 2]
         # A bin at 0 Hz is no neighbour, it holds what does not swing.
         if k > 1 and beside.size == 3 and beside.min() > 0.0:
-            found[row] += vertex(np.log(beside))
-    return (found * step).reshape(data.shape[:-1])
+            bins[row] += vertex(np.log(beside))
+    return (bins * step).reshape(data.shape[:-1])
 
 
 def onset_time(signals: ArrayLike, time_s: ArrayLike, share: float = BEGUN_SHARE) -> Floats:
@@ -110,19 +110,19 @@ def onset_time(signals: ArrayLike, time_s: ArrayLike, share: float = BEGUN_SHARE
             f"time_s has shape {instants.shape}, signals {data.shape}, expected (n_times,) and "
             "(..., n_times)"
         )
-    found = np.full(data.shape[:-1], np.nan)
+    onset_s = np.full(data.shape[:-1], np.nan)
     for place in np.ndindex(data.shape[:-1]):
         # Long signals one by one: each is as long as the response.
         size = np.abs(data[place])
         least = share * size.max()
         if least > 0.0:
             k = int(np.argmax(size >= least))
-            found[place] = instants[k]
+            onset_s[place] = instants[k]
             if k:
                 before, here = size[k - 1], size[k]
                 back = (here - least) / (here - before)
-                found[place] -= back * (instants[k] - instants[k - 1])
-    return found
+                onset_s[place] -= back * (instants[k] - instants[k - 1])
+    return onset_s
 
 
 # RMS in bands of 2 Hz, in which outputs are held against inputs.

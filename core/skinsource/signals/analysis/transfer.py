@@ -101,7 +101,7 @@ def transfer_function(
         noise=np.sqrt(floor),
         coherence=coherence,
         usable_hz=np.array(
-            [_widest(frequency_hz, one, band_hz or (0.0, rate / 2.0)) for one in coherence]
+            [_widest(frequency_hz, output, band_hz or (0.0, rate / 2.0)) for output in coherence]
         ).reshape(-1, 2),
         band_hz=band_hz,
     )

@@ -21,7 +21,7 @@ def vertex(beside: Floats) -> float:
     beside : (3,)
         The middle one is not below the others; where all are alike there is no top, and it is 0.
     """
-    left, middle, right = (float(one) for one in beside)
+    left, middle, right = (float(value) for value in beside)
     bend = left - 2.0 * middle + right
     return 0.0 if bend >= 0.0 else float(np.clip(0.5 * (left - right) / bend, -0.5, 0.5))
 

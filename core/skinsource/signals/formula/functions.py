@@ -61,8 +61,8 @@ def _modulo(grid: Grid, values: tuple[Value, ...]) -> Value:
         return Value(np.mod(value.at, divisor.at))
     share = value.cycles(period, grid)
     # What is below a whole number by less than a rounding is that number.
-    found = np.where(share < -1e-15, share + 1.0, np.maximum(share, 0.0))
-    return Value(found * divisor.at)
+    rest = np.where(share < -1e-15, share + 1.0, np.maximum(share, 0.0))
+    return Value(rest * divisor.at)
 
 
 def _hann(grid: Grid, _: tuple[Value, ...]) -> Value:

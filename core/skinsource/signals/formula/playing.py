@@ -26,7 +26,7 @@ def played(
     FormulaError
         A result is no finite number; says when, and which part of the formula it was.
     """
-    found = np.zeros(count)
+    samples = np.zeros(count)
     for first in range(0, count, _CHUNK):
         grid = Grid(
             first=first,
@@ -39,8 +39,8 @@ def played(
         part = np.where(plays, _result(program, grid), 0.0)
         if not np.isfinite(part).all():
             raise _not_finite(program, grid, int(np.argmin(np.isfinite(part))))
-        found[first : first + grid.count] = part
-    return found
+        samples[first : first + grid.count] = part
+    return samples
 
 
 def _result(program: Program, grid: Grid) -> Floats:

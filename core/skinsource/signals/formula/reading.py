@@ -18,14 +18,14 @@ _BEFORE, _AFTER = 24, 16
 _COLUMN = re.compile(r'", column ([0-9]{1,6}): ')
 
 
-def mistake(text: str, column: int, found: str, expected: str) -> FormulaError:
+def mistake(text: str, column: int, actual: str, expected: str) -> FormulaError:
     """Return the error for a place in a text: the text around it, what is there, what should be.
 
     >>> print(mistake("2t", 2, "t", "an operator"))
     formula "2t", column 2: found t, expected an operator
     """
     where = f'formula "{around(text, column)}", column {column}'
-    return FormulaError(f"{where}: found {printable(found)}, expected {expected}", column)
+    return FormulaError(f"{where}: found {printable(actual)}, expected {expected}", column)
 
 
 def around(text: str, column: int) -> str:
@@ -44,8 +44,8 @@ def column_of(message: str) -> int | None:
     >>> column_of('formula "2t", column 2: found t, expected an operator')
     2
     """
-    found = _COLUMN.search(message)
-    return int(found.group(1)) if found else None
+    match = _COLUMN.search(message)
+    return int(match.group(1)) if match else None
 
 
 # A formula that was read: its tree in postfix order.
@@ -142,28 +142,28 @@ def tokens(text: str) -> Iterator[Token]:
         if text[place].isspace():
             place += 1
             continue
-        found = _WORD.match(text, place)
-        if found is None:
+        match = _WORD.match(text, place)
+        if match is None:
             raise mistake(
                 text, place + 1, text[place], "a number, a name, an operator or a bracket"
             )
-        word = found.group()
+        word = match.group()
         if word in _INSTEAD:
             raise mistake(text, place + 1, word, _INSTEAD[word])
         word_as_typed = _SAME.get(word, word)
-        yield Token(_kind(found), word_as_typed, place + 1)
-        place = found.end()
+        yield Token(_kind(match), word_as_typed, place + 1)
+        place = match.end()
     yield Token("end", "", len(text) + 1)
 
 
-def _kind(found: re.Match[str]) -> Kind:
-    if found.group("number") is not None:
+def _kind(match: re.Match[str]) -> Kind:
+    if match.group("number") is not None:
         return "number"
-    if found.group("name") is not None:
+    if match.group("name") is not None:
         return "name"
-    if found.group("operator") is not None:
+    if match.group("operator") is not None:
         return "operator"
-    mark = found.group("mark")
+    mark = match.group("mark")
     return "(" if mark == "(" else ")" if mark == ")" else ","
 
 
@@ -320,8 +320,8 @@ class _Reader:
     def _wrong_count(self, opened: _Waiting, call: Function, count: str) -> FormulaError:
         few, most = call.fewest, call.most
         many = str(few) if few == most else f"{few} to {most}"
-        found = f"{opened.name} of {count} value{'' if count == '1' else 's'}"
-        return mistake(self.text, opened.column, found, f"{many}, as in {call.usage}")
+        actual = f"{opened.name} of {count} value{'' if count == '1' else 's'}"
+        return mistake(self.text, opened.column, actual, f"{many}, as in {call.usage}")
 
     def _check_seed(self, opened: _Waiting) -> None:
         given = self.steps[opened.begun :]
@@ -329,9 +329,9 @@ class _Reader:
         whole = len(given) == 1 and given[0].kind == "number" and number == int(number)
         if not whole or number > LARGEST_SEED:
             column = given[0].column
-            found = given[0].name if len(given) == 1 else "a computed seed"
+            actual = given[0].name if len(given) == 1 else "a computed seed"
             expected = f"a whole number from 0 to {LARGEST_SEED}, as in noise(1)"
-            raise mistake(self.text, column, found, expected)
+            raise mistake(self.text, column, actual, expected)
 
     def _finish(self, binding: int, token: Token) -> None:
         """Emit the operators that bind what stands before ``token`` more strongly than it does."""
@@ -349,9 +349,9 @@ class _Reader:
 
     def _wait(self, waiting: _Waiting) -> None:
         if len(self._stack) >= MAX_DEPTH:
-            found = "-" if waiting.name == "negative" else waiting.name
+            actual = "-" if waiting.name == "negative" else waiting.name
             expected = f"at most {MAX_DEPTH} brackets and operators within each other"
-            raise mistake(self.text, waiting.column, found, expected)
+            raise mistake(self.text, waiting.column, actual, expected)
         self._stack.append(waiting)
 
     def _emit(self, step: Step) -> None:

@@ -38,27 +38,27 @@ class Polynomial:
         """The sum; None where it became too long to be worth it."""
         length = max(len(self.c), len(other.c))
         ours, theirs = self._of(length), other._of(length)
-        return _bounded([one + two for one, two in zip(ours, theirs, strict=True)])
+        return _bounded([ours_k + two for ours_k, two in zip(ours, theirs, strict=True)])
 
     def times(self, other: "Polynomial") -> "Polynomial | None":
         """The product; None where it became too long, or of a degree above two."""
         if len(self.c) + len(other.c) - 2 > _MAX_DEGREE:
             return None
-        found = [Fraction(0)] * (len(self.c) + len(other.c) - 1)
-        for k, one in enumerate(self.c):
+        product = [Fraction(0)] * (len(self.c) + len(other.c) - 1)
+        for k, left in enumerate(self.c):
             for m, two in enumerate(other.c):
-                found[k + m] += one * two
-        return _bounded(found)
+                product[k + m] += left * two
+        return _bounded(product)
 
     def _of(self, length: int) -> tuple[Fraction, ...]:
         return self.c + (Fraction(0),) * (length - len(self.c))
 
 
-def _bounded(found: list[Fraction]) -> Polynomial | None:
-    while len(found) > 1 and not found[-1]:
-        found.pop()
-    bits = max(max(one.numerator.bit_length(), one.denominator.bit_length()) for one in found)
-    return Polynomial(tuple(found)) if bits <= _MAX_BITS else None
+def _bounded(coefficients: list[Fraction]) -> Polynomial | None:
+    while len(coefficients) > 1 and not coefficients[-1]:
+        coefficients.pop()
+    bits = max(max(c.numerator.bit_length(), c.denominator.bit_length()) for c in coefficients)
+    return Polynomial(tuple(coefficients)) if bits <= _MAX_BITS else None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -96,10 +96,10 @@ def cycles(phase: Polynomial, period: Fraction, grid: Grid) -> Floats:
     below 1e-14 for a straight phase and 1e-12 for a quadratic one, however late it is.
     """
     per_sample, shift = 1 / Fraction(grid.rate_hz), Fraction(grid.shift_s)
-    one, linear, square = (c / period for c in phase._of(_MAX_DEGREE + 1))
+    constant, linear, square = (c / period for c in phase._of(_MAX_DEGREE + 1))
     # With t = k per_sample - shift, in powers of k.
     in_k = (
-        one - linear * shift + square * shift**2,
+        constant - linear * shift + square * shift**2,
         (linear - 2 * square * shift) * per_sample,
         square * per_sample**2,
     )
@@ -109,10 +109,10 @@ def cycles(phase: Polynomial, period: Fraction, grid: Grid) -> Floats:
     starts = np.array([_reduced((a * k + b) * k + c, below) for k in middles], np.float64)
     slopes = np.array([_reduced(2 * a * k + b, below) for k in middles], np.float64)
     m = np.arange(_BLOCK) - _BLOCK // 2
-    found = starts[:, None] + slopes[:, None] * m
+    phases = starts[:, None] + slopes[:, None] * m
     if a:
-        found += _reduced(a, below) * (m * m)
-    flat = found.ravel()[: grid.count]
+        phases += _reduced(a, below) * (m * m)
+    flat = phases.ravel()[: grid.count]
     return flat - np.rint(flat)
 
 
@@ -177,10 +177,10 @@ class Value:
 
     def __mul__(self, other: "Value") -> "Value":
         at = self.at * other.at
-        for one, two in ((self, other), (other, self)):
-            factor = one._factor
+        for left, two in ((self, other), (other, self)):
+            factor = left._factor
             if factor is not None:
-                return two._scaled(factor, one.at, at)
+                return two._scaled(factor, left.at, at)
         if self.exact is None or other.exact is None:
             return Value(at)
         if self.rest is not None or other.rest is not None:
@@ -230,10 +230,10 @@ class Value:
         return Value(at, exact, None if self.rest is None else self.rest * in_floats)
 
 
-def _summed(one: Floats | None, two: Floats | None) -> Floats | None:
-    if one is None or two is None:
-        return one if two is None else two
-    return one + two
+def _summed(left: Floats | None, two: Floats | None) -> Floats | None:
+    if left is None or two is None:
+        return left if two is None else two
+    return left + two
 
 
 def _exact_parts(value: Value) -> tuple[Polynomial | None, Floats | None]:
@@ -264,9 +264,9 @@ def band_noise(seed: int, grid: Grid) -> Floats:
     are left out.
     """
     instants = grid.instants
-    found = np.zeros(grid.count)
+    noise = np.zeros(grid.count)
     if not grid.count:
-        return found
+        return noise
     first, last = int(np.floor(instants[0])) - 1, int(np.floor(instants[-1]))
     highest = min(_HIGHEST, int(np.ceil(_BLOCK_S * grid.rate_hz / 2)) - 1)
     for block in range(first, last + 1):
@@ -277,8 +277,8 @@ def band_noise(seed: int, grid: Grid) -> Floats:
         part = since[begin:end]
         fade = np.sin(np.pi / 2 * np.sin(np.pi / _BLOCK_S * part) ** 2)
         tones = _tones(seed, block)[: highest - _LOWEST + 1]
-        found[begin:end] += fade * _sum_of_tones(tones, part, grid.rate_hz)
-    return found
+        noise[begin:end] += fade * _sum_of_tones(tones, part, grid.rate_hz)
+    return noise
 
 
 def _tones(seed: int, block: int) -> Complexes:
