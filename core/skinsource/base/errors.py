@@ -1,6 +1,6 @@
-"""Everything that can go wrong and that a user can meet.
+"""All errors that a user can meet.
 
-Each message says where, what was found, what was expected, and what to do next.
+Each message says where it happened, what was found, what was expected, and what to do next.
 
 SkinSourceError
 ├── InvalidInputError      a value handed to the library is impossible (also a `ValueError`)
@@ -13,10 +13,10 @@ SkinSourceError
 ├── DatasetMissingError    a measured limb is asked for, and none is installed
 ├── StorageError           reading or writing failed: full disk, no permission, no such folder
 ├── DownloadError          the network, or the server, did not deliver
-├── PlaybackError          a device does not take what it is asked for, or is not there
-│   └── NothingToPlayOnError   … there is none at all, or what speaks to devices is not installed
-├── TooInaccurateError     what was to be written is more wrong than was asked for
-├── NotConfirmedError      what was to be written clips, passes a limit or loses much, unconfirmed
+├── PlaybackError          a device is missing or does not support what is played
+│   └── NothingToPlayOnError   … there is no device, or the package for devices is not installed
+├── TooInaccurateError     a result would be less accurate than requested; nothing is written
+├── NotConfirmedError      a result clips, passes a limit or loses much, and nobody confirmed it
 ├── MissingExtraError      an optional package is needed and not installed
 └── Stopped                the user stopped it
 """
@@ -77,19 +77,19 @@ class DownloadError(SkinSourceError):
 
 
 class PlaybackError(SkinSourceError):
-    """A device does not take what it is asked for, or is not there."""
+    """A device is missing, or does not support what is played."""
 
 
 class NothingToPlayOnError(PlaybackError):
-    """There is no device at all, or what speaks to devices is not installed."""
+    """There is no device, or the package for devices is not installed."""
 
 
 class TooInaccurateError(SkinSourceError):
-    """What was to be written is more wrong than was asked for; nothing was written."""
+    """A result would be less accurate than requested; nothing was written."""
 
 
 class NotConfirmedError(SkinSourceError):
-    """What was to be written clips, passes a limit or loses much, unconfirmed; nothing was."""
+    """A result clips, passes a limit or loses much, unconfirmed; nothing was written."""
 
 
 class MissingExtraError(SkinSourceError):
