@@ -1,4 +1,4 @@
-"""``skinsource check``: linearity, superposition, and agreement with recorded responses."""
+"""``skinsource check``: check linearity, superposition, and agreement with recordings."""
 
 import argparse
 import sys

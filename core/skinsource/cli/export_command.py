@@ -1,4 +1,4 @@
-"""``skinsource export``: the stimulus of a design file, for actuators."""
+"""``skinsource export``: write the stimulus of a design file for actuators."""
 
 import argparse
 import sys
@@ -12,7 +12,7 @@ from skinsource.export.formats.formats import FORMATS, export_formats
 from skinsource.export.stimulus_export.export import export_stimulus
 from skinsource.export.stimulus_export.options import StimulusOptions
 
-_NAMES_OF_TIMES = {
+_TIME_OPTIONS = {
     "--from": ("from_s", "begin of the part of the design that is exported"),
     "--to": ("to_s", "its end"),
     "--lead-in": ("lead_in_s", "silence before it"),
@@ -44,8 +44,8 @@ def add_to(subparsers: Any) -> None:
     parser.add_argument(
         "--rate", type=int, metavar="HZ", help="sample rate (default: that of the format)"
     )
-    for flag, (name, help_words) in _NAMES_OF_TIMES.items():
-        parser.add_argument(flag, dest=name, type=float, metavar="S", help=f"{help_words}, in s")
+    for flag, (name, description) in _TIME_OPTIONS.items():
+        parser.add_argument(flag, dest=name, type=float, metavar="S", help=f"{description}, in s")
     _add_options(parser)
     parser.set_defaults(run=_export)
 
@@ -108,7 +108,7 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def _choices() -> dict[str, tuple[list[str], list[str]]]:
-    """By name of a choice: the formats that offer it, and all that some of them offers."""
+    """Return, by name of a choice, the formats that offer it and its options in any of them."""
     choices: dict[str, tuple[list[str], list[str]]] = {}
     for file_format in FORMATS:
         for name, spec in file_format.choices.items():
@@ -119,7 +119,7 @@ def _choices() -> dict[str, tuple[list[str], list[str]]]:
 
 
 def _export(arguments: argparse.Namespace) -> int:
-    chosen = {name: getattr(arguments, f"choice_{name}") for name in _choices()}
+    choices = {name: getattr(arguments, f"choice_{name}") for name in _choices()}
     options = StimulusOptions(
         per=arguments.per,
         one_file_per_input=arguments.file_per_input,
@@ -134,10 +134,10 @@ def _export(arguments: argparse.Namespace) -> int:
         full_scale=arguments.full_scale,
         dither_seed=arguments.dither,
         accept_loss=arguments.accept_loss,
-        choices={name: value for name, value in chosen.items() if value is not None},
+        choices={name: value for name, value in choices.items() if value is not None},
     )
     rig = None if arguments.rig is None else open_rig(arguments.rig)
-    done = export_stimulus(
+    exported = export_stimulus(
         open_design(arguments.design).design,
         arguments.out,
         arguments.format,
@@ -147,11 +147,13 @@ def _export(arguments: argparse.Namespace) -> int:
         equaliser=_equaliser(arguments),
         confirmed=arguments.confirm,
     )
-    for objection in done.objections:
+    for objection in exported.objections:
         sys.stderr.write(f"skinsource: confirmed: {objection}\n")
-    for path in done.files:
+    for path in exported.files:
         sys.stdout.write(f"{path}\n")
-    for note in filter(None, (done.edges, done.loses, done.equalised, done.calibration)):
+    for note in filter(
+        None, (exported.edges, exported.loses, exported.equalised, exported.calibration)
+    ):
         sys.stdout.write(f"  {note[:1].upper()}{note[1:].rstrip('.')}.\n")
     return 0
 
@@ -159,6 +161,5 @@ def _export(arguments: argparse.Namespace) -> int:
 def _equaliser(arguments: argparse.Namespace) -> RegularisedInverse | None:
     if arguments.equalise is None:
         return None
-    if arguments.boost is None:
-        return RegularisedInverse(phase=arguments.equalise)
-    return RegularisedInverse(phase=arguments.equalise, boost_db=arguments.boost)
+    boost = {} if arguments.boost is None else {"boost_db": arguments.boost}
+    return RegularisedInverse(phase=arguments.equalise, **boost)

@@ -1,4 +1,4 @@
-"""``skinsource limb import | list | mirror | export | remove``: limbs of a lab's own."""
+"""``skinsource limb import | list | mirror | export | remove``: the user's own limbs."""
 
 import argparse
 import sys
@@ -137,7 +137,7 @@ def _import(arguments: argparse.Namespace) -> int:
     )
     with ProgressBar(sys.stderr) as bar:
         facts = import_limb(source, replace=arguments.replace, progress=bar)
-    sys.stdout.write(f"Imported {_words(facts.name)}\n")
+    sys.stdout.write(f"Imported {_limb_line(facts.name)}\n")
     return 0
 
 
@@ -146,13 +146,13 @@ def _list(_: argparse.Namespace) -> int:
     if not names:
         sys.stdout.write("No limb was imported. skinsource limb import FILE imports one.\n")
     for name in names:
-        sys.stdout.write(f"{_words(name)}\n")
+        sys.stdout.write(f"{_limb_line(name)}\n")
     return 0
 
 
 def _mirror(arguments: argparse.Namespace) -> int:
     mirror_limb(arguments.name, not arguments.off)
-    sys.stdout.write(f"{_words(arguments.name)}\n")
+    sys.stdout.write(f"{_limb_line(arguments.name)}\n")
     return 0
 
 
@@ -170,7 +170,7 @@ def _remove(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _words(name: str) -> str:
+def _limb_line(name: str) -> str:
     facts = facts_of(name)
     if not facts.known:
         return f"{name:12}  damaged: import it again"

@@ -1,4 +1,4 @@
-"""``skinsource rig measure | devices``: what a laboratory has on its table."""
+"""``skinsource rig measure | devices``: measure actuators, and list audio devices."""
 
 import argparse
 import sys
@@ -33,7 +33,7 @@ def add_to(subparsers: Any) -> None:
 
 
 def _add_measure(actions: Any) -> None:
-    usual, played = MeasuringSetup(), Output()
+    default, output = MeasuringSetup(), Output()
     parser = actions.add_parser(
         "measure", help="measure a channel with an accelerometer", description=_MEASURE
     )
@@ -53,34 +53,36 @@ def _add_measure(actions: Any) -> None:
         metavar="V",
         help="at the input where a recorded sample is 1",
     )
-    parser.add_argument("--input", type=int, default=usual.input_number, metavar="N", help="from 1")
+    parser.add_argument(
+        "--input", type=int, default=default.input_number, metavar="N", help="from 1"
+    )
     parser.add_argument(
         "--loopback",
         type=int,
-        default=usual.loopback_input,
+        default=default.loopback_input,
         metavar="N",
         help="input that is wired to the output, to tell the delay (default: none)",
     )
     parser.add_argument(
         "--level",
         type=float,
-        default=usual.level_db,
+        default=default.level_db,
         metavar="DB",
-        help=f"of full scale (default: {usual.level_db:g})",
+        help=f"of full scale (default: {default.level_db:g})",
     )
     parser.add_argument(
-        "--seconds", type=float, default=usual.sweep_s, metavar="S", help="per sweep"
+        "--seconds", type=float, default=default.sweep_s, metavar="S", help="per sweep"
     )
-    parser.add_argument("--repeats", type=int, default=usual.repeats, metavar="N")
+    parser.add_argument("--repeats", type=int, default=default.repeats, metavar="N")
     parser.add_argument(
         "--band",
         type=float,
         nargs=2,
-        default=usual.band_hz,
+        default=default.band_hz,
         metavar="HZ",
         help="lowest and highest frequency that are wanted (default: 20 1000)",
     )
-    parser.add_argument("--rate", type=int, default=played.sample_rate_hz, metavar="HZ")
+    parser.add_argument("--rate", type=int, default=output.sample_rate_hz, metavar="HZ")
     parser.add_argument(
         "--device", default="", metavar="NAME", help="where the rig names none (default: usual)"
     )

@@ -1,4 +1,4 @@
-"""``skinsource scenes``: the panels of the paper's figures as designs."""
+"""``skinsource scenes``: list the panels of the paper's figures, or write them as designs."""
 
 import argparse
 import sys
@@ -40,8 +40,7 @@ def _scenes(arguments: argparse.Namespace) -> int:
                 sys.stdout.write(f"      Not on {arguments.limb}: {reason}\n")
         return 0
     opened = open_scene(arguments.name, limb=arguments.limb)
-    known = opened.scene
-    sys.stdout.write(f"{known.heading}\n{known.notes}\n")
+    sys.stdout.write(f"{opened.scene.heading}\n{opened.scene.notes}\n")
     if opened.note:
         sys.stdout.write(f"{opened.note}\n")
     if arguments.out is not None:
