@@ -51,19 +51,12 @@ def add_to(subparsers: Any) -> None:
 
 
 def _add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "--inputs", type=int, nargs="+", metavar="N", help="only these inputs, by number"
-    )
-    parser.add_argument(
-        "--per", choices=("place", "input"), default="place", help="what has a channel of its own"
-    )
-    parser.add_argument(
-        "--file-per-input", action="store_true", help="a file of one channel for each input"
-    )
-    parser.add_argument(
-        "--sync", action="store_true", help="add a channel that marks time 0, or --from"
-    )
-    parser.add_argument(
+    add = parser.add_argument
+    add("--inputs", type=int, nargs="+", metavar="N", help="only these inputs, by number")
+    add("--per", choices=("place", "input"), default="place", help="what has a channel of its own")
+    add("--file-per-input", action="store_true", help="a file of one channel for each input")
+    add("--sync", action="store_true", help="add a channel that marks time 0, or --from")
+    add(
         "--map",
         dest="channel_map",
         type=int,
@@ -72,39 +65,33 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="for each output of the device the channel that it gets; 0: none",
     )
-    parser.add_argument(
+    add(
         "--full-scale",
         type=float,
         metavar="X",
         help="drive that is full scale, in its unit (default: the largest sample)",
     )
-    parser.add_argument(
-        "--dither", type=int, metavar="SEED", help="dither whole numbers, with this seed"
-    )
+    add("--dither", type=int, metavar="SEED", help="dither whole numbers, with this seed")
     for name, (formats, options) in _choices().items():
-        parser.add_argument(
+        add(
             f"--{name}",
             dest=f"choice_{name}",
             metavar="|".join(options),
             help=f"for {', '.join(formats)}",
         )
-    parser.add_argument(
+    add(
         "--accept-loss",
         action="store_true",
         help="write it even though a channel loses more than 1 dB of its energy to the rate",
     )
-    parser.add_argument("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
-    parser.add_argument(
+    add("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
+    add(
         "--equalise",
         choices=("linear", "minimum"),
         help="make volts of accelerations for the rig, with this phase",
     )
-    parser.add_argument(
-        "--boost", type=float, metavar="DB", help="most that --equalise boosts (default: 20)"
-    )
-    parser.add_argument(
-        "--confirm", action="store_true", help="write it even though samples clip or limits pass"
-    )
+    add("--boost", type=float, metavar="DB", help="most that --equalise boosts (default: 20)")
+    add("--confirm", action="store_true", help="write it even though samples clip or limits pass")
 
 
 def _choices() -> dict[str, tuple[list[str], list[str]]]:

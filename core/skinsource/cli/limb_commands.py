@@ -51,62 +51,53 @@ def add_to(subparsers: Any) -> None:
 
 def _add_import(actions: Any) -> None:
     parser = actions.add_parser("import", help="import impulse responses", description=_IMPORT)
-    parser.add_argument("file", type=Path, metavar="FILE", help="the responses, in m/s²")
-    parser.add_argument("--name", help=f"what designs call it: {NAME_RULE}")
-    parser.add_argument("--title", help="what the window calls it")
-    parser.add_argument("--note", help="what users should know of it")
-    parser.add_argument(
-        "--array", default="", metavar="NAME", help="which array (default: largest)"
-    )
-    parser.add_argument(
+    add = parser.add_argument
+    add("file", type=Path, metavar="FILE", help="the responses, in m/s²")
+    add("--name", help=f"what designs call it: {NAME_RULE}")
+    add("--title", help="what the window calls it")
+    add("--note", help="what users should know of it")
+    add("--array", default="", metavar="NAME", help="which array (default: largest)")
+    add(
         "--order",
         default="",
         metavar="LETTERS",
         help="what its dimensions are: i input, o output, a axis, t tap (default: ioat, or iot)",
     )
-    parser.add_argument("--axes", choices=AXES, help="along which each output measures; z: normal")
-    parser.add_argument("--rate", type=float, metavar="HZ", help="samples a second")
-    parser.add_argument("--delay", type=float, metavar="S", help="how late the responses are")
-    parser.add_argument(
+    add("--axes", choices=AXES, help="along which each output measures; z: normal")
+    add("--rate", type=float, metavar="HZ", help="samples a second")
+    add("--delay", type=float, metavar="S", help="how late the responses are")
+    add(
         "--band",
         type=float,
         nargs=2,
         metavar=("LOWEST", "HIGHEST"),
         help="in which the responses hold, Hz (default: not known)",
     )
-    parser.add_argument(
-        "--hand-length", type=float, metavar="MM", help="middle finger tip to wrist"
-    )
-    parser.add_argument(
+    add("--hand-length", type=float, metavar="MM", help="middle finger tip to wrist")
+    add(
         "--hand-length-units",
         type=float,
         metavar="N",
         help="the same in the unit of the coordinates (default: they are mm)",
     )
-    parser.add_argument("--outline", type=Path, metavar="FILE", help="SVG, or CSV of x, y")
-    parser.add_argument("--inputs", type=Path, metavar="CSV", help="places of inputs: x, y, name")
-    parser.add_argument("--outputs", type=Path, metavar="CSV", help="places of outputs: x, y, name")
-    parser.add_argument(
-        "--y-down", action="store_true", default=None, help="y points down in these files, too"
-    )
-    parser.add_argument("--left", action="store_true", default=None, help="it is a left hand")
-    parser.add_argument(
-        "--mirrored", action="store_true", default=None, help="show it as a right hand"
-    )
-    parser.add_argument(
+    add("--outline", type=Path, metavar="FILE", help="SVG, or CSV of x, y")
+    add("--inputs", type=Path, metavar="CSV", help="places of inputs: x, y, name")
+    add("--outputs", type=Path, metavar="CSV", help="places of outputs: x, y, name")
+    add("--y-down", action="store_true", default=None, help="y points down in these files, too")
+    add("--left", action="store_true", default=None, help="it is a left hand")
+    add("--mirrored", action="store_true", default=None, help="show it as a right hand")
+    add(
         "--pulse",
         action="store_true",
         help="responses to the pulse of the published limbs, not to one sample of the drive",
     )
-    parser.add_argument(
+    add(
         "--synthetic",
         action="store_true",
         default=None,
         help="the responses are computed, not measured",
     )
-    parser.add_argument(
-        "--replace", action="store_true", help="take the place of an own limb of the same name"
-    )
+    add("--replace", action="store_true", help="take the place of an own limb of the same name")
     parser.set_defaults(run=_import)
 
 

@@ -37,44 +37,41 @@ def _add_measure(actions: Any) -> None:
     parser = actions.add_parser(
         "measure", help="measure a channel with an accelerometer", description=_MEASURE
     )
-    parser.add_argument("rig", type=Path, metavar="RIG", help="a .skinrig file")
-    parser.add_argument("--place", type=int, required=True, metavar="N", help="of the channel")
-    parser.add_argument(
+    add = parser.add_argument
+    add("rig", type=Path, metavar="RIG", help="a .skinrig file")
+    add("--place", type=int, required=True, metavar="N", help="of the channel")
+    add(
         "--sensitivity",
         type=float,
         required=True,
         metavar="V",
         help="of the accelerometer, V per m/s² (100 mV per g is 0.0102)",
     )
-    parser.add_argument(
+    add(
         "--input-volts",
         type=float,
         required=True,
         metavar="V",
         help="at the input where a recorded sample is 1",
     )
-    parser.add_argument(
-        "--input", type=int, default=default.input_number, metavar="N", help="from 1"
-    )
-    parser.add_argument(
+    add("--input", type=int, default=default.input_number, metavar="N", help="from 1")
+    add(
         "--loopback",
         type=int,
         default=default.loopback_input,
         metavar="N",
         help="input that is wired to the output, to tell the delay (default: none)",
     )
-    parser.add_argument(
+    add(
         "--level",
         type=float,
         default=default.level_db,
         metavar="DB",
         help=f"of full scale (default: {default.level_db:g})",
     )
-    parser.add_argument(
-        "--seconds", type=float, default=default.sweep_s, metavar="S", help="per sweep"
-    )
-    parser.add_argument("--repeats", type=int, default=default.repeats, metavar="N")
-    parser.add_argument(
+    add("--seconds", type=float, default=default.sweep_s, metavar="S", help="per sweep")
+    add("--repeats", type=int, default=default.repeats, metavar="N")
+    add(
         "--band",
         type=float,
         nargs=2,
@@ -82,14 +79,10 @@ def _add_measure(actions: Any) -> None:
         metavar="HZ",
         help="lowest and highest frequency that are wanted (default: 20 1000)",
     )
-    parser.add_argument("--rate", type=int, default=output.sample_rate_hz, metavar="HZ")
-    parser.add_argument(
-        "--device", default="", metavar="NAME", help="where the rig names none (default: usual)"
-    )
-    parser.add_argument(
-        "--input-device", default="", metavar="NAME", help="default: the one that is played on"
-    )
-    parser.add_argument("--out", type=Path, metavar="FILE", help="rig to write (default: the same)")
+    add("--rate", type=int, default=output.sample_rate_hz, metavar="HZ")
+    add("--device", default="", metavar="NAME", help="where the rig names none (default: usual)")
+    add("--input-device", default="", metavar="NAME", help="default: the one that is played on")
+    add("--out", type=Path, metavar="FILE", help="rig to write (default: the same)")
     parser.set_defaults(run=_measure)
 
 

@@ -23,6 +23,7 @@ import scipy
 from numpy.lib import format as npy
 
 from skinsource.base import files
+from skinsource.base.errors import RecordingError
 from skinsource.base.quoting import printable, quoted
 from skinsource.readers import limits
 from skinsource.readers.reader import Block, Found, Series, reading_error, unknown_series_error
@@ -361,45 +362,42 @@ def _check_elements(path: Path) -> None:
         header = file.read(_HEADER_BYTES)
         order = {b"IM": "<", b"MI": ">"}.get(header[126:128])
         if len(header) < _HEADER_BYTES or order is None:
-            raise reading_error(
-                path, "it has no MATLAB header", "MATLAB v5, v7 or v7.3", _MATLAB_ADVICE
-            )
+            raise _matlab_error(path, "it has no MATLAB header", "MATLAB v5, v7 or v7.3")
         unpacked = 0
         for _ in range(_MOST_ELEMENTS):
             tag = file.read(8)
             if not tag:
                 return
             if len(tag) < 8:
-                raise reading_error(path, "it ends within a tag", "whole elements", _MATLAB_ADVICE)
+                raise _matlab_error(path, "it ends within a tag", "whole elements")
             kind, length = struct.unpack(f"{order}II", tag)
             after = file.tell() + length
             if kind not in (_MATRIX, _COMPRESSED) or after > size:
-                raise reading_error(
+                raise _matlab_error(
                     path,
                     f"an element of kind {kind} declares {length} bytes and {size - file.tell()} "
                     "are left",
                     "variables that lie within the file",
-                    _MATLAB_ADVICE,
                 )
             if kind == _COMPRESSED:
                 unpacked += _unpacked_bytes(path, file, length, order)
                 _check_size(path, unpacked, size)
             file.seek(after)
-    raise reading_error(path, f"it has over {_MOST_ELEMENTS} variables", "fewer", _MATLAB_ADVICE)
+    raise _matlab_error(path, f"it has over {_MOST_ELEMENTS} variables", "fewer")
 
 
 def _unpacked_bytes(path: Path, file: IO[bytes], length: int, order: str) -> int:
     beginning = zlib.decompressobj().decompress(file.read(min(length, 4096)), 8)
     if len(beginning) < 8:
-        raise reading_error(
-            path, "a variable cannot be unpacked", "whole variables", _MATLAB_ADVICE
-        )
+        raise _matlab_error(path, "a variable cannot be unpacked", "whole variables")
     kind, inner = struct.unpack(f"{order}II", beginning)
     if kind != _MATRIX:
-        raise reading_error(
-            path, f"a variable is of kind {kind}", f"kind {_MATRIX}", _MATLAB_ADVICE
-        )
+        raise _matlab_error(path, f"a variable is of kind {kind}", f"kind {_MATRIX}")
     return int(inner)
+
+
+def _matlab_error(path: Path, actual: str, expected: str) -> RecordingError:
+    return reading_error(path, actual, expected, _MATLAB_ADVICE)
 
 
 def _check_size(path: Path, unpacked: int, size: int) -> None:

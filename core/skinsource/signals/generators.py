@@ -93,15 +93,19 @@ def window_at(name: WindowName, position: NDArray[np.floating | np.integer], n: 
 
 
 def window_between(name: WindowName, n: int, shift: float) -> Floats:
-    """Return a window that starts ``shift`` of a sample late; 0 before it."""
+    """Return a window that starts ``shift`` of a sample late; it may be read-only."""
     if not shift:
-        return window(name, n)
+        return _cached_window(name, n) if n <= _SHORT else window(name, n)
     between = window_at(name, np.arange(n + 1) - shift, n)
     between[0] = 0.0
     return between
 
 
-_cached_window = lru_cache(maxsize=8)(window)
+@lru_cache(maxsize=8)
+def _cached_window(name: WindowName, n: int) -> Floats:
+    samples = window(name, n)
+    samples.flags.writeable = False
+    return samples
 
 
 def sinusoid(
@@ -137,12 +141,7 @@ def sinusoid(
     n = sample_count(duration_s, rate_hz)
     samples = np.sin(2.0 * np.pi * turns(frequency, n + (shift > 0.0), rate_hz, shift) + phase)
     if window_name != "none" or shift:
-        is_cached = not shift and n <= _SHORT
-        samples *= (
-            _cached_window(window_name, n)
-            if is_cached
-            else window_between(window_name, n, shift * rate_hz)
-        )
+        samples *= window_between(window_name, n, shift * rate_hz)
     return samples
 
 

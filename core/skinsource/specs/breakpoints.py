@@ -9,7 +9,7 @@ from typing import Any, Literal, Self, get_args
 
 from skinsource.base.json_text import Tree
 from skinsource.specs.numbers import NumberSpec
-from skinsource.specs.spec import Address, Spec, ValidationError
+from skinsource.specs.spec import Address, Spec, ValidationError, tuple_of_points
 
 #: Form of a segment: a line, a smooth curve without overshoot, or a constant.
 Segment = Literal["straight", "smooth", "held"]
@@ -118,9 +118,7 @@ class BreakpointsSpec(Spec):
     def decoded(self, tree: Tree, at: Address) -> Any:
         """Return a tuple of tuples; of too long a list, unread."""
         del at
-        if not isinstance(tree, list) or len(tree) > self.most:
-            return tree
-        return tuple(tuple(point) if isinstance(point, list) else point for point in tree)
+        return tuple_of_points(tree, self.most)
 
     def _is_normal(self, point: Any) -> bool:
         """Whether a point is valid and in the form of `checked`."""

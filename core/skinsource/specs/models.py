@@ -63,8 +63,9 @@ def check(model: Any) -> None:
 
 def encode(model: Any) -> Tree:
     """Return a model as a tree: its kind, and its fields by name."""
-    tree = {KIND: type(model).__name__}
-    for name, spec in _specs(type(model)):
+    kind: type = type(model)
+    tree = {KIND: kind.__name__}
+    for name, spec in _specs(kind):
         tree[name] = spec.encoded(getattr(model, name))
     return tree
 
@@ -112,8 +113,9 @@ def decode(tree: Tree, kinds: tuple[type, ...], at: Address) -> Any:
 
 def nesting(model: Any) -> int:
     """Return how many levels of models a model holds, with its own."""
+    kind: type = type(model)
     deepest = 0
-    for name, spec in _nesting_specs(type(model)):
+    for name, spec in _nesting_specs(kind):
         value = getattr(model, name)
         # Most lists are empty, and hold no models.
         if value != ():
@@ -126,23 +128,20 @@ _Specs = tuple[tuple[str, Spec], ...]
 _MOST_KINDS = 1000
 
 
-def _specs(kind: type) -> _Specs:
-    return _all_and_nesting_specs(kind)[0]
-
-
-def _nesting_specs(kind: type) -> _Specs:
-    return _all_and_nesting_specs(kind)[1]
-
-
 @lru_cache(_MOST_KINDS)
-def _all_and_nesting_specs(kind: type) -> tuple[_Specs, _Specs]:
-    """Return the specifications of all fields, and of those that may hold models."""
-    specs = tuple(
+def _specs(kind: type) -> _Specs:
+    """Return the specifications of all fields."""
+    return tuple(
         (field.name, field.metadata["spec"])
         for field in dataclasses.fields(kind)
         if "spec" in field.metadata
     )
-    return specs, tuple(pair for pair in specs if pair[1].nests)
+
+
+@lru_cache(_MOST_KINDS)
+def _nesting_specs(kind: type) -> _Specs:
+    """Return the specifications of the fields that may hold models."""
+    return tuple((name, spec) for name, spec in _specs(kind) if spec.nests)
 
 
 @lru_cache(_MOST_KINDS)

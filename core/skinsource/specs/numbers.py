@@ -12,7 +12,7 @@ from skinsource.base.json_text import Tree
 from skinsource.base.published import BAND_HZ, Band
 from skinsource.specs.models import decode, encode, nesting
 from skinsource.specs.samples import MAX_SAMPLES, Samples
-from skinsource.specs.spec import MAX_DEPTH, Address, Spec, ValidationError
+from skinsource.specs.spec import MAX_DEPTH, Address, Spec, ValidationError, tuple_of_points
 
 #: Minimum of numbers that must be above 0 and have no other bound.
 SMALLEST = 5e-324
@@ -192,9 +192,7 @@ class CurveSpec(Spec):
     def decoded(self, tree: Tree, at: Address) -> Any:
         """Return a tuple of tuples."""
         del at
-        if not isinstance(tree, list):
-            return tree
-        return tuple(tuple(point) if isinstance(point, list) else point for point in tree)
+        return tuple_of_points(tree, self.most)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -247,9 +245,7 @@ class PointsSpec(Spec):
     def decoded(self, tree: Tree, at: Address) -> Any:
         """Return a tuple of tuples; of too long a list, unread."""
         del at
-        if not isinstance(tree, list) or len(tree) > self.most:
-            return tree
-        return tuple(tuple(point) if isinstance(point, list) else point for point in tree)
+        return tuple_of_points(tree, self.most)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

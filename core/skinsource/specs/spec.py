@@ -96,6 +96,13 @@ class Spec(ABC):
         return 0
 
 
+def tuple_of_points(tree: Tree, most: int) -> Any:
+    """Return a list of lists as a tuple of tuples; the tree itself if it is none or too long."""
+    if not isinstance(tree, list) or len(tree) > most:
+        return tree
+    return tuple(tuple(point) if isinstance(point, list) else point for point in tree)
+
+
 def made_for(spec: Spec, table: Mapping[type[Spec], Thing]) -> Thing:
     """Return the entry of ``table`` for the kind of ``spec``.
 

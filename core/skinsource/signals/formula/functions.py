@@ -16,38 +16,33 @@ _TURN = 2 * PI
 Compute = Callable[[Grid, tuple[Value, ...]], Value]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Function:
     """A function of formulas.
 
     Attributes
     ----------
-    usage, text
-        How a user writes it, and what it returns.
-    fewest, most
-        Limits of the number of its values.
+    usage
+        How a user writes it.
     compute
         Computes the result from the values.
+    fewest, most
+        Limits of the number of its values.
     seeded
         Whether its value is an integer literal.
     """
 
     usage: str
-    text: str
-    fewest: int
-    most: int
     compute: Compute
+    fewest: int = 1
+    most: int = 1
     seeded: bool = False
 
 
-def _plain(usage: str, text: str, compute: Callable[..., Floats], count: int = 1) -> Function:
+def _plain(usage: str, compute: Callable[..., Floats], count: int = 1) -> Function:
     """Return a function of the numbers at one instant."""
     return Function(
-        usage=usage,
-        text=text,
-        fewest=count,
-        most=count,
-        compute=lambda _, values: Value(compute(*(value.at for value in values))),
+        usage, lambda _, values: Value(compute(*(value.at for value in values))), count, count
     )
 
 
@@ -124,68 +119,35 @@ def _of_angle(compute: np.ufunc) -> Compute:
     return lambda grid, values: Value(compute(_angle(grid, values)))
 
 
-def _of_time(
-    usage: str,
-    text: str,
-    compute: Compute,
-    fewest: int = 1,
-    most: int | None = None,
-    *,
-    seeded: bool = False,
-) -> Function:
-    """Return a function that depends on the instants or on exact values."""
-    return Function(
-        usage=usage,
-        text=text,
-        fewest=fewest,
-        most=fewest if most is None else most,
-        compute=compute,
-        seeded=seeded,
-    )
-
-
-#: The functions by name.
+#: The functions by name; docs/formulas.md says what they return.
 FUNCTIONS: dict[str, Function] = {
-    "sin": _of_time("sin(x)", "sine of an angle in rad", _of_angle(np.sin)),
-    "cos": _of_time("cos(x)", "cosine of an angle in rad", _of_angle(np.cos)),
-    "tan": _of_time("tan(x)", "tangent of an angle in rad", _of_angle(np.tan)),
-    "exp": _plain("exp(x)", "e to the power of x", np.exp),
-    "log": _plain("log(x)", "natural logarithm", np.log),
-    "sqrt": _plain("sqrt(x)", "square root", np.sqrt),
-    "tanh": _plain("tanh(x)", "hyperbolic tangent, which limits softly to 1", np.tanh),
-    "abs": _plain("abs(x)", "magnitude", np.abs),
-    "sign": _plain("sign(x)", "-1, 0 or 1", np.sign),
-    "floor": _plain("floor(x)", "next whole number below", np.floor),
-    "ceil": _plain("ceil(x)", "next whole number above", np.ceil),
-    "round": _plain("round(x)", "nearest whole number", np.rint),
-    "min": _of_time("min(x, y, ...)", "the smallest", _reduced(np.minimum), 2, _MOST_VALUES),
-    "max": _of_time("max(x, y, ...)", "the largest", _reduced(np.maximum), 2, _MOST_VALUES),
-    "clip": _plain("clip(x, low, high)", "x within low and high", _clipped, 3),
-    "mod": _of_time("mod(x, y)", "rest of x / y, with the sign of y", _modulo, 2),
-    "noise": _of_time(
-        "noise(seed)",
-        "Gaussian noise from 25 to 600 Hz, RMS 1/3; a seed from 0 to 2147483647",
-        _noise,
-        seeded=True,
-    ),
-    "step": _of_time("step(t0)", "1 from the time t0 on, 0 before", _step),
-    "pulse": _of_time("pulse(t0, length)", "1 from t0 on, for a length", _pulse, 2),
-    "gauss": _of_time("gauss(centre, sigma)", "bell in time, of peak 1", _gauss, 2),
-    "window": _of_time("window()", "the same as hann()", _hann, 0),
-    "hann": _of_time("hann()", "Hann window over the duration", _hann, 0),
-    "tukey": _of_time(
-        "tukey(share)", "Tukey window over the duration; share of taper, 0.25", _tukey, 0, 1
-    ),
-    "chirp": _of_time(
-        "chirp(f0, f1)", "sine whose frequency goes from f0 to f1 over the duration", _chirp, 2
-    ),
+    "sin": Function("sin(x)", _of_angle(np.sin)),
+    "cos": Function("cos(x)", _of_angle(np.cos)),
+    "tan": Function("tan(x)", _of_angle(np.tan)),
+    "exp": _plain("exp(x)", np.exp),
+    "log": _plain("log(x)", np.log),
+    "sqrt": _plain("sqrt(x)", np.sqrt),
+    "tanh": _plain("tanh(x)", np.tanh),
+    "abs": _plain("abs(x)", np.abs),
+    "sign": _plain("sign(x)", np.sign),
+    "floor": _plain("floor(x)", np.floor),
+    "ceil": _plain("ceil(x)", np.ceil),
+    "round": _plain("round(x)", np.rint),
+    "min": Function("min(x, y, ...)", _reduced(np.minimum), 2, _MOST_VALUES),
+    "max": Function("max(x, y, ...)", _reduced(np.maximum), 2, _MOST_VALUES),
+    "clip": _plain("clip(x, low, high)", _clipped, 3),
+    "mod": Function("mod(x, y)", _modulo, 2, 2),
+    "noise": Function("noise(seed)", _noise, seeded=True),
+    "step": Function("step(t0)", _step),
+    "pulse": Function("pulse(t0, length)", _pulse, 2, 2),
+    "gauss": Function("gauss(centre, sigma)", _gauss, 2, 2),
+    "window": Function("window()", _hann, 0, 0),
+    "hann": Function("hann()", _hann, 0, 0),
+    "tukey": Function("tukey(share)", _tukey, 0, 1),
+    "chirp": Function("chirp(f0, f1)", _chirp, 2, 2),
 }
-#: Names of numbers, with what they are.
-NAMES = {
-    "t": "time since the start, in s",
-    "pi": "3.14159…",
-    "duration": "duration of the formula, in s",
-}
+#: Names of numbers.
+NAMES = ("t", "pi", "duration")
 _COMPARISONS: dict[str, Callable[[Floats, Floats], Booleans]] = {
     "<": np.less,
     "<=": np.less_equal,
