@@ -140,7 +140,7 @@ def one_of(name: str, value: object, allowed: Sequence[Text]) -> Text:
     Raises
     ------
     InvalidInputError
-        There is none.
+        ``value`` is none of them.
     """
     for text in allowed:
         if isinstance(value, str) and value == text:

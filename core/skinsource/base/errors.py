@@ -31,7 +31,7 @@ class InvalidInputError(SkinSourceError, ValueError):
 
 
 class UnknownLimbError(InvalidInputError):
-    """No limb has the name that was asked for."""
+    """No limb has this name."""
 
 
 class FormulaError(InvalidInputError):
@@ -65,7 +65,7 @@ class DesignFileError(FileFormatError):
 
 
 class DatasetMissingError(SkinSourceError):
-    """A measured limb was asked for, and no measured dataset is installed."""
+    """A measured limb is needed, and no measured dataset is installed."""
 
 
 class StorageError(SkinSourceError):
@@ -73,7 +73,7 @@ class StorageError(SkinSourceError):
 
 
 class DownloadError(SkinSourceError):
-    """The network, or the server, did not deliver what was asked for."""
+    """The network or the server failed to deliver a file."""
 
 
 class PlaybackError(SkinSourceError):
@@ -97,4 +97,4 @@ class MissingExtraError(SkinSourceError):
 
 
 class Stopped(SkinSourceError):
-    """Somebody asked to stop; nothing was left behind."""
+    """The user stopped the work; nothing was left behind."""

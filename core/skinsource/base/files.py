@@ -107,7 +107,7 @@ def read_bytes(path: Path, *, most: int) -> bytes:
     Raises
     ------
     StorageError
-        The file cannot be read, or is none.
+        The file cannot be read, or is no regular file.
     FileFormatError
         It holds more than ``most`` bytes.
     """
@@ -168,7 +168,7 @@ def _mode_of(path: Path) -> int:
 
 
 def _open_at_once(path: str, flags: int) -> int:
-    # Opening a pipe does not wait for whoever writes to it.
+    # Opening a pipe then does not wait for its writer.
     return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 

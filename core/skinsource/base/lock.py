@@ -142,7 +142,7 @@ class Lock:
     Parameters
     ----------
     file
-        What is open; the lock lies beside it.
+        The file to lock; the lock is a file beside it.
     """
 
     def __init__(self, file: Path) -> None:

@@ -82,7 +82,7 @@ def reader_of(path: Path) -> Reader:
     Raises
     ------
     StorageError
-        The file cannot be read, or is none.
+        The file cannot be read, or is no regular file.
     """
     if not is_file(path):
         raise StorageError(f"{named(path)}: cannot be read (it is no file). Choose a file.")

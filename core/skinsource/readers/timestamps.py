@@ -66,9 +66,9 @@ def sample_clock(timestamps_s: Floats) -> SampleClock:
             f"the time stamps say {rate:g} samples a second, expected {limits.LEAST_RATE_HZ:g} to "
             f"{limits.MOST_RATE_HZ:g}; check their unit"
         )
-    whole = round(rate)
-    if whole >= 1 and abs(rate - whole) <= rate * (quantum / duration_s + 1e-6):
-        exact = Fraction(whole)
+    nearest = round(rate)
+    if nearest >= 1 and abs(rate - nearest) <= rate * (quantum / duration_s + 1e-6):
+        exact = Fraction(nearest)
     else:
         exact = Fraction(rate).limit_denominator(1000)
     line = timestamps_s[0] + np.arange(timestamps_s.size) / float(exact)

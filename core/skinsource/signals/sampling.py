@@ -84,7 +84,7 @@ def parted(position: float) -> tuple[int, float]:
     return whole, position - whole
 
 
-def values_at(samples: Floats, place: float) -> Floats:
+def values_at(samples: Floats, position: float) -> Floats:
     """Return band-limited signals at one position, (...).
 
     Up to 0.92 of half the sample rate (600 Hz at 1300 Hz) the gain is exact within 1e-6.  On a
@@ -94,11 +94,11 @@ def values_at(samples: Floats, place: float) -> Floats:
     ----------
     samples : (..., n_times)
         The signals; silent before and after.
-    place
+    position
         In samples.
     """
     n_times = samples.shape[-1]
-    whole, behind = parted(place)
+    whole, behind = parted(position)
     if behind == 0.0:
         inside = 0 <= whole < n_times
         return samples[..., whole].copy() if inside else np.zeros(samples.shape[:-1])
@@ -114,8 +114,8 @@ def _window(distance: Floats) -> Floats:
     return np.asarray(np.i0(_BETA * np.sqrt(1.0 - (distance / REACH) ** 2)) / np.i0(_BETA))
 
 
-def values_between(samples: Floats, places: Floats, band: float = 1.0) -> Floats:
-    """Return a band-limited signal at any positions, (n_places,).
+def values_between(samples: Floats, positions: Floats, band: float = 1.0) -> Floats:
+    """Return a band-limited signal at any positions, (n_positions,).
 
     Up to 0.92 of the band the gain is exact within 1e-6.  Before the first and after the last
     sample the signal is silent.
@@ -124,13 +124,13 @@ def values_between(samples: Floats, places: Floats, band: float = 1.0) -> Floats
     ----------
     samples : (n_times,)
         The signal.
-    places : (n_places,)
+    positions : (n_positions,)
         In samples; rising.
     band
         Share of half the sample rate that passes, up to 1: less where positions are further apart
         than samples, so that nothing folds.
     """
-    values = np.zeros(places.size)
+    values = np.zeros(positions.size)
     if not samples.size:
         return values
     reach = int(np.ceil(REACH / band))
@@ -138,8 +138,8 @@ def values_between(samples: Floats, places: Floats, band: float = 1.0) -> Floats
     # Signals shorter than the kernel are summed as a whole.
     taps = np.arange(1 - reach, reach + 1) if 2 * reach < samples.size else None
     rows = max(_AT_ONCE // (samples.size if taps is None else taps.size), 1)
-    for start in range(0, places.size, rows):
-        part = places[start : start + rows, None]
+    for start in range(0, positions.size, rows):
+        part = positions[start : start + rows, None]
         if taps is None:
             index = np.arange(samples.size)[None, :]
         else:

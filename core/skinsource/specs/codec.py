@@ -72,12 +72,12 @@ def with_samples(tree: Tree, samples: dict[str, Samples]) -> Tree:
         return [converted(value) for value in part] if isinstance(part, list) else part
 
     try:
-        whole = converted(tree)
+        content = converted(tree)
     except RecursionError as error:
         raise FileFormatError("the content is nested too deep") from error
     if len(used) < len(samples):
         raise FileFormatError("the content holds samples that nothing uses")
-    return whole
+    return content
 
 
 def _digest_in(reference: dict[str, Any], samples: dict[str, Samples]) -> str:
