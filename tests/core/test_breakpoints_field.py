@@ -14,9 +14,9 @@ UNIT = NumberSpec(label="Part", minimum=0.0, maximum=1.0)
 
 
 def test_points_that_were_checked_before_are_not_checked_again(monkeypatch):
-    asked, check = [], BreakpointsSpec._is_kept
+    asked, check = [], BreakpointsSpec._is_normal
     monkeypatch.setattr(
-        BreakpointsSpec, "_is_kept", lambda spec, point: asked.append(point) or check(spec, point)
+        BreakpointsSpec, "_is_normal", lambda spec, point: asked.append(point) or check(spec, point)
     )
     spec = BreakpointsSpec(label="Dragged", x=UNIT, y=UNIT)
     points = tuple((k / 200, 0.5, "straight") for k in range(150))

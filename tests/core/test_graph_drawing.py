@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from skinsource.cli.graph_drawing import brought_up_to_date, drawing, rules_of, table
+from skinsource.cli.graph_drawing import drawing, rules_of, table, updated
 from skinsource.engine.graph import Graph
 from skinsource.engine.quantities import new_graph, sources
 
@@ -37,7 +37,7 @@ def test_a_drawing_shows_rules_what_they_need_and_what_comes_from_elsewhere():
 
 def test_the_document_shows_the_graph_as_it_is():
     text = DOCUMENT.read_text(encoding="utf-8")
-    assert brought_up_to_date(text) == text, (
+    assert updated(text) == text, (
         "docs/internals/rendering.md shows another graph; run "
         "python -m skinsource.cli.graph_drawing docs/internals/rendering.md"
     )

@@ -1,1 +1,1 @@
-"""What all rooms need: errors, files, jobs and constants of the published limbs."""
+"""Errors, checks of arguments, files, jobs and constants of the published limbs."""

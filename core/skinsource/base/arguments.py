@@ -1,8 +1,8 @@
-"""One door for what scripts hand to the library: arrays, numbers, choices.
+"""Checks of the arguments that scripts give to the library: arrays, numbers, choices.
 
-What cannot be meant is refused here, with the argument's name, what was found and what was
-expected: complex numbers, of which only half would be used; masked values, which would be used all
-the same; texts, which would be read as numbers; what is not finite where it would pass on.
+The errors name the argument, its value and what was expected.  Refused are complex numbers, of
+which only half would be used; masked values, which would be used all the same; texts, which would
+be read as numbers; and numbers that are not finite, where they would spread.
 """
 
 import math
@@ -19,7 +19,7 @@ from skinsource.base.quoting import quoted
 
 Text = TypeVar("Text", bound=str)
 
-#: Sums of some thousand of them still are numbers.
+#: Largest sample: sums of some thousand of them are still finite.
 LARGEST_SAMPLE = 1e300
 _NUMBERS = "biuf"
 
@@ -48,23 +48,23 @@ def real_array(name: str, values: ArrayLike, expected: str = "real numbers") -> 
             )
         values = values.data
     try:
-        found = np.asarray(values)
-    except Exception as error:  # what claims to be an array may raise anything
+        array = np.asarray(values)
+    except Exception as error:  # an object that claims to be an array may raise anything
         raise InvalidInputError(
             f"{name} cannot be read as one array of real numbers: found {quoted(values)}, expected "
             f"{expected}"
         ) from error
-    if found.dtype.kind == "c":
+    if array.dtype.kind == "c":
         raise InvalidInputError(
             f"{name} holds complex numbers, expected {expected}. Take their magnitude or their "
             "real part first."
         )
-    if found.dtype.kind not in _NUMBERS:
+    if array.dtype.kind not in _NUMBERS:
         raise InvalidInputError(
             f"{name} cannot be read as one array of real numbers: found {quoted(values)}, expected "
             f"{expected}"
         )
-    return _as_floats(found)
+    return _as_floats(array)
 
 
 def finite_array(
@@ -73,17 +73,17 @@ def finite_array(
     expected: str = "finite real numbers",
     largest: float = math.inf,
 ) -> Floats:
-    """Return ``values`` as `real_array` does; refuse what is not finite or beyond ``largest``."""
-    found = real_array(name, values, expected)
-    # NaN is the maximum of whatever holds it, and not less than anything.
-    if found.size and not np.abs(found).max() <= min(largest, np.finfo(np.float64).max):
-        bad = ~(np.abs(found) <= min(largest, np.finfo(np.float64).max))
-        place = tuple(int(k) for k in np.argwhere(bad)[0])
+    """Return ``values`` as `real_array` does; refuse values not finite or beyond ``largest``."""
+    array = real_array(name, values, expected)
+    finite = min(largest, np.finfo(np.float64).max)
+    # The maximum of an array with NaN is NaN, which is not below anything.
+    if array.size and not np.abs(array).max() <= finite:
+        index = tuple(int(k) for k in np.argwhere(~(np.abs(array) <= finite))[0])
         limit = "" if largest == math.inf else f" of at most {largest:g}"
         raise InvalidInputError(
-            f"{name} is {found[place]} at index {place}, expected finite numbers{limit}"
+            f"{name} is {array[index]} at index {index}, expected finite numbers{limit}"
         )
-    return found
+    return array
 
 
 def real_number(
@@ -94,36 +94,38 @@ def real_number(
     least: float = -math.inf,
     most: float = math.inf,
 ) -> float:
-    """Return ``value`` as a float; refuse what is no single finite number, or outside the limits.
+    """Return ``value`` as a float; refuse all but one finite number within the limits.
 
     Raises
     ------
     InvalidInputError
         Says ``name``, the value, and what was ``expected``.
     """
-    found = _single(value)
-    if found is None or not (math.isfinite(found) and least <= found <= most):
+    number = _float_or_none(value)
+    if number is None or not (math.isfinite(number) and least <= number <= most):
         raise InvalidInputError(f"{name} is {quoted(value)}, expected {expected}")
-    return found
+    return number
 
 
 def positive_number(name: str, value: object) -> float:
-    """Return ``value`` as a float; refuse what is no finite number above 0."""
-    found = real_number(name, value, "a positive number")
-    if found <= 0:
+    """Return ``value`` as a float; refuse all but a finite number above 0."""
+    number = real_number(name, value, "a positive number")
+    if number <= 0:
         raise InvalidInputError(f"{name} is {quoted(value)}, expected a positive number")
-    return found
+    return number
 
 
 def integer(name: str, value: object, least: int, most: int) -> int:
-    """Return ``value`` as an int; 5.0 is one, True is none.
+    """Return ``value`` as an int; 5.0 is accepted, True is not.
 
     Raises
     ------
     InvalidInputError
         It is no whole number from ``least`` to ``most``.
     """
-    number = value if isinstance(value, int) and not isinstance(value, bool) else _single(value)
+    number = (
+        value if isinstance(value, int) and not isinstance(value, bool) else _float_or_none(value)
+    )
     # Comparing first: an int may be too large for a float, and NaN is not between anything.
     if number is not None and least <= number <= most and number == int(number):
         return int(number)
@@ -133,12 +135,12 @@ def integer(name: str, value: object, least: int, most: int) -> int:
 
 
 def one_of(name: str, value: object, allowed: Sequence[Text]) -> Text:
-    """Return the text among ``allowed`` that ``value`` is.
+    """Return the text among ``allowed`` that equals ``value``.
 
     Raises
     ------
     InvalidInputError
-        There is none.
+        ``value`` is none of them.
     """
     for text in allowed:
         if isinstance(value, str) and value == text:
@@ -148,15 +150,15 @@ def one_of(name: str, value: object, allowed: Sequence[Text]) -> Text:
     )
 
 
-def _as_floats(found: NDArray[np.generic]) -> Floats:
-    # A wider float may not fit; what becomes infinite is then seen as that.
+def _as_floats(array: NDArray[np.generic]) -> Floats:
+    # A wider float may not fit; it becomes infinite, which the checks that follow find.
     with np.errstate(over="ignore"):
-        return found.astype(np.float64, copy=False)
+        return array.astype(np.float64, copy=False)
 
 
-def _single(value: object) -> float | None:
-    """The number that ``value`` is, if it is one: of Python, of numpy, or an array of one."""
-    # Most are; whether something else is a real number takes far longer to find out.
+def _float_or_none(value: object) -> float | None:
+    """Return a number of Python, of numpy, or of an array without dimensions; None for all else."""
+    # The usual case; to check other types takes far longer.
     if type(value) is float:
         return value
     if isinstance(value, np.ndarray) and value.ndim == 0 and not np.ma.isMaskedArray(value):

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
-#: Whole numbers that say where something is in an array.
+#: Positions in an array.
 Indices = NDArray[np.intp]
 Complexes = NDArray[np.complex128]
 Booleans = NDArray[np.bool_]

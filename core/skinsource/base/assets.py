@@ -1,4 +1,4 @@
-"""The one place that knows where the library's own data and the user's data lie."""
+"""Folders of the library's own data and of the user's data."""
 
 import os
 from pathlib import Path
@@ -9,13 +9,13 @@ PACKAGE = Path(__file__).resolve().parents[1]
 
 
 def data_folder() -> Path:
-    """Folder of what the library ships: in the wheel ``skinsource/_data``, else ``data/``."""
+    """Return the folder of the library's data: ``skinsource/_data`` in a wheel, else ``data``."""
     installed = PACKAGE / "_data"
     return installed if installed.is_dir() else PACKAGE.parents[1] / "data"
 
 
 def user_folder() -> Path:
-    """Folder of what the user installs; the environment variable SKINSOURCE_DATA overrides it."""
+    """Return the folder of the user's data; the variable SKINSOURCE_DATA overrides it."""
     override = os.environ.get("SKINSOURCE_DATA")
     if override:
         return Path(override).expanduser()
@@ -23,7 +23,7 @@ def user_folder() -> Path:
 
 
 def cache_folder() -> Path:
-    """Folder of what can be made again; SKINSOURCE_CACHE overrides it, and SKINSOURCE_DATA."""
+    """Return the folder of the cache; SKINSOURCE_CACHE overrides it, and SKINSOURCE_DATA."""
     override = os.environ.get("SKINSOURCE_CACHE")
     if override:
         return Path(override).expanduser()
@@ -33,7 +33,7 @@ def cache_folder() -> Path:
 
 
 def config_folder() -> Path:
-    """Folder of the user's settings; SKINSOURCE_CONFIG overrides it, and SKINSOURCE_DATA."""
+    """Return the folder of the settings; SKINSOURCE_CONFIG overrides it, and SKINSOURCE_DATA."""
     override = os.environ.get("SKINSOURCE_CONFIG")
     if override:
         return Path(override).expanduser()

@@ -1,4 +1,4 @@
-"""Limits that a process sets itself before it reads what others wrote."""
+"""How child processes are started, and the limits that they set themselves."""
 
 import importlib
 import os
@@ -7,14 +7,14 @@ from typing import IO, Any
 
 
 def own_output() -> IO[bytes]:
-    """What answers are written to; libraries that print do not write into it."""
+    """Return the stream for answers; what libraries print does not get into it."""
     own = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
     return own
 
 
 def limit_memory(most_bytes: int) -> None:
-    """Take no more memory than this, and write no file."""
+    """Limit the memory of this process, and forbid it to write files."""
     system = _system_limits()
     if system is not None:
         for which, most in (
@@ -26,7 +26,7 @@ def limit_memory(most_bytes: int) -> None:
 
 
 def limit_time(most_s: int) -> None:
-    """Compute no longer than this from now on."""
+    """Limit how long this process computes from now on."""
     system = _system_limits()
     if system is not None:
         used = system.getrusage(system.RUSAGE_SELF)
@@ -34,7 +34,7 @@ def limit_time(most_s: int) -> None:
 
 
 def child_environment(package_folders: str) -> dict[str, str]:
-    """Environment of a process that reads: it finds our packages, and HDF5 loads no plugins."""
+    """Return the environment of a child: it finds our packages, and HDF5 loads no plugins."""
     inherited = os.environ.get("PYTHONPATH")
     paths = [package_folders, *([inherited] if inherited else [])]
     return {
@@ -46,12 +46,12 @@ def child_environment(package_folders: str) -> dict[str, str]:
 
 
 def child_command(module: str) -> tuple[str, ...]:
-    """Starts a module; it takes none from the folder that happens to be the current one."""
+    """Return the command that runs a module; Python ignores modules in the current folder."""
     return (sys.executable, "-P", "-m", module)
 
 
 def _system_limits() -> Any:
-    """The module that limits this process; None on Windows, where the parent watches."""
+    """Return the module ``resource``; None on Windows, where the parent watches the child."""
     try:
         return importlib.import_module("resource")
     except ImportError:
@@ -64,5 +64,5 @@ def _lower(system: Any, which: int, most: int) -> None:
         most = min(most, hard)
     try:
         system.setrlimit(which, (most, hard))
-    except (ValueError, OSError):  # macOS knows some of them and allows none
+    except (ValueError, OSError):  # macOS forbids some of them
         return

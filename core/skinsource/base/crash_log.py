@@ -1,7 +1,7 @@
-"""A log of what went wrong, which outlives a crash.
+"""A log of errors, which outlives a crash.
 
-Each studio writes a log of its own.  What its first lines are is always there; a fault adds where
-the program was, and the last line says that it ended as it should.
+Each studio writes its own log.  Its first lines name the program and the process; an error adds
+where the program was; the last line says that the program ended as it should.
 """
 
 import faulthandler
@@ -25,7 +25,7 @@ from skinsource.version import __version__
 #: Below the folder of the user's data.
 FOLDER = "logs"
 MOST_LOGS = 5
-#: What is written to one log; faults that repeat for ever fill no disk.
+#: Most bytes of one log: errors that repeat for ever do not fill the disk.
 MOST_BYTES = 2**20
 
 _HEAD_LINES = 3
@@ -54,7 +54,7 @@ class CrashLog:
         self._handler: logging.Handler | None = None
 
     def open(self) -> None:
-        """Write down faults of this process from now on; where no log can be written, none is."""
+        """Start to log errors of this process; do nothing where no log can be written."""
         try:
             make_folder(self.path.parent)
             self._file = self.path.open("a", encoding="utf-8", buffering=1)
@@ -69,7 +69,7 @@ class CrashLog:
         faulthandler.enable(self._file)
         self._hooks = sys.excepthook, threading.excepthook
         sys.excepthook = self._log_exception
-        threading.excepthook = self._log_of_thread
+        threading.excepthook = self._log_thread_exception
         self._handler = _Handler(self._write)
         logging.getLogger().addHandler(self._handler)
         for old in _logs(self.path.parent)[MOST_LOGS:]:
@@ -77,7 +77,7 @@ class CrashLog:
                 old.unlink()
 
     def close(self) -> None:
-        """The process ends as it should: nothing more is written down."""
+        """Note that the process ends as it should, and stop logging."""
         file, self._file = self._file, None
         if file is None or self._hooks is None or self._handler is None:
             return
@@ -107,18 +107,18 @@ class CrashLog:
         if self._hooks is not None:
             self._hooks[0](kind, error, where)
 
-    def _log_of_thread(self, what: threading.ExceptHookArgs) -> None:
-        if what.exc_value is not None:
-            self._write_fault("".join(traceback.format_exception(what.exc_value)))
+    def _log_thread_exception(self, arguments: threading.ExceptHookArgs) -> None:
+        if arguments.exc_value is not None:
+            self._write_fault("".join(traceback.format_exception(arguments.exc_value)))
         if self._hooks is not None:
-            self._hooks[1](what)
+            self._hooks[1](arguments)
 
     def _write_fault(self, text: str) -> None:
         self._write(f"{time.strftime('%H:%M:%S')} {text}")
 
 
 class _Handler(logging.Handler):
-    """Hands warnings and errors on."""
+    """Passes warnings and errors to the log."""
 
     def __init__(self, write: Callable[[str], None]) -> None:
         super().__init__(logging.WARNING)
@@ -130,34 +130,34 @@ class _Handler(logging.Handler):
 
 
 def crashed_logs(folder: Path) -> tuple[Path, ...]:
-    """Logs of studios that did not end as they should and wrote down why, the newest first.
+    """Return the logs of studios that crashed and wrote why, the newest first.
 
     Parameters
     ----------
     folder
         The user's data folder.
     """
-    return tuple(path for path in _logs(folder / FOLDER) if _tells_of_a_crash(path))
+    return tuple(path for path in _logs(folder / FOLDER) if _has_crash(path))
 
 
 def note_offered(log: Path) -> None:
-    """Offer ``log`` no more; it stays where it is until newer ones take its place."""
+    """Mark ``log`` as offered to the user; it stays until newer logs take its place."""
     with suppress(OSError), log.open("a", encoding="utf-8") as file:
         file.write(f"\n{_OFFERED}\n")
 
 
-def _tells_of_a_crash(path: Path) -> bool:
+def _has_crash(path: Path) -> bool:
     try:
         lines = read_bytes(path, most=2 * MOST_BYTES).decode(errors="replace").splitlines()
     except SkinSourceError:
         return False
-    told = [line for line in lines[_HEAD_LINES:] if line.strip()]
-    if not told or told[-1] in (_ENDED, _OFFERED):
+    logged = [line for line in lines[_HEAD_LINES:] if line.strip()]
+    if not logged or logged[-1] in (_ENDED, _OFFERED):
         return False
     owner = owner_of(lines[1].encode())
     return owner is None or still_runs(owner) is False
 
 
 def _logs(folder: Path) -> list[Path]:
-    # Their names begin with when they were begun.
+    # Their names begin with the time of their start.
     return sorted(folder.glob(f"{_PREFIX}*{_SUFFIX}"), reverse=True)

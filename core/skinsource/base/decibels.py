@@ -1,4 +1,4 @@
-"""Levels: the only place where decibels are made."""
+"""Levels in decibels."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -6,16 +6,16 @@ from numpy.typing import ArrayLike, NDArray
 from skinsource.base.arguments import positive_number, real_array, real_number
 from skinsource.base.errors import InvalidInputError
 
-#: What silence is shown as.  Nothing measured or predicted comes near it.
+#: The level of silence.  Nothing measured or predicted comes near it.
 FLOOR_DB = -200.0
-# A map of silence is interpolated between such levels, and rounded.
+# Maps of silence are interpolated between such levels, which rounds.
 _ROUNDING_DB = 1e-6
 
 
 def decibels(
     x: ArrayLike, reference: float = 1.0, *, floor_db: float = FLOOR_DB
 ) -> NDArray[np.float64]:
-    """Level of an amplitude, 20 log10(x / reference), in dB.
+    """Return the level of amplitudes, 20 log10(x / reference), in dB.
 
     Parameters
     ----------
@@ -24,7 +24,7 @@ def decibels(
     reference
         The amplitude of 0 dB, in the unit of ``x``.
     floor_db
-        The lowest level returned: that of zero, and of all that lies below it.
+        The lowest level returned: that of zero and of all amplitudes below it.
 
     Returns
     -------
@@ -53,10 +53,10 @@ def decibels(
 
 
 def in_tables(levels_db: ArrayLike) -> NDArray[np.float64]:
-    """Levels as tables hold them: NaN for silence, which has none.
+    """Return levels for tables: NaN for silence, which has none.
 
-    In files that is ``nan``, which NumPy, pandas, MATLAB and R read as no number; where a table is
-    copied for a spreadsheet it is an empty field.
+    In files that is ``nan``, which NumPy, pandas, MATLAB and R read as no number; a table that is
+    copied for a spreadsheet has an empty field.
     """
     levels = real_array("levels_db", levels_db, "levels in dB")
     return np.where(levels <= FLOOR_DB + _ROUNDING_DB, np.nan, levels)

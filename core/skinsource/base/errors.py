@@ -1,6 +1,6 @@
-"""Everything that can go wrong and that a user can meet.
+"""All errors that a user can meet.
 
-Each message says where, what was found, what was expected, and what to do next.
+Each message says where it happened, what was found, what was expected, and what to do next.
 
 SkinSourceError
 ├── InvalidInputError      a value handed to the library is impossible (also a `ValueError`)
@@ -13,10 +13,10 @@ SkinSourceError
 ├── DatasetMissingError    a measured limb is asked for, and none is installed
 ├── StorageError           reading or writing failed: full disk, no permission, no such folder
 ├── DownloadError          the network, or the server, did not deliver
-├── PlaybackError          a device does not take what it is asked for, or is not there
-│   └── NothingToPlayOnError   … there is none at all, or what speaks to devices is not installed
-├── TooInaccurateError     what was to be written is more wrong than was asked for
-├── NotConfirmedError      what was to be written clips, passes a limit or loses much, unconfirmed
+├── PlaybackError          a device is missing or does not support what is played
+│   └── NothingToPlayOnError   … there is no device, or the package for devices is not installed
+├── TooInaccurateError     a result would be less accurate than requested; nothing is written
+├── NotConfirmedError      a result clips, passes a limit or loses much, and nobody confirmed it
 ├── MissingExtraError      an optional package is needed and not installed
 └── Stopped                the user stopped it
 """
@@ -31,7 +31,7 @@ class InvalidInputError(SkinSourceError, ValueError):
 
 
 class UnknownLimbError(InvalidInputError):
-    """No limb has the name that was asked for."""
+    """No limb has this name."""
 
 
 class FormulaError(InvalidInputError):
@@ -65,7 +65,7 @@ class DesignFileError(FileFormatError):
 
 
 class DatasetMissingError(SkinSourceError):
-    """A measured limb was asked for, and no measured dataset is installed."""
+    """A measured limb is needed, and no measured dataset is installed."""
 
 
 class StorageError(SkinSourceError):
@@ -73,23 +73,23 @@ class StorageError(SkinSourceError):
 
 
 class DownloadError(SkinSourceError):
-    """The network, or the server, did not deliver what was asked for."""
+    """The network or the server failed to deliver a file."""
 
 
 class PlaybackError(SkinSourceError):
-    """A device does not take what it is asked for, or is not there."""
+    """A device is missing, or does not support what is played."""
 
 
 class NothingToPlayOnError(PlaybackError):
-    """There is no device at all, or what speaks to devices is not installed."""
+    """There is no device, or the package for devices is not installed."""
 
 
 class TooInaccurateError(SkinSourceError):
-    """What was to be written is more wrong than was asked for; nothing was written."""
+    """A result would be less accurate than requested; nothing was written."""
 
 
 class NotConfirmedError(SkinSourceError):
-    """What was to be written clips, passes a limit or loses much, unconfirmed; nothing was."""
+    """A result clips, passes a limit or loses much, unconfirmed; nothing was written."""
 
 
 class MissingExtraError(SkinSourceError):
@@ -97,4 +97,4 @@ class MissingExtraError(SkinSourceError):
 
 
 class Stopped(SkinSourceError):
-    """Somebody asked to stop; nothing was left behind."""
+    """The user stopped the work; nothing was left behind."""

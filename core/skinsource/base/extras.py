@@ -1,4 +1,4 @@
-"""Packages that only some need: the extras of the project."""
+"""Optional packages: the extras of the project."""
 
 import importlib
 import sys
@@ -10,13 +10,13 @@ from skinsource.base.quoting import printable, quoted
 
 
 def extra_line(extra: str) -> str:
-    """The line to type for an extra: that of a checkout, or that of a package as installed."""
+    """Return the line to type to install an extra, for a checkout or an installed package."""
     checkout = Path(__file__).resolve().parents[3]
-    what = f'"skinsource[{extra}]"'
+    requirement = f'"skinsource[{extra}]"'
     if (checkout / "pyproject.toml").is_file():
-        what = f'-e "{checkout}[{extra}]"'
+        requirement = f'-e "{checkout}[{extra}]"'
     python = f'"{sys.executable}"' if " " in sys.executable else sys.executable
-    return f"{python} -m pip install {what}"
+    return f"{python} -m pip install {requirement}"
 
 
 def package_of_extra(name: str, extra: str) -> ModuleType:

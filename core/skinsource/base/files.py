@@ -1,4 +1,9 @@
-"""Temporary files of writers that were killed."""
+"""Files: messages about errors of the system, reading under limits, writing whole or not at all.
+
+Whatever is written goes to a temporary file or folder first, which is then moved into place.
+Unknown attributes of this module are those of h5py, which is imported at the first of them: that
+takes tens of milliseconds, and neither the window nor a synthetic limb needs it.
+"""
 
 import errno
 import importlib
@@ -17,38 +22,8 @@ from typing import Any
 from skinsource.base.errors import FileFormatError, StorageError
 from skinsource.base.quoting import escaped, printable
 
-_NAME = re.compile(r"\..+\.[0-9a-f]{8}\.part", re.DOTALL)
+_TEMPORARY_NAME = re.compile(r"\..+\.[0-9a-f]{8}\.part", re.DOTALL)
 _A_DAY_S = 24 * 3600.0
-
-
-def temporary_name(path: Path) -> Path:
-    """Return a new name beside ``path`` for what shall replace it."""
-    return path.parent / f".{path.name}.{secrets.token_hex(4)}.part"
-
-
-def sweep(folder: Path) -> None:
-    """Delete one's own temporary files in ``folder`` that nobody has written to for a day.
-
-    What cannot be looked at or deleted stays: the writing that follows is what matters.
-    """
-    now = time.time()
-    with suppress(OSError), os.scandir(folder) as entries:
-        for entry in entries:
-            if _NAME.fullmatch(entry.name):
-                with suppress(OSError):
-                    about = entry.stat(follow_symlinks=False)
-                    if stat.S_ISREG(about.st_mode) and is_stale_temporary(entry.name, about, now):
-                        Path(entry.path).unlink()
-
-
-def is_stale_temporary(name: str, about: os.stat_result, now_s: float) -> bool:
-    """Whether something is one's own temporary one, and nobody has written to it for a day."""
-    owner = getattr(os, "getuid", lambda: about.st_uid)()
-    own = _NAME.fullmatch(name) is not None and about.st_uid == owner
-    return own and about.st_mtime < now_s - _A_DAY_S
-
-
-# What to do about a file that the system refuses, in one sentence.
 
 _MOST_CHARACTERS = 400
 _FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
@@ -56,22 +31,50 @@ _FORBIDDEN = {errno.EACCES, errno.EPERM, errno.EROFS}
 _ABSENT = {errno.ENOENT, errno.ENOTDIR}
 
 
+def _temporary_path(path: Path) -> Path:
+    """Return a new path beside ``path`` for what shall replace it."""
+    return path.parent / f".{path.name}.{secrets.token_hex(4)}.part"
+
+
+def _delete_stale(folder: Path, *, folders: bool) -> None:
+    """Delete the user's temporary files, or folders, in ``folder`` that are older than a day.
+
+    Killed writers left them.  What cannot be examined or deleted stays: the writing that follows
+    is what matters.
+    """
+    oldest_s = time.time() - _A_DAY_S
+    # Windows has no numbers of users.
+    user = os.getuid() if hasattr(os, "getuid") else None
+    with suppress(OSError), os.scandir(folder) as entries:
+        for entry in entries:
+            if _TEMPORARY_NAME.fullmatch(entry.name):
+                with suppress(OSError):
+                    status = entry.stat(follow_symlinks=False)
+                    if user not in (None, status.st_uid) or status.st_mtime >= oldest_s:
+                        continue
+                    if folders and stat.S_ISDIR(status.st_mode):
+                        shutil.rmtree(entry.path, ignore_errors=True)
+                    elif not folders and stat.S_ISREG(status.st_mode):
+                        Path(entry.path).unlink()
+
+
 def named(path: Path) -> str:
-    """Return ``path`` for a message: whatever its name holds, it can be printed."""
+    """Return ``path`` as a printable text for a message, whatever its name holds."""
     text = str(path)
-    whole = len(text) <= _MOST_CHARACTERS
-    return escaped(text) if whole else f"{escaped(text[:_MOST_CHARACTERS])}…"
+    if len(text) <= _MOST_CHARACTERS:
+        return escaped(text)
+    return f"{escaped(text[:_MOST_CHARACTERS])}…"
 
 
 def reason_of(error: OSError | ValueError) -> str:
-    """What the system says."""
+    """Return what the system says about the error."""
     if isinstance(error, OSError):
         return printable(error.strerror or str(error))
     return printable(error)  # a path with a NUL in it
 
 
 def advice_on_writing(error: OSError | ValueError) -> str:
-    """What lets the next attempt succeed."""
+    """Return a sentence that says how writing can succeed."""
     code = error.errno if isinstance(error, OSError) else errno.EINVAL
     if code in _FULL:
         return "Free some space or choose another disk, then try again."
@@ -86,8 +89,8 @@ def advice_on_writing(error: OSError | ValueError) -> str:
     return "Check the disk or choose another one, then try again."
 
 
-def advice_on_reading(error: OSError | ValueError) -> str:
-    """What may help."""
+def _advice_on_reading(error: OSError | ValueError) -> str:
+    """Return a sentence that says how reading can succeed."""
     code = error.errno if isinstance(error, OSError) else errno.EINVAL
     if code in _ABSENT:
         return "It was moved or deleted; look for it elsewhere."
@@ -96,44 +99,41 @@ def advice_on_reading(error: OSError | ValueError) -> str:
     return "Check that it is a file and that you may read it."
 
 
-# Reading that ends: only from regular files, and only so much.
-
-
 def read_bytes(path: Path, *, most: int) -> bytes:
-    """Return what the file holds.
+    """Return the content of a regular file.
 
-    Pipes and devices are refused unread: they may never answer, or never end.
+    Pipes and devices are not read: they may never answer, or never end.
 
     Raises
     ------
     StorageError
-        The file cannot be read, or is none.
+        The file cannot be read, or is no regular file.
     FileFormatError
         It holds more than ``most`` bytes.
     """
     try:
         with open(path, "rb", opener=_open_at_once) as file:
-            about = os.fstat(file.fileno())
-            if not stat.S_ISREG(about.st_mode):
+            status = os.fstat(file.fileno())
+            if not stat.S_ISREG(status.st_mode):
                 raise StorageError(
                     f"{named(path)}: cannot be read (it is no regular file). Choose a file."
                 )
             # It may grow while it is read.
-            content = b"" if about.st_size > most else file.read(about.st_size + 1)
+            content = b"" if status.st_size > most else file.read(status.st_size + 1)
     except (OSError, ValueError) as error:
         raise StorageError(
-            f"{named(path)}: cannot be read ({reason_of(error)}). {advice_on_reading(error)}"
+            f"{named(path)}: cannot be read ({reason_of(error)}). {_advice_on_reading(error)}"
         ) from error
-    if about.st_size > most or len(content) > most:
+    if status.st_size > most or len(content) > most:
         raise FileFormatError(
-            f"{named(Path(path.name))}: {about.st_size} bytes are too large for it, expected at "
+            f"{named(Path(path.name))}: {status.st_size} bytes are too large for it, expected at "
             f"most {most}."
         )
     return content
 
 
 def is_there(path: Path) -> bool:
-    """Whether something stands at ``path``, as far as one may look."""
+    """Whether something exists at ``path``; False too where the user may not find out."""
     try:
         return os.path.lexists(path)
     except (OSError, ValueError):
@@ -163,27 +163,23 @@ def _mode_of(path: Path) -> int:
         return 0
     except (OSError, ValueError) as error:
         raise StorageError(
-            f"{named(path)}: cannot be looked at ({reason_of(error)}). {advice_on_reading(error)}"
+            f"{named(path)}: cannot be looked at ({reason_of(error)}). {_advice_on_reading(error)}"
         ) from error
 
 
 def _open_at_once(path: str, flags: int) -> int:
-    # Opening a pipe does not wait for whoever writes to it.
+    # Opening a pipe then does not wait for its writer.
     return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
-
-
-# Files are written whole or not at all.
 
 
 @contextmanager
 def replacing(path: Path) -> Iterator[Path]:
     """Give a temporary path beside ``path`` to write to; move it into place at the end.
 
-    The temporary file is flushed to disk before the move.  On any error it is deleted, and
-    what stood at ``path`` stands there still.  Where ``path`` is a link, what it leads to is
-    replaced and the link stays.  A file that is replaced hands down its permissions; a new one
-    has those that new files usually have.  What killed writers left in the folder long ago is
-    deleted.
+    The temporary file is flushed to disk before the move.  On any error it is deleted, and the
+    old file stays.  Where ``path`` is a link, its target is replaced and the link stays.  The new
+    file has the permissions of the old one, or those that new files usually have.  Temporary files
+    that killed writers left in the folder are deleted after a day.
 
     Raises
     ------
@@ -191,19 +187,19 @@ def replacing(path: Path) -> Iterator[Path]:
         The folder cannot be written, or the disk is full.
     """
     with explained(path):
-        target = _link_followed(path)
-        mode = _writing_mode_of(target)
-        sweep(target.parent)
-        temporary = temporary_name(target)
+        target = _link_target(path)
+        mode = _permissions_of(target)
+        _delete_stale(target.parent, folders=False)
+        temporary = _temporary_path(target)
         _create(temporary, private=mode is not None)
     try:
         with explained(path):
             yield temporary
-            flush_file(temporary)
+            _flush_file(temporary)
             if mode is not None:
                 temporary.chmod(mode)
             temporary.replace(target)
-            flush_folder(target.parent)
+            _flush_folder(target.parent)
     finally:
         _discard(temporary)
 
@@ -215,14 +211,14 @@ def write_bytes(path: Path, content: bytes) -> None:
 
 
 def make_folder(path: Path) -> None:
-    """Create ``path`` and its parents; say in one sentence why that is not possible."""
+    """Create ``path`` and its parents; raise `StorageError` where that is not possible."""
     with explained(path):
         path.mkdir(parents=True, exist_ok=True)
 
 
 @contextmanager
 def explained(path: Path) -> Iterator[None]:
-    """Turn what the system refuses into a `StorageError` that names ``path``."""
+    """Turn errors of the system into a `StorageError` that names ``path``."""
     try:
         if "\0" in str(path):
             raise _BadPath("its name holds a character of value zero")
@@ -237,7 +233,7 @@ class _BadPath(ValueError):
     """No file can have this path."""
 
 
-def _link_followed(path: Path) -> Path:
+def _link_target(path: Path) -> Path:
     if not path.is_symlink():
         return path
     target = Path(os.path.realpath(path))
@@ -246,20 +242,20 @@ def _link_followed(path: Path) -> Path:
     return target
 
 
-def _writing_mode_of(path: Path) -> int | None:
+def _permissions_of(path: Path) -> int | None:
     try:
         mode = path.stat().st_mode
     except FileNotFoundError:
         return None
     if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
-        # A file would take its place: for who may, that of /dev/null too.
+        # The new file would take its place: with the right to do so, that of /dev/null too.
         raise _BadPath("a device or a pipe stands there, no file")
     return stat.S_IMODE(mode)
 
 
 def _create(path: Path, *, private: bool) -> None:
-    # Of 0o666 the operating system takes away what the user wants taken away.  What replaces
-    # another file is for the user's eyes alone until it has that file's permissions.
+    # The operating system lowers 0o666 as the user has set it.  A file that replaces another one
+    # is for the user alone until it gets the permissions of that one.
     mode = 0o600 if private else 0o666
     os.close(os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL, mode))
 
@@ -272,8 +268,8 @@ def _discard(temporary: Path) -> None:
         temporary.unlink(missing_ok=True)
 
 
-def flush_file(path: Path) -> None:
-    """Send what was written to a file to the disk."""
+def _flush_file(path: Path) -> None:
+    """Send the content of a file to the disk."""
     handle = os.open(path, os.O_RDWR)
     try:
         os.fsync(handle)
@@ -281,9 +277,9 @@ def flush_file(path: Path) -> None:
         os.close(handle)
 
 
-def flush_folder(path: Path) -> None:
-    """Send what was renamed in a folder to the disk, where the system can."""
-    # Windows cannot open folders, and some file systems cannot flush them; the move is made.
+def _flush_folder(path: Path) -> None:
+    """Send the names in a folder to the disk, where the system can."""
+    # Windows cannot open folders, and some file systems cannot flush them.
     with suppress(OSError):
         handle = os.open(path, os.O_RDONLY)
         try:
@@ -292,64 +288,61 @@ def flush_folder(path: Path) -> None:
             os.close(handle)
 
 
-# Folders are filled whole or not at all.
-
-
 @contextmanager
 def replacing_folder(path: Path, mark: str, kept: str = "") -> Iterator[Path]:
     """Give a temporary folder beside ``path`` to fill; move it into place at the end.
 
-    All files in it are flushed to disk before the move.  On any error it is deleted, and what
-    stood at ``path`` stands there still.  While a folder that stood there is replaced, there is
-    none for a moment; never half of one.  What killed writers left long ago is deleted.
+    All files in it are flushed to disk before the move.  On any error it is deleted, and the old
+    folder stays.  While the old folder is replaced, there is none for a moment, but never half of
+    one.  Temporary folders that killed writers left are deleted after a day.
 
     Parameters
     ----------
     path
         The folder.
     mark
-        Name of a file that shows that a folder was written by the same writer: others are not
-        replaced, unless they are empty.
+        Name of a file that shows that the same writer made a folder: others are not replaced,
+        unless they are empty.
     kept
-        Pattern of names, such as ``log*.csv``, of what was written into the folder since by
-        others: it goes over into the new one.
+        Pattern of names, such as ``log*.csv``, of files that others wrote into the old folder:
+        they are copied into the new one.
 
     Raises
     ------
     StorageError
-        Something else stands at ``path``, the parent cannot be written, or the disk is full.
+        Something else exists at ``path``, the parent cannot be written, or the disk is full.
     """
-    _refuse_foreign(path, mark)
+    _check_own_folder(path, mark)
     with explained(path):
-        _sweep(path.parent)
-        temporary = temporary_name(path)
+        _delete_stale(path.parent, folders=True)
+        temporary = _temporary_path(path)
         temporary.mkdir()
     try:
         with explained(path):
             yield temporary
-            for one in path.glob(kept) if kept else ():
-                if one.is_file() and not (temporary / one.name).exists():
-                    shutil.copy2(one, temporary / one.name)
-            for one in sorted(temporary.rglob("*"), reverse=True):
-                if one.is_dir():
-                    flush_folder(one)
+            for entry in path.glob(kept) if kept else ():
+                if entry.is_file() and not (temporary / entry.name).exists():
+                    shutil.copy2(entry, temporary / entry.name)
+            for entry in sorted(temporary.rglob("*"), reverse=True):
+                if entry.is_dir():
+                    _flush_folder(entry)
                 else:
-                    flush_file(one)
-            flush_folder(temporary)
-            _refuse_foreign(path, mark)
+                    _flush_file(entry)
+            _flush_folder(temporary)
+            _check_own_folder(path, mark)
             if path.exists():
-                old = temporary_name(path)
+                old = _temporary_path(path)
                 path.replace(old)
                 temporary.replace(path)
                 shutil.rmtree(old, ignore_errors=True)
             else:
                 temporary.replace(path)
-            flush_folder(path.parent)
+            _flush_folder(path.parent)
     finally:
         shutil.rmtree(temporary, ignore_errors=True)
 
 
-def _refuse_foreign(path: Path, mark: str) -> None:
+def _check_own_folder(path: Path, mark: str) -> None:
     with explained(path):
         if not path.exists() and not path.is_symlink():
             return
@@ -362,31 +355,14 @@ def _refuse_foreign(path: Path, mark: str) -> None:
     )
 
 
-def _sweep(folder: Path) -> None:
-    """Delete one's own temporary folders that nobody has written to for a day."""
-    now = time.time()
-    with suppress(OSError):
-        for one in folder.iterdir():
-            with suppress(OSError):
-                about = one.lstat()
-                if stat.S_ISDIR(about.st_mode) and is_stale_temporary(one.name, about, now):
-                    shutil.rmtree(one, ignore_errors=True)
-
-
-# HDF5, imported when the first file is touched.
-#
-# h5py takes tens of milliseconds to import, and neither the studio's window nor a synthetic limb
-# needs it.  scipy has no module like this one: ``import scipy`` imports its parts at first use.
-
-
 def __getattr__(name: str) -> Any:
-    if name.startswith("__"):  # what Python asks of every module is not h5py's
+    if name.startswith("__"):  # Python asks every module for these
         raise AttributeError(name)
     return getattr(_h5py(), name)
 
 
 def own_member(group: Any, name: str, kind: type) -> Any:
-    """Member of a group that lies in this very file and is of ``kind``; None where none is."""
+    """Return a member of an HDF5 group; None if another file holds it or it is no ``kind``."""
     # A link could lead into any other file.
     is_here = isinstance(group.get(name, getlink=True), _h5py().HardLink)
     member = group[name] if is_here else None

@@ -1,4 +1,4 @@
-"""Trees that JSON can hold."""
+"""Strict JSON: every float is read as it was written, and no field is named twice."""
 
 import json
 from typing import Any, NoReturn
@@ -6,12 +6,10 @@ from typing import Any, NoReturn
 from skinsource.base.errors import FileFormatError
 from skinsource.base.quoting import quoted
 
+#: Texts, numbers, True, False, None, lists of trees, and dictionaries of trees.
 Tree = Any
 
-
-# JSON, read and written strictly: every float comes back, nothing is said twice.
-
-#: Without samples; far above any design.
+#: Most bytes of a text; without samples, any design is far smaller.
 MAX_TEXT_BYTES = 8 * 2**20
 
 
@@ -22,29 +20,29 @@ def dumped(tree: Tree) -> bytes:
 
 
 def loaded(text: bytes) -> Tree:
-    """Return the tree that ``text`` holds.
+    """Return the tree in ``text``.
 
     Raises
     ------
     FileFormatError
-        It is no such text.
+        It is no such JSON.
     """
     if len(text) > MAX_TEXT_BYTES:
         raise FileFormatError(f"{len(text)} bytes of text, expected at most {MAX_TEXT_BYTES}")
     try:
         return json.loads(
-            text.decode(), parse_constant=_refuse_constant, object_pairs_hook=_without_doubles
+            text.decode(), parse_constant=_reject_constant, object_pairs_hook=_checked_fields
         )
     except (ValueError, RecursionError) as error:
         raise FileFormatError("the text is not what SkinSource writes") from error
 
 
-def _refuse_constant(name: str) -> NoReturn:
+def _reject_constant(name: str) -> NoReturn:
     raise FileFormatError(f"the text holds the number {name}, expected finite ones")
 
 
-def _without_doubles(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    found = dict(pairs)
-    if len(found) < len(pairs):
-        raise FileFormatError(f"the text names a field twice among {quoted(list(found))}")
-    return found
+def _checked_fields(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    fields = dict(pairs)
+    if len(fields) < len(pairs):
+        raise FileFormatError(f"the text names a field twice among {quoted(list(fields))}")
+    return fields

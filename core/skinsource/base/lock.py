@@ -1,4 +1,8 @@
-"""Which process has something, and whether it still runs."""
+"""Which process has something, and locks of files that say so.
+
+A lock is a file beside the locked one that names the process.  Locks of the operating system do
+not hold on every network folder, and tell nobody's name.
+"""
 
 import getpass
 import os
@@ -19,10 +23,17 @@ from skinsource.base.files import advice_on_writing, named, read_bytes, reason_o
 from skinsource.base.json_text import dumped, loaded
 from skinsource.base.quoting import printable
 
-#: Far above what one takes.
+# The content of a lock is far shorter.
 _MOST_BYTES = 2**14
-# Clocks that are set while a process runs move what the system tells of its start.
+# Setting the clock while a process runs moves the time of its start.
 _SAME_START_S = 5.0
+# How often a lock is tried again after another process was quicker.
+_TRIES = 10
+# Where files cannot be linked, a lock is empty for a moment while it is written.
+_WRITTEN_AFTER_S = 5.0
+_ASK_EVERY_S = 0.005
+# Threads of one process wait for each other here: a lock belongs to the process.
+_IN_THIS_PROCESS = RLock()
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +47,7 @@ class Owner:
     pid
         Number of the process there.
     started_s
-        When it was started, in seconds of the epoch: numbers of processes are used again.
+        When it was started, in seconds of the epoch: the system uses numbers of processes again.
     """
 
     host: str
@@ -46,7 +57,7 @@ class Owner:
 
     @property
     def words(self) -> str:
-        """For a message: "ana on lab-3, since 10:15"."""
+        """Text for a message: "ana on lab-3, since 10:15"."""
         start = time.localtime(self.started_s)
         same_day = start[:3] == time.localtime()[:3]
         when = time.strftime("%H:%M" if same_day else "%d %b %Y, %H:%M", start)
@@ -60,18 +71,18 @@ class Owner:
 
 
 def this_process() -> Owner:
-    """The process that asks."""
-    return _owner_of(os.getpid())
+    """Return the process that runs this."""
+    return _own_process(os.getpid())
 
 
 def still_runs(owner: Owner) -> bool | None:
-    """Whether its process runs; None for one of another computer, which cannot be asked."""
+    """Whether its process runs; None where it belongs to another computer."""
     if owner.host != platform.node():
         return None
     try:
-        found = psutil.Process(owner.pid)
-        started_s = found.create_time()
-        ended = found.status() == psutil.STATUS_ZOMBIE
+        process = psutil.Process(owner.pid)
+        started_s = process.create_time()
+        ended = process.status() == psutil.STATUS_ZOMBIE
     except (psutil.NoSuchProcess, ValueError, OverflowError):
         return False
     except psutil.AccessDenied:
@@ -80,7 +91,7 @@ def still_runs(owner: Owner) -> bool | None:
 
 
 def to_bytes(owner: Owner) -> bytes:
-    """What `read_owner` reads."""
+    """Return the content of a file for `read_owner`."""
     return dumped(asdict(owner))
 
 
@@ -95,10 +106,10 @@ def read_owner(path: Path) -> Owner | None:
 def owner_of(text: bytes) -> Owner | None:
     """Return the process that ``text`` names; None where it names none."""
     with suppress(FileFormatError):
-        found = loaded(text)
-        if isinstance(found, dict):
-            host, user = found.get("host"), found.get("user")
-            pid, started_s = found.get("pid"), found.get("started_s")
+        fields = loaded(text)
+        if isinstance(fields, dict):
+            host, user = fields.get("host"), fields.get("user")
+            pid, started_s = fields.get("pid"), fields.get("started_s")
             if (
                 isinstance(host, str)
                 and isinstance(user, str)
@@ -112,7 +123,7 @@ def owner_of(text: bytes) -> Owner | None:
 
 
 @cache
-def _owner_of(pid: int) -> Owner:
+def _own_process(pid: int) -> Owner:
     try:
         user = getpass.getuser()
     except (OSError, KeyError, ImportError):  # accounts without a name
@@ -121,19 +132,8 @@ def _owner_of(pid: int) -> Owner:
     return Owner(host=platform.node(), user=user, pid=pid, started_s=started_s)
 
 
-# A file beside an open file that says who has it.
-#
-# Locks of the operating system do not hold on every network folder, and tell nobody's name.
-
-# Whoever loses against a quicker one looks again; more than a few times is no accident.
-_TRIES = 10
-# Where files cannot be linked, one that is being written is empty for a moment.
-_WRITTEN_AFTER_S = 5.0
-_ASK_EVERY_S = 0.005
 _UNKNOWN = Owner(host="an unknown computer", user="somebody", pid=1, started_s=0.0)
 _DAMAGED = Owner(host="", user="", pid=0, started_s=0.0)
-# A lock is the process's: its threads wait for each other here.
-_IN_THIS_PROCESS = RLock()
 
 
 class Lock:
@@ -142,7 +142,7 @@ class Lock:
     Parameters
     ----------
     file
-        What is open; the lock lies beside it.
+        The file to lock; the lock is a file beside it.
     """
 
     def __init__(self, file: Path) -> None:
@@ -154,17 +154,17 @@ class Lock:
         self.path = file.parent / f".{file.name}.lock"
 
     def owner(self) -> Owner | None:
-        """Who has the file, as far as can be known; None: nobody that runs, or this process."""
-        found = self._found()
-        if found is None or found.is_same(this_process()) or _is_over(found):
+        """Return the process that has the file; None: none that runs, or this one."""
+        owner = self._recorded_owner()
+        if owner is None or owner.is_same(this_process()) or _has_ended(owner):
             return None
-        return found
+        return owner
 
     def take(self, *, from_other: bool = False) -> Owner | None:
-        """Have the file; returns who has it already, or None once it is ours.
+        """Lock the file for this process; return the process that has it, None on success.
 
-        What an ended process of this computer left is taken over, and ``from_other`` what any
-        process has.
+        The lock of a process of this computer that has ended is taken over; with ``from_other``
+        that of any process.
 
         Raises
         ------
@@ -172,32 +172,32 @@ class Lock:
             No lock can be written there.
         """
         for _ in range(_TRIES):
-            found = self._found()
-            if found is not None:
-                if found.is_same(this_process()):
+            owner = self._recorded_owner()
+            if owner is not None:
+                if owner.is_same(this_process()):
                     return None
-                if not from_other and not _is_over(found):
-                    return found
-                self._remove(found)
+                if not from_other and not _has_ended(owner):
+                    return owner
+                self._remove(owner)
             if self._create():
                 return None
-        return self._found() or _UNKNOWN
+        return self._recorded_owner() or _UNKNOWN
 
     def release(self) -> None:
-        """Give the file up, if this process has it."""
-        found = read_owner(self.path)
-        if found is not None and found.is_same(this_process()):
+        """Unlock the file if this process has it."""
+        owner = read_owner(self.path)
+        if owner is not None and owner.is_same(this_process()):
             with suppress(OSError):
                 self.path.unlink()
 
     @contextmanager
     def hold(self, wait_s: float = 30.0) -> Iterator[None]:
-        """Have the file for a moment, after whoever has it now.
+        """Lock the file for a block, after the process that has it now.
 
         Raises
         ------
         StorageError
-            Somebody still has it after ``wait_s``, or no lock can be written there.
+            A process still has it after ``wait_s``, or no lock can be written there.
         """
         until_s = time.monotonic() + wait_s
         with _IN_THIS_PROCESS:
@@ -214,31 +214,31 @@ class Lock:
             finally:
                 self.release()
 
-    def _found(self) -> Owner | None:
-        found = read_owner(self.path)
-        if found is not None:
-            return found
+    def _recorded_owner(self) -> Owner | None:
+        owner = read_owner(self.path)
+        if owner is not None:
+            return owner
         try:
             age_s = time.time() - self.path.stat().st_mtime
         except (OSError, ValueError):
             return None
-        # It names nobody: nobody ever finished writing it.
+        # It names no process: its writing was never finished.
         return _UNKNOWN if age_s < _WRITTEN_AFTER_S else _DAMAGED
 
     def _create(self) -> bool:
-        """Write the lock unless there is one; whether it was written."""
-        beside = self.path.with_name(f"{self.path.name}.{secrets.token_hex(4)}.part")
+        """Write the lock unless there is one; return whether it was written."""
+        temporary = self.path.with_name(f"{self.path.name}.{secrets.token_hex(4)}.part")
         try:
-            beside.write_bytes(to_bytes(this_process()))
+            temporary.write_bytes(to_bytes(this_process()))
             try:
-                # With its content at once, or not at all.
-                os.link(beside, self.path)
+                # The lock appears with its whole content, or not at all.
+                os.link(temporary, self.path)
             except FileExistsError:
                 return False
             except OSError:
                 return self._create_empty_first()
             finally:
-                beside.unlink(missing_ok=True)
+                temporary.unlink(missing_ok=True)
         except (OSError, ValueError) as error:
             raise StorageError(
                 f"{named(self.path)}: cannot be written ({reason_of(error)}). "
@@ -255,17 +255,17 @@ class Lock:
             file.write(to_bytes(this_process()))
         return True
 
-    def _remove(self, judged: Owner) -> None:
-        """Take away the lock of ``judged``, and of nobody who was quicker."""
-        aside = self.path.with_name(f"{self.path.name}.{secrets.token_hex(4)}.part")
+    def _remove(self, ended: Owner) -> None:
+        """Delete the lock of ``ended``, but not that of a process which was quicker."""
+        moved = self.path.with_name(f"{self.path.name}.{secrets.token_hex(4)}.part")
         with suppress(OSError):
-            self.path.rename(aside)
-            now = read_owner(aside)
-            if now is not None and now != judged:
+            self.path.rename(moved)
+            owner = read_owner(moved)
+            if owner is not None and owner != ended:
                 with suppress(OSError):
-                    os.link(aside, self.path)
-            aside.unlink()
+                    os.link(moved, self.path)
+            moved.unlink()
 
 
-def _is_over(owner: Owner) -> bool:
+def _has_ended(owner: Owner) -> bool:
     return owner is _DAMAGED or still_runs(owner) is False

@@ -1,4 +1,8 @@
-"""Bands of frequencies."""
+"""Constants of the published limbs, and axes and numbers of input locations of any limb.
+
+The synthetic limbs have the same sizes as the published ones.  Computations take the sizes from
+the limb that they are given, never from here.
+"""
 
 from typing import Literal, get_args
 
@@ -10,39 +14,35 @@ from skinsource.base.quoting import quoted
 #: Lowest and highest frequency, Hz.  ``Band | None``: that of a limb, None where it is not known.
 Band = tuple[float, float]
 
-
-# Sizes of the published limbs, and of the synthetic ones, which are like them.
-#
-# What computes asks the limb it is given, never these.
-
 N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS = 20, 72, 3, 522
 SAMPLE_RATE_HZ = 1300.0
 #: The band in which the responses were measured.
 BAND_HZ: Band = (25.0, 600.0)
 #: Time between the trigger and the pulse in the measured responses.
 PRE_TRIGGER_DELAY_S = 0.052
-#: Outputs on the palmar side: they have no place on the dorsal map.
+#: Outputs on the palmar side: they are not on the dorsal map.
 VOLAR_OUTPUTS = (61, 62, 63, 64, 65, 66)
 
-#: The largest number that a place or an output of any limb can have.
+#: The largest number that an input location or an output of any limb can have.
 MOST_PLACES = 10_000
 
-#: Hand lengths of limbs 1 to 4, measured and synthetic alike.
+#: Hand lengths of limbs 1 to 4, measured and synthetic.
 HAND_LENGTHS_MM = (175.0, 165.0, 185.0, 165.0)
-#: Every limb that exists, installed or not, but for those that a lab has imported.
+#: All limbs, installed or not, except those that a lab has imported.
 LIMB_NAMES = tuple(f"{kind}-{k}" for kind in ("measured", "synthetic") for k in range(1, 5))
 
+#: Largest velocity at which skin was found linear: third harmonics appear at twice this velocity.
+LARGEST_VELOCITY_M_PER_S = 0.04
 
-# Axes along which outputs measure.
-
+#: Axes along which outputs measure.
 Axes = Literal["x", "y", "z", "xy", "xz", "yz", "xyz"]
 AXES: tuple[Axes, ...] = get_args(Axes)
-#: Of those that a limb has, whichever they are.
+#: All axes that a limb has.
 ALL_AXES: Axes = "xyz"
 
 
 def axes_of(measured: Axes, axes: Axes) -> Axes:
-    """Those of a limb's axes that ``axes`` asks for; ``"xyz"`` asks for all it has.
+    """Return the chosen axes of a limb; ``"xyz"`` chooses all that it has.
 
     Raises
     ------
@@ -66,16 +66,13 @@ def axes_of(measured: Axes, axes: Axes) -> Axes:
 
 
 def axis_numbers(axes: Axes, measured: Axes = ALL_AXES) -> tuple[int, ...]:
-    """Where, among the axes that a limb measures along, those are that `axes_of` finds."""
+    """Return the positions of the chosen axes among those that a limb measures along."""
     return tuple(measured.index(axis) for axis in axes_of(measured, axes))
 
 
 def axes_text(axes: str) -> str:
-    """Axes in a sentence: "x and z"."""
+    """Return axes as they stand in a sentence: "x and z"."""
     return f"{', '.join(axes[:-1])} and {axes[-1]}" if len(axes) > 1 else axes
-
-
-# Numbers of input places.
 
 
 def check_input_location(location: int, n_inputs: int = N_INPUTS) -> None:
@@ -86,9 +83,3 @@ def check_input_location(location: int, n_inputs: int = N_INPUTS) -> None:
             f"input location {quoted(location)} does not exist: locations are the whole numbers 1 "
             f"to {n_inputs}. See skinsource.limbs.locations for the list."
         )
-
-
-# What holds for the skin of any limb.
-
-#: Up to here the skin was found to answer in proportion: third harmonics show at twice of it.
-LARGEST_VELOCITY_M_PER_S = 0.04

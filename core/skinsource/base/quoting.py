@@ -1,12 +1,12 @@
-"""How values and sentences look in a message.
+"""Values and sentences in messages.
 
-What is quoted comes from files, servers and scripts: it may be a megabyte of text, and hold
-commands for a terminal.  A message shows the beginning of it, in characters that can be printed.
+Quoted values come from files, servers and scripts: they may be a megabyte of text, and hold
+commands for a terminal.  A message shows their beginning, in characters that can be printed.
 """
 
 import reprlib
 
-#: Characters of a quotation; what is longer is cut.
+#: Characters of a quotation; longer ones are cut.
 MOST_CHARACTERS = 80
 
 _SHORT = reprlib.Repr()
@@ -17,33 +17,33 @@ _SHORT.maxlevel = 3
 def quoted(value: object) -> str:
     """Return ``value`` as Python writes it, at most 80 printable characters of it."""
     if isinstance(value, str | bytes | bytearray):
-        # Only the beginning is turned into words, however long it is.
+        # Of a long value only the beginning is converted.
         text = repr(value[: MOST_CHARACTERS + 1])
     else:
         try:
             text = _SHORT.repr(value)
-        except (ValueError, RecursionError):  # whole numbers of thousands of digits; deep nests
+        except (ValueError, RecursionError):  # integers of thousands of digits; deep nesting
             text = f"<{type(value).__name__}>"
     return printable(text)
 
 
 def printable(thing: object) -> str:
-    r"""Return a text, or what an error says, in one line of at most 80 printable characters.
+    r"""Return a text, or the message of an error, in one line of at most 80 printable characters.
 
-    What cannot be printed is written as Python does, ``\x1b`` for the beginning of a
-    terminal's command; a cut is marked by ``…``.
+    Other characters are escaped as in Python, such as ``\x1b``; ``…`` marks a cut.
     """
     text = str(thing)
     beginning = text[: 4 * MOST_CHARACTERS]
-    shown = escaped(" ".join(beginning.split()))
-    whole = len(shown) <= MOST_CHARACTERS and len(text) == len(beginning)
-    return shown if whole else f"{shown[: MOST_CHARACTERS - 1]}…"
+    line = escaped(" ".join(beginning.split()))
+    is_whole = len(line) <= MOST_CHARACTERS and len(text) == len(beginning)
+    return line if is_whole else f"{line[: MOST_CHARACTERS - 1]}…"
 
 
 def escaped(text: str) -> str:
-    """Return ``text`` with what cannot be printed written as Python does."""
+    """Return ``text`` with characters that cannot be printed escaped as in Python."""
     return "".join(
-        one if one.isprintable() else one.encode("unicode_escape").decode("ascii") for one in text
+        character if character.isprintable() else character.encode("unicode_escape").decode("ascii")
+        for character in text
     )
 
 

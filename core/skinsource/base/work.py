@@ -1,4 +1,4 @@
-"""Counts the work that an evaluation does, so that what is left out can be asserted."""
+"""Counts of the work that an evaluation does, for tests; and counts of things in a sentence."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -8,14 +8,14 @@ from dataclasses import dataclass
 
 @dataclass(slots=True)
 class Work:
-    """What was done.
+    """Counts of work.
 
     Attributes
     ----------
     forward_transforms, inverse_transforms
         Fourier transforms of one signal each.
     search_transforms
-        Those of the inverse ones that searched for the exact maximum of a unit field.
+        Inverse transforms that searched for the exact maximum of a unit field.
     samples_drawn
         Samples of waveforms that were computed.
     bytes_read
@@ -38,13 +38,13 @@ class Work:
     samples_moved: int = 0
 
 
-# What is being counted belongs to the running evaluation, not to the functions that do the work.
+# The counts belong to the running evaluation, not to the functions that do the work.
 _counted: ContextVar[Work | None] = ContextVar("counted", default=None)
 
 
 @contextmanager
 def counting() -> Iterator[Work]:
-    """Count the work done in this block, by this thread."""
+    """Count the work that this thread does in the block."""
     work = Work()
     token = _counted.set(work)
     try:
@@ -64,7 +64,7 @@ def tally(
     operators_built: int = 0,
     samples_moved: int = 0,
 ) -> None:
-    """Add to what is being counted; nothing where nobody counts."""
+    """Add to the counts of `counting`; do nothing outside of it."""
     work = _counted.get()
     if work is not None:
         work.forward_transforms += forward_transforms
@@ -77,9 +77,6 @@ def tally(
         work.samples_moved += samples_moved
 
 
-# How many there are, in words.
-
-
 def counted(count: int, noun: str, plural: str = "") -> str:
     """Return ``"1 clip"``, ``"3 clips"``.
 
@@ -88,8 +85,8 @@ def counted(count: int, noun: str, plural: str = "") -> str:
     count
         How many.
     noun
-        What one is called; the words before it stay as they are: ``"more clip"``.
+        Its singular; words before it stay as they are: ``"more clip"``.
     plural
-        What several are called, where that is not the noun with an s.
+        Its plural, where that is not the noun with an s.
     """
     return f"{count} {noun if count == 1 else plural or f'{noun}s'}"

@@ -1,4 +1,4 @@
-"""``skinsource bench``."""
+"""``skinsource bench``: measure error against run time on this machine."""
 
 import argparse
 import platform
@@ -115,5 +115,5 @@ def _progress(form: str) -> Iterator[Progress]:
 
 def _write_line(done: int, total: int, text: str) -> None:
     sys.stdout.write(f"{done}/{total} {text}\n")
-    # A pipe would keep it back, and where nobody reads any more, the work ends here.
+    # A pipe would hold it back; and where nobody reads any more, the work ends here.
     sys.stdout.flush()

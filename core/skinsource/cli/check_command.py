@@ -1,4 +1,4 @@
-"""``skinsource check``: linearity, superposition, and agreement with recorded responses."""
+"""``skinsource check``: check linearity, superposition, and agreement with recordings."""
 
 import argparse
 import sys
@@ -67,6 +67,6 @@ def _check(arguments: argparse.Namespace) -> int:
         ]
     sys.stdout.write("\n".join(summary_lines(conditions)) + "\n")
     if arguments.out is not None:
-        write_report(arguments.out, conditions, (one.limb for one in designs.values()))
+        write_report(arguments.out, conditions, (design.limb for design in designs.values()))
         sys.stdout.write(f"{arguments.out}\n")
     return 0

@@ -3,11 +3,10 @@
 import argparse
 import sys
 from collections.abc import Sequence
-from typing import Any
 
 from skinsource.base.errors import SkinSourceError, Stopped
-from skinsource.cli import bench_command as bench_commands
 from skinsource.cli import (
+    bench_command,
     check_command,
     design_commands,
     export_command,
@@ -23,9 +22,9 @@ from skinsource.limbs.catalogue import available_limbs, load_limb
 from skinsource.limbs.dataset import commands as dataset_commands
 from skinsource.version import __version__
 
-#: What adds the commands, in the order of the help page.  Each sets ``run``, a function from
-#: the parsed arguments to the exit code.
-COMMAND_MODULES = (
+# Modules that add the commands, in the order of the help page.  Each command sets ``run``, a
+# function from the parsed arguments to the exit code.
+_COMMAND_MODULES = (
     design_commands,
     export_command,
     scene_commands,
@@ -34,7 +33,7 @@ COMMAND_MODULES = (
     sweep_commands,
     check_command,
     dataset_commands,
-    bench_commands,
+    bench_command,
     limb_commands,
     rig_commands,
 )
@@ -43,7 +42,7 @@ _FAILED, _STOPPED = 1, 130
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run one command and give its exit code.
+    """Run one command and return its exit code.
 
     Returns
     -------
@@ -69,24 +68,20 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"skinsource {__version__}")
     subparsers = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
-    _add_limbs_to(subparsers)
-    for module in COMMAND_MODULES:
-        module.add_to(subparsers)
-    return parser
-
-
-def _add_limbs_to(subparsers: Any) -> None:
     limbs = subparsers.add_parser("limbs", help="show the limbs that can be used")
     limbs.set_defaults(run=_limbs)
+    for module in _COMMAND_MODULES:
+        module.add_to(subparsers)
+    return parser
 
 
 def _limbs(_: argparse.Namespace) -> int:
     for name in available_limbs():
         limb = load_limb(name)
-        word = limb_word(name)
+        label = limb_word(name)
         mark = "SYNTHETIC  " if limb.synthetic else ""
         note = f"  NOTE: {limb.note}" if limb.note else ""
-        sys.stdout.write(f"{name:12}  {word.title:22}  {mark}{word.sentence}{note}\n")
+        sys.stdout.write(f"{name:12}  {label.title:22}  {mark}{label.sentence}{note}\n")
     return 0
 
 

@@ -1,4 +1,4 @@
-"""``skinsource show`` and ``skinsource render``: design files without the window."""
+"""``skinsource show`` and ``skinsource render``: show and compute design files."""
 
 import argparse
 import sys
@@ -54,14 +54,14 @@ def add_to(subparsers: Any) -> None:
 def _show(arguments: argparse.Namespace) -> int:
     content = open_design(arguments.design)
     design, view = content.design, content.view
-    found = evaluate(design, "limb_data", "validity", "output_levels_db", view=view)
-    note, judged = found["limb_data"].note, Judged(label="", findings=found["validity"])
+    results = evaluate(design, "limb_data", "validity", "output_levels_db", view=view)
+    note, judged = results["limb_data"].note, Judged(label="", findings=results["validity"])
     lines = [
-        *_about_design(design),
+        *_design_lines(design),
         *([f"NOTE      {note}"] if note else []),
-        *(f"CAUTION   {words}" for words in in_short([judged])),
-        *_about_inputs(design),
-        *_levels(design, view, found["output_levels_db"]),
+        *(f"CAUTION   {text}" for text in in_short([judged])),
+        *_track_lines(design),
+        *_level_lines(design, view, results["output_levels_db"]),
     ]
     sys.stdout.write("\n".join(lines) + "\n")
     return 0
@@ -84,7 +84,7 @@ def _render(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _about_design(design: Design) -> list[str]:
+def _design_lines(design: Design) -> list[str]:
     texts = {"title": design.title, "author": design.author, "licence": design.licence}
     limb = limb_word(design.limb)
     synthetic = "  SYNTHETIC" if facts_of(design.limb).synthetic else ""
@@ -97,43 +97,43 @@ def _about_design(design: Design) -> list[str]:
     ]
 
 
-def _about_inputs(design: Design) -> list[str]:
-    heard = len(audible_inputs(design.inputs))
+def _track_lines(design: Design) -> list[str]:
+    n_audible = len(audible_inputs(design.inputs))
     meaning = amplitude_note(design.limb, design.limb_digest, design.scaling, design.actuated)
     return [
         *([f"amplitude {meaning}"] if meaning else []),
-        f"inputs    {len(design.inputs)}, {heard} of them heard",
-        *(line for one in design.inputs for line in _about_input(one, design)),
+        f"inputs    {len(design.inputs)}, {n_audible} of them heard",
+        *(line for track in design.inputs for line in _lines_of_track(track, design)),
     ]
 
 
-def _about_input(one: Input, design: Design) -> list[str]:
+def _lines_of_track(track: Input, design: Design) -> list[str]:
     marks = "".join(
-        f", {word}" for word, is_so in (("muted", one.muted), ("solo", one.solo)) if is_so
+        f", {word}" for word, is_so in (("muted", track.muted), ("solo", track.solo)) if is_so
     )
-    curve = f", gain curve of {counted(len(one.gain_curve), 'point')}" if one.gain_curve else ""
-    strength = amplitude_text(design, one)
-    if not is_gain(design, one):
+    curve = f", gain curve of {counted(len(track.gain_curve), 'point')}" if track.gain_curve else ""
+    strength = amplitude_text(design, track)
+    if not is_gain(design, track):
         strength = f"amplitude {strength}"
     return [
-        f"  {one.id:3}  place {one.location}, {input_name(one.location, design.limb).name}: "
+        f"  {track.id:3}  place {track.location}, {input_name(track.location, design.limb).name}: "
         f"{strength}{curve}{marks}",
-        *(f"       from {clip.onset_s:g} s: {_about_clip(clip)}" for clip in one.clips),
+        *(f"       from {clip.onset_s:g} s: {_clip_text(clip)}" for clip in track.clips),
     ]
 
 
-def _about_clip(clip: Clip) -> str:
+def _clip_text(clip: Clip) -> str:
     gain = "" if clip.gain == 1.0 else f", gain {clip.gain:g}"
-    effects = "".join(f", {one}" for one in clip.effects if one.on)
+    effects = "".join(f", {effect}" for effect in clip.effects if effect.on)
     return f"{clip.waveform}{gain}{effects}{', muted' if clip.muted else ''}"
 
 
-def _levels(design: Design, view: View, levels_db: Floats) -> list[str]:
+def _level_lines(design: Design, view: View, levels_db: Floats) -> list[str]:
     lines = [
         f"levels    {level_label(view.span)}; {signal_label(view.axes, view.method)}",
         "  output  dB re 1 m/s²  place",
     ]
     for number, level_db in enumerate(levels_db.tolist(), start=1):
-        place = output_name(number, design.limb).name
-        lines.append(f"  {number:6}  {level_db:12.1f}  {place}".rstrip())
+        name = output_name(number, design.limb).name
+        lines.append(f"  {number:6}  {level_db:12.1f}  {name}".rstrip())
     return lines

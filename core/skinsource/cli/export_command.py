@@ -1,4 +1,4 @@
-"""``skinsource export``: the stimulus of a design file, for actuators."""
+"""``skinsource export``: write the stimulus of a design file for actuators."""
 
 import argparse
 import sys
@@ -12,7 +12,7 @@ from skinsource.export.formats.formats import FORMATS, export_formats
 from skinsource.export.stimulus_export.export import export_stimulus
 from skinsource.export.stimulus_export.options import StimulusOptions
 
-_NAMES_OF_TIMES = {
+_TIME_OPTIONS = {
     "--from": ("from_s", "begin of the part of the design that is exported"),
     "--to": ("to_s", "its end"),
     "--lead-in": ("lead_in_s", "silence before it"),
@@ -23,7 +23,7 @@ _NAMES_OF_TIMES = {
 
 def add_to(subparsers: Any) -> None:
     """Add the command ``export``."""
-    listed = "\n".join(f"  {one.name:10} {one.hint}" for one in FORMATS)
+    listed = "\n".join(f"  {file_format.name:10} {file_format.hint}" for file_format in FORMATS)
     parser = subparsers.add_parser(
         "export",
         help="write the stimulus of a design file: WAV, CSV, MATLAB, C and others",
@@ -44,26 +44,19 @@ def add_to(subparsers: Any) -> None:
     parser.add_argument(
         "--rate", type=int, metavar="HZ", help="sample rate (default: that of the format)"
     )
-    for flag, (name, help_words) in _NAMES_OF_TIMES.items():
-        parser.add_argument(flag, dest=name, type=float, metavar="S", help=f"{help_words}, in s")
+    for flag, (name, description) in _TIME_OPTIONS.items():
+        parser.add_argument(flag, dest=name, type=float, metavar="S", help=f"{description}, in s")
     _add_options(parser)
     parser.set_defaults(run=_export)
 
 
 def _add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "--inputs", type=int, nargs="+", metavar="N", help="only these inputs, by number"
-    )
-    parser.add_argument(
-        "--per", choices=("place", "input"), default="place", help="what has a channel of its own"
-    )
-    parser.add_argument(
-        "--file-per-input", action="store_true", help="a file of one channel for each input"
-    )
-    parser.add_argument(
-        "--sync", action="store_true", help="add a channel that marks time 0, or --from"
-    )
-    parser.add_argument(
+    add = parser.add_argument
+    add("--inputs", type=int, nargs="+", metavar="N", help="only these inputs, by number")
+    add("--per", choices=("place", "input"), default="place", help="what has a channel of its own")
+    add("--file-per-input", action="store_true", help="a file of one channel for each input")
+    add("--sync", action="store_true", help="add a channel that marks time 0, or --from")
+    add(
         "--map",
         dest="channel_map",
         type=int,
@@ -72,54 +65,48 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="for each output of the device the channel that it gets; 0: none",
     )
-    parser.add_argument(
+    add(
         "--full-scale",
         type=float,
         metavar="X",
         help="drive that is full scale, in its unit (default: the largest sample)",
     )
-    parser.add_argument(
-        "--dither", type=int, metavar="SEED", help="dither whole numbers, with this seed"
-    )
+    add("--dither", type=int, metavar="SEED", help="dither whole numbers, with this seed")
     for name, (formats, options) in _choices().items():
-        parser.add_argument(
+        add(
             f"--{name}",
             dest=f"choice_{name}",
             metavar="|".join(options),
             help=f"for {', '.join(formats)}",
         )
-    parser.add_argument(
+    add(
         "--accept-loss",
         action="store_true",
         help="write it even though a channel loses more than 1 dB of its energy to the rate",
     )
-    parser.add_argument("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
-    parser.add_argument(
+    add("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
+    add(
         "--equalise",
         choices=("linear", "minimum"),
         help="make volts of accelerations for the rig, with this phase",
     )
-    parser.add_argument(
-        "--boost", type=float, metavar="DB", help="most that --equalise boosts (default: 20)"
-    )
-    parser.add_argument(
-        "--confirm", action="store_true", help="write it even though samples clip or limits pass"
-    )
+    add("--boost", type=float, metavar="DB", help="most that --equalise boosts (default: 20)")
+    add("--confirm", action="store_true", help="write it even though samples clip or limits pass")
 
 
 def _choices() -> dict[str, tuple[list[str], list[str]]]:
-    """By name of a choice: the formats that offer it, and all that some of them offers."""
-    found: dict[str, tuple[list[str], list[str]]] = {}
-    for one in FORMATS:
-        for name, spec in one.choices.items():
-            formats, options = found.setdefault(name, ([], []))
-            formats.append(one.name)
+    """Return, by name of a choice, the formats that offer it and its options in any of them."""
+    choices: dict[str, tuple[list[str], list[str]]] = {}
+    for file_format in FORMATS:
+        for name, spec in file_format.choices.items():
+            formats, options = choices.setdefault(name, ([], []))
+            formats.append(file_format.name)
             options.extend(value for value, _ in spec.options if value not in options)
-    return found
+    return choices
 
 
 def _export(arguments: argparse.Namespace) -> int:
-    chosen = {name: getattr(arguments, f"choice_{name}") for name in _choices()}
+    choices = {name: getattr(arguments, f"choice_{name}") for name in _choices()}
     options = StimulusOptions(
         per=arguments.per,
         one_file_per_input=arguments.file_per_input,
@@ -134,10 +121,10 @@ def _export(arguments: argparse.Namespace) -> int:
         full_scale=arguments.full_scale,
         dither_seed=arguments.dither,
         accept_loss=arguments.accept_loss,
-        choices={name: value for name, value in chosen.items() if value is not None},
+        choices={name: value for name, value in choices.items() if value is not None},
     )
     rig = None if arguments.rig is None else open_rig(arguments.rig)
-    done = export_stimulus(
+    exported = export_stimulus(
         open_design(arguments.design).design,
         arguments.out,
         arguments.format,
@@ -147,11 +134,13 @@ def _export(arguments: argparse.Namespace) -> int:
         equaliser=_equaliser(arguments),
         confirmed=arguments.confirm,
     )
-    for one in done.objections:
-        sys.stderr.write(f"skinsource: confirmed: {one}\n")
-    for path in done.files:
+    for objection in exported.objections:
+        sys.stderr.write(f"skinsource: confirmed: {objection}\n")
+    for path in exported.files:
         sys.stdout.write(f"{path}\n")
-    for note in filter(None, (done.edges, done.loses, done.equalised, done.calibration)):
+    for note in filter(
+        None, (exported.edges, exported.loses, exported.equalised, exported.calibration)
+    ):
         sys.stdout.write(f"  {note[:1].upper()}{note[1:].rstrip('.')}.\n")
     return 0
 
@@ -159,6 +148,5 @@ def _export(arguments: argparse.Namespace) -> int:
 def _equaliser(arguments: argparse.Namespace) -> RegularisedInverse | None:
     if arguments.equalise is None:
         return None
-    if arguments.boost is None:
-        return RegularisedInverse(phase=arguments.equalise)
-    return RegularisedInverse(phase=arguments.equalise, boost_db=arguments.boost)
+    boost = {} if arguments.boost is None else {"boost_db": arguments.boost}
+    return RegularisedInverse(phase=arguments.equalise, **boost)

@@ -1,4 +1,4 @@
-"""``skinsource figures``: the figures of the scenes, without a window."""
+"""``skinsource figures``: draw the figures of the scenes."""
 
 import argparse
 import sys

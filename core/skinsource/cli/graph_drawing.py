@@ -1,6 +1,6 @@
-"""Drawings of the graph of quantities, for documents: made from the rules themselves.
+"""Drawings of the graph of quantities for documents, made from the rules.
 
-To bring those of a document up to date:
+To update those of a document:
 
     python -m skinsource.cli.graph_drawing docs/internals/rendering.md
 """
@@ -14,51 +14,52 @@ from pathlib import Path
 from skinsource.engine.graph import Graph
 from skinsource.engine.quantities import new_graph
 
-#: What stands around a drawing in a document: between these two lines it is replaced.
+# A drawing in a document, between two lines of comments.
 _MARKED = re.compile(r"(<!-- drawn: ([\w ]+) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 
-def rules_of(graph: Graph, wanted: Iterable[str]) -> tuple[str, ...]:
-    """Names of all rules that lead to what is ``wanted``, each after those it needs."""
-    found: dict[str, None] = {}
+def rules_of(graph: Graph, quantities: Iterable[str]) -> tuple[str, ...]:
+    """Return the names of all rules that ``quantities`` need, each after those it needs."""
+    names: dict[str, None] = {}
 
     def visit(name: str) -> None:
-        if name in graph.rules and name not in found:
+        if name in graph.rules and name not in names:
             for need in graph.needs_of(name):
                 visit(need)
-            found[name] = None
+            names[name] = None
 
-    for name in wanted:
+    for name in quantities:
         visit(name)
-    return tuple(found)
+    return tuple(names)
 
 
 def drawing(graph: Graph, names: Iterable[str]) -> str:
-    """Mermaid flowchart of some rules; what comes from elsewhere has round ends."""
+    """Return a Mermaid flowchart of some rules; quantities of other rules have round ends."""
     names = tuple(names)
-    outside = dict.fromkeys(
+    others = dict.fromkeys(
         need for name in names for need in graph.needs_of(name) if need not in names
     )
     arrows = [f"    {need} --> {name}" for name in names for need in graph.needs_of(name)]
-    lines = [*(f"    {name}([{name}])" for name in outside), *(f"    {name}" for name in names)]
+    lines = [*(f"    {name}([{name}])" for name in others), *(f"    {name}" for name in names)]
     return "\n".join(["```mermaid", "flowchart TD", *lines, *arrows, "```"])
 
 
 def table(graph: Graph, names: Iterable[str]) -> str:
-    """What each rule computes, in its own words."""
+    """Return a table of rules with the first lines of their docstrings."""
     rows = [f"| `{name}` | {_first_line(graph, name)} |" for name in names]
     return "\n".join(["| quantity | what it is |", "|---|---|", *rows])
 
 
-def brought_up_to_date(document: str) -> str:
-    """The document with its drawings made again.
+def updated(document: str) -> str:
+    """Return the document with its drawings made again.
 
-    A drawing stands between ``<!-- drawn: WORDS -->`` and ``<!-- end -->``; words are rules, and
-    modules all of whose other rules are drawn that lead to a painted map, traces or spectra.
+    A drawing stands between ``<!-- drawn: WORDS -->`` and ``<!-- end -->``.  The words are rules,
+    and modules: of a module all rules are drawn that no drawing names and that lead to a painted
+    map, traces or spectra.
     """
     graph = new_graph()
-    shown = "surface_levels_db", "selected_extremes", "selected_spectra", "trace_error"
-    ordered = rules_of(graph, (*shown, "input_waveforms", "response_time_s", "streamed"))
+    ends = "surface_levels_db", "selected_extremes", "selected_spectra", "trace_error"
+    ordered = rules_of(graph, (*ends, "input_waveforms", "response_time_s", "streamed"))
 
     named = {word for match in _MARKED.finditer(document) for word in match[2].split()}
 
@@ -84,4 +85,4 @@ def _first_line(graph: Graph, name: str) -> str:
 
 if __name__ == "__main__":
     for path in map(Path, sys.argv[1:]):
-        path.write_text(brought_up_to_date(path.read_text(encoding="utf-8")), encoding="utf-8")
+        path.write_text(updated(path.read_text(encoding="utf-8")), encoding="utf-8")

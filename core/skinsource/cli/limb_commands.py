@@ -1,4 +1,4 @@
-"""``skinsource limb import | list | mirror | export | remove``: limbs of a lab's own."""
+"""``skinsource limb import | list | mirror | export | remove``: the user's own limbs."""
 
 import argparse
 import sys
@@ -34,76 +34,71 @@ def add_to(subparsers: Any) -> None:
     )
     actions = limb.add_subparsers(title="actions", metavar="ACTION", required=True)
     _add_import(actions)
-    one = actions.add_parser("list", help="show the limbs that were imported")
-    one.set_defaults(run=_list)
-    one = actions.add_parser("mirror", help="show a left hand as a right one, or as it is")
-    one.add_argument("name", metavar="NAME")
-    one.add_argument("--off", action="store_true", help="as it is")
-    one.set_defaults(run=_mirror)
-    one = actions.add_parser("export", help="write a limb in the layout of docs/limbs.md")
-    one.add_argument("name", metavar="NAME")
-    one.add_argument("--out", type=Path, required=True, metavar="FILE", help="an .h5 file")
-    one.set_defaults(run=_export)
-    one = actions.add_parser("remove", help="delete a limb that was imported")
-    one.add_argument("name", metavar="NAME")
-    one.set_defaults(run=_remove)
+    parser = actions.add_parser("list", help="show the limbs that were imported")
+    parser.set_defaults(run=_list)
+    parser = actions.add_parser("mirror", help="show a left hand as a right one, or as it is")
+    parser.add_argument("name", metavar="NAME")
+    parser.add_argument("--off", action="store_true", help="as it is")
+    parser.set_defaults(run=_mirror)
+    parser = actions.add_parser("export", help="write a limb in the layout of docs/limbs.md")
+    parser.add_argument("name", metavar="NAME")
+    parser.add_argument("--out", type=Path, required=True, metavar="FILE", help="an .h5 file")
+    parser.set_defaults(run=_export)
+    parser = actions.add_parser("remove", help="delete a limb that was imported")
+    parser.add_argument("name", metavar="NAME")
+    parser.set_defaults(run=_remove)
 
 
 def _add_import(actions: Any) -> None:
-    one = actions.add_parser("import", help="import impulse responses", description=_IMPORT)
-    one.add_argument("file", type=Path, metavar="FILE", help="the responses, in m/s²")
-    one.add_argument("--name", help=f"what designs call it: {NAME_RULE}")
-    one.add_argument("--title", help="what the window calls it")
-    one.add_argument("--note", help="what users should know of it")
-    one.add_argument("--array", default="", metavar="NAME", help="which array (default: largest)")
-    one.add_argument(
+    parser = actions.add_parser("import", help="import impulse responses", description=_IMPORT)
+    add = parser.add_argument
+    add("file", type=Path, metavar="FILE", help="the responses, in m/s²")
+    add("--name", help=f"what designs call it: {NAME_RULE}")
+    add("--title", help="what the window calls it")
+    add("--note", help="what users should know of it")
+    add("--array", default="", metavar="NAME", help="which array (default: largest)")
+    add(
         "--order",
         default="",
         metavar="LETTERS",
         help="what its dimensions are: i input, o output, a axis, t tap (default: ioat, or iot)",
     )
-    one.add_argument("--axes", choices=AXES, help="along which each output measures; z: normal")
-    one.add_argument("--rate", type=float, metavar="HZ", help="samples a second")
-    one.add_argument("--delay", type=float, metavar="S", help="how late the responses are")
-    one.add_argument(
+    add("--axes", choices=AXES, help="along which each output measures; z: normal")
+    add("--rate", type=float, metavar="HZ", help="samples a second")
+    add("--delay", type=float, metavar="S", help="how late the responses are")
+    add(
         "--band",
         type=float,
         nargs=2,
         metavar=("LOWEST", "HIGHEST"),
         help="in which the responses hold, Hz (default: not known)",
     )
-    one.add_argument("--hand-length", type=float, metavar="MM", help="middle finger tip to wrist")
-    one.add_argument(
+    add("--hand-length", type=float, metavar="MM", help="middle finger tip to wrist")
+    add(
         "--hand-length-units",
         type=float,
         metavar="N",
         help="the same in the unit of the coordinates (default: they are mm)",
     )
-    one.add_argument("--outline", type=Path, metavar="FILE", help="SVG, or CSV of x, y")
-    one.add_argument("--inputs", type=Path, metavar="CSV", help="places of inputs: x, y, name")
-    one.add_argument("--outputs", type=Path, metavar="CSV", help="places of outputs: x, y, name")
-    one.add_argument(
-        "--y-down", action="store_true", default=None, help="y points down in these files, too"
-    )
-    one.add_argument("--left", action="store_true", default=None, help="it is a left hand")
-    one.add_argument(
-        "--mirrored", action="store_true", default=None, help="show it as a right hand"
-    )
-    one.add_argument(
+    add("--outline", type=Path, metavar="FILE", help="SVG, or CSV of x, y")
+    add("--inputs", type=Path, metavar="CSV", help="places of inputs: x, y, name")
+    add("--outputs", type=Path, metavar="CSV", help="places of outputs: x, y, name")
+    add("--y-down", action="store_true", default=None, help="y points down in these files, too")
+    add("--left", action="store_true", default=None, help="it is a left hand")
+    add("--mirrored", action="store_true", default=None, help="show it as a right hand")
+    add(
         "--pulse",
         action="store_true",
         help="responses to the pulse of the published limbs, not to one sample of the drive",
     )
-    one.add_argument(
+    add(
         "--synthetic",
         action="store_true",
         default=None,
         help="the responses are computed, not measured",
     )
-    one.add_argument(
-        "--replace", action="store_true", help="take the place of an own limb of the same name"
-    )
-    one.set_defaults(run=_import)
+    add("--replace", action="store_true", help="take the place of an own limb of the same name")
+    parser.set_defaults(run=_import)
 
 
 def _import(arguments: argparse.Namespace) -> int:
@@ -133,7 +128,7 @@ def _import(arguments: argparse.Namespace) -> int:
     )
     with ProgressBar(sys.stderr) as bar:
         facts = import_limb(source, replace=arguments.replace, progress=bar)
-    sys.stdout.write(f"Imported {_words(facts.name)}\n")
+    sys.stdout.write(f"Imported {_limb_line(facts.name)}\n")
     return 0
 
 
@@ -142,13 +137,13 @@ def _list(_: argparse.Namespace) -> int:
     if not names:
         sys.stdout.write("No limb was imported. skinsource limb import FILE imports one.\n")
     for name in names:
-        sys.stdout.write(f"{_words(name)}\n")
+        sys.stdout.write(f"{_limb_line(name)}\n")
     return 0
 
 
 def _mirror(arguments: argparse.Namespace) -> int:
     mirror_limb(arguments.name, not arguments.off)
-    sys.stdout.write(f"{_words(arguments.name)}\n")
+    sys.stdout.write(f"{_limb_line(arguments.name)}\n")
     return 0
 
 
@@ -166,7 +161,7 @@ def _remove(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _words(name: str) -> str:
+def _limb_line(name: str) -> str:
     facts = facts_of(name)
     if not facts.known:
         return f"{name:12}  damaged: import it again"

@@ -1,4 +1,4 @@
-"""``skinsource pack``: a design file with all that belongs to it, as one zip."""
+"""``skinsource pack``: put a design file and all that belongs to it into one zip."""
 
 import argparse
 import sys

@@ -1,4 +1,4 @@
-"""``skinsource rig measure | devices``: what a laboratory has on its table."""
+"""``skinsource rig measure | devices``: measure actuators, and list audio devices."""
 
 import argparse
 import sys
@@ -28,65 +28,62 @@ def add_to(subparsers: Any) -> None:
     )
     actions = rig.add_subparsers(title="actions", metavar="ACTION", required=True)
     _add_measure(actions)
-    one = actions.add_parser("devices", help="show what can be played on and recorded from")
-    one.set_defaults(run=_devices)
+    parser = actions.add_parser("devices", help="show what can be played on and recorded from")
+    parser.set_defaults(run=_devices)
 
 
 def _add_measure(actions: Any) -> None:
-    usual, played = MeasuringSetup(), Output()
-    one = actions.add_parser(
+    default, output = MeasuringSetup(), Output()
+    parser = actions.add_parser(
         "measure", help="measure a channel with an accelerometer", description=_MEASURE
     )
-    one.add_argument("rig", type=Path, metavar="RIG", help="a .skinrig file")
-    one.add_argument("--place", type=int, required=True, metavar="N", help="of the channel")
-    one.add_argument(
+    add = parser.add_argument
+    add("rig", type=Path, metavar="RIG", help="a .skinrig file")
+    add("--place", type=int, required=True, metavar="N", help="of the channel")
+    add(
         "--sensitivity",
         type=float,
         required=True,
         metavar="V",
         help="of the accelerometer, V per m/s² (100 mV per g is 0.0102)",
     )
-    one.add_argument(
+    add(
         "--input-volts",
         type=float,
         required=True,
         metavar="V",
         help="at the input where a recorded sample is 1",
     )
-    one.add_argument("--input", type=int, default=usual.input_number, metavar="N", help="from 1")
-    one.add_argument(
+    add("--input", type=int, default=default.input_number, metavar="N", help="from 1")
+    add(
         "--loopback",
         type=int,
-        default=usual.loopback_input,
+        default=default.loopback_input,
         metavar="N",
         help="input that is wired to the output, to tell the delay (default: none)",
     )
-    one.add_argument(
+    add(
         "--level",
         type=float,
-        default=usual.level_db,
+        default=default.level_db,
         metavar="DB",
-        help=f"of full scale (default: {usual.level_db:g})",
+        help=f"of full scale (default: {default.level_db:g})",
     )
-    one.add_argument("--seconds", type=float, default=usual.sweep_s, metavar="S", help="per sweep")
-    one.add_argument("--repeats", type=int, default=usual.repeats, metavar="N")
-    one.add_argument(
+    add("--seconds", type=float, default=default.sweep_s, metavar="S", help="per sweep")
+    add("--repeats", type=int, default=default.repeats, metavar="N")
+    add(
         "--band",
         type=float,
         nargs=2,
-        default=usual.band_hz,
+        default=default.band_hz,
         metavar="HZ",
         help="lowest and highest frequency that are wanted (default: 20 1000)",
     )
-    one.add_argument("--rate", type=int, default=played.sample_rate_hz, metavar="HZ")
-    one.add_argument(
-        "--device", default="", metavar="NAME", help="where the rig names none (default: usual)"
-    )
-    one.add_argument(
-        "--input-device", default="", metavar="NAME", help="default: the one that is played on"
-    )
-    one.add_argument("--out", type=Path, metavar="FILE", help="rig to write (default: the same)")
-    one.set_defaults(run=_measure)
+    add("--rate", type=int, default=output.sample_rate_hz, metavar="HZ")
+    add("--device", default="", metavar="NAME", help="where the rig names none (default: usual)")
+    add("--input-device", default="", metavar="NAME", help="default: the one that is played on")
+    add("--out", type=Path, metavar="FILE", help="rig to write (default: the same)")
+    parser.set_defaults(run=_measure)
 
 
 def _measure(arguments: argparse.Namespace) -> int:
@@ -105,19 +102,19 @@ def _measure(arguments: argparse.Namespace) -> int:
     )
     output = Output(device=arguments.device, sample_rate_hz=arguments.rate)
     with ProgressBar(sys.stderr) as bar:
-        found = measure(rig, arguments.place, setup, output=output, progress=bar)
+        measurement = measure(rig, arguments.place, setup, output=output, progress=bar)
     path = arguments.out or arguments.rig
-    save_rig(path, kept(rig, found))
-    sys.stdout.write("\n".join((*found.lines, str(path))) + "\n")
+    save_rig(path, kept(rig, measurement))
+    sys.stdout.write("\n".join((*measurement.lines, str(path))) + "\n")
     return 0
 
 
 def _devices(_: argparse.Namespace) -> int:
     for title, listed in (("Outputs", devices()), ("Inputs", input_devices())):
         sys.stdout.write(f"{title}\n")
-        for one in listed:
-            mark = "  (usual)" if one.is_default else ""
-            sys.stdout.write(f"  {one.title}{mark}\n")
+        for device in listed:
+            mark = "  (usual)" if device.is_default else ""
+            sys.stdout.write(f"  {device.title}{mark}\n")
         if not listed:
             sys.stdout.write("  none\n")
     return 0

@@ -1,4 +1,4 @@
-"""``skinsource scenes``: the panels of the paper's figures as designs."""
+"""``skinsource scenes``: list the panels of the paper's figures, or write them as designs."""
 
 import argparse
 import sys
@@ -33,15 +33,14 @@ def _scenes(arguments: argparse.Namespace) -> int:
     if arguments.name is None:
         if arguments.out is not None:
             arguments.parser.error("--out needs the NAME of a scene")
-        for one in all_scenes():
-            sys.stdout.write(f"{one.name:4}  {one.title}\n      {one.sentence}\n")
-            reason = why_not_on(one.name, arguments.limb) if arguments.limb else ""
+        for scene in all_scenes():
+            sys.stdout.write(f"{scene.name:4}  {scene.title}\n      {scene.sentence}\n")
+            reason = why_not_on(scene.name, arguments.limb) if arguments.limb else ""
             if reason:
                 sys.stdout.write(f"      Not on {arguments.limb}: {reason}\n")
         return 0
     opened = open_scene(arguments.name, limb=arguments.limb)
-    known = opened.scene
-    sys.stdout.write(f"{known.heading}\n{known.notes}\n")
+    sys.stdout.write(f"{opened.scene.heading}\n{opened.scene.notes}\n")
     if opened.note:
         sys.stdout.write(f"{opened.note}\n")
     if arguments.out is not None:

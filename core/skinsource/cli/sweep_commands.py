@@ -1,4 +1,4 @@
-"""``skinsource sweep``: many stimuli at once."""
+"""``skinsource sweep``: measure many stimuli."""
 
 import argparse
 import sys
@@ -40,11 +40,11 @@ def add_to(subparsers: Any) -> None:
 
 
 def _sweep(arguments: argparse.Namespace) -> int:
-    wanted = read_sweep(arguments.sweep)
+    plan = read_sweep(arguments.sweep)
     cluster = None if arguments.scheduler is None else Cluster(arguments.scheduler)
     with ProgressBar(sys.stderr) as bar:
         table = run(
-            wanted,
+            plan,
             arguments.out,
             processes=arguments.processes,
             measuring=cluster,
@@ -57,5 +57,5 @@ def _sweep(arguments: argparse.Namespace) -> int:
         sys.stderr.write(f"skinsource: … and {len(failed) - _MOST_SHOWN} more\n")
     left_out = f", {len(failed)} of them left out" if failed else ""
     sys.stdout.write(f"{len(table)} stimuli{left_out}\n{arguments.out / TABLE}\n")
-    # What builds on the table (make, a queue of jobs) shall not take a part for the whole.
+    # Programs that use the table (make, a queue of jobs) must notice that it is incomplete.
     return int(bool(failed))

@@ -270,7 +270,7 @@ def _without_nan(points: Floats) -> list[list[float] | None]:
 _OPENED = {
     "NPY": arrays.opened_npy,
     "NPZ": arrays.opened_npz,
-    "MATLAB": arrays.opened,
+    "MATLAB": arrays.opened_matlab,
     "MATLAB 7.3": arrays.opened_hdf5,
     "HDF5": arrays.opened_hdf5,
 }

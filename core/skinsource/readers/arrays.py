@@ -1,4 +1,10 @@
-"""Signals of files that hold named arrays: NPY, NPZ, MAT and HDF5."""
+"""Signals of files that hold named arrays: NPY, NPZ, MAT and HDF5.
+
+Foreign files are not trusted.  Of NPY and NPZ the header is read first, and nothing is unpickled.
+Of MATLAB files before 7.3 the lengths of all elements are checked before scipy reads them.  HDF5,
+which MATLAB 7.3 files are too, is read link by link: links to other files are not followed, and a
+dataset that declares much more than the file can hold is left out.
+"""
 
 import re
 import struct
@@ -17,6 +23,7 @@ import scipy
 from numpy.lib import format as npy
 
 from skinsource.base import files
+from skinsource.base.errors import RecordingError
 from skinsource.base.quoting import printable, quoted
 from skinsource.readers import limits
 from skinsource.readers.reader import Block, Found, Series, reading_error, unknown_series_error
@@ -26,6 +33,20 @@ _RATE_NAMES = re.compile(
     r"(fs|sr|rate|srate|samplerate|samplingrate|samplefrequency|samplingfrequency|frequency)(hz)?"
 )
 _KINDS = "iuf"
+_MOST_MEMBERS = 4096
+_NPY_ADVICE = "The file is damaged or incomplete; save it again with numpy.save."
+
+_HEADER_BYTES = 128
+_MATRIX, _COMPRESSED = 14, 15
+_MOST_ELEMENTS = 4096
+_MATLAB_ADVICE = "The file is damaged or incomplete; save it again in MATLAB, with -v7 or -v7.3."
+
+# deflate, shuffle, checksum, szip, nbit, scale and offset, lzf: the filters of the library itself.
+_FILTERS = frozenset({1, 2, 3, 4, 5, 6, 32000})
+_MOST_CHUNK_BYTES = 64 * 2**20
+_MOST_LINKS = 10_000
+# Groups in which MATLAB keeps data of its own.
+_MATLAB_GROUPS = ("#refs#", "#subsystem#")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,13 +56,11 @@ class Member:
     Attributes
     ----------
     name
-        Where in the file it is: "tap/acceleration".
+        Its path in the file: "tap/acceleration".
     array
         Has ``shape`` and ``dtype``, and gives parts of itself; nothing is read before that.
-    unit
-        What the file says about its unit.
-    rate_hz
-        What the file says about its rate.
+    unit, rate_hz
+        As the file states them.
     """
 
     name: str
@@ -52,19 +71,19 @@ class Member:
 
 @dataclass(slots=True)
 class Members:
-    """The arrays of an open file, and what is to be said about the others."""
+    """The arrays of an open file, and notes on arrays that are left out."""
 
     members: list[Member] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
 
     def leave_out(self, name: str, reason: str) -> None:
-        """Say why an array is not offered."""
+        """Note why an array is not offered."""
         note = f"Left out: {quoted(name)}, {reason}."
         if note not in self.notes and len(self.notes) < 20:
             self.notes.append(note)
 
 
-#: Opens a file: what it gives is valid as long as the file is open.
+#: Opens a file; its members are valid as long as the file is open.
 Open = Callable[[Path], AbstractContextManager[Members]]
 
 
@@ -81,7 +100,7 @@ def look(path: Path, file_format: str, opened: Open) -> Found:
                 "a list of real numbers",
                 "Choose another file, or save the signal as a plain array.",
             )
-        series = tuple(one for one, *_ in offered)
+        series = tuple(series for series, *_ in offered)
         if len(series) > limits.MOST_SERIES:
             members.notes.append(f"Left out: all after the first {limits.MOST_SERIES} signals.")
         return Found(
@@ -96,26 +115,26 @@ def look(path: Path, file_format: str, opened: Open) -> Found:
 def blocks(path: Path, keys: Sequence[str], start: int, stop: int, opened: Open) -> Iterator[Block]:
     """Give samples of some signals among the arrays of a file."""
     with opened(path) as members:
-        places = {one.key: (one, member, axis) for one, member, axis in _offered(members)}
+        offered = {series.key: (series, member, axis) for series, member, axis in _offered(members)}
         chosen = []
         for key in keys:
-            if key not in places:
+            if key not in offered:
                 raise unknown_series_error(path, key)
-            chosen.append(places[key])
-        stop = min([stop, *(one.n_samples for one, *_ in chosen)])
-        for at in range(start, stop, limits.BLOCK):
-            end = min(at + limits.BLOCK, stop)
-            parts = [_part(one, member, axis, at, end) for one, member, axis in chosen]
+            chosen.append(offered[key])
+        stop = min([stop, *(series.n_samples for series, *_ in chosen)])
+        for first in range(start, stop, limits.BLOCK):
+            end = min(first + limits.BLOCK, stop)
+            parts = [_part(series, member, axis, first, end) for series, member, axis in chosen]
             yield np.stack(parts)
 
 
-def _part(one: Series, member: Member, axis: int, start: int, end: int) -> np.ndarray:
-    place: list[Any] = [0] * len(member.array.shape)
-    place[axis] = slice(start, end)
-    if len(place) == 2:
-        place[1 - axis] = _column(one.key)
-    found = np.asarray(member.array[tuple(place)])
-    return found.astype(np.float64, copy=False)
+def _part(series: Series, member: Member, axis: int, start: int, end: int) -> np.ndarray:
+    index: list[Any] = [0] * len(member.array.shape)
+    index[axis] = slice(start, end)
+    if len(index) == 2:
+        index[1 - axis] = _column(series.key)
+    part = np.asarray(member.array[tuple(index)])
+    return part.astype(np.float64, copy=False)
 
 
 def _column(key: str) -> int:
@@ -123,7 +142,7 @@ def _column(key: str) -> int:
 
 
 def _offered(members: Members) -> Iterator[tuple[Series, Member, int]]:
-    """Each signal with its array and the axis along which time runs."""
+    """Give each signal with its array and the axis along which time runs."""
     for member in members.members:
         shape, kind = tuple(int(n) for n in member.array.shape), np.dtype(member.array.dtype)
         if kind.kind not in _KINDS or kind.itemsize > 8:
@@ -132,8 +151,8 @@ def _offered(members: Members) -> Iterator[tuple[Series, Member, int]]:
         if max(shape, default=0) < 2:
             continue  # a number, such as a rate
         if len(shape) > 2 or min(shape) == 0:
-            words = "×".join(map(str, shape))
-            members.leave_out(member.name, f"it is an array of {words}, not a list of signals")
+            size = "×".join(map(str, shape))
+            members.leave_out(member.name, f"it is an array of {size}, not a list of signals")
             continue
         axis = int(np.argmax(shape))
         columns = shape[1 - axis] if len(shape) == 2 else 1
@@ -147,12 +166,14 @@ def _offered(members: Members) -> Iterator[tuple[Series, Member, int]]:
             yield _series(member, shape, axis, column, columns), member, axis
 
 
-def _series(member: Member, shape: tuple[int, ...], axis: int, column: int, of: int) -> Series:
+def _series(
+    member: Member, shape: tuple[int, ...], axis: int, column: int, n_columns: int
+) -> Series:
     base = member.name.rpartition("/")[2]
-    time_s = time_unit_s(base, member.unit) if of == 1 else None
+    time_s = time_unit_s(base, member.unit) if n_columns == 1 else None
     return Series(
-        key=member.name if of == 1 else f"{member.name}[{column}]",
-        name=printable(member.name if of == 1 else f"{member.name}, column {column + 1}"),
+        key=member.name if n_columns == 1 else f"{member.name}[{column}]",
+        name=printable(member.name if n_columns == 1 else f"{member.name}, column {column + 1}"),
         n_samples=shape[axis],
         dtype=str(np.dtype(member.array.dtype)),
         shape=shape,
@@ -164,19 +185,21 @@ def _series(member: Member, shape: tuple[int, ...], axis: int, column: int, of: 
 
 
 def stated_rate(members: Members) -> tuple[str, float] | None:
-    """The number in a file that is called like a rate."""
+    """Return the number in a file that is named like a rate, and its name; None: there is none."""
     for member in members.members:
         shape = tuple(member.array.shape)
         if int(np.prod(shape)) != 1 or np.dtype(member.array.dtype).kind not in _KINDS:
             continue
-        rate_hz = rate_in(member.name.rpartition("/")[2], np.asarray(member.array[()]).ravel()[0])
+        rate_hz = _rate_named(
+            member.name.rpartition("/")[2], np.asarray(member.array[()]).ravel()[0]
+        )
         if rate_hz is not None:
             return member.name, rate_hz
     return None
 
 
-def rate_in(name: str, value: object) -> float | None:
-    """The rate that something called ``name`` states; None if it is called otherwise."""
+def _rate_named(name: str, value: object) -> float | None:
+    """Return ``value`` as a rate in Hz; None if ``name`` is not that of a rate."""
     plain = re.sub(r"[^a-z]", "", name.lower())
     if not _RATE_NAMES.fullmatch(plain):
         return None
@@ -185,12 +208,6 @@ def rate_in(name: str, value: object) -> float | None:
     except (TypeError, ValueError, IndexError, OverflowError):
         return None
     return rate_hz if limits.LEAST_RATE_HZ <= rate_hz <= limits.MOST_RATE_HZ else None
-
-
-# NPY and NPZ: the header is read first, and nothing is ever unpickled.
-
-_MOST_MEMBERS = 4096
-_AGAIN = "The file is damaged or incomplete; save it again with numpy.save."
 
 
 @dataclass(frozen=True, slots=True)
@@ -206,20 +223,20 @@ class _Header:
 
 @contextmanager
 def opened_npy(path: Path) -> Iterator[Members]:
-    """Give the array of an NPY file, which is read where it is needed."""
+    """Give the array of an NPY file; parts are read when they are needed."""
     with path.open("rb") as file:
         header = _header(path, file)
         offset = file.tell()
-    there = path.stat().st_size - offset
+    n_bytes = path.stat().st_size - offset
     members = Members()
     if header.dtype.hasobject:
         members.leave_out("the array", "it holds Python objects")
-    elif header.n_bytes > there:
+    elif header.n_bytes > n_bytes:
         raise reading_error(
             path,
-            f"its header promises {header.n_bytes} bytes and {there} are there",
+            f"its header promises {header.n_bytes} bytes and {n_bytes} are there",
             "all of them",
-            _AGAIN,
+            _NPY_ADVICE,
         )
     elif header.n_bytes:
         array = np.memmap(
@@ -242,7 +259,7 @@ def opened_npz(path: Path) -> Iterator[Members]:
         infos = archive.infolist()
         if len(infos) > _MOST_MEMBERS:
             raise reading_error(
-                path, f"it holds {len(infos)} files", f"at most {_MOST_MEMBERS}", _AGAIN
+                path, f"it holds {len(infos)} files", f"at most {_MOST_MEMBERS}", _NPY_ADVICE
             )
         for info in infos:
             if info.is_dir() or not info.filename.endswith(".npy"):
@@ -263,19 +280,21 @@ def opened_npz(path: Path) -> Iterator[Members]:
                     f"the header of {quoted(name)} promises {header.n_bytes} bytes and "
                     f"{info.file_size - start} are there",
                     "all of them",
-                    _AGAIN,
+                    _NPY_ADVICE,
                 )
             if _is_bomb(info, header):
                 members.leave_out(
                     name, f"it would unpack to {header.n_bytes} bytes, which is too much"
                 )
                 continue
-            members.members.append(Member(name=name, array=_Packed(path, archive, info, header)))
+            members.members.append(
+                Member(name=name, array=_PackedArray(path, archive, info, header))
+            )
         yield members
 
 
-class _Packed:
-    """An array in an archive."""
+class _PackedArray:
+    """An array in an archive, which is unpacked when it is first read."""
 
     def __init__(
         self, path: Path, archive: zipfile.ZipFile, info: zipfile.ZipInfo, header: _Header
@@ -283,18 +302,20 @@ class _Packed:
         self._path, self._archive, self._info, self._header = path, archive, info, header
         self.shape, self.dtype = header.shape, header.dtype
 
-    def __getitem__(self, place: Any) -> Any:
-        return self._whole[place]
+    def __getitem__(self, index: Any) -> Any:
+        return self._array[index]
 
     @cached_property
-    def _whole(self) -> np.ndarray:
+    def _array(self) -> np.ndarray:
         header = self._header
         with self._archive.open(self._info) as file:
             _header(self._path, file)
             content = file.read(header.n_bytes)
-            file.read(1)  # at its end the checksum is looked at
+            file.read(1)  # at the end zipfile checks the checksum
         if len(content) != header.n_bytes:
-            raise reading_error(self._path, "it ends too early", f"{header.n_bytes} bytes", _AGAIN)
+            raise reading_error(
+                self._path, "it ends too early", f"{header.n_bytes} bytes", _NPY_ADVICE
+            )
         flat = np.frombuffer(content, header.dtype)
         return flat.reshape(header.shape, order="F" if header.fortran_order else "C")
 
@@ -317,27 +338,16 @@ def _header(path: Path, file: IO[bytes]) -> _Header:
         )
     shape, fortran_order, dtype = read(file)
     if any(n < 0 for n in shape):
-        raise reading_error(path, f"its shape is {quoted(shape)}", "lengths of 0 or more", _AGAIN)
+        raise reading_error(
+            path, f"its shape is {quoted(shape)}", "lengths of 0 or more", _NPY_ADVICE
+        )
     return _Header(tuple(int(n) for n in shape), bool(fortran_order), dtype)
 
 
-# MATLAB files of version 5 (saved with -v6 or -v7), through scipy.
-#
-# scipy's reader believes what it reads, so the elements of the file are walked first: their lengths
-# must lie in the file, and what is unpacked must be of a size that can be.
-
-HEADER_BYTES = 128
-_MATRIX, _COMPRESSED = 14, 15
-_MOST_ELEMENTS = 4096
-_MATLAB_FILE_AGAIN = (
-    "The file is damaged or incomplete; save it again in MATLAB, with -v7 or -v7.3."
-)
-
-
 @contextmanager
-def opened(path: Path) -> Iterator[Members]:
-    """Give the arrays of a MATLAB file, those in structures too."""
-    check_elements(path)
+def opened_matlab(path: Path) -> Iterator[Members]:
+    """Give the arrays of a MATLAB file before 7.3, also those in structures."""
+    _check_elements(path)
     members = Members()
     for name, value in scipy.io.loadmat(path, simplify_cells=True).items():
         if not name.startswith("__"):
@@ -345,56 +355,49 @@ def opened(path: Path) -> Iterator[Members]:
     yield members
 
 
-def check_elements(path: Path) -> None:
-    """Refuse a file whose elements cannot be what they declare, before anything is allocated."""
+def _check_elements(path: Path) -> None:
+    """Raise an error if elements of a file have impossible sizes; allocate nothing before."""
     size = path.stat().st_size
     with path.open("rb") as file:
-        header = file.read(HEADER_BYTES)
+        header = file.read(_HEADER_BYTES)
         order = {b"IM": "<", b"MI": ">"}.get(header[126:128])
-        if len(header) < HEADER_BYTES or order is None:
-            raise reading_error(
-                path, "it has no MATLAB header", "MATLAB v5, v7 or v7.3", _MATLAB_FILE_AGAIN
-            )
+        if len(header) < _HEADER_BYTES or order is None:
+            raise _matlab_error(path, "it has no MATLAB header", "MATLAB v5, v7 or v7.3")
         unpacked = 0
         for _ in range(_MOST_ELEMENTS):
             tag = file.read(8)
             if not tag:
                 return
             if len(tag) < 8:
-                raise reading_error(
-                    path, "it ends within a tag", "whole elements", _MATLAB_FILE_AGAIN
-                )
+                raise _matlab_error(path, "it ends within a tag", "whole elements")
             kind, length = struct.unpack(f"{order}II", tag)
             after = file.tell() + length
             if kind not in (_MATRIX, _COMPRESSED) or after > size:
-                raise reading_error(
+                raise _matlab_error(
                     path,
                     f"an element of kind {kind} declares {length} bytes and {size - file.tell()} "
                     "are left",
                     "variables that lie within the file",
-                    _MATLAB_FILE_AGAIN,
                 )
             if kind == _COMPRESSED:
                 unpacked += _unpacked_bytes(path, file, length, order)
                 _check_size(path, unpacked, size)
             file.seek(after)
-    raise reading_error(
-        path, f"it has over {_MOST_ELEMENTS} variables", "fewer", _MATLAB_FILE_AGAIN
-    )
+    raise _matlab_error(path, f"it has over {_MOST_ELEMENTS} variables", "fewer")
 
 
 def _unpacked_bytes(path: Path, file: IO[bytes], length: int, order: str) -> int:
     beginning = zlib.decompressobj().decompress(file.read(min(length, 4096)), 8)
     if len(beginning) < 8:
-        raise reading_error(
-            path, "a variable cannot be unpacked", "whole variables", _MATLAB_FILE_AGAIN
-        )
+        raise _matlab_error(path, "a variable cannot be unpacked", "whole variables")
     kind, inner = struct.unpack(f"{order}II", beginning)
     if kind != _MATRIX:
-        raise reading_error(
-            path, f"a variable is of kind {kind}", f"kind {_MATRIX}", _MATLAB_FILE_AGAIN
-        )
+        raise _matlab_error(path, f"a variable is of kind {kind}", f"kind {_MATRIX}")
     return int(inner)
+
+
+def _matlab_error(path: Path, actual: str, expected: str) -> RecordingError:
+    return reading_error(path, actual, expected, _MATLAB_ADVICE)
 
 
 def _check_size(path: Path, unpacked: int, size: int) -> None:
@@ -412,8 +415,8 @@ def _collect(name: str, value: Any, members: Members, depth: int) -> None:
     if depth >= limits.MOST_DEPTH:
         members.leave_out(name, f"it is more than {limits.MOST_DEPTH} structures deep")
     elif isinstance(value, Mapping):
-        for inner, one in list(value.items())[:_MOST_ELEMENTS]:
-            _collect(f"{name}/{inner}", one, members, depth + 1)
+        for inner, part in list(value.items())[:_MOST_ELEMENTS]:
+            _collect(f"{name}/{inner}", part, members, depth + 1)
     elif isinstance(value, str):
         return  # a comment, such as the unit
     elif isinstance(value, bool | int | float | np.generic | np.ndarray):
@@ -426,23 +429,9 @@ def _collect(name: str, value: Any, members: Members, depth: int) -> None:
         members.leave_out(name, "it is neither an array nor a structure")
 
 
-# HDF5, and MATLAB 7.3, which is HDF5.
-#
-# Walked link by link: what leads to other files, or is computed from them, is not followed, and
-# what declares much more than the file can hold is not believed.
-
-# deflate, shuffle, checksum, szip, nbit, scale and offset, lzf: those that come with the library.
-_FILTERS = frozenset({1, 2, 3, 4, 5, 6, 32000})
-_MOST_CHUNK_BYTES = 64 * 2**20
-_MOST_LINKS = 10_000
-# Where MATLAB keeps what others refer to.
-_MATLABS_OWN = ("#refs#", "#subsystem#")
-_ELSEWHERE = "it lies in another file"
-
-
 @contextmanager
 def opened_hdf5(path: Path) -> Iterator[Members]:
-    """Give the datasets of a file, which are read where they are needed."""
+    """Give the datasets of an HDF5 file; parts are read when they are needed."""
     with files.File(path, "r", locking=False) as file:
         members = Members()
         _walk(file, "", members, _Walk(path.stat().st_size), 0)
@@ -450,20 +439,20 @@ def opened_hdf5(path: Path) -> Iterator[Members]:
 
 
 class _Walk:
-    """How far the walk is."""
+    """What was visited in an HDF5 file."""
 
     def __init__(self, file_bytes: int) -> None:
         self.file_bytes = file_bytes
-        self.seen: set[Any] = set()
+        self.visited: set[Any] = set()
         self.links = 0
 
     def is_new(self, thing: Any) -> bool:
-        """Whether this has not been met before: groups can hold themselves."""
-        about = files.h5o.get_info(thing.id)
-        known = (about.fileno, about.addr)
-        if known in self.seen:
+        """Whether this is the first visit of a group or dataset: groups can hold themselves."""
+        info = files.h5o.get_info(thing.id)
+        address = (info.fileno, info.addr)
+        if address in self.visited:
             return False
-        self.seen.add(known)
+        self.visited.add(address)
         return True
 
 
@@ -474,7 +463,7 @@ def _walk(group: Any, prefix: str, members: Members, walk: _Walk, depth: int) ->
             members.leave_out(prefix or "/", f"it holds more than {_MOST_LINKS} things")
             return
         full = f"{prefix}{name}"
-        if not prefix and name in _MATLABS_OWN:
+        if not prefix and name in _MATLAB_GROUPS:
             continue
         if not isinstance(group.get(name, getlink=True), files.HardLink):
             members.leave_out(full, "it is a link that leads elsewhere")
@@ -503,23 +492,23 @@ def _add(dataset: Any, name: str, members: Members, walk: _Walk) -> None:
 
 
 def reason_against(dataset: Any, file_bytes: int) -> str:
-    """Why a dataset cannot be read; empty if it can."""
+    """Return why a dataset cannot be read; empty if it can."""
     if dataset.shape is None:
         return "it is empty"
     if dataset.external or dataset.is_virtual:
-        return _ELSEWHERE
+        return "it lies in another file"
     kind = dataset.dtype
     if kind.kind not in "iuf":
         return f"it holds {'text or objects' if kind.kind in 'OSU' else kind}, not real numbers"
-    made = dataset.id.get_create_plist()
-    filters = [made.get_filter(k)[0] for k in range(made.get_nfilters())]
+    creation = dataset.id.get_create_plist()
+    filters = [creation.get_filter(k)[0] for k in range(creation.get_nfilters())]
     if not _FILTERS.issuperset(filters):
         return "it is packed in a way that is not known here"
     if dataset.chunks and prod(dataset.chunks) * kind.itemsize > _MOST_CHUNK_BYTES:
         return f"its chunks are larger than {_MOST_CHUNK_BYTES} bytes"
     declared = prod(dataset.shape) * kind.itemsize
-    believed = max(limits.MOST_RATIO * file_bytes, limits.SUSPICIOUS_BYTES)
-    if declared > believed:
+    most_bytes = max(limits.MOST_RATIO * file_bytes, limits.SUSPICIOUS_BYTES)
+    if declared > most_bytes:
         return f"it declares {declared} bytes and the file has {file_bytes}"
     stored = dataset.id.get_storage_size()
     if (not stored and declared) or (not filters and stored < declared):
@@ -528,16 +517,15 @@ def reason_against(dataset: Any, file_bytes: int) -> str:
 
 
 def _attributes(dataset: Any) -> tuple[str, float | None]:
-    """Unit and rate, where attributes that are called so hold them."""
+    """Return the unit and the rate that attributes of a dataset state."""
     unit, rate_hz = "", None
     for name in list(dataset.attrs)[:100]:
-        kind = dataset.attrs.get_id(name)
-        if kind.get_storage_size() > 1024:
+        if dataset.attrs.get_id(name).get_storage_size() > 1024:
             continue
         value = dataset.attrs[name]
         if name.lower() in ("unit", "units"):
             text = value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
             unit = text[:40]
         elif isinstance(value, np.generic | np.ndarray) and np.size(value) == 1:
-            rate_hz = rate_in(name, value) or rate_hz
+            rate_hz = _rate_named(name, value) or rate_hz
     return unit, rate_hz

@@ -18,11 +18,11 @@ from skinsource.readers.reader import (
     unknown_series_error,
 )
 
-# Bits of a sample that float32 holds all of.
+# Samples of these subtypes do not fit into float32.
 _WIDE = ("PCM_32", "DOUBLE", "ALAC_32")
 _FORMATS = {"WAV": "WAV", "WAVEX": "WAV", "RF64": "WAV", "W64": "WAV", "FLAC": "FLAC",
             "AIFF": "AIFF", "OGG": "OGG"}  # fmt: skip
-_AGAIN = "The file is damaged or incomplete; record or export it again."
+_ADVICE = "The file is damaged or incomplete; record or export it again."
 
 
 def look(path: Path) -> Found:
@@ -34,7 +34,7 @@ def look(path: Path) -> Found:
                 key=str(k),
                 name="the signal" if channels == 1 else f"channel {k + 1}",
                 n_samples=frames,
-                dtype=_words(sound.subtype),
+                dtype=_dtype_name(sound.subtype),
                 shape=(frames, channels),
             )
             for k in range(channels)
@@ -49,7 +49,7 @@ def look(path: Path) -> Found:
 
 
 def blocks(path: Path, keys: Sequence[str], start: int, stop: int) -> Iterator[Block]:
-    """Give some channels; numbers of fixed width as shares of full scale."""
+    """Give samples of some channels; integers as shares of full scale."""
     with _opened(path) as sound:
         frames, channels, _ = _checked(path, sound)
         for key in keys:
@@ -63,7 +63,7 @@ def blocks(path: Path, keys: Sequence[str], start: int, stop: int) -> Iterator[B
         while left > 0:
             part = sound.read(min(step, left), dtype=kind, always_2d=True)
             if not len(part):
-                raise reading_error(path, "it ends too early", f"{frames} samples", _AGAIN)
+                raise reading_error(path, "it ends too early", f"{frames} samples", _ADVICE)
             left -= len(part)
             yield np.ascontiguousarray(part[:, chosen].T)
 
@@ -84,43 +84,43 @@ def _checked(path: Path, sound: Any) -> tuple[int, int, float]:
     rate_hz = check_rate(path, sound.samplerate)
     if not 1 <= sound.channels <= limits.MOST_CHANNELS:
         raise reading_error(
-            path, f"it has {sound.channels} channels", f"1 to {limits.MOST_CHANNELS}", _AGAIN
+            path, f"it has {sound.channels} channels", f"1 to {limits.MOST_CHANNELS}", _ADVICE
         )
     frames = int(sound.frames)
     # Packed sound takes a few bits at least; libsndfile believes the header of some files.
     if not 1 <= frames <= max(path.stat().st_size, 1) * 4096:
         raise reading_error(
-            path, f"it has {frames} samples", "at least one that is in the file", _AGAIN
+            path, f"it has {frames} samples", "at least one that is in the file", _ADVICE
         )
     return frames, sound.channels, rate_hz
 
 
-def _words(subtype: str) -> str:
+def _dtype_name(subtype: str) -> str:
     return (
         subtype.lower().replace("pcm_s8", "int8").replace("pcm_u8", "uint8").replace("pcm_", "int")
     )
 
 
 def _notes(path: Path, frames: int) -> tuple[str, ...]:
-    """What the header of a WAV file promises and the file does not hold."""
+    """Return a note if the header of a WAV file promises more than the file holds."""
     with path.open("rb") as file:
         size = path.stat().st_size
         riff = file.read(12)
         if riff[:4] != b"RIFF" or riff[8:] != b"WAVE":
             return ()
-        at = 12
+        position = 12
         while len(head := file.read(8)) == 8:
             name, length = head[:4], struct.unpack("<I", head[4:])[0]
-            at += 8
+            position += 8
             if name == b"data":
-                # 0xFFFFFFFF is what recorders write that never end.
-                cut = length not in (0, 0xFFFFFFFF) and at + length > size
+                # Recorders that do not know the end write 0xFFFFFFFF.
+                cut = length not in (0, 0xFFFFFFFF) and position + length > size
                 return (
                     (f"The file is cut off: its header promises {length} bytes of sound, "
-                     f"{size - at} are there, which is {frames} samples.",)
+                     f"{size - position} are there, which is {frames} samples.",)
                     if cut
                     else ()
                 )  # fmt: skip
-            at += length + length % 2
-            file.seek(at)
+            position += length + length % 2
+            file.seek(position)
     return ()

@@ -1,21 +1,21 @@
-"""How much of a foreign file is believed."""
+"""Limits of what foreign files may declare and hold."""
 
-#: Samples a second.
+#: Sample rates.
 LEAST_RATE_HZ, MOST_RATE_HZ = 1.0, 768_000.0
 MOST_CHANNELS = 64
-#: Of an array: 72 outputs along three axes are 216.
+#: Most columns of an array: 72 outputs along three axes are 216.
 MOST_COLUMNS = 256
-#: Signals that a file may offer; what comes after them is left out, with a note.
+#: Most signals that a file may offer; the others are left out, with a note.
 MOST_SERIES = 1024
-#: Of what is taken, and of a signal that is only kept compressed.
+#: Longest part that is imported, and most bytes of a signal after unpacking.
 MOST_PART_S = 600.0
 MOST_BYTES = 512 * 2**20
-#: A file that declares more than this and more than so many times what it holds means harm.
+#: A file that declares more bytes than this, and more than so many times its size, is an attack.
 SUSPICIOUS_BYTES, MOST_RATIO = 64 * 2**20, 200
 MOST_TEXT_BYTES = 200 * 10**6
-#: Groups within groups, structures within structures.
+#: Most levels of groups within groups, or structures within structures.
 MOST_DEPTH = 16
-#: Samples that are read at once.
+#: Samples that are read at a time.
 BLOCK = 2**16
-#: Of the process that reads.
+#: Most memory of the process that reads.
 MEMORY_BYTES = 2**30

@@ -1,4 +1,8 @@
-"""What a foreign file holds, as far as it says so itself."""
+"""What a foreign file holds, what a reader of one format is, and what is done with its signals.
+
+For long signals there is an overview of extremes; three axes of one acceleration become one signal
+by DFT321.
+"""
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -23,23 +27,23 @@ class Series:
     Attributes
     ----------
     key
-        How the reader finds it again; unique in its file.
+        Identifies it for the reader; unique in its file.
     name
-        What a user calls it: "channel 1", "acc_x", "tap/acceleration, column 2".
+        Its name for the user: "channel 1", "acc_x", "tap/acceleration, column 2".
     n_samples
-        How many numbers there are.
+        Number of samples.
     dtype
-        How the file keeps them, in numpy's words: "int16", "float64"; "text" in tables.
+        Type in the file, in numpy's words: "int16", "float64"; "text" in tables.
     shape
-        That of the dataset it is part of.
+        Shape of the dataset it is part of.
     unit
         One of `skinsource.readers.units.UNITS`; empty where the file does not say.
     rate_hz
-        Samples a second; None where the file does not say.
+        Sample rate; None where the file does not say.
     is_time
-        Whether its name is one of time.
+        Whether its name says that it holds times.
     time_unit_s
-        What one of it means in seconds, where it is time.
+        Unit of the times in seconds.
     """
 
     key: str
@@ -55,20 +59,20 @@ class Series:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Found:
-    """All that a file offers.
+    """The signals that a file offers.
 
     Attributes
     ----------
     format
         Its format: "WAV".
     series
-        Its signals, in its order; at least one.
+        At least one, in the order of the file.
     rate_hz
-        Samples a second, where the file says it for all.
+        Sample rate of all signals, where the file states one.
     rate_from
-        Where it says so: "the header", "'fs'".
+        Where it states it: "the header", "'fs'".
     notes
-        What was left out or looks odd, in sentences.
+        Sentences on what was left out or looks odd.
     """
 
     format: str
@@ -78,40 +82,43 @@ class Found:
     notes: tuple[str, ...] = ()
 
     def signals(self) -> tuple[Series, ...]:
-        """What can be felt: all that is not time, or all if nothing else is there."""
-        return tuple(one for one in self.series if not one.is_time) or self.series
+        """Return the series that are not times; all if there are no others."""
+        return tuple(series for series in self.series if not series.is_time) or self.series
 
     def one(self, key: str) -> Series | None:
-        """The series of that key."""
-        return next((one for one in self.series if one.key == key), None)
+        """Return the series of that key; None if there is none."""
+        return next((series for series in self.series if series.key == key), None)
 
     def rate_of(self, series: Series) -> float | None:
-        """Samples a second of a series; None where the file does not say."""
+        """Return the sample rate of a series in Hz; None where the file does not say."""
         return series.rate_hz or self.rate_hz
 
     def time_of(self, series: Series) -> Series | None:
-        """The time stamps of a series: as many as it has samples, from the same group if any."""
-        stamps = [
-            one
-            for one in self.series
-            if one.is_time and one.n_samples == series.n_samples and one.key != series.key
+        """Return the timestamps of a series: as long as it, from the same group if possible."""
+        timestamps = [
+            candidate
+            for candidate in self.series
+            if candidate.is_time
+            and candidate.n_samples == series.n_samples
+            and candidate.key != series.key
         ]
         group = series.key.rpartition("/")[0]
         return next(
-            (one for one in stamps if one.key.rpartition("/")[0] == group),
-            stamps[0] if stamps else None,
+            (candidate for candidate in timestamps if candidate.key.rpartition("/")[0] == group),
+            timestamps[0] if timestamps else None,
         )
 
 
-def to_tree(found: Found) -> dict[str, Any]:
-    """Return ``found`` as JSON carries it."""
-    return asdict(found)
+def to_tree(content: Found) -> dict[str, Any]:
+    """Return ``content`` as a tree for JSON."""
+    return asdict(content)
 
 
 def from_tree(tree: Mapping[str, Any]) -> Found:
     """Return what `to_tree` made; raise `TypeError` or `KeyError` on anything else."""
     series = tuple(
-        Series(**{**one, "shape": tuple(int(n) for n in one["shape"])}) for one in tree["series"]
+        Series(**{**fields, "shape": tuple(int(n) for n in fields["shape"])})
+        for fields in tree["series"]
     )
     return Found(**{**tree, "series": series, "notes": tuple(map(str, _list(tree["notes"])))})
 
@@ -122,9 +129,7 @@ def _list(value: Iterable[object]) -> Iterable[object]:
     return value
 
 
-# What reads one format of foreign files.
-
-#: Samples one after another, (n_series, n), float32 where that holds all of the file's digits.
+#: Consecutive samples, (n_series, n), float32 where that holds all of the file's digits.
 Block = NDArray[np.float64] | NDArray[np.float32]
 
 
@@ -135,9 +140,9 @@ class Reader:
     Attributes
     ----------
     name
-        Of the format: "WAV".
+        Name of the format: "WAV".
     endings
-        Of file names.
+        Endings of file names.
     recognises
         Whether the first bytes of a file, up to 4096 of them, are of this format.
     look
@@ -155,13 +160,13 @@ class Reader:
     blocks: Callable[[Path, Sequence[str], int, int], Iterator[Block]]
 
 
-def reading_error(path: Path, found: str, expected: str, advice: str) -> RecordingError:
-    """The error that names the file, what is wrong with it, what was expected, and what to do."""
-    return RecordingError(f"{named(Path(path.name))}: {found}, expected {expected}. {advice}")
+def reading_error(path: Path, actual: str, expected: str, advice: str) -> RecordingError:
+    """Return the error that says what is wrong with a file, what was expected and what to do."""
+    return RecordingError(f"{named(Path(path.name))}: {actual}, expected {expected}. {advice}")
 
 
 def check_rate(path: Path, rate_hz: float) -> float:
-    """Return a rate that a file states; refuse one that no recording has."""
+    """Return a rate that a file states; raise an error if no recording has such a rate."""
     if not limits.LEAST_RATE_HZ <= rate_hz <= limits.MOST_RATE_HZ:  # also refuses NaN
         raise reading_error(
             path,
@@ -173,31 +178,28 @@ def check_rate(path: Path, rate_hz: float) -> float:
 
 
 def unknown_series_error(path: Path, key: str) -> RecordingError:
-    """The file has changed, or somebody else asks."""
+    """Return the error for a key that the file did not offer; the file may have changed."""
     return reading_error(
         path, f"it has no signal {key!r:.80}", "one that it offered", "Open the file again."
     )
 
 
-# The least and the largest of each stretch of a long signal: enough for a picture of all of it.
-
-
 class Overview:
-    """Takes a signal block by block.
+    """Smallest and largest value of each stretch of a long signal, which is added block by block.
 
     Parameters
     ----------
     n_samples
-        How long it is.
+        Length of the signal.
     columns
-        Stretches of equal length; at most ``n_samples``.
+        Number of stretches of equal length; at most ``n_samples``.
 
     Attributes
     ----------
     extremes : (2, columns)
-        Least and largest; NaN where nothing was seen.
+        Smallest and largest value; NaN where no sample was added.
     done
-        Samples that were seen.
+        Number of samples that were added.
     """
 
     def __init__(self, n_samples: int, columns: int) -> None:
@@ -207,7 +209,7 @@ class Overview:
         self.done = 0
 
     def add(self, block: Block) -> None:
-        """Take the next samples, (1, n)."""
+        """Add the next samples, (1, n)."""
         n = block.shape[1]
         if not n:
             return
@@ -215,13 +217,11 @@ class Overview:
         last = int(np.searchsorted(self._starts, self.done + n))
         starts = np.maximum(self._starts[first:last] - self.done, 0)
         least, largest = self.extremes[:, first:last]
-        # NaN loses against any number.
+        # fmin and fmax prefer any number to NaN.
         least[:] = np.fmin(least, np.fmin.reduceat(block[0], starts))
         largest[:] = np.fmax(largest, np.fmax.reduceat(block[0], starts))
         self.done += n
 
-
-# Three axes of one acceleration as one signal: which ones belong together, and DFT321.
 
 N_AXES = 3
 _AXIS = re.compile(r"^(.*?)([xyz])([^a-z]*)$", re.IGNORECASE)
@@ -253,32 +253,36 @@ def dft321(axes: Floats) -> Floats:
     if not np.isfinite(axes).all():
         raise InvalidInputError("axes hold numbers that are not finite, expected none; leave out")
     spectra = scipy.fft.rfft(axes, axis=1)
-    together = spectra.sum(axis=0)
-    size = np.abs(together)
-    # Where the axes cancel their sum has no phase: 0 is as good as any.
-    turn = np.divide(together, size, out=np.ones_like(together), where=size > 0.0)
+    total = spectra.sum(axis=0)
+    size = np.abs(total)
+    # Where the axes cancel, their sum has no phase: 0 is as good as any.
+    phasor = np.divide(total, size, out=np.ones_like(total), where=size > 0.0)
     magnitude = np.sqrt(np.sum(np.abs(spectra) ** 2, axis=0))
-    return scipy.fft.irfft(magnitude * turn, axes.shape[1])
+    return scipy.fft.irfft(magnitude * phasor, axes.shape[1])
 
 
-def other_axes(found: Found, series: Series) -> tuple[Series, ...]:
+def other_axes(content: Found, series: Series) -> tuple[Series, ...]:
     """Return the two axes that belong to ``series``; empty where the file does not tell.
 
     They are as long, in the same unit and of the same group, and their names are those of x, y and
     z; without such names, a file that holds just three such signals holds three axes.
     """
-    alike = [one for one in found.signals() if _likeness(one) == _likeness(series)]
+    candidates = [signal for signal in content.signals() if _group_of(signal) == _group_of(series)]
     name = _AXIS.match(series.name)
     if name is not None:
-        around = (name[1], name[3])
-        axes = [one for one in alike if (m := _AXIS.match(one.name)) and (m[1], m[3]) == around]
-        letters = {_AXIS.match(one.name)[2].lower() for one in axes}  # type: ignore[index]
+        other_parts = (name[1], name[3])
+        axes = [
+            signal
+            for signal in candidates
+            if (m := _AXIS.match(signal.name)) and (m[1], m[3]) == other_parts
+        ]
+        letters = {_AXIS.match(axis.name)[2].lower() for axis in axes}  # type: ignore[index]
         if len(axes) == N_AXES and len(letters) == N_AXES:
-            return tuple(one for one in axes if one.key != series.key)
-    if len(alike) == N_AXES:
-        return tuple(one for one in alike if one.key != series.key)
+            return tuple(axis for axis in axes if axis.key != series.key)
+    if len(candidates) == N_AXES:
+        return tuple(signal for signal in candidates if signal.key != series.key)
     return ()
 
 
-def _likeness(one: Series) -> tuple[object, ...]:
-    return one.n_samples, one.unit, one.rate_hz, one.key.rpartition("/")[0]
+def _group_of(series: Series) -> tuple[object, ...]:
+    return series.n_samples, series.unit, series.rate_hz, series.key.rpartition("/")[0]

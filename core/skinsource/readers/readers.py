@@ -1,6 +1,6 @@
-"""Every format that a recording can be taken from."""
+"""The readers of all formats of recordings, and the choice of one by the content of a file."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -13,12 +13,8 @@ _HDF5 = b"\x89HDF\r\n\x1a\n"
 _BEGINNING_BYTES = 4096
 
 
-def _begins(*signatures: bytes) -> "partial[bool]":
-    return partial(_begins_with, signatures)
-
-
-def _begins_with(signatures: tuple[bytes, ...], beginning: bytes) -> bool:
-    return beginning.startswith(signatures)
+def _begins(*signatures: bytes) -> Callable[[bytes], bool]:
+    return lambda beginning: beginning.startswith(signatures)
 
 
 def _is_matlab_7_3(beginning: bytes) -> bool:
@@ -29,7 +25,12 @@ def _is_hdf5(beginning: bytes) -> bool:
     return any(beginning[at : at + 8] == _HDF5 for at in (0, 512, 1024, 2048))
 
 
-def _of_members(name: str, endings: tuple[str, ...], recognises, opened: arrays.Open) -> Reader:  # type: ignore[no-untyped-def]
+def _array_reader(
+    name: str,
+    endings: tuple[str, ...],
+    recognises: Callable[[bytes], bool],
+    opened: arrays.Open,
+) -> Reader:
     return Reader(
         name=name,
         endings=endings,
@@ -39,7 +40,7 @@ def _of_members(name: str, endings: tuple[str, ...], recognises, opened: arrays.
     )
 
 
-def _of_sound(name: str, endings: tuple[str, ...], *signatures: bytes) -> Reader:
+def _sound_reader(name: str, endings: tuple[str, ...], *signatures: bytes) -> Reader:
     return Reader(
         name=name,
         endings=endings,
@@ -49,17 +50,17 @@ def _of_sound(name: str, endings: tuple[str, ...], *signatures: bytes) -> Reader
     )
 
 
-#: In the order in which a file is tried; the last one takes what no other recognises.
-READERS: tuple[Reader, ...] = (
-    _of_sound("WAV", (".wav", ".wave", ".w64"), b"RIFF", b"RIFX", b"RF64", b"riff"),
-    _of_sound("FLAC", (".flac",), b"fLaC"),
-    _of_sound("AIFF", (".aif", ".aiff", ".aifc"), b"FORM"),
-    _of_sound("OGG", (".ogg", ".oga", ".opus"), b"OggS"),
-    _of_members("NPY", (".npy",), _begins(b"\x93NUMPY"), arrays.opened_npy),
-    _of_members("NPZ", (".npz",), _begins(b"PK\x03\x04", b"PK\x05\x06"), arrays.opened_npz),
-    _of_members("MATLAB 7.3", (".mat",), _is_matlab_7_3, arrays.opened_hdf5),
-    _of_members("HDF5", (".h5", ".hdf5", ".hdf", ".nwb"), _is_hdf5, arrays.opened_hdf5),
-    _of_members("MATLAB", (".mat",), _begins(b"MATLAB 5.0"), arrays.opened),
+# A file goes to the first one that recognises it; the last one takes all other files.
+_READERS: tuple[Reader, ...] = (
+    _sound_reader("WAV", (".wav", ".wave", ".w64"), b"RIFF", b"RIFX", b"RF64", b"riff"),
+    _sound_reader("FLAC", (".flac",), b"fLaC"),
+    _sound_reader("AIFF", (".aif", ".aiff", ".aifc"), b"FORM"),
+    _sound_reader("OGG", (".ogg", ".oga", ".opus"), b"OggS"),
+    _array_reader("NPY", (".npy",), _begins(b"\x93NUMPY"), arrays.opened_npy),
+    _array_reader("NPZ", (".npz",), _begins(b"PK\x03\x04", b"PK\x05\x06"), arrays.opened_npz),
+    _array_reader("MATLAB 7.3", (".mat",), _is_matlab_7_3, arrays.opened_hdf5),
+    _array_reader("HDF5", (".h5", ".hdf5", ".hdf", ".nwb"), _is_hdf5, arrays.opened_hdf5),
+    _array_reader("MATLAB", (".mat",), _begins(b"MATLAB 5.0"), arrays.opened_matlab),
     Reader(
         name="text",
         endings=(".csv", ".tsv", ".txt", ".dat"),
@@ -71,17 +72,17 @@ READERS: tuple[Reader, ...] = (
 
 
 def endings() -> tuple[str, ...]:
-    """Endings of all files that may be tried."""
-    return tuple(dict.fromkeys(ending for reader in READERS for ending in reader.endings))
+    """Return the endings of the names of all files that can be read."""
+    return tuple(dict.fromkeys(ending for reader in _READERS for ending in reader.endings))
 
 
 def reader_of(path: Path) -> Reader:
-    """The reader of a file, by what it begins with; its ending says nothing.
+    """Return the reader of a file, by its first bytes; the ending of its name does not matter.
 
     Raises
     ------
     StorageError
-        The file cannot be read, or is none.
+        The file cannot be read, or is no regular file.
     """
     if not is_file(path):
         raise StorageError(f"{named(path)}: cannot be read (it is no file). Choose a file.")
@@ -93,7 +94,7 @@ def reader_of(path: Path) -> Reader:
             f"{named(path)}: cannot be read ({error.strerror or error}). Ask its owner for the "
             "right to read it."
         ) from error
-    return next(reader for reader in READERS if reader.recognises(beginning))
+    return next(reader for reader in _READERS if reader.recognises(beginning))
 
 
 def look(path: Path) -> Found:

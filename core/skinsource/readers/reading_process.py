@@ -1,4 +1,7 @@
-"""How much memory another process takes, where the system does not limit it for us."""
+"""A child process that reads foreign files, so that no file can crash this process.
+
+Where the system cannot limit the memory of the child, this process measures it.
+"""
 
 import ctypes
 import json
@@ -27,57 +30,11 @@ from skinsource.readers.reader import Block, Found, from_tree
 _ASK_S = 2.0
 _QUERY = 0x1000  # PROCESS_QUERY_LIMITED_INFORMATION
 
-
-def resident_bytes(pid: int) -> int | None:
-    """Memory that a process has in use; None if the system does not tell."""
-    try:
-        if sys.platform.startswith("linux"):
-            return _of_linux(pid)
-        return _of_windows(pid) if sys.platform == "win32" else of_ps(pid)
-    except (OSError, ValueError, AttributeError, IndexError, subprocess.SubprocessError):
-        return None
-
-
-def of_ps(pid: int) -> int:
-    """What the command of that name says, on macOS and the BSDs."""
-    said = subprocess.run(  # noqa: S603  a number
-        ["/bin/ps", "-o", "rss=", "-p", str(int(pid))],
-        capture_output=True,
-        timeout=_ASK_S,
-        check=True,
-    )
-    return int(said.stdout) * 1024
-
-
-def _of_linux(pid: int) -> int:
-    for line in Path(f"/proc/{pid}/status").read_text(encoding="ascii").splitlines():
-        if line.startswith("VmRSS:"):
-            return int(line.split()[1]) * 1024
-    raise ValueError("a process that has ended takes none")
-
-
-def _of_windows(pid: int) -> int:
-    kernel: Any = ctypes.WinDLL("kernel32")  # type: ignore[attr-defined,unused-ignore]
-    handle = kernel.OpenProcess(_QUERY, False, pid)
-    # cb, PageFaultCount, then sizes: PeakWorkingSetSize, WorkingSetSize, ...
-    counters = (ctypes.c_size_t * 10)()
-    ctypes.cast(counters, ctypes.POINTER(ctypes.c_uint32))[0] = ctypes.sizeof(counters)
-    found = kernel.K32GetProcessMemoryInfo(
-        ctypes.c_void_p(handle), ctypes.byref(counters), ctypes.sizeof(counters)
-    )
-    kernel.CloseHandle(ctypes.c_void_p(handle))
-    if not found:
-        raise OSError("no answer")
-    return int(counters[2])
-
-
-# Reads foreign files in a process of its own, so that no file can take this one down.
-
-#: The child.
+#: The command of the child.
 COMMAND = child_command("skinsource.limbs.reading_child")
-#: A child that says nothing for so long is taken to hang.
-SILENCE_S = 10.0
-# To start Python, and what the readers import, on a busy machine.
+# A child that does not answer for this long is taken to hang.
+_SILENCE_S = 10.0
+# Time to start Python and to import the readers on a busy machine.
 _START_S = 60.0
 _BETWEEN_LOOKS_S = 0.05
 _LONGEST_ANSWER = 2**24
@@ -86,22 +43,65 @@ _ADVICE = "The file may be damaged; record or export it again."
 _Answers = Queue[tuple[dict[str, Any], bytes] | None]
 
 
+def resident_bytes(pid: int) -> int | None:
+    """Return the memory that a process uses; None if the system does not tell."""
+    try:
+        if sys.platform.startswith("linux"):
+            return _linux_bytes(pid)
+        return _windows_bytes(pid) if sys.platform == "win32" else of_ps(pid)
+    except (OSError, ValueError, AttributeError, IndexError, subprocess.SubprocessError):
+        return None
+
+
+def of_ps(pid: int) -> int:
+    """Return the memory that the command ``ps`` prints, on macOS and the BSDs."""
+    completed = subprocess.run(  # noqa: S603  a number
+        ["/bin/ps", "-o", "rss=", "-p", str(int(pid))],
+        capture_output=True,
+        timeout=_ASK_S,
+        check=True,
+    )
+    return int(completed.stdout) * 1024
+
+
+def _linux_bytes(pid: int) -> int:
+    for line in Path(f"/proc/{pid}/status").read_text(encoding="ascii").splitlines():
+        if line.startswith("VmRSS:"):
+            return int(line.split()[1]) * 1024
+    raise ValueError("a process that has ended takes none")
+
+
+def _windows_bytes(pid: int) -> int:
+    kernel: Any = ctypes.WinDLL("kernel32")  # type: ignore[attr-defined,unused-ignore]
+    handle = kernel.OpenProcess(_QUERY, False, pid)
+    # cb, PageFaultCount, then sizes: PeakWorkingSetSize, WorkingSetSize, ...
+    counters = (ctypes.c_size_t * 10)()
+    ctypes.cast(counters, ctypes.POINTER(ctypes.c_uint32))[0] = ctypes.sizeof(counters)
+    answered = kernel.K32GetProcessMemoryInfo(
+        ctypes.c_void_p(handle), ctypes.byref(counters), ctypes.sizeof(counters)
+    )
+    kernel.CloseHandle(ctypes.c_void_p(handle))
+    if not answered:
+        raise OSError("no answer")
+    return int(counters[2])
+
+
 class ReadingProcess:
-    """A child process that reads files; it is started when it is needed, and once more when lost.
+    """A child process that reads files; it is started when needed, and again after a crash.
 
     Parameters
     ----------
     silence_s
-        It is ended when it says nothing for so long.
+        The child is killed after it has not answered for this long.
     command
-        What is started.
+        The command of the child.
     folder
-        Where Python finds the module that is started, beside this library.
+        A further folder of modules for the child.
     """
 
     def __init__(
         self,
-        silence_s: float = SILENCE_S,
+        silence_s: float = _SILENCE_S,
         command: Sequence[str] = COMMAND,
         folder: Path = PACKAGE.parent,
     ) -> None:
@@ -109,7 +109,7 @@ class ReadingProcess:
         self._process: subprocess.Popen[bytes] | None = None
         self._answers: _Answers = Queue()
         self._listener: Thread | None = None
-        # One request at a time; whoever comes second waits.
+        # Requests wait for each other.
         self._lock = Lock()
 
     def __enter__(self) -> "ReadingProcess":
@@ -119,7 +119,7 @@ class ReadingProcess:
         self.close()
 
     def close(self) -> None:
-        """End the process, if it runs; what is being read is given up."""
+        """Kill the process, if it runs; a request that it is answering fails."""
         self._end()
 
     def look(self, path: Path, *, stop: Stop = never) -> Found:
@@ -128,11 +128,11 @@ class ReadingProcess:
         Raises
         ------
         RecordingError
-            Nothing that can be used, or reading it crashed or took too long.
+            The file holds nothing usable, or reading it crashed or took too long.
         StorageError
             The file cannot be read.
         Stopped
-            ``stop`` said so.
+            ``stop`` returned True.
         """
         with self._lock:
             self._ask(path, {"do": "look"}, stop)
@@ -170,23 +170,23 @@ class ReadingProcess:
     def overview(
         self, path: Path, key: str, n_samples: int, columns: int, *, stop: Stop = never
     ) -> Floats:
-        """Return the least and the largest of each of ``columns`` stretches, (2, columns).
+        """Return the smallest and largest value of each of ``columns`` stretches, (2, columns).
 
-        Stretches that hold no number are NaN.  Raises what `look` does.
+        Stretches without a number are NaN.  Raises what `look` does.
         """
         request = {"do": "overview", "key": key, "samples": n_samples, "columns": columns}
         with self._lock:
             self._ask(path, request, stop)
-            found = np.empty((2, 0))
+            extremes = np.empty((2, 0))
             while True:
                 answer, content = self._next(path, stop)
                 if "end" in answer:
-                    return found
+                    return extremes
                 if "block" in answer:
-                    found = np.frombuffer(content, "<f8").reshape(2, -1)
+                    extremes = np.frombuffer(content, "<f8").reshape(2, -1)
 
     def ask(self, path: Path, request: dict[str, Any], *, stop: Stop = never) -> dict[str, Any]:
-        """Return the one answer to a request of another kind; raises what `look` does."""
+        """Return the only answer to a request of another kind; raises what `look` does."""
         with self._lock:
             self._ask(path, request, stop)
             return self._next(path, stop)[0]
@@ -199,16 +199,16 @@ class ReadingProcess:
             self._ask(path, request, stop)
             ended = False
             try:
-                while not (ended := "end" in (found := self._next(path, stop))[0]):
-                    height, width, kind = found[0]["block"]
-                    flat = np.frombuffer(found[1], {"f4": "<f4", "f8": "<f8"}[kind])
+                while not (ended := "end" in (answer := self._next(path, stop))[0]):
+                    height, width, kind = answer[0]["block"]
+                    flat = np.frombuffer(answer[1], {"f4": "<f4", "f8": "<f8"}[kind])
                     yield flat.reshape(height, width).astype(np.float64, copy=False)
             finally:
-                if not ended:  # what else it says is no answer to the next request
+                if not ended:  # later answers do not belong to the next request
                     self._end()
 
     def _gathered(self, path: Path, rows: int, n: int, progress: Progress, stop: Stop) -> Block:
-        found: Block = np.empty((rows, 0), np.float32)
+        samples: Block = np.empty((rows, 0), np.float32)
         done = 0
         while True:
             answer, content = self._next(path, stop)
@@ -220,9 +220,9 @@ class ReadingProcess:
                 part = flat.reshape(height, width)
                 if not width:
                     continue
-                if not found.size:
-                    found = np.empty((rows, n), part.dtype)
-                found[:, done : done + width] = part
+                if not samples.size:
+                    samples = np.empty((rows, n), part.dtype)
+                samples[:, done : done + width] = part
             except (KeyError, TypeError, ValueError) as error:
                 raise self._lost(path, "what was read makes no sense") from error
             done += width
@@ -231,7 +231,7 @@ class ReadingProcess:
             raise RecordingError(
                 f"{_name(path)}: {done} samples were found, expected {n}. {_ADVICE}"
             )
-        return found
+        return samples
 
     def _ask(self, path: Path, request: dict[str, Any], stop: Stop) -> None:
         text = json.dumps({**request, "path": str(path.absolute())}).encode("ascii") + b"\n"
@@ -296,7 +296,7 @@ class ReadingProcess:
             stop_if(stop)
 
     def _is_too_large(self) -> bool:
-        # Elsewhere it limits itself.
+        # On Linux the child limits itself.
         if sys.platform.startswith("linux") or self._process is None:
             return False
         return (resident_bytes(self._process.pid) or 0) > limits.MEMORY_BYTES
@@ -314,7 +314,7 @@ class ReadingProcess:
             return
         process.kill()
         process.wait()
-        # The listener may wait for room for what nobody wants any more.
+        # The listener may wait for room in the queue.
         while self._listener is not None and self._listener.is_alive():
             with suppress(Empty):
                 self._answers.get(timeout=_BETWEEN_LOOKS_S)
@@ -325,7 +325,7 @@ class ReadingProcess:
 
 
 def _listen(pipe: IO[bytes], answers: _Answers) -> None:
-    """Hand on what the child says, until it ends or says what it should not."""
+    """Put the answers of the child into the queue, until it ends or sends nonsense."""
     with suppress(OSError, ValueError, TypeError, KeyError):
         while line := pipe.readline(_LONGEST_ANSWER):
             answer = json.loads(line)

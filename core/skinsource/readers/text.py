@@ -1,4 +1,7 @@
-"""How a table of numbers is written: separator, decimal comma, headings, units."""
+"""Tables of numbers in text, such as CSV: their layout, and their columns as signals.
+
+The separator, the decimal mark, headings and units are recognised; a table is read line by line.
+"""
 
 import io
 import re
@@ -18,13 +21,16 @@ from skinsource.readers.reader import Block, Found, Series, reading_error, unkno
 from skinsource.readers.timestamps import stated_rate_hz
 from skinsource.readers.units import split_heading, time_unit_s, unit_named
 
-#: Separators, the likelier ones first; the last is any run of blanks.
-SEPARATORS = ("\t", ";", ",", "|", " ")
-COMMENTS = ("#", "%", "//")
-MISSING = ("", "nan", "na", "n/a", "null", "none", "-nan")
+# The likelier separators come first; the last one is any run of blanks.
+_SEPARATORS = ("\t", ";", ",", "|", " ")
+_COMMENTS = ("#", "%", "//")
+_MISSING = ("", "nan", "na", "n/a", "null", "none", "-nan")
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d+)?|[+-]?inf(inity)?", re.IGNORECASE)
-# Rows that have to look alike for the layout to be believed.
+# Last rows that must end with a separator for it to separate nothing.
 _ROWS = 40
+_HEAD_BYTES = 2**16
+_LONGEST_LINE = 2**20
+_ADVICE = "Save it as text with one row of numbers for each sample."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -34,19 +40,19 @@ class TextLayout:
     Attributes
     ----------
     separator
-        Between cells; a blank stands for any run of them.
+        Separator of cells; a blank means any run of blanks.
     decimal
-        "." or ",".
+        Decimal mark, "." or ",".
     trailing
         Whether each line ends with a separator that separates nothing.
     header_lines
         Lines before the first row of numbers.
     names, units
-        Of the columns; units as they are written, empty where there are none.
+        Of the columns; units as in the file, empty where there are none.
     rate_hz
-        What the lines before the numbers say about the rate.
+        Sample rate that the lines before the numbers state.
     notes
-        What was a guess.
+        Sentences on what was guessed.
     """
 
     separator: str
@@ -59,11 +65,11 @@ class TextLayout:
     notes: tuple[str, ...] = ()
 
     def cells(self, line: str) -> list[str]:
-        """The cells of a line, without quotation marks."""
-        return split(line, self.separator, self.trailing)
+        """Return the cells of a line, without quotation marks."""
+        return _split(line, self.separator, self.trailing)
 
 
-def split(line: str, separator: str, trailing: bool = False) -> list[str]:
+def _split(line: str, separator: str, trailing: bool = False) -> list[str]:
     """Cut a line into cells."""
     line = line.strip("\r\n")
     if separator == " ":
@@ -74,9 +80,9 @@ def split(line: str, separator: str, trailing: bool = False) -> list[str]:
     return [part.strip().strip('"').strip() for part in parts]
 
 
-def number(cell: str, decimal: str) -> float | None:
-    """The number in a cell, NaN where it says that it has none; None if it is something else."""
-    if cell.lower() in MISSING:
+def _number(cell: str, decimal: str) -> float | None:
+    """Return the number in a cell, NaN for a missing one; None if the cell holds no number."""
+    if cell.lower() in _MISSING:
         return float("nan")
     plain = cell.replace(",", ".") if decimal == "," else cell
     if not _NUMBER.fullmatch(plain) or (decimal == "," and "." in cell):
@@ -84,22 +90,22 @@ def number(cell: str, decimal: str) -> float | None:
     return float(plain.lower().replace("d", "e"))
 
 
-def is_comment(line: str) -> bool:
-    """Whether a line only explains, or is empty."""
-    return not line.strip() or line.lstrip().startswith(COMMENTS)
+def _is_comment(line: str) -> bool:
+    """Whether a line is a comment or empty."""
+    return not line.strip() or line.lstrip().startswith(_COMMENTS)
 
 
 def layout_of(lines: Sequence[str]) -> TextLayout | None:
-    """The layout of a table that begins with ``lines``; None if no row of numbers is found."""
+    """Return the layout of a table that begins with ``lines``; None if it has no row of numbers."""
     best: tuple[int, int, str, str, bool] | None = None
-    for separator in SEPARATORS:
+    for separator in _SEPARATORS:
         for decimal in (".", ","):
             if decimal == separator:
                 continue
-            found = _rows_of_numbers(lines, separator, decimal)
-            if found is None:
+            layout = _rows_of_numbers(lines, separator, decimal)
+            if layout is None:
                 continue
-            first, columns, trailing = found
+            first, columns, trailing = layout
             # Fewer lines before the numbers, then more columns; the likelier separator wins a tie.
             if best is None or (-first, columns) > (-best[0], best[1]):
                 best = (first, columns, separator, decimal, trailing)
@@ -109,16 +115,16 @@ def layout_of(lines: Sequence[str]) -> TextLayout | None:
 def _rows_of_numbers(
     lines: Sequence[str], separator: str, decimal: str
 ) -> tuple[int, int, bool] | None:
-    """First row, columns, and whether lines end with a separator."""
-    rows = [k for k, line in enumerate(lines) if not is_comment(line)]
+    """Return the first row, the columns, and whether lines end with a separator; None: no rows."""
+    rows = [k for k, line in enumerate(lines) if not _is_comment(line)]
     ends = [lines[k].rstrip("\r\n ").endswith(separator) for k in rows[-_ROWS:]]
     trailing = separator != " " and bool(ends) and all(ends)
     columns, first = 0, None
     for k in reversed(rows):
-        cells = split(lines[k], separator, trailing)
-        values = [number(cell, decimal) for cell in cells]
+        cells = _split(lines[k], separator, trailing)
+        values = [_number(cell, decimal) for cell in cells]
         numeric = all(value is not None for value in values) and any(
-            cell.lower() not in MISSING for cell in cells
+            cell.lower() not in _MISSING for cell in cells
         )
         if not numeric or (first is not None and len(cells) != columns):
             break
@@ -135,8 +141,8 @@ def _with_headings(
     headings = [
         cells
         for line in before[-3:]
-        if len(cells := split(line.lstrip("#%/ "), separator, trailing)) == columns
-        and not all(number(cell, ".") is not None for cell in cells)
+        if len(cells := _split(line.lstrip("#%/ "), separator, trailing)) == columns
+        and not all(_number(cell, ".") is not None for cell in cells)
     ]
     units: list[str] = [""] * columns
     if len(headings) > 1 and _are_units(headings[-1]):
@@ -146,8 +152,8 @@ def _with_headings(
         for k, cell in enumerate(headings[-1]):
             name, unit = split_heading(cell)
             names[k], units[k] = name or names[k], unit or units[k]
-    guess = decimal == "." and separator == "," and columns == 2 and not headings
-    whole = guess and all("." not in line for line in lines[first:])
+    is_guess = decimal == "." and separator == "," and columns == 2 and not headings
+    is_guess = is_guess and all("." not in line for line in lines[first:])
     return TextLayout(
         separator=separator,
         decimal=decimal,
@@ -156,22 +162,15 @@ def _with_headings(
         names=tuple(names),
         units=tuple(units),
         rate_hz=stated_rate_hz(before, decimal),
-        notes=("Commas are taken as separators, not as decimal commas.",) if whole else (),
+        notes=("Commas are taken as separators, not as decimal commas.",) if is_guess else (),
     )
 
 
 def _are_units(cells: Sequence[str]) -> bool:
     plain = [cell.strip("[]() ") for cell in cells]
     times = ("s", "ms", "us", "µs", "ns", "sec")
-    known = [bool(unit_named(one)) or one.lower() in times for one in plain]
-    return any(known) and all(ok or not one for ok, one in zip(known, plain, strict=True))
-
-
-# CSV, TSV and other tables of numbers in text; read line by line.
-
-_HEAD_BYTES = 2**16
-_LONGEST_LINE = 2**20
-_ADVICE = "Save it as text with one row of numbers for each sample."
+    known = [bool(unit_named(cell)) or cell.lower() in times for cell in plain]
+    return any(known) and all(ok or not cell for ok, cell in zip(known, plain, strict=True))
 
 
 def look(path: Path) -> Found:
@@ -206,7 +205,7 @@ def look(path: Path) -> Found:
 
 
 def blocks(path: Path, keys: Sequence[str], start: int, stop: int) -> Iterator[Block]:
-    """Give some columns; cells that are empty or say NaN are NaN."""
+    """Give some columns; missing numbers are NaN."""
     with _opened(path) as (file, layout):
         columns = len(layout.names)
         for key in keys:
@@ -221,7 +220,7 @@ def blocks(path: Path, keys: Sequence[str], start: int, stop: int) -> Iterator[B
                 break
             if row < start:
                 if row % limits.BLOCK == 0:
-                    yield np.empty((len(chosen), 0))  # still at work
+                    yield np.empty((len(chosen), 0))  # tells the parent that the process is alive
                 continue
             first_line = first_line if lines else line_number
             lines.append(line)
@@ -234,7 +233,7 @@ def blocks(path: Path, keys: Sequence[str], start: int, stop: int) -> Iterator[B
 
 @contextmanager
 def _opened(path: Path) -> Iterator[tuple[TextIO, TextLayout]]:
-    """Open a table, behind the lines before its numbers."""
+    """Open a table, and skip the lines before its numbers."""
     size = path.stat().st_size
     if size > limits.MOST_TEXT_BYTES:
         raise reading_error(
@@ -246,13 +245,15 @@ def _opened(path: Path) -> Iterator[tuple[TextIO, TextLayout]]:
     with path.open("rb") as raw:
         head = raw.read(_HEAD_BYTES)
     encoding = _encoding(head)
-    whole = len(head) == size
+    is_whole = len(head) == size
     text = head.decode(encoding, "replace")
-    # Cut as files are read below: some more characters end lines elsewhere.
+    # ``splitlines`` would end lines at more characters than reading a file does.
     lines = list(io.StringIO(text, newline=None))
     if "\0" in text:
         raise reading_error(path, "it is no text", "a table of numbers", "Choose another file.")
-    layout = layout_of(lines if whole and len(lines) < 2 else lines[: -1 if len(lines) > 1 else 1])
+    layout = layout_of(
+        lines if is_whole and len(lines) < 2 else lines[: -1 if len(lines) > 1 else 1]
+    )
     if layout is None:
         raise reading_error(path, "no rows of numbers were found", "a table of numbers", _ADVICE)
     with path.open(encoding=encoding, errors="replace") as file:
@@ -281,50 +282,50 @@ def _line(path: Path, file: TextIO) -> str:
 
 
 def _rows(path: Path, file: TextIO, layout: TextLayout) -> Iterator[tuple[int, str]]:
-    """Each row and the number of its line."""
+    """Give each row and the number of its line."""
     line_number = layout.header_lines
     while line := _line(path, file):
         line_number += 1
-        if not is_comment(line):
+        if not _is_comment(line):
             yield line_number, line
 
 
 def _count(path: Path, file: TextIO, layout: TextLayout) -> tuple[int, bool]:
-    """Rows of numbers, and whether a last one is cut off and not counted."""
+    """Return the number of rows, and whether a last one is cut off and not counted."""
     rows, last = 0, ""
     for _, line in _rows(path, file, layout):
         rows, last = rows + 1, line
     cells = layout.cells(last)
-    whole = len(cells) == len(layout.names) and all(
-        number(cell, layout.decimal) is not None for cell in cells
+    is_whole = len(cells) == len(layout.names) and all(
+        _number(cell, layout.decimal) is not None for cell in cells
     )
-    cut_off = rows > 1 and not last.endswith("\n") and not whole
+    cut_off = rows > 1 and not last.endswith("\n") and not is_whole
     return rows - cut_off, cut_off
 
 
 def _parsed(path: Path, lines: list[str], first_line: int, layout: TextLayout) -> Floats:
-    """Numbers of some rows, (n_columns, n_rows)."""
+    """Return the numbers of some rows, (n_columns, n_rows)."""
     columns = len(layout.names)
     if not layout.trailing:
         text = (line.replace(",", ".") for line in lines) if layout.decimal == "," else lines
         separator = None if layout.separator == " " else layout.separator
         try:
-            found = np.loadtxt(text, delimiter=separator, ndmin=2, comments=None)
+            table = np.loadtxt(text, delimiter=separator, ndmin=2, comments=None)
         except ValueError:
-            pass  # cells that are empty or quoted, or a mistake: slowly
+            pass  # cells that are empty, quoted or wrong are read one by one below
         else:
-            if found.shape == (len(lines), columns):
-                return found.T
+            if table.shape == (len(lines), columns):
+                return table.T
     rows = np.empty((columns, len(lines)))
     for k, line in enumerate(lines):
         cells = layout.cells(line)
-        values = [number(cell, layout.decimal) for cell in cells]
+        values = [_number(cell, layout.decimal) for cell in cells]
         if len(cells) != columns or None in values:
             wrong = [cell for cell, value in zip(cells, values, strict=True) if value is None]
-            found_words = quoted(wrong[0]) if wrong else counted(len(cells), "cell")
+            content = quoted(wrong[0]) if wrong else counted(len(cells), "cell")
             raise reading_error(
                 path,
-                f"about line {first_line + k} holds {found_words}",
+                f"about line {first_line + k} holds {content}",
                 f"{columns} numbers",
                 "Mend or remove the line.",
             )

@@ -1,7 +1,7 @@
-"""Units of recordings, and the way from each to what an actuator plays.
+"""Units of recordings, and how each is converted to what an actuator plays.
 
 Accelerations, velocities and displacements become m/s²; forces, voltages and shares of full scale
-are drives as they are, because nothing says what they would move.
+stay drives as they are, because nothing says what they would move.
 """
 
 import re
@@ -12,10 +12,10 @@ import scipy
 
 from skinsource.base.arrays import Floats
 
-#: Below this the spectrum of a differentiated signal is empty, above `FULL_HZ` it is whole.
+#: The spectrum of a differentiated signal is empty below `EMPTY_HZ` and complete above `FULL_HZ`.
 EMPTY_HZ, FULL_HZ = 15.0, 25.0
 STANDARD_GRAVITY = 9.80665
-# Silence on either side: the edge of the band rings for this long.
+# Silence added on either side: the edge of the band rings for this long.
 _PADDING_S = 0.5
 
 
@@ -26,15 +26,15 @@ class Unit:
     Attributes
     ----------
     name
-        As it is written.
+        Its symbol.
     title
-        What a user chooses: "mm/s, velocity".
+        Its name for the user: "mm/s, velocity".
     factor
-        What one of it is in SI units; 1 for drives.
+        Its size in SI units; 1 for drives.
     derivatives
-        How often it is differentiated to become an acceleration.
+        How often a signal is differentiated to become an acceleration.
     becomes
-        The unit afterwards.
+        The unit after the conversion.
     """
 
     name: str
@@ -71,7 +71,7 @@ _AFTER = re.compile(r"^(.*?)[ _](s|sec|ms|us|µs|ns)$")
 
 
 def unit_named(text: str) -> str:
-    """The unit that is meant by ``text``; empty where none of these is."""
+    """Return the name of the unit that ``text`` spells; empty if it is none of `UNITS`."""
     stripped = text.strip()
     spelled = _SPELLINGS.get(stripped.lower(), stripped)
     if spelled in UNITS:
@@ -80,16 +80,16 @@ def unit_named(text: str) -> str:
 
 
 def split_heading(heading: str) -> tuple[str, str]:
-    """A column's name and what it says in brackets: "acc_x [g]" is "acc_x" and "g"."""
-    found = _IN_BRACKETS.match(heading.strip())
-    return (found[1], found[2]) if found else (heading.strip(), "")
+    """Return the name of a column and its unit in brackets: "acc_x [g]" is "acc_x" and "g"."""
+    match = _IN_BRACKETS.match(heading.strip())
+    return (match[1], match[2]) if match else (heading.strip(), "")
 
 
-def time_unit_s(name: str, words: str = "") -> float | None:
-    """Seconds that one of a series of this name means; None if the name is not one of time."""
-    base, ending = name.strip().lower(), words.strip().lower()
-    if not ending and (found := _AFTER.match(base)):
-        base, ending = found[1], found[2]
+def time_unit_s(name: str, unit: str = "") -> float | None:
+    """Return the unit of times in a series of this name, in s; None if it does not hold times."""
+    base, ending = name.strip().lower(), unit.strip().lower()
+    if not ending and (match := _AFTER.match(base)):
+        base, ending = match[1], match[2]
     if not _TIME_NAMES.fullmatch(base):
         return None
     return _TIMES_S.get(ending) if ending else 1.0
@@ -98,9 +98,8 @@ def time_unit_s(name: str, words: str = "") -> float | None:
 def differentiated(samples: Floats, sample_rate_hz: float, times: int) -> Floats:
     """Return the derivative with respect to time, (n,), of a signal that is silent around it.
 
-    The spectrum is multiplied by i 2 pi f.  Below 15 Hz nothing is left of it, from 25 Hz on all:
-    between them half a cosine leads up.  Drifts and offsets, which mean nothing here and would
-    become large, are gone.
+    The spectrum is multiplied by i 2 pi f.  Below 15 Hz it is set to zero, and from 15 to 25 Hz it
+    rises by half a cosine: drifts and offsets mean nothing here and would become large.
     """
     if not times:
         return samples
@@ -113,5 +112,5 @@ def differentiated(samples: Floats, sample_rate_hz: float, times: int) -> Floats
     passed = 0.5 * (1.0 - np.cos(np.pi * rise))
     spectrum = scipy.fft.rfft(padded) * passed * (2j * np.pi * frequency_hz) ** times
     if length % 2 == 0 and times % 2:
-        spectrum[-1] = 0.0  # of what turns half a time a sample, the slope is not known
+        spectrum[-1] = 0.0  # at half the sample rate the slope is not known
     return scipy.fft.irfft(spectrum, length)[padding : padding + n]

@@ -1,4 +1,4 @@
-"""From strokes of a pen to samples: what is drawn is what is played."""
+"""Drawn signals: strokes of a pen as samples, and signals limited to a band."""
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable
@@ -15,19 +15,23 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import BAND_HZ, Band
 from skinsource.signals.generators import MAX_SAMPLES
 
-# A drawn signal, bounded to the measured band.
+# A stroke that ends this near to a sample, as a share of one, covers it.
+_ON_SAMPLE = 1e-6
+# Points of a stroke are at least this far apart.
+_APART_S = 1e-9
+_LEAST = 1e-12
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Bounded:
-    """What is left of a signal.
+    """The part of a signal within a band.
 
     Attributes
     ----------
     samples : (n_times,)
-        What lies within the band.
+        That part.
     removed
-        Share of the energy that did not, from 0 to 1.
+        Share of the energy outside the band, from 0 to 1.
     """
 
     samples: Floats
@@ -35,10 +39,10 @@ class Bounded:
 
 
 def bounded_to_band(samples: Floats, sample_rate_hz: float, band_hz: Band = BAND_HZ) -> Bounded:
-    """Take away what lies outside a band, without moving anything in time.
+    """Return the part of a signal within a band, without moving anything in time.
 
-    Frequencies are those of the signal as it repeats after its own length: nothing is added
-    behind it, and doing it twice changes nothing more.
+    Frequencies are those of the signal repeated after its own length: the result has the same
+    length, and a second call changes nothing.
 
     Parameters
     ----------
@@ -47,7 +51,7 @@ def bounded_to_band(samples: Floats, sample_rate_hz: float, band_hz: Band = BAND
     sample_rate_hz
         Its rate.
     band_hz
-        Lowest and highest frequency that stay.
+        Lowest and highest frequency of the result.
 
     Raises
     ------
@@ -64,28 +68,18 @@ def bounded_to_band(samples: Floats, sample_rate_hz: float, band_hz: Band = BAND
     spectrum = scipy.fft.rfft(values)
     frequency_hz = np.arange(spectrum.size) * rate_hz / values.size
     spectrum[(frequency_hz < low) | (frequency_hz > high)] = 0.0
-    kept = np.asarray(scipy.fft.irfft(spectrum, values.size), np.float64)
-    # (Of a tiny signal the squares would vanish.)
+    inside = np.asarray(scipy.fft.irfft(spectrum, values.size), np.float64)
+    # Without the division the squares of a tiny signal would underflow.
     peak = float(np.abs(values).max())
-    share = float(np.sum((kept / peak) ** 2) / np.sum((values / peak) ** 2))
-    return Bounded(kept, min(max(1.0 - share, 0.0), 1.0))
-
-
-# A stroke of a pen over time.
-
-# Closer to a sample than this share of one is on it.
-_ON_SAMPLE = 1e-6
-# A pen has one place in a nanosecond.
-_APART_S = 1e-9
-_LEAST = 1e-12
+    share = float(np.sum((inside / peak) ** 2) / np.sum((values / peak) ** 2))
+    return Bounded(inside, min(max(1.0 - share, 0.0), 1.0))
 
 
 @dataclass(frozen=True, slots=True)
 class Stroke:
-    """Points that a pen went through, rising in time.
+    """The points of a stroke of a pen, rising in time.
 
-    Where the pen went back, what it drew there before is replaced: a signal has one value at a
-    time.
+    Where the pen moves back, it replaces what it drew before: a signal has one value at a time.
 
     Attributes
     ----------
@@ -102,7 +96,7 @@ class Stroke:
 
     @classmethod
     def through(cls, pen: Iterable[tuple[float, float]]) -> "Stroke":
-        """The stroke of a pen that was at these places, (time in s, value), in this order."""
+        """Return the stroke of a pen through these points, (time in s, value), in this order."""
         stroke, last = cls(), None
         for time_s, value in pen:
             stroke = stroke.to(time_s, value, last)
@@ -110,22 +104,22 @@ class Stroke:
         return stroke
 
     def to(self, time_s: float, value: float, came_from_s: float | None = None) -> "Stroke":
-        """The stroke, drawn on to another place.
+        """Return the stroke after a move of the pen to another point.
 
         Parameters
         ----------
         time_s, value
-            Where the pen is now; before time 0 there is nothing to draw on.
+            The point; negative times become 0.
         came_from_s
-            Where it was before: what was drawn between both is replaced.
+            Previous time of the pen: points between both times are replaced.
         """
         time_s = max(real_number("time_s", time_s), 0.0)
         value = real_number("value", value)
-        # Nobody sees less, and slopes of next to nothing would overflow.
+        # Smaller values are invisible, and their slopes would overflow.
         value = value if abs(value) > _LEAST else 0.0
         came_from_s = time_s if came_from_s is None else max(came_from_s, 0.0)
         times = [time for time, _ in self.points]
-        # Where it came from stays, and so does everything outside.
+        # The previous point stays, and so does everything outside.
         if time_s >= came_from_s:
             low = min(bisect_right(times, came_from_s), bisect_left(times, time_s - _APART_S))
             high = bisect_right(times, time_s + _APART_S)
@@ -136,16 +130,16 @@ class Stroke:
 
     @property
     def span_s(self) -> tuple[float, float]:
-        """Times of its first and its last point."""
+        """Times of the first and the last point."""
         if not self.points:
             raise InvalidInputError("the stroke has no points; draw one first")
         return (self.points[0][0], self.points[-1][0])
 
     def samples(self, sample_rate_hz: float) -> tuple[int, Floats]:
-        """Number of the first sample that it covers, and all of them, (n_times,).
+        """Return the number of the first sample that it covers, and its samples, (n_times,).
 
-        A smooth curve goes through the points (piecewise cubic, Fritsch and Carlson 1980), and
-        never beyond two neighbours: no overshoot.
+        They follow a smooth curve through the points without overshoot (piecewise cubic, Fritsch
+        and Carlson 1980).
         """
         rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
         start_s, end_s = self.span_s
@@ -155,34 +149,34 @@ class Stroke:
             raise InvalidInputError(
                 f"the stroke ends at {end_s:g} s: {last} samples, expected at most {MAX_SAMPLES}"
             )
-        times, values = (np.array(one) for one in zip(*self.points, strict=True))
+        times, values = (np.array(column) for column in zip(*self.points, strict=True))
         if last < first or times.size == 1:
-            # Between two samples: it moves the nearer one.
+            # A stroke between two samples moves the nearer one.
             nearest = round((start_s + end_s) / 2 * rate_hz)
             return nearest, np.array([values[-1]])
         instants = np.clip(np.arange(first, last + 1) / rate_hz, start_s, end_s)
-        found = np.asarray(scipy.interpolate.PchipInterpolator(times, values)(instants), np.float64)
-        # Rounding may leave the neighbours by one place.
-        return first, np.clip(found, values.min(), values.max())
+        curve = np.asarray(scipy.interpolate.PchipInterpolator(times, values)(instants), np.float64)
+        # Rounding may exceed the points in the last digit.
+        return first, np.clip(curve, values.min(), values.max())
 
 
 def drawn_over(samples: Floats, stroke: Stroke, sample_rate_hz: float) -> Floats:
-    """Return ``samples``, (n_times,), with a stroke in place of what it covers.
+    """Return ``samples``, (n_times,), with the samples that a stroke covers replaced.
 
-    A stroke that goes on behind the last sample makes them more; between both lies silence.
+    A stroke after the last sample extends them, with silence between both.
     """
     first, values = stroke.samples(sample_rate_hz)
-    found = np.zeros(max(samples.size, first + values.size))
-    found[: samples.size] = samples
-    found[first : first + values.size] = values
-    return found
+    drawn = np.zeros(max(samples.size, first + values.size))
+    drawn[: samples.size] = samples
+    drawn[first : first + values.size] = values
+    return drawn
 
 
 def zeroed(samples: Floats, start_s: float, end_s: float, sample_rate_hz: float) -> Floats:
     """Return ``samples``, (n_times,), with 0 from ``start_s`` to ``end_s``."""
     low, high = sorted((real_number("start_s", start_s), real_number("end_s", end_s)))
     rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
-    found = samples.copy()
+    zeroed_samples = samples.copy()
     first = max(ceil(low * rate_hz - _ON_SAMPLE), 0)
-    found[first : max(floor(high * rate_hz + _ON_SAMPLE) + 1, first)] = 0.0
-    return found
+    zeroed_samples[first : max(floor(high * rate_hz + _ON_SAMPLE) + 1, first)] = 0.0
+    return zeroed_samples

@@ -1,6 +1,6 @@
-"""Sampled stimuli, as plain functions.
+"""Sampled stimuli as plain functions.
 
-Times are ``arange(n) / sample_rate_hz``; amplitude 1 is the peak of the recipe.
+Times are ``arange(n) / sample_rate_hz``; amplitude 1 is the peak of the stimulus.
 """
 
 from functools import lru_cache
@@ -21,24 +21,24 @@ from skinsource.signals.sampling import shift_of, turns
 WindowName = Literal["none", "tukey", "hanning"]
 WINDOWS: tuple[WindowName, ...] = get_args(WindowName)
 
-#: Share of a Tukey window that is taper, as upstream.
+#: The tapered share of a Tukey window, as upstream.
 TUKEY_TAPER = 0.25
 #: Samples of the upstream tap, at 1300 Hz.
 TAP_SAMPLES = 21
-#: Its length, in s, at any rate.
+#: Duration of the tap at any rate, in s.
 TAP_S = TAP_SAMPLES / SAMPLE_RATE_HZ
 
-#: Samples of the longest signal that is made: a day at 1300 Hz takes 0.9 GB.
+#: Samples of the longest signal: a day at 1300 Hz takes 0.9 GB.
 MAX_SAMPLES = 120_000_000
 
 _LARGEST_SEED = 2**128 - 1
 
-# Windows up to so many samples are remembered.
+# Windows up to this length are cached: sweeps play many bursts of one length.
 _SHORT = 2**14
 
 
 def sample_count(duration_s: float, sample_rate_hz: float = SAMPLE_RATE_HZ) -> int:
-    """Samples in a duration, rounded half up.
+    """Return the number of samples in a duration, rounded half up.
 
     The product is rounded first, because 0.35 s x 1300 Hz is 454.99999999999994 in binary.
     """
@@ -53,7 +53,7 @@ def sample_count(duration_s: float, sample_rate_hz: float = SAMPLE_RATE_HZ) -> i
 
 
 def window(name: WindowName, n: int) -> Floats:
-    """Samples of a window, (n,).
+    """Return the samples of a window, (n,).
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def window(name: WindowName, n: int) -> Floats:
 
 
 def window_at(name: WindowName, position: NDArray[np.floating | np.integer], n: int) -> Floats:
-    """A window of ``n`` samples at any place within it, of the shape of ``position``.
+    """Return a window of ``n`` samples at any positions, in the shape of ``position``.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def window_at(name: WindowName, position: NDArray[np.floating | np.integer], n: 
         return 0.5 * (1.0 - np.cos(2.0 * np.pi * (position + 1) / (n + 1)))
     samples = np.ones(position.shape)
     if name == "tukey" and n > 1:
-        # The taper lies over the first and last eighth of the time from 0 to 1.
+        # The taper covers the first and last eighth of the time from 0 to 1.
         time = position / (n - 1)
         from_end = np.maximum(np.minimum(time, 1.0 - time), 0.0)
         tapered = from_end < TUKEY_TAPER / 2.0
@@ -93,22 +93,19 @@ def window_at(name: WindowName, position: NDArray[np.floating | np.integer], n: 
 
 
 def window_between(name: WindowName, n: int, shift: float) -> Floats:
-    """A window that starts ``shift`` of a sample late; 0 before it."""
+    """Return a window that starts ``shift`` of a sample late; it may be read-only."""
     if not shift:
-        return window(name, n)
+        return _cached_window(name, n) if n <= _SHORT else window(name, n)
     between = window_at(name, np.arange(n + 1) - shift, n)
     between[0] = 0.0
     return between
 
 
-def _window_of_burst(name: WindowName, n: int, shift: float) -> Floats:
-    """The same, not to be changed: bursts of one length follow each other in sweeps."""
-    return _known_window(name, n) if not shift and n <= _SHORT else window_between(name, n, shift)
-
-
 @lru_cache(maxsize=8)
-def _known_window(name: WindowName, n: int) -> Floats:
-    return window(name, n)
+def _cached_window(name: WindowName, n: int) -> Floats:
+    samples = window(name, n)
+    samples.flags.writeable = False
+    return samples
 
 
 def sinusoid(
@@ -120,7 +117,7 @@ def sinusoid(
     sample_rate_hz: float = SAMPLE_RATE_HZ,
     shift_s: float = 0.0,
 ) -> Floats:
-    """A windowed sine burst of peak 1, (n,).
+    """Return a windowed sine burst of peak 1, (n,).
 
     The phase is reduced to one turn in exact arithmetic, so that the error does not grow with
     time (below 1e-12 at one hour).  With a shift, less than one sample, burst and window start
@@ -144,14 +141,14 @@ def sinusoid(
     n = sample_count(duration_s, rate_hz)
     samples = np.sin(2.0 * np.pi * turns(frequency, n + (shift > 0.0), rate_hz, shift) + phase)
     if window_name != "none" or shift:
-        samples *= _window_of_burst(window_name, n, shift * rate_hz)
+        samples *= window_between(window_name, n, shift * rate_hz)
     return samples
 
 
 def tap(
     time_s: float = 0.0, *, sample_rate_hz: float = SAMPLE_RATE_HZ, shift_s: float = 0.0
 ) -> Floats:
-    """The upstream tap: a Hanning pulse of 16.2 ms that starts at ``time_s``, (n,).
+    """Return the upstream tap: a Hanning pulse of 16.2 ms that starts at ``time_s``, (n,).
 
     At 1300 Hz it is 21 samples long, and its peak comes ten samples after its start.  At other
     rates, and with a shift of less than one sample, the same pulse is sampled at other instants:
@@ -172,7 +169,7 @@ def impulse(
     *,
     sample_rate_hz: float = SAMPLE_RATE_HZ,
 ) -> Floats:
-    """A single sample of 1 at ``time_s``, (n,); the result ends there unless given a duration.
+    """Return a single sample of 1 at ``time_s``, (n,); it ends there unless given a duration.
 
     It is one sample at any rate, so its energy depends on the rate: half the rate, twice the area.
     """
@@ -196,12 +193,12 @@ def white_noise(
     sample_rate_hz: float = SAMPLE_RATE_HZ,
     shift_s: float = 0.0,
 ) -> Floats:
-    """Gaussian noise, flat within a band and nothing outside it, of peak 1, (n,).
+    """Return Gaussian noise of peak 1, flat within a band and zero outside it, (n,).
 
     The same seed gives the same noise everywhere; it is not MATLAB's noise of that seed.  A
     window other than ``"none"`` widens the spectrum: some of the noise then lies outside the band.
-    With a shift, less than one sample, the same sum of waves is sampled that much earlier in its
-    own time, one sample more of it; between its samples it may go beyond 1.
+    With a shift, less than one sample, the same sum of waves is sampled that much earlier, with one
+    sample more; between its samples it may exceed 1.
 
     Raises
     ------
@@ -237,7 +234,7 @@ def white_noise(
     samples *= window(window_name, n)
     peak = np.abs(samples).max(initial=0.0)
     if n and shift:
-        # The waves go on for ever, and repeat after n samples.
+        # The waves repeat after n samples.
         samples = scipy.fft.irfft(spectrum * np.exp(-2j * np.pi * shift * frequency_hz), n)
         samples = np.append(samples, samples[0]) * window_between(window_name, n, shift * rate_hz)
     return samples / peak if peak > 0 else samples

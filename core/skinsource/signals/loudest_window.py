@@ -1,7 +1,7 @@
-"""What a level averages over: the whole record, or its loudest window.
+"""The loudest window of a signal, over which a level can average instead of the whole record.
 
-Sums over windows are made of sums over 1, 2, 4, 8, … neighbours: only numbers of zero or more are
-added, nothing is subtracted, so that quiet after a burst is as right as the burst.
+Sums over windows are made of sums over 1, 2, 4, 8, … neighbours: nothing is subtracted, so that
+quiet parts after a burst are as accurate as the burst.
 """
 
 from typing import Literal, get_args
@@ -15,25 +15,25 @@ from skinsource.signals.generators import sample_count
 Span = Literal["record", "loudest"]
 SPANS: tuple[Span, ...] = get_args(Span)
 
-#: Length of the window that moves over the record to its loudest place.
+#: Length of the loudest window.
 LOUDEST_WINDOW_S = 0.1
-#: Length of the window of `skinsource.signals.spectra.peak_hold_spectrum`: longer, as frequencies
-#: that differ by less than one over it are one.
+#: Length of the window of `skinsource.signals.spectra.peak_hold_spectrum`: longer, because it
+#: resolves frequencies that differ by more than one over it.
 HOLD_WINDOW_S = 0.25
 
-# They are gone through again and again, and stay in the cache meanwhile.
+# Numbers of a block, which stays in the processor's cache.
 _NUMBERS_AT_ONCE = 2**13
 
 
 def window_samples(sample_rate_hz: float) -> int:
-    """Samples of the window of ``"loudest"``, at least one: 130 at 1300 Hz."""
+    """Return the samples of the loudest window, at least one: 130 at 1300 Hz."""
     return max(sample_count(LOUDEST_WINDOW_S, positive_number("sample_rate_hz", sample_rate_hz)), 1)
 
 
 def loudest_energy(signals: Floats, n_window: int) -> Floats:
-    """Largest sum of squares of any ``n_window`` neighbours in time, (...,), of (..., n_times).
+    """Return the largest sum of squares of any ``n_window`` neighbours, (...), of (..., n_times).
 
-    Beyond both ends lies silence: a signal shorter than the window counts as a whole.
+    Beyond both ends there is silence: a signal shorter than the window counts as a whole.
     """
     loudest = LoudestEnergy(signals.shape[:-1], n_window)
     loudest.add(0, signals)
@@ -41,30 +41,30 @@ def loudest_energy(signals: Floats, n_window: int) -> Floats:
 
 
 class LoudestEnergy:
-    """Largest energy of any window of some signals that come piece by piece.
+    """Largest energy of any window of signals that are added piece by piece.
 
     Parameters
     ----------
     shape
-        Of the signals, without time.
+        Shape of the signals without time.
     n_window
         Samples of the window.
 
     Attributes
     ----------
     energy : shape
-        Largest sum of squares within a window, of what was added so far.
+        Largest sum of squares within a window so far.
     """
 
     def __init__(self, shape: tuple[int, ...], n_window: int) -> None:
         self.energy = np.zeros(shape)
         self._n_window = n_window
-        # Squares of the samples before the next ones, as many as a window can still hold.
+        # Squares of the last samples, as many as a window with the next one can hold.
         self._before = np.zeros((*shape, n_window - 1))
         self._end = 0
 
     def add(self, first: int, signals: Floats) -> None:
-        """Take the samples from ``first`` on, (..., n); between pieces lies silence."""
+        """Add the samples from ``first`` on, (..., n); between pieces there is silence."""
         if signals.shape[-1] == 0:
             return
         if first != self._end:
@@ -78,18 +78,18 @@ class LoudestEnergy:
 
 
 def _largest_sums(squares: Floats, n: int) -> Floats:
-    """Largest sum of any ``n`` neighbours, (...,), of (..., n_samples)."""
+    """Return the largest sum of any ``n`` neighbours, (...), of (..., n_samples)."""
     rows = squares.reshape(-1, squares.shape[-1])
-    found = np.empty(len(rows))
+    largest = np.empty(len(rows))
     at_once = max(_NUMBERS_AT_ONCE // rows.shape[-1], 1)
     for low in range(0, len(rows), at_once):
-        some = slice(low, low + at_once)
-        found[some] = _window_sums(rows[some], n).max(axis=-1)
-    return found.reshape(squares.shape[:-1])
+        part = slice(low, low + at_once)
+        largest[part] = _window_sums(rows[part], n).max(axis=-1)
+    return largest.reshape(squares.shape[:-1])
 
 
 def _window_sums(squares: Floats, n: int) -> Floats:
-    """Sum of each ``n`` neighbours, (n_signals, n_samples - n + 1)."""
+    """Return the sums of each ``n`` neighbours, (n_signals, n_samples - n + 1)."""
     n_sums = squares.shape[-1] - n + 1
     sums: Floats = np.zeros((len(squares), n_sums))
     of_width, width, summed = squares, 1, 0

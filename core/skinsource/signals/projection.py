@@ -1,4 +1,7 @@
-"""From the axes of acceleration to one signal for each output."""
+"""Projection of acceleration along several axes to one signal for each output; main axes.
+
+The sign of a principal axis is that of MATLAB's ``pca`` wherever one is computed.
+"""
 
 from dataclasses import dataclass
 from typing import Literal, get_args
@@ -11,26 +14,10 @@ from skinsource.base.arrays import Booleans, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import AXES, Axes, axis_numbers
 
-__all__ = [
-    "AXES",
-    "METHODS",
-    "SMALLEST_GAP",
-    "Axes",
-    "Method",
-    "axis_numbers",
-    "magnitude",
-    "main_axis_gap",
-    "no_main_axis",
-    "principal_axis",
-    "principal_axis_of",
-    "project_axes",
-    "rms_direction",
-]
-
 Method = Literal["mag", "pca", "rms", "soc"]
 METHODS: tuple[Method, ...] = get_args(Method)
 
-#: Below this gap noise of a millionth turns a main axis by more than 0.06 degrees.
+#: Below this gap, noise of a millionth turns a main axis by more than 0.06 degrees.
 SMALLEST_GAP = 1e-3
 
 _TIE = 1e-9
@@ -46,8 +33,8 @@ def project_axes(
     acceleration : (n_outputs, n_axes, n_times)
         In m/s², or any other unit; of three axes, unless ``measured`` names fewer.
     axes
-        The axes that take part; ``"xyz"``: all there are.  With a single axis the method has no
-        say.
+        The axes that take part; ``"xyz"``: all of them.  With a single axis the method does not
+        matter.
     method
         ``"mag"`` length of the vector; ``"pca"`` component along the first principal axis of the
         centred data, applied to the data as they are, largest coefficient positive; ``"rms"``
@@ -75,12 +62,12 @@ def project_axes(
         raise InvalidInputError(f"acceleration has shape {data.shape}, expected {expected}")
     if data.shape[-1] == 0:
         raise InvalidInputError("acceleration has no samples, expected at least one")
-    # NaN is the maximum of whatever holds it, and not less than anything.
+    # The maximum of an array with NaN is NaN, which is not below anything.
     if data.size and not np.abs(data).max() <= LARGEST_SAMPLE:
-        place = np.argwhere(~(np.abs(data) <= LARGEST_SAMPLE))[0]
+        output, axis, sample = np.argwhere(~(np.abs(data) <= LARGEST_SAMPLE))[0]
         raise InvalidInputError(
-            f"acceleration of output {place[0] + 1}, axis {measured[place[1]]}, sample {place[2]} "
-            f"is {data[tuple(place)]}, not a finite number of at most {LARGEST_SAMPLE:g}"
+            f"acceleration of output {output + 1}, axis {measured[axis]}, sample {sample} "
+            f"is {data[output, axis, sample]}, not a finite number of at most {LARGEST_SAMPLE:g}"
         )
     if len(numbers) == 1:
         return data[:, numbers[0]].copy()
@@ -94,7 +81,7 @@ def project_axes(
 
 
 def magnitude(data: Floats) -> Floats:
-    """Length of the vector at each instant, (n_outputs, n_times)."""
+    """Return the length of the vector at each instant, (n_outputs, n_times)."""
     scale = _scale(data)
     squares = np.square(data[:, 0] / scale)
     for axis in range(1, data.shape[1]):
@@ -105,14 +92,14 @@ def magnitude(data: Floats) -> Floats:
 
 
 def rms_direction(data: Floats) -> Floats:
-    """Unit vector of the axes' RMS values, (n_outputs, n_axes); zero where all is silent."""
+    """Return unit vectors of the axes' RMS values, (n_outputs, n_axes); zero in silence."""
     energy = np.mean(np.square(data / _scale(data)), axis=-1)
     length = np.sqrt(energy.sum(axis=-1, keepdims=True))
     return np.sqrt(energy) / np.where(length > 0, length, 1.0)
 
 
 def principal_axis(data: Floats) -> Floats:
-    """First principal axis of the centred data, (n_outputs, n_axes), unit vectors.
+    """Return the first principal axis of the centred data, (n_outputs, n_axes), unit vectors.
 
     Sign as in MATLAB's ``pca``: the coefficient of largest magnitude is positive, of equal ones
     the first.  Where nothing moves, the first axis.
@@ -123,23 +110,23 @@ def principal_axis(data: Floats) -> Floats:
 
 
 def principal_axis_of(covariance: Floats) -> Floats:
-    """Principal axis by covariance, (n_outputs, n_axes, n_axes); signs as in `principal_axis`."""
+    """Return principal axes of covariances, (n_outputs, n_axes, n_axes), as `principal_axis`."""
     _, vectors = np.linalg.eigh(covariance)
     axis = vectors[:, :, -1]
     still = ~covariance.any(axis=(1, 2))
     axis[still] = np.eye(covariance.shape[1])[0]
     size = np.abs(axis)
-    # Equal coefficients differ in their last digits, and not on all machines alike.
+    # Equal coefficients differ in their last digits, which depend on the machine.
     largest = (size >= (1.0 - _TIE) * size.max(axis=1, keepdims=True)).argmax(axis=1)
     axis *= np.sign(np.take_along_axis(axis, largest[:, None], axis=1))
     return axis
 
 
 def main_axis_gap(covariance: ArrayLike) -> Floats:
-    """How far the main axis stands out, (s1 - s2) / s1 of the centred data's singular values.
+    """Return how distinct the main axis is, (s1 - s2) / s1 of the data's singular values.
 
-    Noise of relative size e turns the main axis by about e / gap (Davis and Kahan, "The rotation
-    of eigenvectors by a perturbation", SIAM J. Numer. Anal. 7, 1970).
+    The data are centred.  Noise of relative size e turns the main axis by about e / gap (Davis and
+    Kahan, "The rotation of eigenvectors by a perturbation", SIAM J. Numer. Anal. 7, 1970).
 
     Parameters
     ----------
@@ -161,9 +148,9 @@ def main_axis_gap(covariance: ArrayLike) -> Floats:
             f"covariance has shape {matrices.shape}, expected (n_outputs, n_axes, n_axes)"
         )
     if not np.isfinite(matrices).all():
-        place = np.argwhere(~np.isfinite(matrices))[0]
-        raise InvalidInputError(f"covariance of output {place[0] + 1} is not a finite number")
-    # Rounding leaves tiny negative ones.
+        output = np.argwhere(~np.isfinite(matrices))[0][0]
+        raise InvalidInputError(f"covariance of output {output + 1} is not a finite number")
+    # Rounding makes some of them slightly negative.
     values = np.sqrt(np.maximum(np.linalg.eigvalsh(matrices), 0.0))
     first = values[:, -1]
     second = values[:, -2] if values.shape[1] > 1 else np.zeros_like(first)
@@ -171,10 +158,10 @@ def main_axis_gap(covariance: ArrayLike) -> Floats:
 
 
 def no_main_axis(covariance: ArrayLike) -> NDArray[np.bool_]:
-    """Outputs whose main axis is not determined by their motion, (n_outputs,).
+    """Return for which outputs the motion has no main axis, (n_outputs,).
 
-    True where the gap is below `SMALLEST_GAP`, and where nothing moves.  `project_axes` still
-    takes the axis that it finds, as the published toolbox does: its direction there means nothing.
+    It is True where the gap is below `SMALLEST_GAP`, and where nothing moves.  `project_axes` still
+    uses the axis that it computes, as the published toolbox does: its direction means nothing.
 
     Parameters and errors are those of `main_axis_gap`.
     """
@@ -187,9 +174,6 @@ def _scale(data: Floats) -> float:
     return float(2.0 ** np.floor(np.log2(largest))) if largest > 0 else 1.0
 
 
-# Along which direction outputs move most, and how round their motion is.
-
-
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class MainAxes:
     """Ellipsoids of motion.
@@ -197,7 +181,7 @@ class MainAxes:
     Attributes
     ----------
     covariance : (n_outputs, n_axes, n_axes)
-        Mean products of the centred axes, m²/s⁴; ellipses are drawn from it.
+        Mean products of the centred axes, m²/s⁴.
     direction : (n_outputs, n_axes)
         Unit vector along which an output varies most; its largest component is positive.
     deviation : (n_outputs, n_axes)
@@ -258,8 +242,7 @@ def main_axes(traces: ArrayLike) -> MainAxes:
 def ellipse(covariance: ArrayLike, axes: tuple[int, int], n_points: int = 73) -> Floats:
     """Return the outline of one standard deviation in the plane of two axes, (n_points, 2).
 
-    Where a motion is as long as it likes in one direction: the shadow of the ellipsoid on that
-    plane.  Points x of the outline solve x' C⁻¹ x = 1.
+    It is the projection of the ellipsoid on that plane.  Its points x solve x' C⁻¹ x = 1.
     """
     matrix = finite_array("covariance", covariance, "(n_axes, n_axes)")
     plane = matrix[np.ix_(axes, axes)]

@@ -24,12 +24,14 @@ from skinsource.signals.loudest_window import (
 from skinsource.signals.sampling import turns
 
 _FRAMES_AT_ONCE = 64
-#: Over so many neighbours the spectra of noise are averaged in the paper.
+# Signals up to this length have their shares cached: stimuli of one length follow each other.
+_SHORT = 2**14
+#: Bins over which the paper averages the spectra of noise.
 MEAN_OF_BINS = 10
 
 
 def rms(x: ArrayLike, span: Span = "record", sample_rate_hz: float = SAMPLE_RATE_HZ) -> Floats:
-    """Root mean square over time (the last axis), in the unit of ``x``.
+    """Return the root mean square over time (the last axis), in the unit of ``x``.
 
     Parameters
     ----------
@@ -40,12 +42,12 @@ def rms(x: ArrayLike, span: Span = "record", sample_rate_hz: float = SAMPLE_RATE
         ``"loudest"``: the largest RMS of any window; of a signal shorter than that, over a window
         of which the rest is silent, so that silence around a signal changes nothing.
     sample_rate_hz
-        Sample rate; only ``"loudest"`` asks for it.
+        Sample rate; only ``"loudest"`` needs it.
 
     Raises
     ------
     InvalidInputError
-        There are no samples, a sample is no finite real number, or the span or the rate is none.
+        There are no samples, a sample is no finite real number, or the span or rate is invalid.
     """
     one_of("span", span, SPANS)
     rate = positive_number("sample_rate_hz", sample_rate_hz)
@@ -59,7 +61,7 @@ def rms(x: ArrayLike, span: Span = "record", sample_rate_hz: float = SAMPLE_RATE
 
 
 def magnitude_spectrum(x: ArrayLike, sample_rate_hz: float) -> tuple[Floats, Floats]:
-    """One-sided amplitude spectrum over exactly the samples given.
+    """Return the one-sided amplitude spectrum over exactly the samples given.
 
     Parameters
     ----------
@@ -90,12 +92,12 @@ def magnitude_spectrum(x: ArrayLike, sample_rate_hz: float) -> tuple[Floats, Flo
 def peak_hold_spectrum(
     x: ArrayLike, sample_rate_hz: float, stop: Stop = never
 ) -> tuple[Floats, Floats]:
-    """Largest amplitude that each frequency reaches in any 250 ms.
+    """Return the largest amplitude that each frequency reaches in any 250 ms.
 
     A Hann window of 250 ms slides over the signal in eighths of its length, with silence beyond
-    both ends; what it shows is transformed, and each frequency keeps its largest value.  Silence
-    around a signal, its onset and (from 250 ms on) its length change nothing: a sine of amplitude
-    1 that lasts as long as the window or longer reads 1, shorter ones less.
+    both ends; it is transformed at each position, and each frequency keeps its largest value.
+    Silence around a signal, its onset and (from 250 ms on) its length change nothing: a sine of
+    amplitude 1 that lasts as long as the window or longer reads 1, shorter ones less.
 
     Parameters
     ----------
@@ -104,12 +106,12 @@ def peak_hold_spectrum(
     sample_rate_hz
         Sample rate.
     stop
-        Asked now and then.
+        Called now and then.
 
     Returns
     -------
     frequency_hz : (n_bins,)
-        From 0 to half the sample rate, in steps of about a quarter of what 250 ms resolve: 1 Hz.
+        From 0 to half the sample rate, in steps of about 1 Hz: a quarter of what 250 ms resolve.
     amplitude : (..., n_bins)
         One-sided, divided by the sum of the window: never above the largest sample's double, and
         for a sine within 1 % of its amplitude wherever it lies between the frequencies.
@@ -119,7 +121,7 @@ def peak_hold_spectrum(
     InvalidInputError
         There are no samples, a sample is no finite real number, or the rate is not positive.
     Stopped
-        ``stop`` said so.
+        ``stop`` returned True.
     """
     rate = positive_number("sample_rate_hz", sample_rate_hz)
     data, scale = _scaled(_samples(x, LARGEST_SAMPLE))
@@ -132,9 +134,9 @@ def peak_hold_spectrum(
         frames = sliding_window_view(np.pad(row, n_window - 1), n_window)[:: n_window // 8 or 1]
         for first in range(0, len(frames), _FRAMES_AT_ONCE):
             stop_if(stop)
-            shown = frames[first : first + _FRAMES_AT_ONCE] * window
-            np.maximum(held, np.abs(scipy.fft.rfft(shown, n_fft)).max(axis=0), out=held)
-    # Constant and fastest alternating parts have no mirror image to share with.
+            windowed = frames[first : first + _FRAMES_AT_ONCE] * window
+            np.maximum(held, np.abs(scipy.fft.rfft(windowed, n_fft)).max(axis=0), out=held)
+    # The bins at 0 Hz and at half the rate have no mirror image.
     largest[:, [0, -1]] /= 2.0
     frequency_hz = np.arange(n_fft // 2 + 1, dtype=np.float64) * (rate / n_fft)
     of_each = largest.reshape(*data.shape[:-1], frequency_hz.size)
@@ -144,7 +146,7 @@ def peak_hold_spectrum(
 def one_sided_magnitude(
     spectra: Complexes, n_times: int, sample_rate_hz: float
 ) -> tuple[Floats, Floats]:
-    """Frequencies and magnitudes as in `magnitude_spectrum`, from transforms of real signals."""
+    """Return frequencies and magnitudes of `magnitude_spectrum` from transforms of real signals."""
     magnitude = np.abs(spectra) / n_times
     magnitude[..., 1 : (n_times + 1) // 2] *= 2.0
     frequency_hz = np.arange(n_times // 2 + 1, dtype=np.float64) * (sample_rate_hz / n_times)
@@ -152,46 +154,45 @@ def one_sided_magnitude(
 
 
 def mean_of_bins(magnitude: Floats, n: int) -> Floats:
-    """Moving mean of a spectrum over neighbours, of fewer at the ends.
+    """Return the moving mean of a spectrum over neighbours, of fewer at the ends.
 
     Parameters
     ----------
     magnitude : (..., n_bins)
         Magnitudes.
     n
-        How many: the bin itself, ``n // 2`` below and the rest above it; 1: the spectrum itself.
+        Number of bins: the bin itself, ``n // 2`` below and the rest above it; 1: no change.
     """
     if n <= 1 or magnitude.shape[-1] == 0:
         return magnitude
-    beside = [(0, 0)] * (magnitude.ndim - 1) + [(n // 2, (n - 1) // 2)]
-    sums = sliding_window_view(np.pad(magnitude, beside), n, axis=-1).sum(axis=-1)
-    known = np.pad(np.ones(magnitude.shape[-1]), beside[-1])
-    means: Floats = sums / sliding_window_view(known, n).sum(axis=-1)
+    widths = [(0, 0)] * (magnitude.ndim - 1) + [(n // 2, (n - 1) // 2)]
+    sums = sliding_window_view(np.pad(magnitude, widths), n, axis=-1).sum(axis=-1)
+    ones = np.pad(np.ones(magnitude.shape[-1]), widths[-1])
+    means: Floats = sums / sliding_window_view(ones, n).sum(axis=-1)
     return means
 
 
 def share_outside_band(samples: ArrayLike, sample_rate_hz: float, band: Band = BAND_HZ) -> float:
-    """Share of the energy of a signal outside a band, from 0 to 1; 0 of silence.
+    """Return the share of the energy of a signal outside a band, from 0 to 1; 0 for silence.
 
-    Of the spectrum of the samples at all frequencies, not only at multiples of 1 / duration: its
+    It is exact for the spectrum at all frequencies, not only at multiples of 1 / duration: its
     integral over the band is a sum of the autocorrelation r(l) over all lags l, times
-    (sin(2 pi high l / rate) - sin(2 pi low l / rate)) / (pi l).  No window nor padding enters.  The
-    sum is taken, by Parseval, over the transform of samples padded to twice their length, of which
-    the squares are the transform of r.
+    (sin(2 pi high l / rate) - sin(2 pi low l / rate)) / (pi l).  The sum is computed, by Parseval,
+    over the transform of samples padded to twice their length; its squares are the transform of r.
 
     Parameters
     ----------
     samples : (n_times,)
         The signal; silent before and after.
     sample_rate_hz
-        Its rate.  What lies above half of it cannot be seen in samples.
+        Its rate.
     band
         Low and high, in Hz.
 
     Raises
     ------
     InvalidInputError
-        A sample is no finite number, the rate is none, or the band is not 0 <= low < high.
+        A sample or the rate is no finite number, or the band is not 0 <= low < high.
     """
     rate = positive_number("sample_rate_hz", sample_rate_hz)
     edges_hz = finite_array("band", band, "two frequencies")
@@ -204,24 +205,26 @@ def share_outside_band(samples: ArrayLike, sample_rate_hz: float, band: Band = B
         return 0.0
     data, _ = _scaled(data)
     low, high = np.minimum(edges_hz, rate / 2).tolist()
-    outside, whole = (_known_shares if data.size <= _SHORT else _shares)(low, high, data.size, rate)
-    # Of numpy: the editor of a clip asks before anything else of scipy.fft has been imported.
+    outside, whole = (_cached_shares if data.size <= _SHORT else _shares)(
+        low, high, data.size, rate
+    )
+    # numpy's transform: the clip editor calls this before scipy.fft has been imported.
     spectrum = np.fft.rfft(data, _length(2 * data.size))
     power = spectrum.real**2 + spectrum.imag**2
     return min(max(float(power @ outside) / float(power @ whole), 0.0), 1.0)
 
 
 def _shares(low_hz: float, high_hz: float, n_times: int, rate_hz: float) -> tuple[Floats, Floats]:
-    """How much of the power at each frequency of `share_outside_band` lies outside, and in all.
+    """Return the weights of the power at each frequency for the energy outside, and for all.
 
-    (n_bins,) each, for ``n_times`` samples padded with as many zeros or more.
+    They have (n_bins,) each, for ``n_times`` samples padded with as many zeros or more.
     """
     n = _length(2 * n_times)
     of_lags = np.zeros(n)
     of_lags[0] = (high_hz - low_hz) / rate_hz
     edges = np.sin(2.0 * np.pi * turns(high_hz, n_times, rate_hz)[1:])
     edges -= np.sin(2.0 * np.pi * turns(low_hz, n_times, rate_hz)[1:])
-    # Half: each lag stands here in both directions.
+    # Half, because each lag is here in both directions.
     of_lags[1:n_times] = edges / (2.0 * np.pi * np.arange(1, n_times))
     of_lags[n - n_times + 1 :] = of_lags[n_times - 1 : 0 : -1]
     whole = np.ones(n // 2 + 1)
@@ -230,18 +233,16 @@ def _shares(low_hz: float, high_hz: float, n_times: int, rate_hz: float) -> tupl
 
 
 def _length(n: int) -> int:
-    """The shortest of 8, 9, 10, 12 and 15 times a power of two, at least ``n``."""
+    """Return the smallest of 8, 9, 10, 12 and 15 times a power of two that is at least ``n``."""
     octave = 1 << max(n.bit_length() - 4, 0)
     return next(step * octave for step in (8, 9, 10, 12, 15, 16) if step * octave >= n)
 
 
-# Asked for again and again for stimuli of one length; short ones, so that little is held.
-_SHORT = 2**14
-_known_shares = lru_cache(maxsize=8)(_shares)
+_cached_shares = lru_cache(maxsize=8)(_shares)
 
 
 def _scaled(data: Floats) -> tuple[Floats, Floats]:
-    """Signals divided by a power of two each, near their largest sample; and those powers.
+    """Return signals divided by a power of two near their largest sample, and those powers.
 
     Squares and sums then neither over- nor underflow, and nothing rounds.
     """

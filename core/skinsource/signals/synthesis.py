@@ -1,4 +1,11 @@
-"""How far a tone has turned whose frequency changes evenly from any instant on."""
+"""Parts of waveforms: phases of sweeps, windows of bursts, curves of glides, harmonic series.
+
+Phases are computed with 60 digits at the start of each block of samples, so that their error does
+not grow with time.  A glide has frequency and amplitude at the same times; a curve of one of them
+has only the points at which it bends.  What repeats and has edges is a Fourier series up to half
+the sample rate, so that nothing aliases: the sum of the harmonics and its derivatives are computed
+on a grid over one turn, by transforms, and a sample is the Taylor series about the nearest point.
+"""
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator
@@ -19,7 +26,24 @@ from skinsource.signals.sampling import turns
 
 #: Digits of the phase at the start of each block; an hour has some ten of whole turns.
 DIGITS = 60
-_BLOCK = 512
+_BLOCK, _SWEEP_BLOCK = 512, 256
+
+Column = Literal["frequency", "amplitude"]
+#: (time, value), times never falling; two at one time are a step.
+Curve = tuple[tuple[float, float], ...]
+#: (time, frequency, amplitude).
+Points = tuple[tuple[float, float, float], ...]
+
+_COLUMNS: dict[str, int] = {"frequency": 1, "amplitude": 2}
+# A point lies on a line if it is this near to it, as a share of the larger value.
+_STRAIGHT = 1e-12
+
+# Half a step of the grid is at most an eighth of a radian times pi of the highest harmonic.  The
+# rest of the Taylor series, (pi / 8)^13 / 13! of the sum of all amplitudes, is below 1e-15.
+_POINTS_PER_HARMONIC = 8
+_TERMS = 13
+# Samples of which the terms take less than a megabyte.
+_HARMONICS_BLOCK = 8192
 
 
 def bent_turns(
@@ -30,11 +54,9 @@ def bent_turns(
     n: int,
     sample_rate_hz: float,
 ) -> Floats:
-    """Turns of a tone, (n,), less whole ones: start + f t + s t² / 2.
+    """Return the turns of a tone, (n,), without whole ones: start + f t + s t² / 2.
 
-    Computed with 60 digits at the start of each block of samples, and from there by what is left
-    of it, so that the error does not grow with time: below 1e-13 where the frequency stays below
-    half the sample rate.
+    The error is below 1e-13 while the frequency stays below half the sample rate.
 
     Parameters
     ----------
@@ -54,29 +76,26 @@ def bent_turns(
             starts[block] = _less_whole(start + (frequency_hz + slope_hz_per_s / 2 * time) * time)
             steps[block] = _less_whole((frequency_hz + slope_hz_per_s * time) / rate)
     within = np.arange(min(n, _BLOCK))
-    found = np.multiply.outer(steps, within)
-    # Whole numbers times whole turns are whole turns.
-    found += bend * np.square(within)
-    found += starts[:, np.newaxis]
-    found -= np.rint(found)
-    return found.ravel()[:n]
+    phases = np.multiply.outer(steps, within)
+    # An integer times whole turns is a number of whole turns.
+    phases += bend * np.square(within)
+    phases += starts[:, np.newaxis]
+    phases -= np.rint(phases)
+    return phases.ravel()[:n]
 
 
 def _less_whole(turns: Decimal) -> float:
-    """What is left of turns without the nearest whole number of them."""
+    """Return turns without the nearest integer."""
     return float(turns - turns.to_integral_value())
 
 
-# Beginning and end of a burst, and what it cannot hold at a sample rate.
-
-
 def burst(samples: Floats, window: WindowName, sample_rate_hz: float, shift_s: float) -> Floats:
-    """Window ``samples`` of a signal that knows no beginning, in place, (n_times,).
+    """Window ``samples`` of an endless signal in place, and return them, (n_times,).
 
     Parameters
     ----------
     samples : (n_times,)
-        From the instant -``shift_s`` on; with a shift one more than the burst is long.
+        From the instant -``shift_s`` on; with a shift one more than the burst has.
     window
         ``"none"``, ``"tukey"`` or ``"hanning"``; the burst starts and ends with the window.
     """
@@ -87,7 +106,7 @@ def burst(samples: Floats, window: WindowName, sample_rate_hz: float, shift_s: f
 
 
 def check_below_half_rate(name: str, frequency_hz: float, sample_rate_hz: float) -> None:
-    """Refuse a frequency that samples of this rate cannot hold.
+    """Raise an error if samples of this rate cannot represent a frequency.
 
     Raises
     ------
@@ -102,75 +121,55 @@ def check_below_half_rate(name: str, frequency_hz: float, sample_rate_hz: float)
         )
 
 
-# Wavelets about the middle of their samples.
-
-
 def about_middle(n: int, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
-    """Times from the middle of ``n`` samples, in s, (n_times,).
+    """Return times from the middle of ``n`` samples, in s, (n_times,).
 
     (k - (n - 1) / 2) / rate, less the shift; with one, there is one sample more.
     """
-    place: Floats = np.arange(n + (shift_s > 0.0)) - np.float64((n - 1) / 2)
-    return place / sample_rate_hz - shift_s
+    position: Floats = np.arange(n + (shift_s > 0.0)) - np.float64((n - 1) / 2)
+    return position / sample_rate_hz - shift_s
 
 
 def turns_about_middle(
     frequency_hz: float, n: int, sample_rate_hz: float, shift_s: float = 0.0
 ) -> Floats:
-    """Turns of a tone at the times `about_middle`, (n_times,), less whole ones."""
-    found = turns(frequency_hz, n + (shift_s > 0.0), sample_rate_hz, shift_s)
-    # Exact, as the turns themselves.
+    """Return the turns of a tone at the times `about_middle`, (n_times,), less whole ones."""
+    phases = turns(frequency_hz, n + (shift_s > 0.0), sample_rate_hz, shift_s)
     until_middle = Fraction(frequency_hz) * (n - 1) / (2 * Fraction(sample_rate_hz))
-    found -= float(until_middle % 1)
-    return found
+    phases -= float(until_middle % 1)
+    return phases
 
 
 def begun(samples: Floats, shift_s: float) -> Floats:
-    """Silence what lies before the beginning: of a shifted recipe the first sample, in place."""
+    """Set the first sample of a shifted waveform, which lies before its start, to 0, in place."""
     if shift_s > 0.0:
         samples[:1] = 0.0
     return samples
 
 
-# Frequency and amplitude of a glide, each as a curve of its own.
-#
-# A glide keeps both at the same times.  A curve of one of them has only the points at which it
-# bends; put back, it keeps the other one as it is.
-
-Column = Literal["frequency", "amplitude"]
-#: (time, value), times never falling; two at one time are a step.
-Curve = tuple[tuple[float, float], ...]
-#: (time, frequency, amplitude).
-Points = tuple[tuple[float, float, float], ...]
-
-_PLACES: dict[str, int] = {"frequency": 1, "amplitude": 2}
-#: A point this near to the line between its neighbours, in parts of the larger value, is on it.
-_STRAIGHT = 1e-12
-
-
 def curve_of(points: Points, column: Column) -> Curve:
-    """Points at which the frequency, or the amplitude, bends; and both ends.
+    """Return the points at which the frequency, or the amplitude, bends; and both ends.
 
     >>> curve_of(((0.0, 50.0, 0.0), (0.1, 60.0, 1.0), (0.2, 70.0, 1.0)), "frequency")
     ((0.0, 50.0), (0.2, 70.0))
     """
-    place = _PLACES[column]
-    return bends_of(tuple((one[0], one[place]) for one in points))
+    index = _COLUMNS[column]
+    return bends_of(tuple((point[0], point[index]) for point in points))
 
 
 def bends_of(curve: Curve) -> Curve:
-    """The same curve without the points that lie on the line between their neighbours."""
-    kept = list(curve[:1])
+    """Return the curve without the points that lie on the line between their neighbours."""
+    bends = list(curve[:1])
     for here, after in pairwise(curve[1:]):
-        if not _is_between(kept[-1], here, after):
-            kept.append(here)
-    return (*kept, *curve[-1:]) if len(curve) > 1 else curve
+        if not _is_between(bends[-1], here, after):
+            bends.append(here)
+    return (*bends, *curve[-1:]) if len(curve) > 1 else curve
 
 
 def with_curve(points: Points, column: Column, curve: Curve) -> Points:
-    """Points of a glide with another curve of frequency, or of amplitude.
+    """Return the points of a glide with another curve of frequency, or of amplitude.
 
-    It ends with that curve: the other one is cut there, or held until then.
+    The glide ends with that curve: the other one is cut there, or held until then.
 
     Raises
     ------
@@ -180,20 +179,19 @@ def with_curve(points: Points, column: Column, curve: Curve) -> Points:
     if not curve:
         raise InvalidInputError(f"the curve of {column} is empty, expected two points or more")
     other: Column = "amplitude" if column == "frequency" else "frequency"
-    kept = curve_of(points, other)
+    other_curve = curve_of(points, other)
     end_s = curve[-1][0]
-    times = sorted({one[0] for one in (*curve, *kept) if one[0] <= end_s})
-    found = []
+    times = sorted({point[0] for point in (*curve, *other_curve) if point[0] <= end_s})
+    new_points = []
     for time_s in times:
-        own, beside = _around(curve, time_s), _around(kept, time_s)
-        both = zip(own, beside, strict=True)
+        both = zip(_around(curve, time_s), _around(other_curve, time_s), strict=True)
         values = [(a, b) if column == "frequency" else (b, a) for a, b in both]
-        found += [(time_s, *one) for one in dict.fromkeys(values)]
-    return tuple(found)
+        new_points += [(time_s, *pair) for pair in dict.fromkeys(values)]
+    return tuple(new_points)
 
 
 def _around(curve: Curve, time_s: float) -> tuple[float, float]:
-    """Values just before a time, and from it on."""
+    """Return the values of a curve just before a time, and from it on."""
     first = bisect_left(curve, time_s, key=_time)
     after = bisect_right(curve, time_s, key=_time)
     if first < after:
@@ -213,7 +211,7 @@ def _time(point: tuple[float, float]) -> float:
 def _is_between(
     before: tuple[float, float], here: tuple[float, float], after: tuple[float, float]
 ) -> bool:
-    """Whether the line from one point to another goes through a third."""
+    """Whether ``here`` lies on the line from ``before`` to ``after``."""
     if not before[0] < here[0] < after[0]:
         return before == here or here == after
     part = (here[0] - before[0]) / (after[0] - before[0])
@@ -221,23 +219,8 @@ def _is_between(
     return abs(here[1] - line) <= _STRAIGHT * max(abs(before[1]), abs(after[1]), abs(here[1]))
 
 
-# Sums of the harmonics of a tone, at any phase.
-#
-# What repeats and has edges is made from its Fourier series up to half the sample rate, so that
-# nothing aliases.  A sum over all harmonics at each sample would take minutes: 25 Hz at 48 kHz have
-# 959 of them.  The sum and its derivatives are therefore computed on a grid over one turn, by
-# transforms, and each sample is the Taylor series about the nearest point of the grid.
-
-# Half a step of the grid is at most an eighth of a radian times pi of the highest harmonic.  What
-# the series leaves out, (pi / 8)^13 / 13! of the sum of all amplitudes, is below 1e-15.
-_POINTS_PER_HARMONIC = 8
-_TERMS = 13
-#: Samples at a time: their terms take less than a megabyte.
-_HARMONICS_BLOCK = 8192
-
-
 def harmonics_below(limit_hz: float, frequency_hz: float) -> int:
-    """How many whole multiples of a frequency lie below a limit.
+    """Return how many multiples of a frequency lie below a limit.
 
     >>> harmonics_below(650.0, 50.0)
     12
@@ -255,16 +238,16 @@ def sampled_series(
     *,
     mean: float = 0.0,
 ) -> Floats:
-    """A Fourier series up to half the sample rate, at the first ``n`` instants of a recipe, (n,).
+    """Return a Fourier series up to half the sample rate, at ``n`` instants, (n,).
 
     Parameters
     ----------
     series
-        Gives the complex coefficients of the harmonics 1, 2, 3, …, see `sum_of_harmonics`.
+        Returns the complex coefficients of the harmonics 1, 2, 3, …, see `sum_of_harmonics`.
     frequency_hz, phase_rad
         Of the fundamental; below half the sample rate.
     mean
-        What the series swings about.
+        Mean of the series.
     """
     count = harmonics_below(float(sample_rate_hz) / 2, frequency_hz)
     coefficients = np.concatenate(([mean], series(np.arange(1.0, count + 1.0))))
@@ -274,7 +257,7 @@ def sampled_series(
 
 
 def sum_of_harmonics(coefficients: Complexes, turns: Floats) -> Floats:
-    """Real part of the sum over h of coefficient h times exp(2 pi i h turn).
+    """Return the real part of the sum over h of coefficient h times exp(2 pi i h turn).
 
     Parameters
     ----------
@@ -286,7 +269,7 @@ def sum_of_harmonics(coefficients: Complexes, turns: Floats) -> Floats:
     Returns
     -------
     sums : (n,)
-        Wrong by no more than 1e-15 of the sum of all amplitudes, and by what the phases are.
+        The error is at most 1e-15 of the sum of all amplitudes, plus that of the phases.
     """
     table = _taylor_table(coefficients)
     n_points = table.shape[0]
@@ -298,16 +281,16 @@ def sum_of_harmonics(coefficients: Complexes, turns: Floats) -> Floats:
         nearest = np.rint(steps)
         steps -= nearest
         terms = table[nearest.astype(np.int64) & (n_points - 1)]
-        found = terms[:, -1].copy()
+        part_sums = terms[:, -1].copy()
         for power in range(_TERMS - 2, -1, -1):
-            found *= steps
-            found += terms[:, power]
-        sums[part] = found
+            part_sums *= steps
+            part_sums += terms[:, power]
+        sums[part] = part_sums
     return sums
 
 
 def _taylor_table(coefficients: Complexes) -> Floats:
-    """Terms of the Taylor series about each point of the grid, in its steps, (n_points, 13)."""
+    """Return the Taylor series about each point of the grid, in its steps, (n_points, 13)."""
     n_harmonics = coefficients.size - 1
     n_points = 1 << max(_POINTS_PER_HARMONIC * n_harmonics - 1, 1).bit_length()
     spectrum = np.zeros(n_points // 2 + 1, np.complex128)
@@ -322,13 +305,6 @@ def _taylor_table(coefficients: Complexes) -> Floats:
     return table
 
 
-# How far a tone that rises or falls has turned.
-
-#: Digits of the phase at the start of each block; an hour has some ten of whole turns.
-_DIGITS = 60
-_SWEEP_BLOCK = 256
-
-
 def linear_sweep_turns(
     ends_hz: tuple[float, float],
     duration_s: float,
@@ -336,14 +312,12 @@ def linear_sweep_turns(
     sample_rate_hz: float,
     shift_s: float = 0.0,
 ) -> Floats:
-    """Turns of a tone that changes by equal steps in equal times, (n,), less whole ones.
+    """Return the turns of a tone that changes by equal steps in equal times, less whole ones.
 
-    Integral of f0 + (f1 - f0) t / T.  The phase at the start of each block of samples is computed
-    with 60 digits, and from there by what is left of it, so that the error does not grow with
-    time: below 1e-13 turns.
+    They are the integral of f0 + (f1 - f0) t / T, (n,), with an error below 1e-13 turns.
     """
     low_hz, high_hz = ends_hz
-    with localcontext(prec=_DIGITS):
+    with localcontext(prec=DIGITS):
         slope = (Decimal(high_hz) - Decimal(low_hz)) / Decimal(duration_s)
         bend = float(slope / (2 * Decimal(float(sample_rate_hz)) ** 2))
 
@@ -360,9 +334,9 @@ def linear_sweep_turns(
 
         start, step = _blocks(starts(), n)
     within = np.arange(_SWEEP_BLOCK)
-    found = np.multiply.outer(step, within)
-    found += bend * within**2
-    return _less_whole_turns(found, start, n)
+    phases = np.multiply.outer(step, within)
+    phases += bend * within**2
+    return _less_whole_turns(phases, start, n)
 
 
 def logarithmic_sweep_turns(
@@ -372,12 +346,13 @@ def logarithmic_sweep_turns(
     sample_rate_hz: float,
     shift_s: float = 0.0,
 ) -> Floats:
-    """Turns of a tone that changes by equal factors in equal times, (n,), less whole ones.
+    """Return the turns of a tone that changes by equal factors in equal times, less whole ones.
 
-    Integral of f0 (f1 / f0)^(t / T), computed as `linear_sweep_turns` is.  The ends differ.
+    They are the integral of f0 (f1 / f0)^(t / T), (n,), as exact as `linear_sweep_turns`.  The two
+    frequencies must differ.
     """
     low_hz, high_hz = ends_hz
-    with localcontext(prec=_DIGITS):
+    with localcontext(prec=DIGITS):
         growth = (Decimal(high_hz) / Decimal(low_hz)).ln() / Decimal(duration_s)
         per_sample = growth / Decimal(float(sample_rate_hz))
 
@@ -397,9 +372,9 @@ def logarithmic_sweep_turns(
 
 
 def _blocks(starts: Iterator[tuple[float, float]], n: int) -> tuple[Floats, Floats]:
-    """Phase at the start of each block in turns, and frequency there in turns per sample."""
-    found = np.array(list(islice(starts, ceil(n / _SWEEP_BLOCK)))).reshape(-1, 2)
-    return found[:, 0], found[:, 1]
+    """Return the turns at the start of each block, and the turns per sample there."""
+    pairs = np.array(list(islice(starts, ceil(n / _SWEEP_BLOCK)))).reshape(-1, 2)
+    return pairs[:, 0], pairs[:, 1]
 
 
 def _less_whole_turns(within: Floats, start: Floats, n: int) -> Floats:

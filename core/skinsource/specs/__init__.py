@@ -1,1 +1,1 @@
-"""Specifications of fields, which drive checks, files and editors, and the codec of files."""
+"""Specifications of fields, which drive checks, files and editors; trees as files and text."""

@@ -1,4 +1,4 @@
-"""Breakpoints: points of a curve that say how it goes on after each."""
+"""Breakpoints: points of a curve, each with the form of the segment that follows."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -9,19 +9,19 @@ from typing import Any, Literal, Self, get_args
 
 from skinsource.base.json_text import Tree
 from skinsource.specs.numbers import NumberSpec
-from skinsource.specs.spec import Address, Spec, ValidationError
+from skinsource.specs.spec import Address, Spec, ValidationError, tuple_of_points
 
-#: How a curve goes on: by a line, smoothly without passing its points, or as it is.
+#: Form of a segment: a line, a smooth curve without overshoot, or a constant.
 Segment = Literal["straight", "smooth", "held"]
 SEGMENTS: tuple[Segment, ...] = get_args(Segment)
-#: x, y, and how the curve goes on.
+#: x, y, and the form of the segment that follows.
 Breakpoint = tuple[float, float, Segment]
 
 
 class SlopedPoint(tuple[float, float, Segment]):
-    """A breakpoint, x, y and segment, with a slope of its own: what is smooth leaves it so.
+    """A breakpoint, x, y and segment, with its own slope for smooth segments.
 
-    It unpacks as any other breakpoint.  Of one without, the slope follows from its neighbours.
+    It unpacks as any other breakpoint, whose slope follows from its neighbours.
 
     >>> x, y, segment = SlopedPoint(0.1, 0.5, "smooth", slope=2.0)
     """
@@ -29,10 +29,10 @@ class SlopedPoint(tuple[float, float, Segment]):
     slope: float
 
     def __new__(cls, x: float, y: float, segment: Segment, slope: float) -> Self:
-        """Make a point; what its values may be is for `BreakpointsSpec` to say."""
-        made = super().__new__(cls, (x, y, segment))
-        object.__setattr__(made, "slope", slope)
-        return made
+        """Make a point; `BreakpointsSpec` checks the values."""
+        point = super().__new__(cls, (x, y, segment))
+        object.__setattr__(point, "slope", slope)
+        return point
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"{name} of a breakpoint cannot be changed; make another one")
@@ -43,9 +43,9 @@ class SlopedPoint(tuple[float, float, Segment]):
         return tuple(self) == tuple(other) and self.slope == other.slope
 
     def __ne__(self, other: object) -> bool:
-        # Without this one the tuple's own would be asked.
-        found = self.__eq__(other)
-        return found if found is NotImplemented else not found
+        # Python would call that of tuple otherwise.
+        equal = self.__eq__(other)
+        return equal if equal is NotImplemented else not equal
 
     def __hash__(self) -> int:
         return hash((*self, self.slope))
@@ -57,8 +57,8 @@ class SlopedPoint(tuple[float, float, Segment]):
         return (*self, self.slope)
 
 
-def slope_of(point: Breakpoint) -> float | None:
-    """The slope of its own that a breakpoint has, or None."""
+def slope_of(point: object) -> float | None:
+    """Return the own slope of a breakpoint; None if it has none."""
     return point.slope if isinstance(point, SlopedPoint) else None
 
 
@@ -69,9 +69,9 @@ class BreakpointsSpec(Spec):
     Attributes
     ----------
     x, y
-        What the numbers of a point may be.
+        Specifications of the numbers of a point.
     most
-        How many points there may be; there is at least one.
+        Most points; there is at least one.
     """
 
     x: NumberSpec
@@ -79,19 +79,21 @@ class BreakpointsSpec(Spec):
     most: int = 10_000
 
     def checked(self, value: Any) -> tuple[Breakpoint, ...]:
-        """Return a tuple of points; the segment after one of two numbers is straight.
+        """Return a tuple of points; a point of two numbers begins a straight segment.
 
-        A fourth number is the slope of a point's own, in units of y per unit of x.
+        A fourth number is the own slope of a point, in units of y per unit of x.
         """
         expected = _expected(self)
         if not isinstance(value, tuple) or not 1 <= len(value) <= self.most:
             raise ValidationError(expected)
-        # While one of many points is dragged, the others are those that were checked before.
-        before = _checked.get(self, ())
-        known = before if len(before) == len(value) else (_NO_POINT,) * len(value)
+        # While one of many points is dragged, the others are the objects of the last check.
+        last = _last_checked.get(self, ())
+        known = last if len(last) == len(value) else (_NO_POINT,) * len(value)
         try:
             points = tuple(
-                point if point is same or self._is_kept(point) else self._point(point, expected)
+                point
+                if point is same or self._is_normal(point)
+                else self._normalised(point, expected)
                 for point, same in zip(value, known, strict=True)
             )
         except ValidationError:
@@ -99,11 +101,11 @@ class BreakpointsSpec(Spec):
         x = [point[0] for point in points]
         if x != sorted(x):
             raise ValidationError(expected)
-        # What is as it was keeps its identity.
+        # An unchanged tuple keeps its identity.
         points = value if all(map(is_, points, value)) else points
-        if len(_checked) >= _MOST_CHECKED:
-            _checked.clear()
-        _checked[self] = points
+        if len(_last_checked) >= _MOST_CHECKED:
+            _last_checked.clear()
+        _last_checked[self] = points
         return points
 
     def encoded(self, value: tuple[Breakpoint, ...]) -> Tree:
@@ -116,12 +118,10 @@ class BreakpointsSpec(Spec):
     def decoded(self, tree: Tree, at: Address) -> Any:
         """Return a tuple of tuples; of too long a list, unread."""
         del at
-        if not isinstance(tree, list) or len(tree) > self.most:
-            return tree
-        return tuple(tuple(point) if isinstance(point, list) else point for point in tree)
+        return tuple_of_points(tree, self.most)
 
-    def _is_kept(self, point: Any) -> bool:
-        """Whether a point is in the form that points are kept in; most are, when one is dragged."""
+    def _is_normal(self, point: Any) -> bool:
+        """Whether a point is valid and in the form of `checked`."""
         if type(point) is SlopedPoint:
             if type(point.slope) is not float or not isfinite(point.slope):
                 return False
@@ -139,23 +139,24 @@ class BreakpointsSpec(Spec):
             and segment in SEGMENTS
         )
 
-    def _point(self, point: Any, expected: str) -> Breakpoint:
+    def _normalised(self, point: Any, expected: str) -> Breakpoint:
         if not isinstance(point, Sequence) or isinstance(point, str) or not 2 <= len(point) <= 4:
             raise ValidationError(expected)
         segment = point[2] if len(point) > 2 else SEGMENTS[0]
         if not isinstance(segment, str) or segment not in SEGMENTS:
             raise ValidationError(expected)
         x, y = float(self.x.checked(point[0])), float(self.y.checked(point[1]))
-        slope = point.slope if isinstance(point, SlopedPoint) else None
-        slope = point[3] if len(point) == 4 else slope
-        return (x, y, segment) if slope is None else SlopedPoint(x, y, segment, _slope(slope))
+        slope: Any = point[3] if len(point) == 4 else slope_of(point)
+        if slope is None:
+            return (x, y, segment)
+        return SlopedPoint(x, y, segment, float(NumberSpec(label="Slope").checked(slope)))
 
 
-# By specification, the points that fitted it last.  They are kept, so that no other point can take
-# the place of one in memory.
-_checked: "dict[BreakpointsSpec, tuple[Breakpoint, ...]]" = {}
+# The points of the last check by specification.  References to them are held, so that no other
+# point can have the address of one of them.
+_last_checked: "dict[BreakpointsSpec, tuple[Breakpoint, ...]]" = {}
 _MOST_CHECKED = 16
-# In the place of a point that was checked: none is the same, not even None.
+# Stands for an unknown point; nothing is identical with it, not even None.
 _NO_POINT = object()
 
 
@@ -165,7 +166,3 @@ def _expected(spec: BreakpointsSpec) -> str:
         f"1 to {spec.most} points (x, y, segment), x {spec.x.expected} and never falling, "
         f"y {spec.y.expected}, segment {', '.join(SEGMENTS)}, and perhaps a finite slope"
     )
-
-
-def _slope(value: Any) -> float:
-    return float(NumberSpec(label="Slope").checked(value))

@@ -1,9 +1,9 @@
-"""From recipes to what files and the clipboard hold, and back.
+"""Trees as text: for the clipboard, for presets, and for people to edit.
 
-Recipes describe their fields (`skinsource.specs.fields`), so one codec carries all of them:
-`encode` makes a plain tree of a recipe, `decode` a recipe of a tree.  A tree travels as the image
-of an HDF5 file (`skinsource.specs.image`) or as text (`skinsource.specs.codec`); both hold samples
-once however often they are used, and both are checked before anything of them is believed.
+`skinsource.specs.models.encode` makes a tree of a model, ``decode`` a model of a tree.  Files hold
+a tree as text or as the image of an HDF5 file (`skinsource.specs.image`).  Samples are named by
+their digest in a tree, and stored once beside it.  Whatever is read is checked: texts for machines
+by a checksum, texts for people, which have none, by their form.
 """
 
 import base64
@@ -19,7 +19,11 @@ from skinsource.base.json_text import MAX_TEXT_BYTES, Tree, dumped, loaded
 from skinsource.base.quoting import quoted
 from skinsource.specs.samples import Samples
 
-# The version of a format that content states, and whether it is read here.
+#: Key in a tree of the digest of samples; no field of a model has this name.
+_REFERENCE = "$samples"
+#: Version of texts for the clipboard and of presets; files have their own.
+_TEXT_VERSION = 2
+_COPY_AGAIN = "Copy it again in SkinSource studio."
 
 
 def check_version(version: Any, *readable: int) -> None:
@@ -34,89 +38,76 @@ def check_version(version: Any, *readable: int) -> None:
     )
 
 
-# Samples in a tree are named by their digest, and held once beside it.
-
-#: No field of a recipe can be called that.
-_REFERENCE = "$samples"
-
-
 def without_samples(tree: Tree) -> tuple[Tree, dict[str, Samples]]:
-    """Return the tree with names in place of samples, and the samples by name."""
-    found: dict[str, Samples] = {}
+    """Return the tree with digests in place of samples, and the samples by digest."""
+    samples: dict[str, Samples] = {}
 
-    def walked(part: Tree) -> Tree:
+    def converted(part: Tree) -> Tree:
         if isinstance(part, Samples):
-            found[part.digest] = part
+            samples[part.digest] = part
             return {_REFERENCE: part.digest}
         if isinstance(part, dict):
-            return {name: walked(one) for name, one in part.items()}
-        return [walked(one) for one in part] if isinstance(part, list) else part
+            return {name: converted(value) for name, value in part.items()}
+        return [converted(value) for value in part] if isinstance(part, list) else part
 
-    return walked(tree), found
+    return converted(tree), samples
 
 
-def put_back(tree: Tree, samples: dict[str, Samples]) -> Tree:
-    """Return the tree with samples in place of their names.
+def with_samples(tree: Tree, samples: dict[str, Samples]) -> Tree:
+    """Return the tree with samples in place of their digests.
 
     Raises
     ------
     FileFormatError
-        Samples are named that are not there, or are there and not named.
+        Samples are missing, or some are not used.
     """
-    named: set[str] = set()
+    used: set[str] = set()
 
-    def walked(part: Tree) -> Tree:
+    def converted(part: Tree) -> Tree:
         if isinstance(part, dict):
             if _REFERENCE in part:
-                named.add(_name(part, samples))
+                used.add(_digest_in(part, samples))
                 return samples[part[_REFERENCE]]
-            return {name: walked(one) for name, one in part.items()}
-        return [walked(one) for one in part] if isinstance(part, list) else part
+            return {name: converted(value) for name, value in part.items()}
+        return [converted(value) for value in part] if isinstance(part, list) else part
 
     try:
-        whole = walked(tree)
+        content = converted(tree)
     except RecursionError as error:
         raise FileFormatError("the content is nested too deep") from error
-    if len(named) < len(samples):
+    if len(used) < len(samples):
         raise FileFormatError("the content holds samples that nothing uses")
-    return whole
+    return content
 
 
-def _name(reference: dict[str, Any], samples: dict[str, Samples]) -> str:
-    name = reference[_REFERENCE]
-    if len(reference) > 1 or not isinstance(name, str) or name not in samples:
-        raise FileFormatError(f"the content names samples {quoted(name)} that are not there")
-    return name
-
-
-# A tree as text: for the clipboard, and for presets.
-
-#: Version of what the clipboard and presets hold; files have their own.
-TEXT_VERSION = 2
-_COPY_AGAIN = "Copy it again in SkinSource studio."
+def _digest_in(reference: dict[str, Any], samples: dict[str, Samples]) -> str:
+    digest = reference[_REFERENCE]
+    if len(reference) > 1 or not isinstance(digest, str) or digest not in samples:
+        raise FileFormatError(f"the content names samples {quoted(digest)} that are not there")
+    return digest
 
 
 def to_text(tree: Tree, format: str) -> str:
-    """Return ``tree`` as JSON that says what it is, with a checksum.
+    """Return ``tree`` as JSON that names its format, with a checksum.
 
     Parameters
     ----------
     tree
         What `skinsource.specs.models.encode` makes, or a list or dictionary of such.
     format
-        What the text holds, in a few words: ``"skinsource inputs"``.
+        Name of the format: ``"skinsource inputs"``.
 
     Raises
     ------
     InvalidInputError
-        It holds so much that it could not be read again.
+        It is too large to be read again.
     """
     content, samples = without_samples(tree)
     body = {
         "content": content,
-        "samples": {digest: _as_tree(one) for digest, one in samples.items()},
+        "samples": {digest: _samples_tree(signal) for digest, signal in samples.items()},
     }
-    text = dumped({"format": format, "version": TEXT_VERSION, "sha256": _checksum(body), **body})
+    text = dumped({"format": format, "version": _TEXT_VERSION, "sha256": _checksum(body), **body})
     if len(text) > MAX_TEXT_BYTES:
         raise InvalidInputError(
             f"{len(text)} bytes are too many for a text, expected at most {MAX_TEXT_BYTES}; save "
@@ -133,22 +124,22 @@ def from_text(text: str, format: str) -> Tree:
     FileFormatError
         The text is something else, is damaged, or was written in another version.
     """
-    found = loaded(text.encode(errors="replace"))
-    if not isinstance(found, dict) or found.get("format") != format:
+    fields = loaded(text.encode(errors="replace"))
+    if not isinstance(fields, dict) or fields.get("format") != format:
         raise FileFormatError(f"the text does not hold {format}, but {quoted(text)}")
-    check_version(found.get("version"), TEXT_VERSION)
-    body = {name: found.get(name) for name in ("content", "samples")}
-    if not _is_whole(found.get("sha256"), body) or not isinstance(body["samples"], dict):
+    check_version(fields.get("version"), _TEXT_VERSION)
+    body = {name: fields.get(name) for name in ("content", "samples")}
+    if not _fits(fields.get("sha256"), body) or not isinstance(body["samples"], dict):
         raise FileFormatError(f"the text was changed on its way. {_COPY_AGAIN}")
-    samples = {digest: _samples(digest, tree) for digest, tree in body["samples"].items()}
-    return put_back(body["content"], samples)
+    samples = {digest: _samples_of(digest, tree) for digest, tree in body["samples"].items()}
+    return with_samples(body["content"], samples)
 
 
-def _is_whole(checksum: Any, body: dict[str, Any]) -> bool:
+def _fits(checksum: Any, body: dict[str, Any]) -> bool:
     try:
         return bool(checksum == _checksum(body))
     except (ValueError, RecursionError):
-        # Numbers beyond all floats, halves of characters: what can be read need not be writable.
+        # Not all that can be read can be written: numbers beyond all floats, half characters.
         return False
 
 
@@ -156,32 +147,29 @@ def _checksum(body: dict[str, Any]) -> str:
     return sha256(dumped(body)).hexdigest()
 
 
-def _as_tree(samples: Samples) -> Tree:
+def _samples_tree(samples: Samples) -> Tree:
     values = base64.b64encode(samples.values.astype("<f8").tobytes()).decode()
     return {"sample_rate_hz": samples.sample_rate_hz, "unit": samples.unit, "values": values}
 
 
-def _samples(digest: str, tree: Tree) -> Samples:
+def _samples_of(digest: str, tree: Tree) -> Samples:
     try:
         values = np.frombuffer(base64.b64decode(tree["values"], validate=True), "<f8")
-        found = Samples(values=values, sample_rate_hz=tree["sample_rate_hz"], unit=tree["unit"])
+        samples = Samples(values=values, sample_rate_hz=tree["sample_rate_hz"], unit=tree["unit"])
     except (TypeError, KeyError, ValueError, binascii.Error) as error:
         raise FileFormatError(f"the samples in the text are damaged. {_COPY_AGAIN}") from error
-    if found.digest != digest:
+    if samples.digest != digest:
         raise FileFormatError(f"the samples in the text are damaged. {_COPY_AGAIN}")
-    return found
-
-
-# A tree as text that people read and write too: no checksum, checked all the more strictly.
+    return samples
 
 
 def to_plain_text(tree: Tree, format: str, version: int) -> str:
-    """Return ``tree``, without samples, as indented JSON that says what it is.
+    """Return ``tree``, which holds no samples, as indented JSON for people to edit.
 
     Raises
     ------
     InvalidInputError
-        It holds so much that it could not be read again.
+        It is too large to be read again.
     """
     whole = {"format": format, "version": version, "content": tree}
     text = json.dumps(whole, ensure_ascii=False, allow_nan=False, indent=2) + "\n"
@@ -201,17 +189,17 @@ def from_plain_text(text: bytes, format: str, version: int) -> Tree:
         The text is something else, or was written in another version.
     """
     try:
-        found = loaded(text)
+        fields = loaded(text)
     except FileFormatError as error:
         raise FileFormatError(
             f"not the text of a {format} ({error}). Correct it, or go back to an earlier copy."
         ) from error
-    if not isinstance(found, dict) or found.get("format") != format:
-        said = found.get("format") if isinstance(found, dict) else found
-        raise FileFormatError(f"its format is {quoted(said)}, expected {quoted(format)}")
-    if set(found) != {"format", "version", "content"}:
+    if not isinstance(fields, dict) or fields.get("format") != format:
+        stated = fields.get("format") if isinstance(fields, dict) else fields
+        raise FileFormatError(f"its format is {quoted(stated)}, expected {quoted(format)}")
+    if set(fields) != {"format", "version", "content"}:
         raise FileFormatError(
-            f"it holds {quoted(sorted(found))}, expected format, version and content"
+            f"it holds {quoted(sorted(fields))}, expected format, version and content"
         )
-    check_version(found["version"], version)
-    return found["content"]
+    check_version(fields["version"], version)
+    return fields["content"]

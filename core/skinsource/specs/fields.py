@@ -1,13 +1,13 @@
-"""What a field of a recipe may be: label, unit, limits.
+"""Fields of models, with label, unit and limits.
 
-A recipe is a frozen dataclass whose fields are made here::
+A model is a frozen dataclass whose fields are made here::
 
     frequency_hz: float = fields.number(100.0, NumberSpec(label="Frequency", unit="Hz"))
     muted: bool = fields.switch(False, SwitchSpec(label="Mute"))
 
-and that calls `check` when it is made.  Checks, files, the clipboard and editors are all driven
-by these specifications, so that a new recipe is one new file.  Whoever treats kinds of fields
-differently asks `made_for` with a table by class.
+and that calls `check` when it is made.  These specifications drive checks, files, the clipboard
+and editors, so that a new model is one new file.  Code that treats kinds of fields differently
+calls `made_for` with a table by class.
 """
 
 from typing import Any
@@ -68,7 +68,7 @@ def interval(default: Range | None, spec: RangeSpec) -> Any:
 
 
 def text(default: str, spec: TextSpec) -> Any:
-    """Make a dataclass field for words."""
+    """Make a dataclass field for a text."""
     return field(spec, default)
 
 

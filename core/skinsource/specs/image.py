@@ -8,10 +8,9 @@
     /content              the tree, JSON in UTF-8
     /samples/<digest>     float64, (n_times,); rate and unit stand in the content
 
-HDF5 readers skip the first 512 bytes (a "user block").  They are looked at before HDF5 sees
-anything, so damage is found without it; and what is read of HDF5 then is so simple (contiguous
-datasets without filters, in this very file) that even a file made to harm costs no more memory
-than its own size.
+HDF5 readers skip the first 512 bytes (a "user block").  Their checksum is checked first, so damage
+is found without HDF5; and only contiguous datasets without filters in the file itself are read, so
+that even an attack costs no more memory than the size of the file.
 """
 
 import io
@@ -26,18 +25,18 @@ from skinsource.base import files
 from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.base.json_text import MAX_TEXT_BYTES, Tree, dumped, loaded
 from skinsource.base.quoting import quoted
-from skinsource.specs.codec import put_back, without_samples
+from skinsource.specs.codec import with_samples, without_samples
 from skinsource.specs.samples import Samples
 
 if TYPE_CHECKING:
     import h5py
 
 FORMAT = "skinsource design"
-HEADER_BYTES = 512
-#: Whatever is stored.
+_HEADER_BYTES = 512
+#: Most bytes of a file.
 MAX_IMAGE_BYTES = 256 * 2**20
 _FIRST_LINE = re.compile(rb"SkinSource design, version (\d{1,9})\n")
-#: What HDF5 needs beside what it holds: once, and for each dataset.
+# What HDF5 needs beside the data: once, and for each dataset.
 _OVERHEAD_BYTES, _OVERHEAD_EACH = 2**16, 2**12
 _DAMAGED = "The file is damaged; go back to an earlier copy."
 
@@ -55,15 +54,19 @@ def to_image(tree: Tree, version: int) -> bytes:
     Raises
     ------
     InvalidInputError
-        It holds so much that it could not be opened again.
+        It is too large to be opened again.
     """
     content, samples = without_samples(tree)
-    about = {
-        digest: {"count": one.values.size, "sample_rate_hz": one.sample_rate_hz, "unit": one.unit}
-        for digest, one in samples.items()
+    facts = {
+        digest: {
+            "count": signal.values.size,
+            "sample_rate_hz": signal.sample_rate_hz,
+            "unit": signal.unit,
+        }
+        for digest, signal in samples.items()
     }
-    text = dumped({"content": content, "samples": about})
-    size = len(text) + sum(one.values.nbytes for one in samples.values())
+    text = dumped({"content": content, "samples": facts})
+    size = len(text) + sum(signal.values.nbytes for signal in samples.values())
     if len(text) > MAX_TEXT_BYTES or size + _allowance(len(samples)) > MAX_IMAGE_BYTES:
         raise InvalidInputError(
             f"the design is too large for a file: {len(text)} bytes, expected at most "
@@ -71,25 +74,25 @@ def to_image(tree: Tree, version: int) -> bytes:
         )
     # The image is built in memory: HDF5 on a full disk may end the process.
     memory = io.BytesIO()
-    with files.File(memory, "w", libver=("v110", "v110"), userblock_size=HEADER_BYTES) as file:
-        # For other programs, which do not look at the first bytes.
+    with files.File(memory, "w", libver=("v110", "v110"), userblock_size=_HEADER_BYTES) as file:
+        # For other programs, which do not read the first bytes.
         file.attrs.create("format", FORMAT.encode(), dtype=files.string_dtype("utf-8", len(FORMAT)))
         file.attrs["version"] = version
         _write(file, "content", np.frombuffer(text, np.uint8))
         group = file.create_group("samples")
-        for digest, one in samples.items():
-            _write(group, digest, one.values.astype("<f8", copy=False))
-    image = memory.getvalue()[HEADER_BYTES:]
+        for digest, signal in samples.items():
+            _write(group, digest, signal.values.astype("<f8", copy=False))
+    image = memory.getvalue()[_HEADER_BYTES:]
     return _header(image, version) + image
 
 
 def version_of(image: bytes) -> int:
-    """Return the version that the first line tells.
+    """Return the version in the first line.
 
     Raises
     ------
     FileFormatError
-        The first line is none of ours.
+        The first line is not that of a design.
     """
     first_line = _FIRST_LINE.match(image)
     if first_line is None:
@@ -108,7 +111,7 @@ def from_image(image: bytes, version: int) -> Tree:
     FileFormatError
         A bit of it has changed, or it was written in another version.
     """
-    if image[:HEADER_BYTES] != _header(memoryview(image)[HEADER_BYTES:], version):
+    if image[:_HEADER_BYTES] != _header(memoryview(image)[_HEADER_BYTES:], version):
         raise FileFormatError(f"not what was saved: the checksum does not fit. {_DAMAGED}")
     try:
         with files.File(io.BytesIO(image), "r") as file:
@@ -118,8 +121,8 @@ def from_image(image: bytes, version: int) -> Tree:
 
 
 def _header(image: bytes | memoryview, version: int) -> bytes:
-    words = f"SkinSource design, version {version}\nSHA-256 {sha256(image).hexdigest()}\n"
-    return words.encode().ljust(HEADER_BYTES, b"\n")
+    text = f"SkinSource design, version {version}\nSHA-256 {sha256(image).hexdigest()}\n"
+    return text.encode().ljust(_HEADER_BYTES, b"\n")
 
 
 def _write(group: "h5py.Group", name: str, values: NDArray[Any]) -> None:
@@ -127,36 +130,36 @@ def _write(group: "h5py.Group", name: str, values: NDArray[Any]) -> None:
 
 
 def _tree(file: "h5py.File", size: int) -> Tree:
-    found = loaded(_array(file, "content", np.dtype(np.uint8), size).tobytes())
-    if not isinstance(found, dict) or set(found) != {"content", "samples"}:
-        raise FileFormatError(f"the content is {quoted(found)}. {_DAMAGED}")
-    about = found["samples"]
+    stored_tree = loaded(_array(file, "content", np.dtype(np.uint8), size).tobytes())
+    if not isinstance(stored_tree, dict) or set(stored_tree) != {"content", "samples"}:
+        raise FileFormatError(f"the content is {quoted(stored_tree)}. {_DAMAGED}")
+    facts = stored_tree["samples"]
     group = _member(file, "samples", files.Group)
-    if not isinstance(about, dict) or set(about) != set(group) or len(file) != 2:
+    if not isinstance(facts, dict) or set(facts) != set(group) or len(file) != 2:
         raise FileFormatError(f"the samples are not those that the content names. {_DAMAGED}")
-    samples = {digest: _samples(group, digest, words, size) for digest, words in about.items()}
-    stored = sum(one.values.nbytes for one in samples.values())
+    samples = {digest: _samples(group, digest, each, size) for digest, each in facts.items()}
+    stored = sum(signal.values.nbytes for signal in samples.values())
     if size > MAX_TEXT_BYTES + stored + _allowance(len(samples)):
         raise FileFormatError(f"{size} bytes, of which {stored} are samples. {_DAMAGED}")
-    return put_back(found["content"], samples)
+    return with_samples(stored_tree["content"], samples)
 
 
 def _allowance(count: int) -> int:
-    return HEADER_BYTES + _OVERHEAD_BYTES + _OVERHEAD_EACH * count
+    return _HEADER_BYTES + _OVERHEAD_BYTES + _OVERHEAD_EACH * count
 
 
-def _samples(group: "h5py.Group", digest: str, words: Any, size: int) -> Samples:
+def _samples(group: "h5py.Group", digest: str, facts: Any, size: int) -> Samples:
     values = _array(group, digest, np.dtype("<f8"), size)
-    found = Samples(values=values, sample_rate_hz=words["sample_rate_hz"], unit=words["unit"])
-    if found.digest != digest or words["count"] != values.size or len(words) != 3:
+    stored = Samples(values=values, sample_rate_hz=facts["sample_rate_hz"], unit=facts["unit"])
+    if stored.digest != digest or facts["count"] != values.size or len(facts) != 3:
         raise FileFormatError(f"samples {quoted(digest)} are not what was saved. {_DAMAGED}")
-    return found
+    return stored
 
 
 def _array(group: "h5py.Group", name: str, dtype: np.dtype[Any], size: int) -> NDArray[Any]:
     dataset = _member(group, name, files.Dataset)
     plist = dataset.id.get_create_plist()
-    # Stored in one piece in this file: no filter, no chunk, no other file has a say.
+    # Only data in one piece in this file is read: no filters, chunks or other files.
     plain = plist.get_layout() == files.h5d.CONTIGUOUS and plist.get_external_count() == 0
     if not plain or dataset.dtype != dtype or dataset.ndim != 1 or dataset.nbytes > size:
         raise FileFormatError(

@@ -1,4 +1,7 @@
-"""Recipes: frozen dataclasses that describe each of their fields."""
+"""Models: frozen dataclasses whose fields have specifications.
+
+They are checked when they are made, and turned into trees for files and the clipboard and back.
+"""
 
 import dataclasses
 from collections.abc import Callable
@@ -11,7 +14,7 @@ from skinsource.base.json_text import Tree
 from skinsource.base.quoting import printable, quoted
 from skinsource.specs.spec import Address, Spec, ValidationError
 
-#: Name in a tree under which a recipe says what it is.
+#: Key of the kind of a model in a tree.
 KIND = "kind"
 _NEWER = "Open it with a newer SkinSource studio."
 _DAMAGED = "The content is damaged; go back to an earlier copy."
@@ -23,7 +26,7 @@ def field(
     *,
     factory: Callable[[], Any] | None = None,
 ) -> Any:
-    """Make a dataclass field that is described by ``spec``; without a default it must be given.
+    """Return a dataclass field of this specification; without a default it is required.
 
     A ``factory`` makes the default when it is needed, where it cannot be made with the class.
     """
@@ -32,51 +35,52 @@ def field(
     return dataclasses.field(default=default, metadata={"spec": spec})
 
 
-def specs_of(recipe: Any) -> dict[str, Spec]:
-    """Return the specification of each field of a recipe, or of its class, in order."""
-    return dict(_specs(recipe if isinstance(recipe, type) else type(recipe)))
+def specs_of(model: Any) -> dict[str, Spec]:
+    """Return the specification of each field of a model, or of its class, in order."""
+    return dict(_specs(model if isinstance(model, type) else type(model)))
 
 
-def check(recipe: Any) -> None:
-    """Raise `InvalidInputError` unless every field of ``recipe`` fits its specification.
+def check(model: Any) -> None:
+    """Raise `InvalidInputError` unless every field of ``model`` fits its specification.
 
-    Values are kept in one form (plain ``float``, ``int``, ``bool``), so that equal recipes are
-    equal and files hold what memory holds.
+    Values are stored in one form (plain ``float``, ``int``, ``bool``), so that equal models compare
+    equal and files hold the same values as memory.
     """
-    kind: type = type(recipe)
+    kind: type = type(model)
     for name, spec, default in _specs_and_defaults(kind):
-        value = getattr(recipe, name)
+        value = getattr(model, name)
         if value is default:
             continue
         try:
-            kept = spec.checked(value)
-        except ValidationError as misfit:
+            checked = spec.checked(value)
+        except ValidationError as error:
             raise InvalidInputError(
-                f"{kind.__name__}.{name} is {quoted(value)}, expected {misfit}"
+                f"{kind.__name__}.{name} is {quoted(value)}, expected {error}"
             ) from None
-        if kept is not value:
-            object.__setattr__(recipe, name, kept)
+        if checked is not value:
+            object.__setattr__(model, name, checked)
 
 
-def encode(recipe: Any) -> Tree:
-    """Return a recipe as a tree: its kind, and its fields by name."""
-    tree = {KIND: type(recipe).__name__}
-    for name, spec in _specs(type(recipe)):
-        tree[name] = spec.encoded(getattr(recipe, name))
+def encode(model: Any) -> Tree:
+    """Return a model as a tree: its kind, and its fields by name."""
+    kind: type = type(model)
+    tree = {KIND: kind.__name__}
+    for name, spec in _specs(kind):
+        tree[name] = spec.encoded(getattr(model, name))
     return tree
 
 
 def decode(tree: Tree, kinds: tuple[type, ...], at: Address) -> Any:
-    """Return the recipe that ``tree`` holds.
+    """Return the model in ``tree``.
 
-    A field that is missing was not known to the older version that wrote the tree: it takes its
-    default.  Whether anything got lost has to be known before, from a checksum.
+    A missing field has its default: an older version wrote the tree, and did not know the field.
+    A checksum must have shown before that nothing got lost.
 
     Raises
     ------
     FileFormatError
-        The tree is of no known kind, holds what no known version writes, or lacks what every
-        version writes.
+        The kind is not known, a field is not known, or a field that every version writes is
+        missing.
     """
     if not isinstance(tree, dict) or not isinstance(tree.get(KIND), str):
         raise FileFormatError(f"{at} is {quoted(tree)}, expected a recipe. {_DAMAGED}")
@@ -107,54 +111,52 @@ def decode(tree: Tree, kinds: tuple[type, ...], at: Address) -> Any:
         raise FileFormatError(f"{at}: {str(error).rstrip('.')}. {_DAMAGED}") from error
 
 
-def nesting(recipe: Any) -> int:
-    """How many recipes stand within each other, this one counted."""
+def nesting(model: Any) -> int:
+    """Return how many levels of models a model holds, with its own."""
+    kind: type = type(model)
     deepest = 0
-    for name, spec in _nesting_specs(type(recipe)):
-        value = getattr(recipe, name)
-        # An empty list, which most are, holds none.
-        depth = spec.depth(value) if value != () else 0
-        if depth > deepest:
-            deepest = depth
+    for name, spec in _nesting_specs(kind):
+        value = getattr(model, name)
+        # Most lists are empty, and hold no models.
+        if value != ():
+            deepest = max(deepest, spec.depth(value))
     return 1 + deepest
 
 
-# A design holds a thousand recipes and is made anew with each edit; classes do not change.
+# Specifications of classes are cached: each edit makes a design of a thousand models anew.
 _Specs = tuple[tuple[str, Spec], ...]
 _MOST_KINDS = 1000
 
 
-def _specs(kind: type) -> _Specs:
-    return _both(kind)[0]
-
-
-def _nesting_specs(kind: type) -> _Specs:
-    return _both(kind)[1]
-
-
 @lru_cache(_MOST_KINDS)
-def _both(kind: type) -> tuple[_Specs, _Specs]:
-    """Specifications of all fields, and of those that may hold recipes."""
-    specs = tuple(
+def _specs(kind: type) -> _Specs:
+    """Return the specifications of all fields."""
+    return tuple(
         (field.name, field.metadata["spec"])
         for field in dataclasses.fields(kind)
         if "spec" in field.metadata
     )
-    return specs, tuple(pair for pair in specs if pair[1].nests)
+
+
+@lru_cache(_MOST_KINDS)
+def _nesting_specs(kind: type) -> _Specs:
+    """Return the specifications of the fields that may hold models."""
+    return tuple((name, spec) for name, spec in _specs(kind) if spec.nests)
 
 
 @lru_cache(_MOST_KINDS)
 def _specs_and_defaults(kind: type) -> tuple[tuple[str, Spec, Any], ...]:
-    """Specifications of all fields, each with the default that needs no check any more.
+    """Return the specifications of all fields, each with its default if that is valid.
 
-    That is no value of any recipe where there is none.
+    Such a default needs no further check.  Elsewhere it is `dataclasses.MISSING`, which no model
+    holds.
     """
     defaults = {field.name: field.default for field in dataclasses.fields(kind)}
-    return tuple((name, spec, _sound(spec, defaults[name])) for name, spec in _specs(kind))
+    return tuple((name, spec, _valid_default(spec, defaults[name])) for name, spec in _specs(kind))
 
 
-def _sound(spec: Spec, default: Any) -> Any:
-    """The default if it is kept as it is."""
+def _valid_default(spec: Spec, default: Any) -> Any:
+    """Return the default if the check does not change it, else `dataclasses.MISSING`."""
     if default is not dataclasses.MISSING:
         with suppress(ValidationError):
             if spec.checked(default) is default:

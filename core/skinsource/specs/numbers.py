@@ -1,4 +1,4 @@
-"""Numbers, and what is made of two of them."""
+"""Specifications of numbers, of ranges and curves, and of fields that hold several values."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -12,9 +12,9 @@ from skinsource.base.json_text import Tree
 from skinsource.base.published import BAND_HZ, Band
 from skinsource.specs.models import decode, encode, nesting
 from skinsource.specs.samples import MAX_SAMPLES, Samples
-from skinsource.specs.spec import MAX_DEPTH, Address, Spec, ValidationError
+from skinsource.specs.spec import MAX_DEPTH, Address, Spec, ValidationError, tuple_of_points
 
-#: As the minimum of what has to be above 0 and has no other bound.
+#: Minimum of numbers that must be above 0 and have no other bound.
 SMALLEST = 5e-324
 
 #: Low and high.
@@ -23,7 +23,7 @@ Range = tuple[float, float]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NumberSpec(Spec):
-    """A number: what it is called, its SI unit, and the values it may have.
+    """A number: its SI unit, and the values that it may have.
 
     Attributes
     ----------
@@ -32,17 +32,17 @@ class NumberSpec(Spec):
     minimum, maximum
         Both are allowed values.
     step
-        What one notch of the wheel, one arrow key or a few pixels of a drag add, made round; with
-        ``logarithmic`` it is a part of the value: 0.02 adds 2 %.
+        What one notch of the wheel, one arrow key or a few pixels of a drag add; with
+        ``logarithmic`` it is a share of the value: 0.02 adds 2 %.
     whole
         Whether only whole numbers are allowed.
     below_half_rate
-        Whether it is a frequency that a limb can only play below half its sample rate.
+        Whether it is a frequency that a limb can play only below half its sample rate.
     felt_hz
-        Of a frequency of the motion itself: the band in which it was measured, None where it is not
-        known.  None of all else, too.
+        For a frequency of the motion itself the band in which the limb was measured; None where
+        that is not known, and for all other numbers.
     unset
-        What 0 means, where it is no number: said in its place.
+        Text in the place of 0, where 0 means that there is no number.
     """
 
     unit: str = ""
@@ -56,9 +56,9 @@ class NumberSpec(Spec):
     unset: str = ""
 
     def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "NumberSpec":
-        """What is allowed on a limb of this rate: whole hertz below half of it, where that counts.
+        """Return the specification on a limb of this rate: frequencies end below half of it.
 
-        What is felt is known in the band of the limb.
+        The largest frequency is a whole number of hertz.  The measured band is that of the limb.
 
         >>> NumberSpec(label="Frequency", unit="Hz", below_half_rate=True).at_rate(1300.0).maximum
         649.0
@@ -71,7 +71,7 @@ class NumberSpec(Spec):
 
     @property
     def about(self) -> str:
-        """The hint, and the band of what is felt."""
+        """The hint, and the measured band."""
         if self.felt_hz is None:
             return self.hint
         low_hz, high_hz = self.felt_hz
@@ -79,26 +79,26 @@ class NumberSpec(Spec):
         return f"{self.hint}; {band}" if self.hint else band
 
     def is_known(self, value: float) -> bool:
-        """Whether what is felt was measured there; so is all else, and where nobody says."""
+        """Whether ``value`` lies in the measured band; True where there is none."""
         return self.felt_hz is None or self.felt_hz[0] <= value <= self.felt_hz[1]
 
     @property
     def expected(self) -> str:
-        """What is allowed, in words."""
-        words = f"a {'whole ' if self.whole else ''}number"
+        """Text that says which numbers are allowed."""
+        text = f"a {'whole ' if self.whole else ''}number"
         if np.isfinite([self.minimum, self.maximum]).all():
-            words += f" from {self.minimum:g} to {self.maximum:g}"
+            text += f" from {self.minimum:g} to {self.maximum:g}"
         elif self.minimum == SMALLEST:
-            words += " above 0"
+            text += " above 0"
         elif np.isfinite(self.minimum):
-            words += f" of at least {self.minimum:g}"
-        return f"{words} {self.unit}" if self.unit else words
+            text += f" of at least {self.minimum:g}"
+        return f"{text} {self.unit}" if self.unit else text
 
     def checked(self, value: Any) -> float | int:
         """Return a plain ``float`` or ``int``, so that files hold what memory holds."""
         if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
             raise ValidationError(self.expected)
-        # The range first: a whole number beyond all floats cannot be asked whether it is finite.
+        # The range is checked first: ``isfinite`` fails for integers beyond all floats.
         if not self.minimum <= value <= self.maximum or value in (-np.inf, np.inf):
             raise ValidationError(self.expected)
         if not self.whole:
@@ -118,10 +118,9 @@ class RangeSpec(Spec):
     Attributes
     ----------
     unit
-        As of a number.
+        SI unit of both ends.
     minimum, maximum
-        Ends that are allowed; by default beyond all that can be looked at, and below what a
-        float can hold.
+        Limits of the ends.
     """
 
     unit: str = ""
@@ -137,7 +136,7 @@ class RangeSpec(Spec):
         if not isinstance(value, tuple) or len(value) != 2:
             raise ValidationError(expected)
         try:
-            low, high = (end.checked(one) for one in value)
+            low, high = (end.checked(number) for number in value)
         except ValidationError:
             raise ValidationError(expected) from None
         if not low < high:
@@ -156,14 +155,14 @@ class RangeSpec(Spec):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CurveSpec(Spec):
-    """Breakpoints of a curve: pairs of x and y, x never falling.
+    """Points of a curve: pairs of x and y, x never falling.
 
     Attributes
     ----------
     x, y
-        What the numbers of a point may be.
+        Specifications of the numbers of a point.
     fewest, most
-        How many points there may be.
+        Limits of the number of points.
     """
 
     x: NumberSpec
@@ -193,9 +192,7 @@ class CurveSpec(Spec):
     def decoded(self, tree: Tree, at: Address) -> Any:
         """Return a tuple of tuples."""
         del at
-        if not isinstance(tree, list):
-            return tree
-        return tuple(tuple(point) if isinstance(point, list) else point for point in tree)
+        return tuple_of_points(tree, self.most)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -205,9 +202,9 @@ class PointsSpec(Spec):
     Attributes
     ----------
     columns
-        What the numbers of a point may be.
+        Specifications of the numbers of a point.
     fewest, most
-        How many points there may be.
+        Limits of the number of points.
     """
 
     columns: tuple[NumberSpec, ...]
@@ -216,18 +213,19 @@ class PointsSpec(Spec):
 
     def checked(self, value: Any) -> tuple[tuple[float, ...], ...]:
         """Return a tuple of points of plain numbers."""
-        names = ", ".join(f"{one.label.lower()} {one.expected}" for one in self.columns)
+        names = ", ".join(f"{column.label.lower()} {column.expected}" for column in self.columns)
         expected = f"{self.fewest} to {self.most} points ({names}), the first never falling"
         if not isinstance(value, tuple) or not self.fewest <= len(value) <= self.most:
             raise ValidationError(expected)
-        if not all(isinstance(one, tuple) and len(one) == len(self.columns) for one in value):
+        if not all(isinstance(point, tuple) and len(point) == len(self.columns) for point in value):
             raise ValidationError(expected)
         try:
             points = tuple(
                 tuple(
-                    column.checked(number) for column, number in zip(self.columns, one, strict=True)
+                    column.checked(number)
+                    for column, number in zip(self.columns, point, strict=True)
                 )
-                for one in value
+                for point in value
             )
         except ValidationError:
             raise ValidationError(expected) from None
@@ -236,8 +234,8 @@ class PointsSpec(Spec):
         return points
 
     def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "PointsSpec":
-        """What is allowed on a limb of this rate, column by column."""
-        columns = tuple(one.at_rate(sample_rate_hz, band_hz) for one in self.columns)
+        """Return the specification with those of the columns on a limb of this rate."""
+        columns = tuple(column.at_rate(sample_rate_hz, band_hz) for column in self.columns)
         return replace(self, columns=columns)
 
     def encoded(self, value: tuple[tuple[float, ...], ...]) -> Tree:
@@ -247,34 +245,29 @@ class PointsSpec(Spec):
     def decoded(self, tree: Tree, at: Address) -> Any:
         """Return a tuple of tuples; of too long a list, unread."""
         del at
-        if not isinstance(tree, list) or len(tree) > self.most:
-            return tree
-        return tuple(tuple(point) if isinstance(point, list) else point for point in tree)
-
-
-# Fields that hold more than one value: lists, recipes, samples, and what may be absent.
+        return tuple_of_points(tree, self.most)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OptionalSpec(Spec):
-    """Something, or ``None``.
+    """A value of another specification, or ``None``.
 
     Attributes
     ----------
     of
-        What it is where it is not ``None``.
+        Specification of a value that is not ``None``.
     """
 
     of: Spec
 
     def checked(self, value: Any) -> Any:
-        """Return ``None``, or the value as it is kept."""
+        """Return ``None``, or the checked value."""
         if value is None:
             return None
         try:
             return self.of.checked(value)
-        except ValidationError as misfit:
-            raise ValidationError(f"None or {misfit}") from None
+        except ValidationError as error:
+            raise ValidationError(f"None or {error}") from None
 
     def encoded(self, value: Any) -> Tree:
         """Return ``None`` for ``None``."""
@@ -286,11 +279,11 @@ class OptionalSpec(Spec):
 
     @property
     def nests(self) -> bool:
-        """Whether the value may."""
+        """Whether the value may hold models."""
         return self.of.nests
 
     def depth(self, value: Any) -> int:
-        """That of the value."""
+        """Return the depth of the value."""
         return 0 if value is None else self.of.depth(value)
 
 
@@ -301,11 +294,11 @@ class ListSpec(Spec):
     Attributes
     ----------
     of
-        What each part is.
+        Specification of the parts.
     fewest, most
-        How many there may be.
+        Limits of the number of parts.
     different
-        Whether no two may be equal.
+        Whether equal parts are forbidden.
     """
 
     of: Spec
@@ -314,21 +307,22 @@ class ListSpec(Spec):
     different: bool = False
 
     def checked(self, value: Any) -> tuple[Any, ...]:
-        """Return a tuple of the parts as they are kept."""
-        many = f"{self.fewest} to {self.most}{' different' if self.different else ''} parts"
+        """Return a tuple of the checked parts; the same one if no part changed."""
+        expected = (
+            f"a tuple of {self.fewest} to {self.most}{' different' if self.different else ''} parts"
+        )
         if not isinstance(value, tuple) or not self.fewest <= len(value) <= self.most:
-            raise ValidationError(f"a tuple of {many}")
+            raise ValidationError(expected)
         try:
             parts = tuple(self.of.checked(part) for part in value)
-        except ValidationError as misfit:
-            raise ValidationError(f"a tuple of {many}, each {misfit}") from None
+        except ValidationError as error:
+            raise ValidationError(f"{expected}, each {error}") from None
         if self.different and len(set(parts)) < len(parts):
-            raise ValidationError(f"a tuple of {many}")
-        # What is as it was keeps its identity.
+            raise ValidationError(expected)
         return value if all(a is b for a, b in zip(parts, value, strict=True)) else parts
 
     def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "ListSpec":
-        """What is allowed on a limb of this rate, part by part."""
+        """Return the specification with that of the parts on a limb of this rate."""
         return replace(self, of=self.of.at_rate(sample_rate_hz, band_hz))
 
     def encoded(self, value: tuple[Any, ...]) -> Tree:
@@ -343,26 +337,26 @@ class ListSpec(Spec):
 
     @property
     def nests(self) -> bool:
-        """Whether a part may."""
+        """Whether a part may hold models."""
         return self.of.nests
 
     def depth(self, value: tuple[Any, ...]) -> int:
-        """That of the deepest part."""
-        return max(map(self.of.depth, value), default=0) if value else 0
+        """Return the depth of the deepest part."""
+        return max(map(self.of.depth, value), default=0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ModelSpec(Spec):
-    """A recipe of one of several kinds.
+    """A model of one of several kinds.
 
     Attributes
     ----------
     kinds
-        Gives the classes that are allowed, and those made from them, which are computed but not
-        written.  Asked anew each time, so that a kind can be added.
+        Returns the classes that are allowed; their subclasses can be computed, but not written.
+        It is called each time, so that kinds can be added.
     rate_hz, band_hz
-        Sample rate of the limb on which it is played, None: not said; and the band in which that
-        was measured, None: not known.
+        Sample rate of the limb that plays it, None: any; and the band in which that limb was
+        measured, None: not known.
     """
 
     kinds: Callable[[], tuple[type, ...]]
@@ -378,30 +372,30 @@ class ModelSpec(Spec):
         return value
 
     def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "ModelSpec":
-        """The same, for a limb of this rate: what its fields allow follows from that."""
+        """Return the specification on a limb of this rate, for the fields of its models."""
         return replace(self, rate_hz=sample_rate_hz, band_hz=band_hz)
 
     def encoded(self, value: Any) -> Tree:
-        """Return the fields by name, and the kind."""
+        """Return the fields by name, with the kind."""
         kind = type(value)
         if kind not in self.kinds():
-            names = ", ".join(one.__name__ for one in self.kinds())
+            names = ", ".join(kind.__name__ for kind in self.kinds())
             raise InvalidInputError(
                 f"a {kind.__name__} cannot be written, nothing could read it: choose {names}."
             )
         return encode(value)
 
     def decoded(self, tree: Tree, at: Address) -> Any:
-        """Return a recipe of the kind that the tree names."""
+        """Return a model of the kind that the tree names."""
         return decode(tree, self.kinds(), at)
 
     @property
     def nests(self) -> bool:
-        """It does."""
+        """Always True."""
         return True
 
     def depth(self, value: Any) -> int:
-        """One more than that of the fields."""
+        """Return one level more than that of the fields."""
         return nesting(value)
 
 
@@ -412,9 +406,9 @@ class SamplesSpec(Spec):
     Attributes
     ----------
     unit
-        The unit that they must have; None: any.
+        The required unit; None: any.
     most
-        How many there may be.
+        Most samples.
     """
 
     unit: str | None = ""

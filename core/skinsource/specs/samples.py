@@ -1,4 +1,4 @@
-"""A recorded or drawn signal: samples with their rate and unit, equal by what they hold."""
+"""A recorded or drawn signal: samples with their rate and unit, compared by their content."""
 
 import hashlib
 from dataclasses import dataclass, field
@@ -21,10 +21,10 @@ _MAX_UNIT_CHARACTERS = 20
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Samples:
-    """One signal that cannot change; called with a rate, it gives itself at that rate.
+    """An immutable signal; a call with a rate returns it at that rate.
 
-    Two are equal when values, rate and unit are, bit by bit.  What they hold is looked at once,
-    when they are made; comparing and hashing them later costs nothing.
+    Two signals are equal if values, rate and unit are, bit by bit.  The values are hashed once,
+    when the signal is made; comparing and hashing it later costs nothing.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class Samples:
     peak
         Largest magnitude of a value.
     digest
-        SHA-256 over all of it, in hexadecimal: the name of these samples in files.
+        SHA-256 of values, rate and unit, in hexadecimal: the name of these samples in files.
     """
 
     values: NDArray[np.float64]
@@ -74,43 +74,42 @@ class Samples:
 
     @property
     def duration_s(self) -> float:
-        """Length."""
+        """Duration of the signal."""
         return self.values.size / self.sample_rate_hz
 
     def __call__(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
-        """The signal that the samples describe, at any rate and between them, (n_times,).
+        """Return the band-limited signal at any rate, shifted by less than a sample, (n_times,).
 
-        At their own rate and without a shift these are the samples themselves, bit by bit, but
-        others to write to.  Other rates are made as by `skinsource.resample`, a shift of less than
-        one sample by a band-limited delay: up to 600 Hz, or 0.92 of half the lower rate, both
-        keep the signal within 0.001 dB.
+        At the own rate and without a shift this is a copy of the samples.  Other rates are made as
+        by `skinsource.resample`, the shift by a band-limited delay: up to 600 Hz, or 0.92 of half
+        the lower rate, both keep the signal within 0.001 dB.
         """
         rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
         shift = shift_of(shift_s, rate_hz) * rate_hz
         if rate_hz == self.sample_rate_hz:
             return band_limited_delay(self.values, shift) if shift else self.values.copy()
         ratio = Fraction(rate_hz) / Fraction(self.sample_rate_hz)
-        found = by_ratio(self.values, ratio, min(rate_hz, self.sample_rate_hz))
-        return band_limited_delay(found[: sample_count(self.duration_s, rate_hz)], shift)
+        resampled = by_ratio(self.values, ratio, min(rate_hz, self.sample_rate_hz))
+        return band_limited_delay(resampled[: sample_count(self.duration_s, rate_hz)], shift)
 
     def _digest(self) -> str:
-        words = f"{self.sample_rate_hz.hex()} {self.unit}\n"
-        found = hashlib.sha256(words.encode("utf-8", "surrogatepass"))
-        found.update(self.values.astype("<f8", copy=False).data)
-        return found.hexdigest()
+        head = f"{self.sample_rate_hz.hex()} {self.unit}\n"
+        digest = hashlib.sha256(head.encode("utf-8", "surrogatepass"))
+        digest.update(self.values.astype("<f8", copy=False).data)
+        return digest.hexdigest()
 
 
 def _read_only(values: ArrayLike) -> NDArray[np.float64]:
-    found = np.asarray(values)
+    array = np.asarray(values)
     masked = isinstance(values, np.ma.MaskedArray)
-    if masked or found.dtype.kind not in "iuf" or found.ndim != 1:
+    if masked or array.dtype.kind not in "iuf" or array.ndim != 1:
         raise InvalidInputError(
-            f"values are {'masked ' if masked else ''}{found.dtype} of shape {found.shape}, "
+            f"values are {'masked ' if masked else ''}{array.dtype} of shape {array.shape}, "
             "expected real numbers, (n_times,)"
         )
-    if not 1 <= found.size <= MAX_SAMPLES:
-        raise InvalidInputError(f"{found.size} samples, expected 1 to {MAX_SAMPLES}")
-    own = np.array(found, np.float64)
+    if not 1 <= array.size <= MAX_SAMPLES:
+        raise InvalidInputError(f"{array.size} samples, expected 1 to {MAX_SAMPLES}")
+    own = np.array(array, np.float64)
     if not np.isfinite(own).all():
         raise InvalidInputError("samples that are not finite numbers cannot be played")
     own.flags.writeable = False

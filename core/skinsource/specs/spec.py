@@ -1,7 +1,8 @@
-"""What every specification can do: check a value, and turn it into a tree and back.
+"""Specifications of fields: each checks values, and turns them into trees and back.
 
-A tree is what files and the clipboard carry: texts, numbers, True, False, None, `Samples`, lists
-of trees, and dictionaries of trees with texts as keys.
+A tree is what files and the clipboard hold: texts, numbers, True, False, None, `Samples`, lists
+of trees, and dictionaries of trees with texts as keys.  A model is a frozen dataclass whose fields
+have specifications.
 """
 
 import base64
@@ -19,7 +20,7 @@ from skinsource.base.json_text import Tree
 from skinsource.base.published import BAND_HZ, Band
 from skinsource.base.quoting import quoted
 
-#: Recipes within recipes; whoever nests deeper has made a mistake, or means harm.
+#: Most levels of models within models; a deeper tree is a mistake or an attack.
 MAX_DEPTH = 32
 
 Thing = TypeVar("Thing")
@@ -27,12 +28,12 @@ Thing = TypeVar("Thing")
 
 @dataclass(frozen=True, slots=True)
 class Address:
-    """Where in a tree something stands, for messages: ``inputs/3/waveform``."""
+    """Position in a tree, for messages: ``inputs/3/waveform``."""
 
     names: tuple[str, ...] = ()
 
     def inside(self, name: object) -> "Address":
-        """Address of a part."""
+        """Return the address of a part."""
         if len(self.names) > 3 * MAX_DEPTH:
             raise FileFormatError(f"{self} is nested too deep, expected {MAX_DEPTH} levels at most")
         return Address((*self.names, str(name)))
@@ -42,19 +43,19 @@ class Address:
 
 
 class ValidationError(InvalidInputError):
-    """A value does not fit a specification; the text says what was expected."""
+    """A value does not fit a specification; the message says what was expected."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Spec(ABC):
-    """A field of a recipe.
+    """A field of a model.
 
     Attributes
     ----------
     label, hint
-        Words for the user.
+        Texts for the user.
     asked
-        Whether a user can be asked for it; what only tells things apart is for nobody to choose.
+        Whether the user can edit it; identifiers are not for editing.
     """
 
     label: str
@@ -63,48 +64,55 @@ class Spec(ABC):
 
     @abstractmethod
     def checked(self, value: Any) -> Any:
-        """Return ``value`` as it is kept; raise `Misfit` with what was expected instead."""
+        """Return ``value`` as models store it; raise `ValidationError` if it does not fit."""
 
     def encoded(self, value: Any) -> Tree:
-        """Return a value that was checked as a tree."""
+        """Return a checked value as a tree."""
         return value
 
     def decoded(self, tree: Tree, at: Address) -> Any:
-        """Return the value of a tree; whether it fits is checked by the recipe that takes it."""
+        """Return the value in a tree; the model that gets it checks whether it fits."""
         del at
         return tree
 
     def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "Spec":
-        """What is allowed on a limb of this sample rate, known in its band: for most, the same."""
+        """Return the specification on a limb of this sample rate, measured in its band."""
         del sample_rate_hz, band_hz
         return self
 
     @property
     def about(self) -> str:
-        """What is said of it where it is edited."""
+        """The hint for the user in an editor."""
         return self.hint
 
     @property
     def nests(self) -> bool:
-        """Whether a value may hold recipes."""
+        """Whether a value may hold models."""
         return False
 
     def depth(self, value: Any) -> int:
-        """How many recipes within recipes a value holds."""
+        """Return how many levels of models a value holds."""
         del value
         return 0
+
+
+def tuple_of_points(tree: Tree, most: int) -> Any:
+    """Return a list of lists as a tuple of tuples; the tree itself if it is none or too long."""
+    if not isinstance(tree, list) or len(tree) > most:
+        return tree
+    return tuple(tuple(point) if isinstance(point, list) else point for point in tree)
 
 
 def made_for(spec: Spec, table: Mapping[type[Spec], Thing]) -> Thing:
     """Return the entry of ``table`` for the kind of ``spec``.
 
-    For whatever has to tell numbers from choices, texts, …: a kind that is missing in the table
-    is never taken for another one.
+    Code that treats numbers, choices, texts, … differently uses this: a kind that is missing in
+    the table is an error.
 
     Raises
     ------
     TypeError
-        The table knows nothing of this kind.
+        The table does not hold this kind.
     """
     for kind in type(spec).__mro__:
         if kind in table:
@@ -112,19 +120,17 @@ def made_for(spec: Spec, table: Mapping[type[Spec], Thing]) -> Thing:
     raise TypeError(f"{type(spec).__name__} of {quoted(spec.label)} is not in the table")
 
 
-# Plain data whose meaning others know.
-
 _MAX_PARTS, _MAX_DEPTH, _MAX_CHARACTERS = 10_000, 8, 10_000
 _EXPECTED = "None, True, False, finite numbers, texts, and tuples of them"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlainSpec(Spec):
-    """None, True, False, numbers, texts, and tuples of these: what a panel keeps."""
+    """Plain data: None, True, False, numbers, texts, and tuples of these, as panels store."""
 
     def checked(self, value: Any) -> Any:
         """Return ``value`` itself."""
-        if _parts(value, _MAX_DEPTH) > _MAX_PARTS:
+        if _count_parts(value, _MAX_DEPTH) > _MAX_PARTS:
             raise ValidationError(f"at most {_MAX_PARTS} parts")
         return value
 
@@ -139,25 +145,25 @@ class PlainSpec(Spec):
         return tree
 
 
-def _parts(value: Any, depth: int) -> int:
+def _count_parts(value: Any, depth: int) -> int:
+    """Return the number of parts; raise `ValidationError` if one of them is not plain."""
     if isinstance(value, tuple):
         if depth == 0:
             raise ValidationError(f"tuples in tuples at most {_MAX_DEPTH} deep")
-        return 1 + sum(_parts(part, depth - 1) for part in value)
-    sound = value is None or isinstance(value, bool)
-    sound = sound or (isinstance(value, int) and abs(value) < 2**63)
-    sound = sound or (isinstance(value, float) and isfinite(value))
-    if not sound and not (isinstance(value, str) and _can_be_written(value)):
+        return 1 + sum(_count_parts(part, depth - 1) for part in value)
+    is_plain = value is None or isinstance(value, bool)
+    is_plain = is_plain or (isinstance(value, int) and abs(value) < 2**63)
+    is_plain = is_plain or (isinstance(value, float) and isfinite(value))
+    if not is_plain and not (isinstance(value, str) and _can_be_written(value)):
         raise ValidationError(_EXPECTED)
     return 1
 
 
 def _can_be_written(text: str) -> bool:
-    # Half of a pair of surrogates is no text that a file can hold.
-    return len(text) <= _MAX_CHARACTERS and not any("\ud800" <= one <= "\udfff" for one in text)
-
-
-# Choices, yes or no, texts, and bytes.
+    # Files cannot hold half of a pair of surrogates.
+    return len(text) <= _MAX_CHARACTERS and not any(
+        "\ud800" <= character <= "\udfff" for character in text
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -192,17 +198,17 @@ class SwitchSpec(Spec):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TextSpec(Spec):
-    """Words of the user.
+    """A text of the user.
 
     Attributes
     ----------
     longest
-        How many characters there may be.
+        Most characters.
     one_line
-        Whether they must stand in one line.
+        Whether line ends are forbidden.
     reader
-        Understands a text that is more than words, or raises `InvalidInputError`, whose ``column``,
-        if it has one, is where it stopped.  Such a text is edited live.
+        Parses a text in a language, such as a formula, or raises `InvalidInputError`, whose
+        ``column``, if it has one, is the position of the mistake.  Such a text is edited live.
     """
 
     longest: int
@@ -220,7 +226,7 @@ class TextSpec(Spec):
             raise ValidationError(expected)
         try:
             value.encode()
-        except UnicodeEncodeError:  # half of a pair: no file can hold it
+        except UnicodeEncodeError:  # half of a pair of surrogates
             raise ValidationError(expected) from None
         if self.reader is not None:
             self.reader(value)
@@ -229,12 +235,12 @@ class TextSpec(Spec):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BytesSpec(Spec):
-    """Bytes whose meaning others know.
+    """Bytes of any meaning.
 
     Attributes
     ----------
     longest
-        How many there may be.
+        Most bytes.
     """
 
     longest: int

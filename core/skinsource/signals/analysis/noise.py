@@ -1,4 +1,4 @@
-"""Noise of the sensors in measured responses, and in what is predicted from them."""
+"""Noise of the sensors in measured responses, and in predictions from them."""
 
 from collections.abc import Mapping
 
@@ -11,11 +11,11 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import PRE_TRIGGER_DELAY_S
 from skinsource.signals.analysis.windows import Windows
 
-#: Of the time before the pulse so much is noise alone: 30 of 52 ms in the published responses.
+#: Share of the time before the pulse that is noise alone: 30 of 52 ms in the published responses.
 QUIET_SHARE = 0.58
-# Fewer samples tell too little: 8 are right within a quarter.
+# Fewest samples for an estimate: 8 are accurate within a quarter.
 _FEWEST = 8
-#: Where a level stands less than this above that of the noise, it is mostly noise.
+#: A level less than this above that of the noise is mostly noise.
 LEAST_ABOVE_NOISE_DB = 6.0
 
 
@@ -31,12 +31,12 @@ def noise_rms(
     sample_rate_hz
         Their rate.
     pre_trigger_s
-        From their first sample to the pulse.
+        Time from their first sample to the pulse.
 
     Returns
     -------
-    (...,), m/s².  About 0.0062 in the published responses, on each axis; nearly white.  From 39
-    samples it is right within 11 %, one standard deviation.
+    (...,), m/s².  About 0.0062 in the published responses, on each axis; nearly white.  With 39
+    samples its standard deviation is 11 %.
 
     Raises
     ------
@@ -44,7 +44,7 @@ def noise_rms(
         A sample is not finite, or there are too few samples before the pulse, see `tells_noise`.
     """
     data = finite_array("response", response, "(..., n_taps)")
-    count = _quiet(positive_number("sample_rate_hz", sample_rate_hz), pre_trigger_s)
+    count = _n_quiet_samples(positive_number("sample_rate_hz", sample_rate_hz), pre_trigger_s)
     if data.ndim == 0 or not _FEWEST <= count < data.shape[-1]:
         raise InvalidInputError(
             f"response has shape {data.shape} with {count} samples before the pulse, expected "
@@ -56,7 +56,7 @@ def noise_rms(
 
 
 def quiet_rms(quiet: ArrayLike) -> Floats | None:
-    """Return the RMS of what comes before anything happens, (...,); None: too few samples."""
+    """Return the RMS of samples before a stimulus, (...); None if there are too few."""
     data = finite_array("quiet", quiet, "(..., n_times)")
     if data.shape[-1] < _FEWEST:
         return None
@@ -65,29 +65,29 @@ def quiet_rms(quiet: ArrayLike) -> Floats | None:
 
 
 def tells_noise(sample_rate_hz: float, pre_trigger_s: float) -> bool:
-    """Whether there are enough samples before the pulse to tell the noise by."""
-    return _quiet(sample_rate_hz, pre_trigger_s) >= _FEWEST
+    """Whether there are enough samples before the pulse to estimate the noise."""
+    return _n_quiet_samples(sample_rate_hz, pre_trigger_s) >= _FEWEST
 
 
-def _quiet(sample_rate_hz: float, pre_trigger_s: float) -> int:
+def _n_quiet_samples(sample_rate_hz: float, pre_trigger_s: float) -> int:
     return round(QUIET_SHARE * pre_trigger_s * sample_rate_hz)
 
 
 def predicted_noise_energy(
     drives: Mapping[int, Floats], noise: Mapping[int, Floats], n_taps: int
 ) -> Floats:
-    """Return how much energy of a prediction is noise of the responses it was made from.
+    """Return the energy of the noise of responses in a prediction from them.
 
     White noise of RMS sigma in the n taps of a response, convolved with a drive s, has the expected
-    energy n sigma² sum s²; noises of different places are independent and add up, drives of one
-    place are summed before, because they meet the same noise.
+    energy n sigma² sum s²; noises of different locations are independent and add up, drives of one
+    location are summed before, because they are convolved with the same noise.
 
     Parameters
     ----------
     drives
-        By input place: all that is played there, (n_times,), scaled as the response is.
+        By input location: the sum of all drives there, (n_times,), scaled as the response.
     noise
-        By input place: `noise_rms`, (n_outputs, n_axes).
+        By input location: `noise_rms`, (n_outputs, n_axes).
     n_taps
         Length of the responses.
 
@@ -98,19 +98,19 @@ def predicted_noise_energy(
     Raises
     ------
     InvalidInputError
-        There is no drive, or none but of places whose noise is not given.
+        There is no drive, or the noise of a location is not given.
     """
-    check_noise_known(drives, noise)
+    _check_noise_known(drives, noise)
     parts = [
-        n_taps * float(np.vdot(played, played)) * np.square(noise[place])
-        for place, played in drives.items()
+        n_taps * float(np.vdot(drive, drive)) * np.square(noise[location])
+        for location, drive in drives.items()
     ]
     energy: Floats = np.sum(parts, axis=0)
     return energy
 
 
-def check_noise_known(drives: Mapping[int, Floats], noise: Mapping[int, Floats]) -> None:
-    """Raise `InvalidInputError` where there is no drive, or one at a place of unknown noise."""
+def _check_noise_known(drives: Mapping[int, Floats], noise: Mapping[int, Floats]) -> None:
+    """Raise `InvalidInputError` if there is no drive, or one at a location of unknown noise."""
     missing = sorted(drives.keys() - noise.keys())
     if missing or not drives:
         raise InvalidInputError(
@@ -118,36 +118,33 @@ def check_noise_known(drives: Mapping[int, Floats], noise: Mapping[int, Floats])
         )
 
 
-# How much of the noise of responses lies in consecutive windows of a prediction.
-
-
 def windowed_noise_energy(
     drives: Mapping[int, Floats], noise: Mapping[int, Floats], n_taps: int, windows: Windows
 ) -> Floats:
-    """Return how much energy within windows of a prediction is noise of its responses.
+    """Return the energy of the noise of responses within windows of a prediction.
 
-    Of `skinsource.signals.analysis.noise.predicted_noise_energy` the part that falls into each
-    window: at an instant the noise has the variance sigma² times the energy that was played during
-    the n taps up to it.  Parameters and errors are the same.
+    It is the part of `predicted_noise_energy` in each window: at an instant the noise has the
+    variance sigma² times the energy that was played during the n taps up to it.  Parameters and
+    errors are the same.
 
     Returns
     -------
     (n_windows, n_outputs, n_axes), sum of squares, m²/s⁴.
     """
-    check_noise_known(drives, noise)
+    _check_noise_known(drives, noise)
     edges = windows.first_sample + windows.window_samples * np.arange(windows.count + 1)
     energy = np.zeros((windows.count, *next(iter(noise.values())).shape))
-    for place, played in drives.items():
-        until = _played_until(played, edges) - _played_until(played, edges - n_taps)
-        # Where nothing is played rounding may leave a little less than nothing.
-        energy += np.maximum(np.diff(until), 0.0)[:, None, None] * np.square(noise[place])
+    for location, drive in drives.items():
+        until = _energy_sum_until(drive, edges) - _energy_sum_until(drive, edges - n_taps)
+        # Where nothing is played, rounding may make this slightly negative.
+        energy += np.maximum(np.diff(until), 0.0)[:, None, None] * np.square(noise[location])
     return energy
 
 
-def _played_until(played: Floats, instants: Indices) -> Floats:
-    """Sum over all samples before each instant, of the energy played up to and with them."""
-    energy = np.cumsum(np.square(played))
+def _energy_sum_until(drive: Floats, instants: Indices) -> Floats:
+    """Return the sum, over all samples before each instant, of the energy up to that sample."""
+    energy = np.cumsum(np.square(drive))
     summed = np.concatenate([[0.0], np.cumsum(energy)])
-    after = np.maximum(instants - played.size, 0) * energy[-1]
-    found: Floats = summed[np.clip(instants, 0, played.size)] + after
-    return found
+    after = np.maximum(instants - drive.size, 0) * energy[-1]
+    total: Floats = summed[np.clip(instants, 0, drive.size)] + after
+    return total

@@ -1,4 +1,4 @@
-"""How much of each frequency there is, and when."""
+"""Spectrograms: amplitudes over time and frequency."""
 
 from dataclasses import dataclass
 from math import ceil
@@ -16,9 +16,9 @@ from skinsource.base.job import Stop, never, stop_if
 if TYPE_CHECKING:
     from scipy.signal import ShortTimeFFT
 
-#: More columns than a screen is wide tell nothing; where there are more, the loudest stays.
+#: Most columns, as many as a screen is wide; of more windows the loudest is shown.
 MOST_COLUMNS = 2000
-# Windows from one to the next: each sample of the signal weighs the same then.
+# Steps of the window in its length: each sample of the signal then has the same weight.
 _PER_WINDOW = 8
 _AT_ONCE = 512
 
@@ -30,7 +30,7 @@ class Spectrogram:
     Attributes
     ----------
     time_s : (n_columns,)
-        Middles of the windows, of which each column is the loudest, frequency by frequency.
+        Middles of the windows; a column of several has the loudest of each frequency.
     frequency_hz : (n_bins,)
         From 0 to half the rate.
     amplitude : (n_bins, n_columns)
@@ -42,11 +42,10 @@ class Spectrogram:
     amplitude: Floats
 
     def at(self, time_s: float, frequency_hz: float) -> float:
-        """Amplitude of the column and the bin that are nearest."""
+        """Return the amplitude of the nearest column and bin."""
         column = int(np.argmin(np.abs(self.time_s - time_s)))
-        return float(
-            self.amplitude[int(np.argmin(np.abs(self.frequency_hz - frequency_hz))), column]
-        )
+        row = int(np.argmin(np.abs(self.frequency_hz - frequency_hz)))
+        return float(self.amplitude[row, column])
 
 
 def spectrogram(
@@ -54,8 +53,8 @@ def spectrogram(
 ) -> Spectrogram:
     """Return the spectrogram of a signal, with a Hann window that slides by eighths of itself.
 
-    `scipy.signal.ShortTimeFFT`, scaled to magnitude and one-sided; beyond both ends of the signal
-    there is silence.
+    It is that of `scipy.signal.ShortTimeFFT`, scaled to magnitude and one-sided; beyond both ends
+    of the signal there is silence.
 
     Parameters
     ----------
@@ -64,16 +63,16 @@ def spectrogram(
     sample_rate_hz
         Its rate.
     window_s
-        Length of the window: 0.05 tells 20 Hz apart, 0.2 tells 5 Hz apart.
+        Length of the window: 0.05 resolves 20 Hz, 0.2 resolves 5 Hz.
     stop
-        Asked now and then.
+        Called now and then.
 
     Raises
     ------
     InvalidInputError
         No signal, samples that are not finite, or a window of less than 8 samples.
     Stopped
-        ``stop`` said so.
+        ``stop`` returned True.
     """
     data = finite_array("signal", signal, "(n_times,)")
     rate = positive_number("sample_rate_hz", sample_rate_hz)
@@ -95,10 +94,10 @@ def spectrogram(
     for first in range(0, last, pooled * _AT_ONCE):
         stop_if(stop)
         end = min(first + pooled * _AT_ONCE, last)
-        found = np.abs(transform.stft(data, p0=first, p1=end))
+        magnitude = np.abs(transform.stft(data, p0=first, p1=end))
         column = first // pooled
-        held = np.maximum.reduceat(found, np.arange(0, end - first, pooled), axis=1)
-        amplitude[:, column : column + held.shape[1]] = held
+        loudest = np.maximum.reduceat(magnitude, np.arange(0, end - first, pooled), axis=1)
+        amplitude[:, column : column + loudest.shape[1]] = loudest
     middles = np.arange(last) * (transform.hop / rate)
     time_s = np.array([middles[k : k + pooled].mean() for k in range(0, last, pooled)])
     return Spectrogram(time_s=time_s, frequency_hz=transform.f, amplitude=amplitude)
@@ -106,7 +105,7 @@ def spectrogram(
 
 def _transform(n_window: int, rate: float) -> "ShortTimeFFT":
     window = scipy.signal.windows.hann(n_window, sym=False)
-    # Four times the bins that the window resolves: a sine between two of them reads 1 % low.
+    # Four times as many bins as the window resolves: a sine between two of them reads 1 % low.
     return scipy.signal.ShortTimeFFT(
         window,
         hop=n_window // _PER_WINDOW,

@@ -1,4 +1,4 @@
-"""Figures of signals, one row each: RMS, peak, crest factor, dominant frequency, delay."""
+"""Statistics of signals: RMS, peak, crest factor, dominant frequency, delay, RMS in bands."""
 
 from dataclasses import dataclass
 
@@ -11,13 +11,16 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import BAND_HZ, Band
 from skinsource.signals.analysis.wave_speed import vertex
 
-#: Of the peak: a signal has begun where it first reaches so much.
+#: A signal begins when it first reaches this share of its peak.
 BEGUN_SHARE = 0.1
+#: Width of the bins in which outputs are compared with inputs (SkinSource, 2024, Section V).
+BIN_HZ = 2.0
+_ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Statistics:
-    """Figures of some signals; NaN where a signal is silent, which has neither.
+    """Statistics of signals; crest, frequency and delay of a silent one are NaN.
 
     Attributes
     ----------
@@ -41,23 +44,23 @@ class Statistics:
 def crest_factor(peak: ArrayLike, rms: ArrayLike) -> Floats:
     """Return peak over RMS, same shape; NaN where the RMS is 0."""
     peaks, levels = finite_array("peak", peak), finite_array("rms", rms)
-    whole = np.full(np.broadcast_shapes(peaks.shape, levels.shape), np.nan)
-    found: Floats = np.divide(peaks, levels, out=whole, where=levels > 0.0)
-    return found
+    silent = np.full(np.broadcast_shapes(peaks.shape, levels.shape), np.nan)
+    crest: Floats = np.divide(peaks, levels, out=silent, where=levels > 0.0)
+    return crest
 
 
 def dominant_frequency(power: ArrayLike, step_hz: float) -> Floats:
     """Return the frequency of the largest power, 0 Hz left out, in hertz.
 
-    The largest bin, moved by the vertex of the parabola through the logarithms of it and of its
-    neighbours: between bins a smooth peak is found within a small part of a bin.
+    It is the largest bin, moved by the vertex of the parabola through the logarithms of it and its
+    neighbours, which finds a smooth peak between bins within a small part of a bin.
 
     Parameters
     ----------
     power : (..., n_bins)
         Power by frequency, from 0 Hz on.
     step_hz
-        From bin to bin.
+        Distance of the bins.
 
     Returns
     -------
@@ -76,20 +79,20 @@ def dominant_frequency(power: ArrayLike, step_hz: float) -> Floats:
             "negative"
         )
     rows = data.reshape(-1, data.shape[-1])
-    at = 1 + np.argmax(rows[:, 1:], axis=-1)
-    found = np.where(rows[:, 1:].max(axis=-1, initial=0.0) > 0.0, at.astype(np.float64), np.nan)
-    for row, k in enumerate(at):
-        beside = rows[row, k - 1 : k + 2]
-        # A bin at 0 Hz is no neighbour, it holds what does not swing.
-        if k > 1 and beside.size == 3 and beside.min() > 0.0:
-            found[row] += vertex(np.log(beside))
-    return (found * step).reshape(data.shape[:-1])
+    largest = 1 + np.argmax(rows[:, 1:], axis=-1)
+    bins = np.where(rows[:, 1:].max(axis=-1, initial=0.0) > 0.0, largest.astype(np.float64), np.nan)
+    for row, k in enumerate(largest):
+        neighbours = rows[row, k - 1 : k + 2]
+        # The bin at 0 Hz, the mean, is no neighbour.
+        if k > 1 and neighbours.size == 3 and neighbours.min() > 0.0:
+            bins[row] += vertex(np.log(neighbours))
+    return (bins * step).reshape(data.shape[:-1])
 
 
 def onset_time(signals: ArrayLike, time_s: ArrayLike, share: float = BEGUN_SHARE) -> Floats:
     """Return when each signal first reaches a share of its peak, either sign, in seconds.
 
-    Between the two samples around it the magnitude is taken as straight.
+    The magnitude is interpolated linearly between samples.
 
     Parameters
     ----------
@@ -98,7 +101,7 @@ def onset_time(signals: ArrayLike, time_s: ArrayLike, share: float = BEGUN_SHARE
     time_s : (n_times,)
         Rising.
     share
-        Of the peak, from 0 to 1.
+        Share of the peak, from 0 to 1.
 
     Returns
     -------
@@ -110,55 +113,48 @@ def onset_time(signals: ArrayLike, time_s: ArrayLike, share: float = BEGUN_SHARE
             f"time_s has shape {instants.shape}, signals {data.shape}, expected (n_times,) and "
             "(..., n_times)"
         )
-    found = np.full(data.shape[:-1], np.nan)
-    for place in np.ndindex(data.shape[:-1]):
-        # Long signals one by one: each is as long as the response.
-        size = np.abs(data[place])
+    onset_s = np.full(data.shape[:-1], np.nan)
+    for index in np.ndindex(data.shape[:-1]):
+        # Signals are long: one by one they need less memory.
+        size = np.abs(data[index])
         least = share * size.max()
         if least > 0.0:
             k = int(np.argmax(size >= least))
-            found[place] = instants[k]
+            onset_s[index] = instants[k]
             if k:
                 before, here = size[k - 1], size[k]
                 back = (here - least) / (here - before)
-                found[place] -= back * (instants[k] - instants[k - 1])
-    return found
-
-
-# RMS in bands of 2 Hz, in which outputs are held against inputs.
-
-#: Width of the bins in which outputs are held against inputs (SkinSource, 2024, Section V).
-BIN_HZ = 2.0
-_ROUNDING = 1e-9
+                onset_s[index] -= back * (instants[k] - instants[k - 1])
+    return onset_s
 
 
 def band_rms(
     transforms: Complexes, n_times: int, sample_rate_hz: float, band_hz: Band | None = BAND_HZ
 ) -> tuple[Floats, Floats]:
-    """RMS of what signals hold in each bin of 2 Hz, over all of their time.
+    """Return the RMS of signals in each bin of 2 Hz, over their whole duration.
 
     Parameters
     ----------
     transforms : (..., n_times // 2 + 1)
         Of real signals of ``n_times`` samples.
     n_times, sample_rate_hz
-        Their number and their rate.
+        Number and rate of the samples.
     band_hz
-        From where to where bins are laid, the whole ones alone; None: from 0 to half the rate.
+        Band that is divided into whole bins; None: from 0 to half the rate.
 
     Returns
     -------
     frequency_hz : (n_bins,)
         Middles of the bins that hold a frequency of the transforms.
     rms : (..., n_bins)
-        In the unit of the signals: squares add up to that of all that lies in the bins.
+        In the unit of the signals: the squares add up to that of the whole band.
     """
     power = np.square(np.abs(transforms / n_times))
-    # Each frequency stands for its mirror image too, except 0 and half the rate.
+    # Each frequency counts for its mirror image too, except 0 and half the rate.
     power[..., 1 : (n_times + 1) // 2] *= 2.0
     frequency_hz = np.arange(power.shape[-1]) * (sample_rate_hz / n_times)
     low_hz, high_hz = band_hz or (0.0, sample_rate_hz / 2.0)
-    # Rounding shall not bring a frequency at an edge into the bin below.
+    # Rounding must not move a frequency at an edge into the bin below.
     bins = np.floor((frequency_hz - low_hz) / BIN_HZ + _ROUNDING).astype(int)
     inside = (bins >= 0) & (bins < np.floor((high_hz - low_hz) / BIN_HZ + _ROUNDING))
     numbers, first = np.unique(bins[inside], return_index=True)

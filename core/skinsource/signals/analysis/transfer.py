@@ -1,4 +1,4 @@
-"""From an input place to outputs: how strong, and where it is more than noise."""
+"""Transfer functions from an input location to outputs, and where they are more than noise."""
 
 from dataclasses import dataclass
 
@@ -11,15 +11,15 @@ from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import BAND_HZ, Band
 
-#: Over so many hertz power is averaged before it is held against the noise.
+#: Power is averaged over this width before it is compared with the noise.
 AVERAGED_HZ = 25.0
-#: Where the response is twice the noise, three quarters of the power belong to it.
+#: Least coherence: where the response is twice the noise, it has three quarters of the power.
 LEAST_COHERENCE = 0.75
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Transfer:
-    """Transfer functions, magnitudes.
+    """Magnitudes of transfer functions.
 
     Attributes
     ----------
@@ -28,7 +28,7 @@ class Transfer:
     magnitude : (n_outputs, n_bins)
         Length of the vector of the axes.
     noise : (n_outputs, n_bins)
-        RMS of what noise alone would show; 0 where there is none.
+        RMS of noise alone; 0 where there is none.
     coherence : (n_outputs, n_bins)
         Share of the power around a frequency that is not noise, from 0 to 1.  A single response
         has no coherence of its own: it is estimated from the noise before the pulse.
@@ -65,9 +65,9 @@ def transfer_function(
     noise : (n_outputs, n_axes)
         RMS of their noise, white, before any division by the pulse; see `noise_rms`.
     gain : (n_taps // 2 + 1,)
-        What the responses were multiplied with at each frequency; ones unless given.
+        Factors of the responses at each frequency; default: ones.
     band_hz
-        In which they were measured; None: it is not known.
+        Band in which they were measured; None: not known.
 
     Raises
     ------
@@ -101,18 +101,18 @@ def transfer_function(
         noise=np.sqrt(floor),
         coherence=coherence,
         usable_hz=np.array(
-            [_widest(frequency_hz, one, band_hz or (0.0, rate / 2.0)) for one in coherence]
+            [_widest(frequency_hz, output, band_hz or (0.0, rate / 2.0)) for output in coherence]
         ).reshape(-1, 2),
         band_hz=band_hz,
     )
 
 
 def _widest(frequency_hz: Floats, coherence: Floats, band_hz: Band) -> tuple[float, float]:
-    """Ends of the longest run of usable bins inside a band."""
+    """Return the ends of the longest run of usable bins inside a band."""
     inside = (frequency_hz >= band_hz[0]) & (frequency_hz <= band_hz[1])
     usable = np.concatenate([[False], inside & (coherence >= LEAST_COHERENCE), [False]])
-    turns = np.flatnonzero(usable[1:] != usable[:-1])
-    begins, ends = turns[::2], turns[1::2]
+    edges = np.flatnonzero(usable[1:] != usable[:-1])
+    begins, ends = edges[::2], edges[1::2]
     if not begins.size:
         return np.nan, np.nan
     longest = int(np.argmax(ends - begins))

@@ -1,4 +1,4 @@
-"""The top of a smooth peak between samples."""
+"""How fast a wave travels along a line of outputs, and how much it loses on the way."""
 
 from dataclasses import dataclass
 
@@ -12,29 +12,26 @@ from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, never, stop_if
 
+#: Least similarity of two signals between which a delay means something.
+LEAST_ALIKE = 0.5
+#: Least share of the variance of delays that the distance must explain (r²) for a speed.
+LEAST_EXPLAINED = 0.5
+#: Least distance of the ends of a line, as a share of its length, for a speed.
+LEAST_STRAIGHT = 0.5
+_MM_PER_CM = 10.0
 
-def vertex(beside: Floats) -> float:
-    """Where the parabola through three points has its top, in steps from the middle one.
+
+def vertex(neighbours: Floats) -> float:
+    """Return the position of the vertex of a parabola through three points, in steps.
 
     Parameters
     ----------
-    beside : (3,)
-        The middle one is not below the others; where all are alike there is no top, and it is 0.
+    neighbours : (3,)
+        The middle one, from which steps count, is not below the others; 0 where all are equal.
     """
-    left, middle, right = (float(one) for one in beside)
+    left, middle, right = (float(value) for value in neighbours)
     bend = left - 2.0 * middle + right
     return 0.0 if bend >= 0.0 else float(np.clip(0.5 * (left - right) / bend, -0.5, 0.5))
-
-
-# How fast a wave travels along a line of outputs, and how much it loses on the way.
-
-#: Signals whose shapes agree less than this have no delay of one to the other.
-LEAST_ALIKE = 0.5
-#: Delays of which the way explains a smaller share of the variance (r²) tell no speed.
-LEAST_EXPLAINED = 0.5
-#: A way whose ends are less than this share of its length apart does not go one way.
-LEAST_STRAIGHT = 0.5
-_MM_PER_CM = 10.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -46,27 +43,27 @@ class TravellingWave:
     distance_m : (n_points,)
         Along the line, from its first point.
     delay_s : (n_points,)
-        By how much a point moves later than the first: where the envelope of their
-        cross-correlation is highest; NaN: silent.
+        Delay of a point to the first one, at the maximum of the envelope of their
+        cross-correlation; NaN: silent.
     alike : (n_points,)
-        That envelope, as a share of what two signals of the same shape would have, 0 to 1.
+        That maximum, as a share of the one of two signals of the same shape, 0 to 1.
     level_db : (n_points,)
         RMS, dB re 1 m/s².
     counted : (n_points,) of bool
-        Points whose levels count: neither silent nor said to be mostly noise.
+        Points whose levels count: neither silent nor mostly noise.
     timed : (n_points,) of bool
-        Those of them whose delays count: alike enough for a delay to mean something.
+        Points of those whose delays count: similar enough to the first one.
     speed_m_per_s, speed_deviation_m_per_s
-        Of the group: one over the slope of the delays, and its standard deviation, first order.
-        NaN: fewer than two points, no delay that grows, less than `LEAST_EXPLAINED` of the
-        variance of the delays explained, or a way less straight than `LEAST_STRAIGHT`.
+        Group speed, one over the slope of the delays, and its standard deviation, first order.
+        NaN: fewer than two points, delays that do not grow, less than `LEAST_EXPLAINED` of the
+        variance of the delays explained, or a line less straight than `LEAST_STRAIGHT`.
     attenuation_db_per_cm, attenuation_deviation_db_per_cm
         Minus the slope of the levels; spreading included.
     explained
-        Share of the variance of the delays that a straight line over the way explains, r², 0 to
+        Share of the variance of the delays that a linear fit over the distance explains, r², 0 to
         1; NaN: fewer than two points, or delays that are all the same.
     straight
-        How far apart the ends of the line are, as a share of its length, 0 to 1.
+        Distance of the ends of the line, as a share of its length, 0 to 1.
     """
 
     distance_m: Floats
@@ -92,7 +89,7 @@ def travelling_wave(
     *,
     straight: float = 1.0,
 ) -> TravellingWave:
-    """Return how a wave goes along a line.
+    """Return delays, levels, speed and attenuation of a wave along a line.
 
     Parameters
     ----------
@@ -103,18 +100,18 @@ def travelling_wave(
     sample_rate_hz
         Rate of the signals.
     trusted : (n_points,) of bool
-        Points that are more than noise; all unless given.  Silent ones never count.
+        Points that are more than noise; default: all.  Silent ones never count.
     stop
-        Asked before each point.
+        Called before each point.
     straight
-        How straight the line is, of `straightness`: a speed along a line to and fro is none.
+        The `straightness` of the line: there is no speed along a line to and fro.
 
     Raises
     ------
     InvalidInputError
         Shapes that do not fit, or numbers that are not finite.
     Stopped
-        ``stop`` said so.
+        ``stop`` returned True.
     """
     data, distance, rate, use = _checked(signals, distance_mm, sample_rate_hz, trusted)
     level_db = decibels(np.sqrt(np.mean(np.square(data), axis=-1)))
@@ -124,7 +121,7 @@ def travelling_wave(
     slowness, slowness_deviation = _slope(distance[timed], delay_s[timed])
     slope, slope_deviation = _slope(distance[counted], level_db[counted])
     explained = _explained(distance[timed], delay_s[timed])
-    travels = slowness > 0.0 and explained >= LEAST_EXPLAINED and straight >= LEAST_STRAIGHT
+    has_speed = slowness > 0.0 and explained >= LEAST_EXPLAINED and straight >= LEAST_STRAIGHT
     return TravellingWave(
         distance_m=distance,
         delay_s=delay_s,
@@ -132,8 +129,8 @@ def travelling_wave(
         level_db=level_db,
         counted=counted,
         timed=timed,
-        speed_m_per_s=1.0 / slowness if travels else np.nan,
-        speed_deviation_m_per_s=slowness_deviation / slowness**2 if travels else np.nan,
+        speed_m_per_s=1.0 / slowness if has_speed else np.nan,
+        speed_deviation_m_per_s=slowness_deviation / slowness**2 if has_speed else np.nan,
         attenuation_db_per_cm=-slope / 1e3 * _MM_PER_CM,
         attenuation_deviation_db_per_cm=slope_deviation / 1e3 * _MM_PER_CM,
         explained=explained,
@@ -142,7 +139,7 @@ def travelling_wave(
 
 
 def line_distances_mm(places: ArrayLike, mm_per_unit: float) -> Floats:
-    """Return how far along a polygon each of its points is, (n_points,), mm.
+    """Return the distance of each point along a polygon, (n_points,), mm.
 
     ``places`` (n_points, 2) are in units of ``mm_per_unit``.
     """
@@ -152,10 +149,10 @@ def line_distances_mm(places: ArrayLike, mm_per_unit: float) -> Floats:
 
 
 def straightness(places: ArrayLike) -> float:
-    """Return how far apart the ends of a polygon are, as a share of its length, 0 to 1.
+    """Return the distance of the ends of a polygon, as a share of its length, 0 to 1.
 
-    ``places`` (n_points, 2) are in any unit.  1: straight, or without length.  That is one over
-    the arc-chord ratio, the plainest measure of tortuosity (Bullitt et al. 2003, "distance
+    ``places`` (n_points, 2) are in any unit.  1: straight, or without length.  It is one over
+    the arc-chord ratio, the simplest measure of tortuosity (Bullitt et al. 2003, "distance
     metric").
     """
     points = finite_array("places", places, "(n_points, 2)")
@@ -166,7 +163,7 @@ def straightness(places: ArrayLike) -> float:
 def _checked(
     signals: ArrayLike, distance_mm: ArrayLike, sample_rate_hz: float, trusted: ArrayLike | None
 ) -> tuple[Floats, Floats, float, Booleans]:
-    """Signals, distances in m, rate, and which points are trusted, where they fit."""
+    """Return checked signals, distances in m, rate, and trusted points."""
     data = finite_array("signals", signals, "(n_points, n_times)")
     distance = finite_array("distance_mm", distance_mm, "(n_points,)") * 1e-3
     rate = positive_number("sample_rate_hz", sample_rate_hz)
@@ -182,7 +179,7 @@ def _checked(
 
 
 def _delays(data: Floats, rate: float, stop: Stop) -> tuple[Floats, Floats]:
-    """Seconds after the first signal, and how alike the shapes are."""
+    """Return delays to the first signal in s, and the similarity of the shapes."""
     n_times = data.shape[-1]
     n_fft = scipy.fft.next_fast_len(2 * n_times, real=False)
     first = scipy.fft.rfft(data[0], n_fft)
@@ -194,7 +191,7 @@ def _delays(data: Floats, rate: float, stop: Stop) -> tuple[Floats, Floats]:
         if size == 0.0:
             continue
         cross = scipy.fft.rfft(signal, n_fft) * np.conj(first)
-        # Of the analytic signal only the positive frequencies, twice.
+        # The analytic signal has only the positive frequencies, twice.
         analytic = np.zeros(n_fft, np.complex128)
         analytic[: cross.size] = 2.0 * cross
         analytic[0] /= 2.0
@@ -209,20 +206,20 @@ def _delays(data: Floats, rate: float, stop: Stop) -> tuple[Floats, Floats]:
 
 
 def _explained(x: Floats, y: Floats) -> float:
-    """Share of the variance of ``y`` that a straight line over ``x`` explains, r²."""
+    """Return the share of the variance of ``y`` that a linear fit over ``x`` explains, r²."""
     if x.size < 2 or np.ptp(x) == 0.0 or np.ptp(y) == 0.0:
         return np.nan
     return float(np.corrcoef(x, y)[0, 1] ** 2)
 
 
 def _slope(x: Floats, y: Floats) -> tuple[float, float]:
-    """Slope of the straight line through points by least squares, and its standard deviation."""
+    """Return the slope of a linear fit by least squares, and its standard deviation."""
     if x.size < 2 or np.ptp(x) == 0.0:
         return np.nan, np.nan
-    away = x - x.mean()
-    spread = float(away @ away)
-    slope = float(away @ (y - y.mean())) / spread
-    left = y - y.mean() - slope * away
+    centred = x - x.mean()
+    spread = float(centred @ centred)
+    slope = float(centred @ (y - y.mean())) / spread
+    residual = y - y.mean() - slope * centred
     if x.size == 2:
         return slope, np.nan
-    return slope, float(np.sqrt(left @ left / (x.size - 2) / spread))
+    return slope, float(np.sqrt(residual @ residual / (x.size - 2) / spread))

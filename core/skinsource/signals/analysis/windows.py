@@ -1,4 +1,4 @@
-"""Which windows of a response belong to its stimulus."""
+"""Consecutive windows of a response, and the RMS in each."""
 
 from dataclasses import dataclass
 from math import ceil, floor
@@ -12,7 +12,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import PRE_TRIGGER_DELAY_S
 from skinsource.signals.sampling import NEAR
 
-#: Windows that are looked at together.
+#: Most windows of one response.
 MOST_WINDOWS = 60
 _MOST_SAMPLES = 2**53
 
@@ -24,11 +24,11 @@ class Windows:
     Attributes
     ----------
     first_sample
-        Where the first one begins.
+        First sample of the first window.
     window_samples
         Samples of each.
     count
-        How many there are.
+        Number of windows.
     """
 
     first_sample: int
@@ -36,7 +36,7 @@ class Windows:
     count: int
 
     def bounds_s(self, sample_rate_hz: float) -> list[tuple[float, float]]:
-        """Begin and end of each, in s from the begin of the first one."""
+        """Return start and end of each, in s from the start of the first one."""
         length_s = self.window_samples / sample_rate_hz
         return [(j * length_s, (j + 1) * length_s) for j in range(self.count)]
 
@@ -52,8 +52,8 @@ def windows_over(
 ) -> Windows:
     """Return the windows in which the response to a stimulus arrives.
 
-    The first one begins as late as the pre-trigger delay is long: what it holds was caused by the
-    begin of the stimulus.  Only whole windows count, and at most `MOST_WINDOWS`.
+    The first one begins after the pre-trigger delay, when the response to the start of the stimulus
+    arrives.  Only whole windows count, and at most `MOST_WINDOWS`.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ def windows_over(
     count
         How many windows the stimulus is cut into, each of the same number of samples, or
     window_s
-        how long each is; then there are as many as reach into the stimulus.
+        how long each is; then there are as many as overlap the stimulus.
     delay_s
         Pre-trigger delay of the limb, `Limb.pre_trigger_delay_s`.
 
@@ -87,18 +87,15 @@ def windows_over(
     else:
         length = max(floor(positive_number("window_s", window_s or 0.0) * rate_hz + 0.5), 1)
         most = min(ceil(samples / length), MOST_WINDOWS)
-    whole = max(until - first, 0) // length
-    return Windows(first_sample=first, window_samples=length, count=min(most, whole))
-
-
-# RMS in consecutive windows.
+    n_whole = max(until - first, 0) // length
+    return Windows(first_sample=first, window_samples=length, count=min(most, n_whole))
 
 
 def windowed_rms(signals: ArrayLike, window_samples: int, first_sample: int = 0) -> Floats:
     """Return the RMS of signals in windows that follow each other.
 
     Window j holds samples ``first_sample + j * window_samples`` up to those of the next one.  Only
-    whole windows count: what is left at the end belongs to none.
+    whole windows count: the rest at the end belongs to none.
 
     Parameters
     ----------
@@ -107,7 +104,8 @@ def windowed_rms(signals: ArrayLike, window_samples: int, first_sample: int = 0)
     window_samples
         Samples of a window, at least 1.
     first_sample
-        Where the first one begins: about 67 leaves out the pre-trigger delay of measured responses.
+        First sample of the first window: about 67 leaves out the pre-trigger delay of measured
+        responses.
 
     Returns
     -------
@@ -134,7 +132,7 @@ def windowed_rms(signals: ArrayLike, window_samples: int, first_sample: int = 0)
     n_windows = max(data.shape[-1] - first, 0) // window
     pieces = data[..., first : first + n_windows * window]
     pieces = pieces.reshape(*data.shape[:-1], n_windows, window)
-    # By their largest sample, so that no square over- or underflows.
+    # Divided by their largest sample, no square over- or underflows.
     largest = np.abs(pieces).max(axis=-1, keepdims=True, initial=0.0)
     scale = np.where(largest > 0.0, largest, 1.0)
     rms = scale[..., 0] * np.sqrt(np.mean(np.square(pieces / scale), axis=-1))

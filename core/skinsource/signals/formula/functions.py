@@ -1,4 +1,4 @@
-"""The functions that a formula may call."""
+"""The functions, names and operators of formulas."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -9,48 +9,45 @@ import numpy as np
 from skinsource.base.arrays import Booleans, Floats
 from skinsource.signals.formula.values import PI, Grid, Value, band_noise
 
-#: Values that ``min`` and ``max`` take.
-MOST_VALUES = 20
+# Most values of ``min`` and ``max``.
+_MOST_VALUES = 20
 _TURN = 2 * PI
 
+Compute = Callable[[Grid, tuple[Value, ...]], Value]
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+
+@dataclass(frozen=True, slots=True)
 class Function:
-    """A name that a formula may call.
+    """A function of formulas.
 
     Attributes
     ----------
-    usage, words
-        How it is written, and what it gives.
-    fewest, most
-        How many values it takes.
+    usage
+        How a user writes it.
     compute
-        Gives the result from the values.
+        Computes the result from the values.
+    fewest, most
+        Limits of the number of its values.
     seeded
-        Whether it takes a whole number that is written out.
+        Whether its value is an integer literal.
     """
 
     usage: str
-    words: str
-    fewest: int
-    most: int
-    compute: Callable[[Grid, tuple[Value, ...]], Value]
+    compute: Compute
+    fewest: int = 1
+    most: int = 1
     seeded: bool = False
 
 
-def _plain(usage: str, words: str, compute: Callable[..., Floats], count: int = 1) -> Function:
-    """A function of the numbers at one instant."""
+def _plain(usage: str, compute: Callable[..., Floats], count: int = 1) -> Function:
+    """Return a function of the numbers at one instant."""
     return Function(
-        usage=usage,
-        words=words,
-        fewest=count,
-        most=count,
-        compute=lambda _, values: Value(compute(*(value.at for value in values))),
+        usage, lambda _, values: Value(compute(*(value.at for value in values))), count, count
     )
 
 
-def _turned(grid: Grid, values: tuple[Value, ...]) -> Floats:
-    """The angle less whole turns, in radians."""
+def _angle(grid: Grid, values: tuple[Value, ...]) -> Floats:
+    """Return an angle without whole turns, in radians."""
     return 2 * np.pi * values[0].cycles(_TURN, grid)
 
 
@@ -60,9 +57,9 @@ def _modulo(grid: Grid, values: tuple[Value, ...]) -> Value:
     if period is None or value.exact is None or period <= 0:
         return Value(np.mod(value.at, divisor.at))
     share = value.cycles(period, grid)
-    # What is below a whole number by less than a rounding is that number.
-    found = np.where(share < -1e-15, share + 1.0, np.maximum(share, 0.0))
-    return Value(found * divisor.at)
+    # A number below an integer by less than a rounding error is that integer.
+    rest = np.where(share < -1e-15, share + 1.0, np.maximum(share, 0.0))
+    return Value(rest * divisor.at)
 
 
 def _hann(grid: Grid, _: tuple[Value, ...]) -> Value:
@@ -89,7 +86,7 @@ def _pulse(grid: Grid, values: tuple[Value, ...]) -> Value:
 
 
 def _or_nan(yes: Booleans, *values: Floats) -> Floats:
-    """1 or 0; what is not a number stays so."""
+    """Return 1 or 0, or NaN where one of ``values`` is NaN."""
     known = reduce(np.logical_and, (~np.isnan(value) for value in values))
     return np.where(known, yes.astype(float), np.nan)
 
@@ -103,98 +100,54 @@ def _chirp(grid: Grid, values: tuple[Value, ...]) -> Value:
     t = Value.time(grid)
     twice = Value.of(2.0)
     turns = start * t + (end - start) / (twice * Value.of(grid.duration_s)) * (t * t)
-    return Value(np.sin(_turned(grid, (twice * Value.pi() * turns,))))
+    return Value(np.sin(_angle(grid, (twice * Value.pi() * turns,))))
 
 
 def _noise(grid: Grid, values: tuple[Value, ...]) -> Value:
     return Value(band_noise(int(values[0].at), grid))
 
 
-def _least(_: Grid, values: tuple[Value, ...]) -> Value:
-    return Value(reduce(np.minimum, (value.at for value in values)))
-
-
-def _greatest(_: Grid, values: tuple[Value, ...]) -> Value:
-    return Value(reduce(np.maximum, (value.at for value in values)))
+def _reduced(of_two: np.ufunc) -> Compute:
+    return lambda _, values: Value(reduce(of_two, (value.at for value in values)))
 
 
 def _clipped(value: Floats, low: Floats, high: Floats) -> Floats:
     return np.minimum(np.maximum(value, low), high)
 
 
-def _sine(grid: Grid, values: tuple[Value, ...]) -> Value:
-    return Value(np.sin(_turned(grid, values)))
+def _of_angle(compute: np.ufunc) -> Compute:
+    return lambda grid, values: Value(compute(_angle(grid, values)))
 
 
-def _cosine(grid: Grid, values: tuple[Value, ...]) -> Value:
-    return Value(np.cos(_turned(grid, values)))
-
-
-def _tangent(grid: Grid, values: tuple[Value, ...]) -> Value:
-    return Value(np.tan(_turned(grid, values)))
-
-
-def _of_time(
-    usage: str,
-    words: str,
-    compute: Callable[[Grid, tuple[Value, ...]], Value],
-    fewest: int = 1,
-    most: int | None = None,
-    *,
-    seeded: bool = False,
-) -> Function:
-    return Function(
-        usage=usage,
-        words=words,
-        fewest=fewest,
-        most=fewest if most is None else most,
-        compute=compute,
-        seeded=seeded,
-    )
-
-
-#: Every function by its name.
+#: The functions by name; docs/formulas.md says what they return.
 FUNCTIONS: dict[str, Function] = {
-    "sin": _of_time("sin(x)", "sine of an angle in rad", _sine),
-    "cos": _of_time("cos(x)", "cosine of an angle in rad", _cosine),
-    "tan": _of_time("tan(x)", "tangent of an angle in rad", _tangent),
-    "exp": _plain("exp(x)", "e to the power of x", np.exp),
-    "log": _plain("log(x)", "natural logarithm", np.log),
-    "sqrt": _plain("sqrt(x)", "square root", np.sqrt),
-    "tanh": _plain("tanh(x)", "hyperbolic tangent, which limits softly to 1", np.tanh),
-    "abs": _plain("abs(x)", "magnitude", np.abs),
-    "sign": _plain("sign(x)", "-1, 0 or 1", np.sign),
-    "floor": _plain("floor(x)", "next whole number below", np.floor),
-    "ceil": _plain("ceil(x)", "next whole number above", np.ceil),
-    "round": _plain("round(x)", "nearest whole number", np.rint),
-    "min": _of_time("min(x, y, ...)", "the smallest", _least, 2, MOST_VALUES),
-    "max": _of_time("max(x, y, ...)", "the largest", _greatest, 2, MOST_VALUES),
-    "clip": _plain("clip(x, low, high)", "x within low and high", _clipped, 3),
-    "mod": _of_time("mod(x, y)", "rest of x / y, with the sign of y", _modulo, 2),
-    "noise": _of_time(
-        "noise(seed)",
-        "Gaussian noise from 25 to 600 Hz, RMS 1/3; a seed from 0 to 2147483647",
-        _noise,
-        seeded=True,
-    ),
-    "step": _of_time("step(t0)", "1 from the time t0 on, 0 before", _step),
-    "pulse": _of_time("pulse(t0, length)", "1 from t0 on, for a length", _pulse, 2),
-    "gauss": _of_time("gauss(centre, sigma)", "bell in time, of peak 1", _gauss, 2),
-    "window": _of_time("window()", "the same as hann()", _hann, 0),
-    "hann": _of_time("hann()", "Hann window over the duration", _hann, 0),
-    "tukey": _of_time(
-        "tukey(share)", "Tukey window over the duration; share of taper, 0.25", _tukey, 0, 1
-    ),
-    "chirp": _of_time(
-        "chirp(f0, f1)", "sine whose frequency goes from f0 to f1 over the duration", _chirp, 2
-    ),
+    "sin": Function("sin(x)", _of_angle(np.sin)),
+    "cos": Function("cos(x)", _of_angle(np.cos)),
+    "tan": Function("tan(x)", _of_angle(np.tan)),
+    "exp": _plain("exp(x)", np.exp),
+    "log": _plain("log(x)", np.log),
+    "sqrt": _plain("sqrt(x)", np.sqrt),
+    "tanh": _plain("tanh(x)", np.tanh),
+    "abs": _plain("abs(x)", np.abs),
+    "sign": _plain("sign(x)", np.sign),
+    "floor": _plain("floor(x)", np.floor),
+    "ceil": _plain("ceil(x)", np.ceil),
+    "round": _plain("round(x)", np.rint),
+    "min": Function("min(x, y, ...)", _reduced(np.minimum), 2, _MOST_VALUES),
+    "max": Function("max(x, y, ...)", _reduced(np.maximum), 2, _MOST_VALUES),
+    "clip": _plain("clip(x, low, high)", _clipped, 3),
+    "mod": Function("mod(x, y)", _modulo, 2, 2),
+    "noise": Function("noise(seed)", _noise, seeded=True),
+    "step": Function("step(t0)", _step),
+    "pulse": Function("pulse(t0, length)", _pulse, 2, 2),
+    "gauss": Function("gauss(centre, sigma)", _gauss, 2, 2),
+    "window": Function("window()", _hann, 0, 0),
+    "hann": Function("hann()", _hann, 0, 0),
+    "tukey": Function("tukey(share)", _tukey, 0, 1),
+    "chirp": Function("chirp(f0, f1)", _chirp, 2, 2),
 }
-#: Names of numbers, and what they are.
-NAMES = {
-    "t": "time since the start, in s",
-    "pi": "3.14159…",
-    "duration": "duration of the formula, in s",
-}
+#: Names of numbers.
+NAMES = ("t", "pi", "duration")
 _COMPARISONS: dict[str, Callable[[Floats, Floats], Booleans]] = {
     "<": np.less,
     "<=": np.less_equal,
@@ -204,26 +157,27 @@ _COMPARISONS: dict[str, Callable[[Floats, Floats], Booleans]] = {
     "!=": np.not_equal,
 }
 COMPARISONS = frozenset(_COMPARISONS)
+_ARITHMETIC: dict[str, Callable[[Value, Value], Value]] = {
+    "+": Value.__add__,
+    "-": Value.__sub__,
+    "*": Value.__mul__,
+    "/": Value.__truediv__,
+    "^": Value.__pow__,
+}
 
 
 def computed(operator: str, values: tuple[Value, ...]) -> Value:
-    """What an operator makes of one or two values; a comparison is 1 or 0."""
+    """Return the result of an operator on one or two values; that of a comparison is 1 or 0."""
     if operator == "negative":
         return -values[0]
     left, right = values
     if operator in _COMPARISONS:
         return Value(_or_nan(_COMPARISONS[operator](left.at, right.at), left.at, right.at))
-    if operator == "+":
-        return left + right
-    if operator == "-":
-        return left - right
-    if operator == "*":
-        return left * right
-    return left / right if operator == "/" else left**right
+    return _ARITHMETIC[operator](left, right)
 
 
 def named(name: str, grid: Grid) -> Value:
-    """The number that a name stands for."""
+    """Return the value of a name."""
     if name == "t":
         return Value.time(grid)
     return Value.pi() if name == "pi" else Value.of(grid.duration_s)

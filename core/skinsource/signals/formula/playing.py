@@ -1,4 +1,4 @@
-"""The signal of a program."""
+"""Computes the samples of a formula."""
 
 import numpy as np
 
@@ -8,25 +8,25 @@ from skinsource.signals.formula.functions import FUNCTIONS, computed, named
 from skinsource.signals.formula.reading import Program, Step, around
 from skinsource.signals.formula.values import Grid, Value
 
-# However long the signal and deep the formula, this many samples of each part are held at once.
+# Long signals are computed in parts of this many samples, to limit the memory.
 _CHUNK = 2**16
 
 
 def played(
     program: Program, count: int, sample_rate_hz: float, shift_s: float, duration_s: float
 ) -> Floats:
-    """The formula at ``k / sample_rate_hz - shift_s``, k = 0 … count - 1, (count,).
+    """Return the formula at ``k / sample_rate_hz - shift_s``, k = 0 … count - 1, (count,).
 
-    It is 0 before its own time 0 and from ``duration_s`` on.  The phase of ``sin``, ``cos`` and
+    It is 0 before time 0 and from ``duration_s`` on.  The phase of ``sin``, ``cos`` and
     ``tan``, as far as it is a number times ``t`` or ``t^2``, is exact to 1e-12 up to an hour; so
     is ``mod``.  All else is float64, as Python computes it.
 
     Raises
     ------
     FormulaError
-        A result is no finite number; says when, and which part of the formula it was.
+        A result is no finite number; the error names the instant and the part of the formula.
     """
-    found = np.zeros(count)
+    samples = np.zeros(count)
     for first in range(0, count, _CHUNK):
         grid = Grid(
             first=first,
@@ -35,12 +35,12 @@ def played(
             shift_s=float(shift_s),
             duration_s=float(duration_s),
         )
-        plays = (grid.instants >= 0.0) & (grid.instants < duration_s)
-        part = np.where(plays, _result(program, grid), 0.0)
+        is_playing = (grid.instants >= 0.0) & (grid.instants < duration_s)
+        part = np.where(is_playing, _result(program, grid), 0.0)
         if not np.isfinite(part).all():
             raise _not_finite(program, grid, int(np.argmin(np.isfinite(part))))
-        found[first : first + grid.count] = part
-    return found
+        samples[first : first + grid.count] = part
+    return samples
 
 
 def _result(program: Program, grid: Grid) -> Floats:
@@ -52,20 +52,20 @@ def _result(program: Program, grid: Grid) -> Floats:
 
 
 def _compute(step: Step, grid: Grid, stack: list[Value]) -> None:
-    taken = tuple(stack[len(stack) - step.takes :])
+    arguments = tuple(stack[len(stack) - step.takes :])
     del stack[len(stack) - step.takes :]
     if step.kind == "number":
         stack.append(Value.of(step.number))
     elif step.kind == "name":
         stack.append(named(step.name, grid))
     elif step.kind == "function":
-        stack.append(FUNCTIONS[step.name].compute(grid, taken))
+        stack.append(FUNCTIONS[step.name].compute(grid, arguments))
     else:
-        stack.append(computed(step.name, taken))
+        stack.append(computed(step.name, arguments))
 
 
 def _not_finite(program: Program, grid: Grid, index: int) -> FormulaError:
-    """What to say of a sample that is no number; found by computing it alone, step by step."""
+    """Return the error for a sample that is no number; compute it alone to find the step."""
     alone = Grid(
         first=grid.first + index,
         count=1,
@@ -73,7 +73,7 @@ def _not_finite(program: Program, grid: Grid, index: int) -> FormulaError:
         shift_s=grid.shift_s,
         duration_s=grid.duration_s,
     )
-    column, shown, value = 1, "", np.nan
+    column, text, value = 1, "", np.nan
     stack: list[Value] = []
     with np.errstate(all="ignore"):
         for step in program.steps:
@@ -81,11 +81,11 @@ def _not_finite(program: Program, grid: Grid, index: int) -> FormulaError:
             value = float(np.broadcast_to(stack[-1].at, (1,))[0])
             if not np.isfinite(value):
                 column = step.column
-                shown = "-" if step.name == "negative" else step.name
+                text = "-" if step.name == "negative" else step.name
                 break
     kind = "no number" if np.isnan(value) else "infinite"
     return FormulaError(
-        f'formula "{around(program.text, column)}", column {column}: {shown} is {kind} at '
+        f'formula "{around(program.text, column)}", column {column}: {text} is {kind} at '
         f"{alone.instants[0]:.6g} s, expected finite numbers; divide by what is never 0, or clip()",
         column,
     )

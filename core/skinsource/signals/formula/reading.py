@@ -1,4 +1,8 @@
-"""What a mistake in a formula looks like."""
+"""Reads formulas: from a text to tokens, and from tokens to a program in postfix order.
+
+Operators wait on a stack for their right side, so nothing recurses.  Every mistake is an error that
+names the column.
+"""
 
 import re
 from collections.abc import Iterator
@@ -18,18 +22,18 @@ _BEFORE, _AFTER = 24, 16
 _COLUMN = re.compile(r'", column ([0-9]{1,6}): ')
 
 
-def mistake(text: str, column: int, found: str, expected: str) -> FormulaError:
-    """Return the error for a place in a text: the text around it, what is there, what should be.
+def mistake(text: str, column: int, actual: str, expected: str) -> FormulaError:
+    """Return the error for a mistake in a formula: the text near it, what is there, what should be.
 
     >>> print(mistake("2t", 2, "t", "an operator"))
     formula "2t", column 2: found t, expected an operator
     """
     where = f'formula "{around(text, column)}", column {column}'
-    return FormulaError(f"{where}: found {printable(found)}, expected {expected}", column)
+    return FormulaError(f"{where}: found {printable(actual)}, expected {expected}", column)
 
 
 def around(text: str, column: int) -> str:
-    """The text, or what stands near a column of a long one."""
+    """Return the text; of a long one the part near a column."""
     start = max(column - 1 - _BEFORE, 0)
     end = column - 1 + _AFTER
     if start <= 1 and len(text) <= end + 1:
@@ -39,35 +43,33 @@ def around(text: str, column: int) -> str:
 
 
 def column_of(message: str) -> int | None:
-    """The column that a message of `mistake` names; None where it names none.
+    """Return the column that a message of `mistake` names; None where it names none.
 
     >>> column_of('formula "2t", column 2: found t, expected an operator')
     2
     """
-    found = _COLUMN.search(message)
-    return int(found.group(1)) if found else None
+    match = _COLUMN.search(message)
+    return int(match.group(1)) if match else None
 
-
-# A formula that was read: its tree in postfix order.
 
 StepKind = Literal["number", "name", "operator", "function"]
 
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One node of the tree; its arguments are the results of the steps before it.
+    """One node of the tree; its arguments are the results of earlier steps.
 
     Attributes
     ----------
     kind, name
         ``"number"``, ``"name"`` (``t``, ``pi``, ``duration``), ``"operator"`` (``negative`` is
-        the one before a value) or ``"function"``.
+        the sign before a value) or ``"function"``.
     column
-        Where it stands in the text, from 1.
+        Its position in the text, from 1.
     number
         Value of a number.
     takes
-        How many results it takes.
+        Number of its arguments.
     """
 
     kind: StepKind
@@ -79,23 +81,16 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """What a text says, step by step.
+    """A formula that was read, and its steps in the order of computation.
 
-    Attributes
-    ----------
-    text
-        As it was written.
-    steps
-        In the order in which they are computed; the last one gives the result.
+    The last step gives the result.
     """
 
     text: str
     steps: tuple[Step, ...]
 
 
-# The words of a formula.
-
-#: ``end`` stands after the last character.
+#: Kinds of tokens; ``end`` follows the last character.
 Kind = Literal["number", "name", "operator", "(", ")", ",", "end"]
 
 _WORD = re.compile(
@@ -104,8 +99,8 @@ _WORD = re.compile(
     r"|(?P<operator>\*\*|//|&&|\|\||<=|>=|==|!=|[-+*/^<>=≤≥·×−])"
     r"|(?P<mark>[(),])"
 )
-#: What mathematics writes, as the keyboard does.
-_SAME = {"π": "pi", "·": "*", "×": "*", "−": "-", "≤": "<=", "≥": ">="}
+# Mathematical signs, and how a keyboard writes them.
+_SPELLINGS = {"π": "pi", "·": "*", "×": "*", "−": "-", "≤": "<=", "≥": ">="}
 _INSTEAD = {
     "**": "^ for a power",
     "//": "/, and floor() around it",
@@ -117,7 +112,7 @@ _INSTEAD = {
 
 @dataclass(frozen=True, slots=True)
 class Token:
-    """A word and the column, from 1, at which it begins."""
+    """A token and the column, from 1, at which it begins."""
 
     kind: Kind
     text: str
@@ -125,55 +120,52 @@ class Token:
 
     @property
     def shown(self) -> str:
-        """How a message calls it."""
+        """Its name in messages."""
         return "the end" if self.kind == "end" else self.text
 
 
 def tokens(text: str) -> Iterator[Token]:
-    """Take a text apart; the last token is the end.
+    """Give the tokens of a text; the last one is the end.
 
     Raises
     ------
     FormulaError
         A character means nothing here.
     """
-    place = 0
-    while place < len(text):
-        if text[place].isspace():
-            place += 1
+    position = 0
+    while position < len(text):
+        if text[position].isspace():
+            position += 1
             continue
-        found = _WORD.match(text, place)
-        if found is None:
+        match = _WORD.match(text, position)
+        if match is None:
             raise mistake(
-                text, place + 1, text[place], "a number, a name, an operator or a bracket"
+                text, position + 1, text[position], "a number, a name, an operator or a bracket"
             )
-        word = found.group()
+        word = match.group()
         if word in _INSTEAD:
-            raise mistake(text, place + 1, word, _INSTEAD[word])
-        word_as_typed = _SAME.get(word, word)
-        yield Token(_kind(found), word_as_typed, place + 1)
-        place = found.end()
+            raise mistake(text, position + 1, word, _INSTEAD[word])
+        yield Token(_kind(match), _SPELLINGS.get(word, word), position + 1)
+        position = match.end()
     yield Token("end", "", len(text) + 1)
 
 
-def _kind(found: re.Match[str]) -> Kind:
-    if found.group("number") is not None:
+def _kind(match: re.Match[str]) -> Kind:
+    if match.group("number") is not None:
         return "number"
-    if found.group("name") is not None:
+    if match.group("name") is not None:
         return "name"
-    if found.group("operator") is not None:
+    if match.group("operator") is not None:
         return "operator"
-    mark = found.group("mark")
+    mark = match.group("mark")
     return "(" if mark == "(" else ")" if mark == ")" else ","
 
 
-# From a text to a program, without recursion: operators wait on a stack.
-
-#: Characters of a formula.
+#: Most characters of a formula.
 LONGEST = 1000
-#: Nodes of the tree.
+#: Most nodes of the tree.
 MAX_STEPS = 500
-#: Brackets and operators that wait for their right side.
+#: Most brackets and operators that wait for their right side.
 MAX_DEPTH = 60
 
 _BINDS = {"+": 2, "-": 2, "*": 3, "/": 3, "negative": 4, "^": 5} | dict.fromkeys(COMPARISONS, 1)
@@ -183,12 +175,12 @@ _OPERATOR = "an operator"
 
 @lru_cache(maxsize=256)
 def read(text: str) -> Program:
-    """Return what a text says.
+    """Return the program of a text.
 
     Raises
     ------
     FormulaError
-        It says nothing, or is too long; the error knows the column.
+        It is no formula, or too long; the error knows the column.
     """
     if not isinstance(text, str):
         raise FormulaError(f"a formula is {quoted(text)}, expected a text")
@@ -198,7 +190,7 @@ def read(text: str) -> Program:
         raise mistake(text, 1, "nothing", "a formula such as sin(2*pi*100*t)")
     reader = _Reader(text)
     for token in tokens(text):
-        reader.take(token)
+        reader.add(token)
     return Program(text, tuple(reader.steps))
 
 
@@ -206,46 +198,46 @@ def read(text: str) -> Program:
 class _Waiting:
     """An operator that waits for its right side, or an open bracket.
 
-    ``call`` is the function whose bracket it is; ``commas`` how many were found so far, and
-    ``begun`` how many steps there were when it opened.
+    ``call`` is the function of the bracket, ``commas`` the number of its commas so far, and
+    ``first_step`` the number of steps before it.
     """
 
     name: str
     column: int
     call: Function | None = None
     commas: int = 0
-    begun: int = 0
+    first_step: int = 0
 
 
 @dataclass(slots=True)
 class _Reader:
-    """Takes token after token; `steps` is complete after the last one."""
+    """Turns tokens into steps; the steps are complete after the last token."""
 
     text: str
     steps: list[Step] = field(default_factory=list)
     _stack: list[_Waiting] = field(default_factory=list)
-    _wants_value: bool = True
+    _expects_value: bool = True
     _called: tuple[Token, Function] | None = None
 
-    def take(self, token: Token) -> None:
-        """Take the next token."""
+    def add(self, token: Token) -> None:
+        """Add the next token."""
         if self._called is not None:
             self._open_call(token, *self._called)
-        elif self._wants_value:
-            self._take_value(token)
+        elif self._expects_value:
+            self._add_value(token)
         else:
-            self._take_operator(token)
+            self._add_operator(token)
 
-    def _take_value(self, token: Token) -> None:
+    def _add_value(self, token: Token) -> None:
         if token.kind == "number":
             number = float(token.text)
             if not np.isfinite(number):
                 raise mistake(self.text, token.column, token.text, "a number below 1.8e308")
             self._emit(Step("number", token.text, token.column, number=number))
         elif token.kind == "name":
-            self._take_name(token)
+            self._add_name(token)
         elif token.kind == "(":
-            self._wait(_Waiting("(", token.column, begun=len(self.steps)))
+            self._wait(_Waiting("(", token.column, first_step=len(self.steps)))
         elif token.kind == "operator" and token.text in "+-":
             if token.text == "-":
                 self._wait(_Waiting("negative", token.column))
@@ -254,7 +246,7 @@ class _Reader:
         else:
             raise mistake(self.text, token.column, token.shown, _VALUE)
 
-    def _take_name(self, token: Token) -> None:
+    def _add_name(self, token: Token) -> None:
         if token.text in FUNCTIONS:
             self._called = (token, FUNCTIONS[token.text])
         elif token.text in NAMES:
@@ -269,17 +261,17 @@ class _Reader:
         if token.kind != "(":
             raise mistake(self.text, token.column, token.shown, f"( as in {call.usage}")
         self._called = None
-        self._wait(_Waiting(called.text, called.column, call, begun=len(self.steps)))
+        self._wait(_Waiting(called.text, called.column, call, first_step=len(self.steps)))
 
-    def _take_operator(self, token: Token) -> None:
+    def _add_operator(self, token: Token) -> None:
         if token.kind == "operator":
             self._finish(_BINDS[token.text], token)
             self._wait(_Waiting(token.text, token.column))
-            self._wants_value = True
+            self._expects_value = True
         elif token.kind == ")":
             self._close(token)
         elif token.kind == ",":
-            self._take_comma(token)
+            self._add_comma(token)
         elif token.kind == "end":
             self._finish(0, token)
             if self._stack:
@@ -290,7 +282,7 @@ class _Reader:
             expected = f"{_OPERATOR}, such as *"
             raise mistake(self.text, token.column, token.shown, expected)
 
-    def _take_comma(self, token: Token) -> None:
+    def _add_comma(self, token: Token) -> None:
         self._finish(0, token)
         opened = self._stack[-1] if self._stack else None
         if opened is None or opened.call is None:
@@ -299,15 +291,15 @@ class _Reader:
         opened.commas += 1
         if opened.commas >= max(opened.call.most, 1):
             raise self._wrong_count(opened, opened.call, f"more than {opened.call.most}")
-        self._wants_value = True
+        self._expects_value = True
 
     def _close(self, token: Token) -> None:
-        empty = self._wants_value
+        empty = self._expects_value
         self._finish(0, token)
         if not self._stack:
             raise mistake(self.text, token.column, ")", f"{_OPERATOR}: no bracket is open")
         opened = self._stack.pop()
-        self._wants_value = False
+        self._expects_value = False
         if opened.call is None:
             return
         count = 0 if empty else opened.commas + 1
@@ -320,21 +312,21 @@ class _Reader:
     def _wrong_count(self, opened: _Waiting, call: Function, count: str) -> FormulaError:
         few, most = call.fewest, call.most
         many = str(few) if few == most else f"{few} to {most}"
-        found = f"{opened.name} of {count} value{'' if count == '1' else 's'}"
-        return mistake(self.text, opened.column, found, f"{many}, as in {call.usage}")
+        actual = f"{opened.name} of {count} value{'' if count == '1' else 's'}"
+        return mistake(self.text, opened.column, actual, f"{many}, as in {call.usage}")
 
     def _check_seed(self, opened: _Waiting) -> None:
-        given = self.steps[opened.begun :]
-        number = given[0].number
-        whole = len(given) == 1 and given[0].kind == "number" and number == int(number)
-        if not whole or number > LARGEST_SEED:
-            column = given[0].column
-            found = given[0].name if len(given) == 1 else "a computed seed"
+        arguments = self.steps[opened.first_step :]
+        number = arguments[0].number
+        is_integer = len(arguments) == 1 and arguments[0].kind == "number" and number == int(number)
+        if not is_integer or number > LARGEST_SEED:
+            column = arguments[0].column
+            actual = arguments[0].name if len(arguments) == 1 else "a computed seed"
             expected = f"a whole number from 0 to {LARGEST_SEED}, as in noise(1)"
-            raise mistake(self.text, column, found, expected)
+            raise mistake(self.text, column, actual, expected)
 
     def _finish(self, binding: int, token: Token) -> None:
-        """Emit the operators that bind what stands before ``token`` more strongly than it does."""
+        """Emit the waiting operators that bind more strongly than ``token``."""
         while self._stack and self._stack[-1].name in _BINDS:
             waiting = self._stack[-1]
             strength = _BINDS[waiting.name]
@@ -349,9 +341,9 @@ class _Reader:
 
     def _wait(self, waiting: _Waiting) -> None:
         if len(self._stack) >= MAX_DEPTH:
-            found = "-" if waiting.name == "negative" else waiting.name
+            actual = "-" if waiting.name == "negative" else waiting.name
             expected = f"at most {MAX_DEPTH} brackets and operators within each other"
-            raise mistake(self.text, waiting.column, found, expected)
+            raise mistake(self.text, waiting.column, actual, expected)
         self._stack.append(waiting)
 
     def _emit(self, step: Step) -> None:
@@ -359,11 +351,15 @@ class _Reader:
             expected = f"at most {MAX_STEPS} numbers, names and operators"
             raise mistake(self.text, step.column, "one more", expected)
         self.steps.append(step)
-        self._wants_value = False
+        self._expects_value = False
 
     def _is_empty_call(self, waiting: _Waiting) -> bool:
-        return waiting.call is not None and waiting.commas == 0 and waiting.begun == len(self.steps)
+        return (
+            waiting.call is not None
+            and waiting.commas == 0
+            and waiting.first_step == len(self.steps)
+        )
 
     def _bracket_column(self, column: int) -> int:
-        """Where the bracket itself stands of what was opened at ``column``."""
+        """Return the column of the bracket of a function at ``column``."""
         return self.text.index("(", column - 1) + 1
