@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
-from skinsource_gui.panels.transfer.panel import _usable_words
+from skinsource_gui.panels.transfer.panel import _usable_text
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.plots.legend import LegendStrip
 from skinsource_gui.qt.labels import SHORT_NAME
@@ -140,7 +140,7 @@ def test_outputs_with_the_same_band_are_said_together():
         band_hz = (25.0, 600.0)
         usable_hz = ((27.2, 599.0), (27.4, 598.9), (float("nan"),) * 2, (27.0, 599.3))
 
-    words = _usable_words(Found, (29, 30, 33, 35))
+    words = _usable_text(Found, (29, 30, 33, 35))
     assert words.endswith("from 25 to 600 Hz: 29, 30, 35: 27–599 Hz · 33: nowhere")
 
 
@@ -149,5 +149,5 @@ def test_many_outputs_with_the_same_band_are_said_as_ranges():
         band_hz = (25.0, 600.0)
         usable_hz = ((27.2, 599.0),) * 66
 
-    words = _usable_words(Found, (*range(1, 61), *range(67, 73)))
+    words = _usable_text(Found, (*range(1, 61), *range(67, 73)))
     assert words.endswith("600 Hz: 66 outputs (1–60, 67–72): 27–599 Hz")

@@ -176,7 +176,7 @@ def test_maps_side_by_side_are_drawn_in_the_largest_letters_and_the_rest_scrolls
     settle()
     panel = window.panel("side_by_side")
     qtbot.waitUntil(lambda: len(panel.maps.content.cells) == 4, timeout=60_000)
-    places = panel.maps.seen.places
+    places = panel.maps.visible_maps.places
     assert all(place.map.height() >= 60 for place in places.cells)
     assert all(place.map.bottom() <= places.scale.top() for place in places.cells)
     assert all(place.value.bottom() <= place.map.top() for place in places.cells)

@@ -108,7 +108,7 @@ def test_rows_and_plots_have_room_for_large_words(window, settle):
     assert row._places.name.height() >= line
     assert row._places.amplitude.top() >= row._places.name.bottom()
     assert row.amplitude.height() >= line
-    heading = window.panel("inspector").findChild(InputHeading)._words
+    heading = window.panel("inspector").findChild(InputHeading)._title
     assert heading.fontMetrics().horizontalAdvance(heading.text()) <= heading.width()
     for button in buttons:
         assert button.height() >= button.fontMetrics().height() + 6, button.text()

@@ -254,7 +254,7 @@ def test_the_sizes_of_pictures_are_offered_for_films_and_none_is_too_large(qtbot
     )
     qtbot.addWidget(dialog)
     for one in LAYOUTS:
-        dialog._take("layout", one.name, None)
+        dialog._edit("layout", one.name, None)
         assert max(frame_size(dialog.options)) <= MOST_PX
         assert dialog.options.layout == one.name
     words = [label.text() for label in dialog.findChildren(QLabel)]

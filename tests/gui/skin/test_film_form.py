@@ -54,7 +54,7 @@ def choose(form, name, option):
 
 
 def said(form):
-    return form.said.text().replace("\N{NO-BREAK SPACE}", " ")
+    return form.remark_label.text().replace("\N{NO-BREAK SPACE}", " ")
 
 
 @pytest.mark.parametrize(
@@ -142,7 +142,7 @@ def test_what_cannot_be_written_says_why_and_cannot_be_saved(qtbot):
     assert said(form).startswith("All of the response: about ")
     assert said(form).endswith("Zoom the traces to film a part.")
     assert save.isEnabled()
-    form._take("width_px", 5000.0, None)
+    form._edit("width_px", 5000.0, None)
     assert "expected at most 4096 on a side" in said(form)
     assert not save.isEnabled()
 

@@ -54,7 +54,7 @@ def test_what_could_not_be_copied_is_not_cut(lanes, monkeypatch):
     def refuse(fragment):
         raise InvalidInputError("too many bytes")
 
-    monkeypatch.setattr(panel, "copy", refuse)
+    monkeypatch.setattr(panel, "copy_fragment", refuse)
     lanes.click(middle(lanes, 3))
     before = lanes.design
     QTest.keyClick(lanes.lanes, Qt.Key.Key_X, CONTROL)
