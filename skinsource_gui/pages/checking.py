@@ -82,23 +82,23 @@ class BoxFigure(Figure):
     def draw(self, painter: QPainter, room: QRectF) -> None:
         theme = current_theme()
         ends = [quartiles(values) for _, values in self.groups]
-        low = min(0.0, *(one[0] for one in ends))
-        high = max(1e-9, *(one[4] for one in ends))
+        low = min(0.0, *(box[0] for box in ends))
+        high = max(1e-9, *(box[4] for box in ends))
         edge = 0.05 * (high - low)
         line = QFontMetricsF(painter.font()).height()
         x = Axis(shown=(0.0, float(len(ends))), title="Main frequency (Hz)")
         y = Axis(shown=(low - (edge if low < 0.0 else 0.0), high + edge), title=self._title)
         self.axes = axes = fitted_axes(room, x, y, QFontMetricsF(painter.font()))
         _paint_frame(painter, axes, theme, [label for label, _ in self.groups], line)
-        for rank, one in enumerate(ends):
-            self._paint_box(painter, axes, rank, one)
+        for rank, box in enumerate(ends):
+            self._paint_box(painter, axes, rank, box)
 
     def read(self, at: QPointF) -> str:
         rank = self._rank_at(at)
         if rank is None:
             return ""
         label, values = self.groups[rank]
-        first, low, middle, high, last = (minus(f"{one:.3g}") for one in quartiles(values))
+        first, low, middle, high, last = (minus(f"{value:.3g}") for value in quartiles(values))
         return (
             f"{label} Hz: median {middle}, quartiles {low} to {high}, whiskers {first} to {last}, "
             f"{values.size} channels"
@@ -109,16 +109,16 @@ class BoxFigure(Figure):
 
     def _rank_at(self, at: QPointF) -> int | None:
         """The group under a place."""
-        found = None if self.axes is None else self.axes.value_at(at)
-        if found is None or not self.groups:
+        position = None if self.axes is None else self.axes.value_at(at)
+        if position is None or not self.groups:
             return None
-        return min(max(int(found[0]), 0), len(self.groups) - 1)
+        return min(max(int(position[0]), 0), len(self.groups) - 1)
 
     def _paint_box(self, painter: QPainter, axes: Axes, rank: int, ends: tuple[float, ...]) -> None:
         theme = current_theme()
         places = axes.to_screen(np.full(5, rank + 0.5), np.array(ends))
         x = float(places[0, 0])
-        first, bottom, middle, top, last = (float(one) for one in places[:, 1])
+        first, bottom, middle, top, last = (float(coordinate) for coordinate in places[:, 1])
         wide = min(0.5 * axes.frame.width() / len(self.groups), _WIDEST_PX)
         painter.setPen(QPen(QColor(theme.dim), 1.5))
         painter.drawLine(QLineF(x, first, x, last))
@@ -218,7 +218,7 @@ def check_rows(
     progress, stop
         As for all long work.
     """
-    found: list[Condition | str] = []
+    results: list[Condition | str] = []
     with ReadingProcess() as process:
         for number, row in enumerate(rows):
 
@@ -230,7 +230,7 @@ def check_rows(
                 None if row.recording is None else Recorded(path=row.recording, rate_hz=rate_hz)
             )
             try:
-                found.append(
+                results.append(
                     condition_of(
                         row.design,
                         row.name,
@@ -244,8 +244,8 @@ def check_rows(
             except Stopped:
                 raise
             except SkinSourceError as error:
-                found.append(str(error))
-    return tuple(found)
+                results.append(str(error))
+    return tuple(results)
 
 
 # The designs that are checked, as a table.
@@ -313,27 +313,27 @@ class CheckTable(QTableWidget):
 
 def _hint(row: Row, column: int) -> str:
     """What is more to be said of a cell than is in it; "": nothing."""
-    found = row.result
-    if isinstance(found, str):
-        return sentence(found)
-    if found is None or found.agreement is None or _COLUMNS[column][0] != "Channels":
+    result = row.result
+    if isinstance(result, str):
+        return sentence(result)
+    if result is None or result.agreement is None or _COLUMNS[column][0] != "Channels":
         return ""
-    return f"{found.noise_words[0].upper()}{found.noise_words[1:]}"
+    return f"{result.noise_words[0].upper()}{result.noise_words[1:]}"
 
 
 def _texts(row: Row) -> list[str]:
     recording = "–" if row.recording is None else row.recording.name
-    found = row.result
-    if not isinstance(found, Condition):
+    result = row.result
+    if not isinstance(result, Condition):
         return [row.name, recording, *([""] * (len(_COLUMNS) - 2))]
-    texts = [_text(found.frequency_hz, "silent"), _text(found.linear), _text(found.superposed)]
-    if found.agreement is None:
+    texts = [_text(result.frequency_hz, "silent"), _text(result.linear), _text(result.superposed)]
+    if result.agreement is None:
         texts += ["–"] * 5
     else:
-        counted = found.agreement.counted
+        counted = result.agreement.counted
         texts += [f"{int(counted.sum())} of {counted.size}"]
-        texts += [_text(value) for value in found.agreement.medians]
-        texts += [str(found.shift_samples)]
+        texts += [_text(value) for value in result.agreement.medians]
+        texts += [str(result.shift_samples)]
     return [row.name, recording, *(minus(text) for text in texts)]
 
 
@@ -604,10 +604,10 @@ class CheckingPage(QDialog):
 
     def _take(self, results: Sequence[Condition | str]) -> None:
         self.list.take_results(results)
-        problems = [one for one in results if isinstance(one, str)]
+        problems = [result for result in results if isinstance(result, str)]
         if problems:
             self._complain(problems[0])
-        elif any(one.agreement is not None for one in self.list.conditions):
+        elif any(condition.agreement is not None for condition in self.list.conditions):
             self._say(_REPORTED.format(*(reported for _, _, reported in FIGURES)))
         else:
             self._say("Checked. Choose a recording to hold it against.")

@@ -38,23 +38,23 @@ class Choice:
 
 def fragments_to_save(design: Design, view: View) -> tuple[Choice, ...]:
     """Selected clips, all clips of the selected tracks, the whole design; each once."""
-    tracks = [one for one in design.inputs if one.id in view.selected_inputs]
-    on_tracks = tuple(clip.id for one in tracks for clip in one.clips)
-    found: list[Choice] = []
+    tracks = [track for track in design.inputs if track.id in view.selected_inputs]
+    on_tracks = tuple(clip.id for track in tracks for clip in track.clips)
+    choices: list[Choice] = []
     for words, ids in (
         ("Selected", view.selected_clips),
         ("On the selected tracks" if len(tracks) > 1 else "On the selected track", on_tracks),
     ):
         fragment = edits.fragment_of(design, ids)
         if fragment is not None:
-            found.append(_choice(words, _name(fragment), fragment))
+            choices.append(_choice(words, _name(fragment), fragment))
     everything = whole_design(design)
     if everything is not None:
-        found.append(_choice("The whole design", design.title or _name(everything), everything))
+        choices.append(_choice("The whole design", design.title or _name(everything), everything))
     once: list[Choice] = []
-    for one in found:
-        if all(one.fragment != other.fragment for other in once):
-            once.append(one)
+    for choice in choices:
+        if all(choice.fragment != other.fragment for other in once):
+            once.append(choice)
     return tuple(once)
 
 
@@ -96,7 +96,7 @@ class SavePage(QDialog):
         self.setMinimumWidth(460)
         self._choices = choices
         self.what = DropDown()
-        self.what.addItems([one.words for one in choices])
+        self.what.addItems([choice.words for choice in choices])
         self.name, self.tags = QLineEdit(), QLineEdit()
         self.description, self.source = QLineEdit(), QLineEdit()
         self.problem = QLabel()
@@ -142,7 +142,7 @@ class SavePage(QDialog):
         column.addWidget(self.buttons)
 
     def _suggest(self) -> None:
-        suggested = {one.name for one in self._choices}
+        suggested = {choice.name for choice in self._choices}
         # What was typed stays.
         if not self.name.text() or self.name.text() in suggested:
             self.name.setText(self._choices[self.what.currentIndex()].name)
