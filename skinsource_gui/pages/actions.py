@@ -48,7 +48,9 @@ _GONE = Refusal(sentence="That recording is no longer there; import it to anothe
 
 def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[str, str], ...]:
     """Name and words of each place, the likeliest one first."""
-    track_options = [_track(design, track.id) for track in design.inputs if track.id in _tracks(view, place)]
+    track_options = [
+        _track(design, track.id) for track in design.inputs if track.id in _tracks(view, place)
+    ]
     first = usual_location(design.limb)
     if place is not None and place.location is not None:
         first = place.location
@@ -74,7 +76,9 @@ def _instead(design: Design, view: View) -> tuple[tuple[str, str], bool] | None:
     clip = clip_of(track, view)
     if clip is None or not isinstance(clip.waveform, Recording):
         return None
-    where = f"input {design.index_of(track.id) + 1}, at {location_text(track.location, design.limb)}"
+    where = (
+        f"input {design.index_of(track.id) + 1}, at {location_text(track.location, design.limb)}"
+    )
     # Samples without a name were taken over from another kind of waveform.
     return (f"clip {clip.id}", f"In place of the recording on {where}"), not clip.waveform.name
 

@@ -38,7 +38,7 @@ from skinsource.lab.playing.stream import Stream
 from skinsource.limbs.locations import input_name
 from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.number_field import NumberField
-from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.keys import KEYS, Gesture
 from skinsource_gui.qt.room import LetterWidth
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
@@ -91,9 +91,7 @@ class RunView(QWidget):
             f"{gestures['store'].shown} when both feel equally strong."
         )
         question.setWordWrap(True)
-        self.note = QLabel()
-        self.note.setObjectName("matching_note")
-        self.note.setWordWrap(True)
+        self.note = page_label("matching_note")
         self.note.setTextFormat(Qt.TextFormat.PlainText)
         self.buttons = {
             name: page_button(f"matching_{name}", label, _hint(gestures[name]))
@@ -147,7 +145,6 @@ class RunView(QWidget):
         for name, side in self.sides.items():
             set_tone(side, "lit" if name == which else "unlit")
 
-
     def _shortcut(self, name: str, key: str) -> QShortcut:
         shortcut = QShortcut(QKeySequence(key), self)
         shortcut.setContext(Qt.ShortcutContext.WindowShortcut)
@@ -163,7 +160,6 @@ class RunView(QWidget):
 
 def _hint(gesture: Gesture) -> str:
     return f"{gesture.effect[:1].upper()}{gesture.effect[1:]} ({gesture.shown})"
-
 
 
 _NUMBERS = {
@@ -467,7 +463,9 @@ class MatchingPage(QDialog):
         self._stopped_s = -_HURRY_S
         self._timer = QTimer(self, interval=_POLL_MS)
         self._timer.timeout.connect(self._poll)
-        self._stack, self._problem = QStackedWidget(), QLabel()
+        self._stack = QStackedWidget()
+        self._problem = page_label("matching_problem", tone="error")
+        self._problem.setTextFormat(Qt.TextFormat.PlainText)
         self._begin = page_button("matching_begin", "Begin", "Play, and store matches")
         self._rehearse = page_button(
             "matching_rehearse", "Rehearse", "The same, and nothing is stored"
@@ -502,10 +500,6 @@ class MatchingPage(QDialog):
         rows.setSpacing(2 * UNIT_PX)
         about = QLabel(_INTRODUCTION)
         about.setWordWrap(True)
-        self._problem.setObjectName("matching_problem")
-        self._problem.setWordWrap(True)
-        self._problem.setTextFormat(Qt.TextFormat.PlainText)
-        set_tone(self._problem, "error")
         for part in (about, self.form, self._problem):
             rows.addWidget(part)
         rows.addStretch(1)

@@ -109,7 +109,9 @@ class ChoiceForm(QWidget):
         for name, widget in self._widgets.items():
             widget.setObjectName(f"import_{name}")
         self._lay_out()
-        _fill(self._form, self._signal, [(signal.key, signal.name) for signal in contents.signals()])
+        _fill(
+            self._form, self._signal, [(signal.key, signal.name) for signal in contents.signals()]
+        )
         self._take_series(self._series)
 
     @property

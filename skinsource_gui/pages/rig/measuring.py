@@ -206,7 +206,10 @@ class MeasuredView(SignalView):
         self.show_measured(None, None)
 
     def show_measured(
-        self, measurement: ChannelMeasurement | None, channel: RigChannel | None, words: str = _NOTHING
+        self,
+        measurement: ChannelMeasurement | None,
+        channel: RigChannel | None,
+        words: str = _NOTHING,
     ) -> None:
         """Draw what was found of a channel; None: say why there is nothing."""
         self._found, self._zoom = measurement, None
@@ -385,7 +388,9 @@ class MeasurePage(QDialog):
         self._running, self.found = False, measurement
         self.plot.show_measured(measurement, self._channel)
         if measurement is not None:
-            self._say(" ".join((*measurement.lines, *model_difference_text(measurement, self._channel))))
+            self._say(
+                " ".join((*measurement.lines, *model_difference_text(measurement, self._channel)))
+            )
         else:
             self._say("Stopped." if isinstance(error, Stopped) else str(error))
         self._show_state()

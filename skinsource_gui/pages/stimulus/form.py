@@ -250,7 +250,11 @@ class RigFields(QObject):
         if kind != _PANEL or self.chosen is None:
             return RegularisedInverse(phase=kind)
         equaliser, other = self.chosen.equaliser, self.actuation
-        if isinstance(equaliser, PolePairReplacement) and other is not None and other != self.chosen:
+        if (
+            isinstance(equaliser, PolePairReplacement)
+            and other is not None
+            and other != self.chosen
+        ):
             # Its pole pair is that of one actuator.
             (actuator,) = other.actuators
             return PolePairReplacement(*resonance_of(actuator.model), equaliser.new_quality)

@@ -72,7 +72,9 @@ class ChannelsView(QWidget):
         """Paint ``overview``; ``colours`` has the number of the colour of each input."""
         self._overview, self._colours, self._pale = overview, colours, False
         words = (
-            [line for channel in overview.channels for line in channel_lines(channel)] if overview else []
+            [line for channel in overview.channels for line in channel_lines(channel)]
+            if overview
+            else []
         )
         self.setAccessibleDescription("; ".join(words))
         self.updateGeometry()
