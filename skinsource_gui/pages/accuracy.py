@@ -1,4 +1,7 @@
-"""The plot of error against run time: all rows, with names beside those of one case."""
+"""Help > Accuracy and speed: error against run time of this program and of others.
+
+The page measures in a job, and shows the rows as a table and as a plot.
+"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -54,7 +57,7 @@ _SLOPE_DEGREES = -55.0
 
 
 class AccuracyPlot(Figure):
-    """A point for each row; the lower left is better."""
+    """Plots a point for each row, with names beside those of one case; lower left is better."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("accuracy_plot", "Error against run time", parent)
@@ -64,7 +67,7 @@ class AccuracyPlot(Figure):
         self.say(_NOTHING)
 
     def show_rows(self, rows: Sequence[Row]) -> None:
-        """Take over all rows."""
+        """Plot ``rows``."""
         self._rows = rows
         self.say("" if rows else _NOTHING)
 
@@ -121,43 +124,41 @@ class AccuracyPlot(Figure):
         painter.restore()
 
 
-# Help > Accuracy and speed: error against run time of this program and of others.
-
 _TITLE = "Measuring accuracy and speed"
 _BEGIN = "Measuring takes about half a minute; other work would spoil the times."
 _SIZE_PX = (1180, 640)
 
 
 def measured(limb: str, digest: str, *, progress: Progress, stop: Stop) -> tuple[Row, ...]:
-    """The rows of a short run on a limb; on synthetic responses where none is named."""
+    """Return the rows of a short run on a limb; on synthetic responses where none is named."""
     on = load_limb(limb, digest) if limb else None
     cases = cases_of(on, quick=True, progress=progress, stop=stop)
     return tuple(measure(cases, repeats=QUICK_REPEATS, progress=progress, stop=stop))
 
 
 class Status(Protocol):
-    """What tells how fast and how exact the studio is now."""
+    """Reports how fast and how exact the studio is now."""
 
     changed: SignalInstance
 
     def times_and_error(self) -> str:
-        """Times of the latest edits, and the error of the traces, as a sentence or two."""
+        """Return the times of the latest edits and the error of the traces, as sentences."""
         ...
 
 
 class AccuracyPage(QDialog):
-    """Stands beside the window; closing it gives up what is being measured.
+    """Measures accuracy and speed beside the window; closing it cancels the measurement.
 
     Parameters
     ----------
     runner
-        Measures.
+        Runs the measurement.
     status
         Knows the times of the latest edits, and the error of the traces.
     preferences
-        Know where files were last written.
+        Know the folder of the last file.
     document
-        Has the design, on whose limb can be measured.
+        Holds the design, on whose limb can be measured.
     """
 
     def __init__(
@@ -177,7 +178,7 @@ class AccuracyPage(QDialog):
         self.run = PageJob(runner, self)
         self.rows: tuple[Row, ...] = ()
         self.table, self.plot = _table(), AccuracyPlot()
-        self.words, self.now = QLabel(_BEGIN), QLabel()
+        self.message, self.now = QLabel(_BEGIN), QLabel()
         self._limb = DropDown()
         self._limb.setObjectName("accuracy_limb")
         self._limb.setAccessibleName("Limb to be measured on")
@@ -207,7 +208,7 @@ class AccuracyPage(QDialog):
 
     def _lay_out(self) -> None:
         meaning = QLabel(MEANING)
-        for label in (meaning, self.now, self.words):
+        for label in (meaning, self.now, self.message):
             label.setWordWrap(True)
         split = QSplitter()
         split.addWidget(self.table)
@@ -216,7 +217,7 @@ class AccuracyPage(QDialog):
         limb = QLabel("Limb")
         limb.setBuddy(self._limb)
         below = QHBoxLayout()
-        below.addWidget(self.words, 1)
+        below.addWidget(self.message, 1)
         for widget in (limb, self._limb, self._measure, self._save, self._close):
             below.addWidget(widget)
         column = QVBoxLayout(self)
@@ -232,7 +233,7 @@ class AccuracyPage(QDialog):
         self._save.clicked.connect(self._ask_and_save)
         self._close.clicked.connect(self.close)
         self.table.currentCellChanged.connect(self._choose)
-        self.plot.reading.connect(self._read)
+        self.plot.reading.connect(self._show_reading)
         self.run.progressed.connect(self._follow)
         self.run.done.connect(self._take)
         self.run.ended.connect(self._end)
@@ -294,12 +295,12 @@ class AccuracyPage(QDialog):
         if name:
             self.save(Path(name))
 
-    def _read(self, text: str) -> None:
+    def _show_reading(self, text: str) -> None:
         if text:
             self._say(text)
 
     def _say(self, text: str) -> None:
-        self.words.setText(text)
+        self.message.setText(text)
 
 
 def _table() -> QTableWidget:

@@ -48,7 +48,9 @@ _GONE = Refusal(sentence="That recording is no longer there; import it to anothe
 
 def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[str, str], ...]:
     """Name and words of each place, the likeliest one first."""
-    found = [_track(design, one.id) for one in design.inputs if one.id in _tracks(view, place)]
+    track_options = [
+        _track(design, track.id) for track in design.inputs if track.id in _tracks(view, place)
+    ]
     first = usual_location(design.limb)
     if place is not None and place.location is not None:
         first = place.location
@@ -58,23 +60,25 @@ def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[
     new = [(f"new {k}", f"A new input at {location_text(k, design.limb)}") for k in locations]
     by_place = place is not None and place.location is not None and place.input_id is None
     if place is not None:
-        return (*new, *found) if by_place else (*found, *new)
+        return (*new, *track_options) if by_place else (*track_options, *new)
     instead = _instead(design, view)
     if instead is None:
-        return (*found, *new)
+        return (*track_options, *new)
     option, stands_in = instead
-    return (option, *found, *new) if stands_in else (*found, option, *new)
+    return (option, *track_options, *new) if stands_in else (*track_options, option, *new)
 
 
 def _instead(design: Design, view: View) -> tuple[tuple[str, str], bool] | None:
     """In place of the selected recording; and whether that only stands for one to be chosen."""
     if view.selected_input not in design.ids:
         return None
-    one = design.input(view.selected_input)
-    clip = clip_of(one, view)
+    track = design.input(view.selected_input)
+    clip = clip_of(track, view)
     if clip is None or not isinstance(clip.waveform, Recording):
         return None
-    where = f"input {design.index_of(one.id) + 1}, at {location_text(one.location, design.limb)}"
+    where = (
+        f"input {design.index_of(track.id) + 1}, at {location_text(track.location, design.limb)}"
+    )
     # Samples without a name were taken over from another kind of waveform.
     return (f"clip {clip.id}", f"In place of the recording on {where}"), not clip.waveform.name
 
@@ -84,8 +88,8 @@ def _tracks(view: View, place: DropPlace | None) -> set[int]:
     return dropped or set(view.selected_inputs[-1:])
 
 
-def _holds(one: Input, clip_id: int) -> bool:
-    return any(clip.id == clip_id for clip in one.clips)
+def _holds(track: Input, clip_id: int) -> bool:
+    return any(clip.id == clip_id for clip in track.clips)
 
 
 def _track(design: Design, id: int) -> tuple[str, str]:
@@ -99,11 +103,11 @@ def placed(
     """The edit that puts ``recording`` where ``option`` says."""
     what, _, number = option.partition(" ")
     if what == "clip":
-        one = next((one for one in design.inputs if _holds(one, int(number))), None)
-        if one is None:
+        track = next((track for track in design.inputs if _holds(track, int(number))), None)
+        if track is None:
             return _GONE
-        chosen = replace(view, selected_inputs=(one.id,), selected_clips=(int(number),))
-        return edits.change_waveform(design, chosen, (one.id,), recording)
+        chosen = replace(view, selected_inputs=(track.id,), selected_clips=(int(number),))
+        return edits.change_waveform(design, chosen, (track.id,), recording)
     if what == "track":
         return edits.add_clip(design, view, int(number), onset_s, recording)
     return edits.place_waveform(design, view, int(number), recording, onset_s)
@@ -297,11 +301,11 @@ class LibraryActions(QObject):
 
     def ask_and_save(self) -> "SavePage | None":
         """Open the page that asks for a name; None where there is nothing to keep."""
-        found = pages.fragments_to_save(self._document.design, self._document.view)
-        if not found:
+        choices = pages.fragments_to_save(self._document.design, self._document.view)
+        if not choices:
             self.failed.emit("There is no clip to keep; place one first.")
             return None
-        page = pages.SavePage(found, self._window)
+        page = pages.SavePage(choices, self._window)
 
         def save(preset: "Preset") -> None:
             try:
@@ -562,5 +566,5 @@ class StimulusActions(QObject):
             for files in written
             if not (agreed and files[0] == path)
         )
-        there = [one for one in firsts if one is not None]
+        there = [path for path in firsts if path is not None]
         return not there or may_replace(self._window, there)

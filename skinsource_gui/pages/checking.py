@@ -1,4 +1,7 @@
-"""Box plots of one figure, a box for each frequency."""
+"""The page on which predictions of designs are checked, alone and against recordings.
+
+It holds a table of designs, a job that checks them, and box plots of what was found by frequency.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -46,7 +49,7 @@ from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import minus
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
-from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.room import LetterWidth
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, set_tone, tabular
 from skinsource_gui.state.document import Document
@@ -58,12 +61,14 @@ _NOTHING = "Channels above twice the noise appear here"
 
 
 class BoxFigure(Figure):
-    """Whiskers, box and median of each group.
+    """Draws whiskers, box and median of each group.
 
     Parameters
     ----------
-    name, title
-        Object name; what is measured, with its unit.
+    name
+        Object name.
+    title
+        Title of the y axis, with its unit.
     """
 
     def __init__(self, name: str, title: str, parent: QWidget | None = None) -> None:
@@ -74,31 +79,31 @@ class BoxFigure(Figure):
         self.say(_NOTHING)
 
     def show_groups(self, groups: Sequence[tuple[str, Floats]]) -> None:
-        """Take over groups: what stands below each, and its values."""
+        """Show groups, each a label and its values."""
         self.groups = [(label, values) for label, values in groups if values.size]
         self.say("" if self.groups else _NOTHING)
         self.read_again()
 
     def draw(self, painter: QPainter, room: QRectF) -> None:
         theme = current_theme()
-        ends = [quartiles(values) for _, values in self.groups]
-        low = min(0.0, *(one[0] for one in ends))
-        high = max(1e-9, *(one[4] for one in ends))
+        boxes = [quartiles(values) for _, values in self.groups]
+        low = min(0.0, *(box[0] for box in boxes))
+        high = max(1e-9, *(box[4] for box in boxes))
         edge = 0.05 * (high - low)
         line = QFontMetricsF(painter.font()).height()
-        x = Axis(shown=(0.0, float(len(ends))), title="Main frequency (Hz)")
+        x = Axis(shown=(0.0, float(len(boxes))), title="Main frequency (Hz)")
         y = Axis(shown=(low - (edge if low < 0.0 else 0.0), high + edge), title=self._title)
         self.axes = axes = fitted_axes(room, x, y, QFontMetricsF(painter.font()))
         _paint_frame(painter, axes, theme, [label for label, _ in self.groups], line)
-        for rank, one in enumerate(ends):
-            self._paint_box(painter, axes, rank, one)
+        for rank, box in enumerate(boxes):
+            self._paint_box(painter, axes, rank, box)
 
     def read(self, at: QPointF) -> str:
         rank = self._rank_at(at)
         if rank is None:
             return ""
         label, values = self.groups[rank]
-        first, low, middle, high, last = (minus(f"{one:.3g}") for one in quartiles(values))
+        first, low, middle, high, last = (minus(f"{value:.3g}") for value in quartiles(values))
         return (
             f"{label} Hz: median {middle}, quartiles {low} to {high}, whiskers {first} to {last}, "
             f"{values.size} channels"
@@ -108,17 +113,19 @@ class BoxFigure(Figure):
         return QRectF() if self.axes is None or self.message else self.axes.frame
 
     def _rank_at(self, at: QPointF) -> int | None:
-        """The group under a place."""
-        found = None if self.axes is None else self.axes.value_at(at)
-        if found is None or not self.groups:
+        """Return the index of the group under a point."""
+        position = None if self.axes is None else self.axes.value_at(at)
+        if position is None or not self.groups:
             return None
-        return min(max(int(found[0]), 0), len(self.groups) - 1)
+        return min(max(int(position[0]), 0), len(self.groups) - 1)
 
-    def _paint_box(self, painter: QPainter, axes: Axes, rank: int, ends: tuple[float, ...]) -> None:
+    def _paint_box(
+        self, painter: QPainter, axes: Axes, rank: int, levels: tuple[float, ...]
+    ) -> None:
         theme = current_theme()
-        places = axes.to_screen(np.full(5, rank + 0.5), np.array(ends))
-        x = float(places[0, 0])
-        first, bottom, middle, top, last = (float(one) for one in places[:, 1])
+        points = axes.to_screen(np.full(5, rank + 0.5), np.array(levels))
+        x = float(points[0, 0])
+        first, bottom, middle, top, last = (float(y) for y in points[:, 1])
         wide = min(0.5 * axes.frame.width() / len(self.groups), _WIDEST_PX)
         painter.setPen(QPen(QColor(theme.dim), 1.5))
         painter.drawLine(QLineF(x, first, x, last))
@@ -139,7 +146,7 @@ class BoxFigure(Figure):
 def _paint_frame(
     painter: QPainter, axes: Axes, theme: Theme, labels: Sequence[str], line: float
 ) -> None:
-    """Frame and numbers of y as on all figures; below the boxes their frequencies."""
+    """Paint the frame and the numbers of y as on all figures, and a label below each box."""
     frame = axes.frame
     right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
     for tick in axes.y.ticks(frame.height(), 34.0):
@@ -147,8 +154,8 @@ def _paint_frame(
         painter.setPen(QPen(QColor(theme.grid), 1))
         painter.drawLine(QLineF(frame.left(), y, frame.right(), y))
         painter.setPen(QColor(theme.dim))
-        beside = QRectF(0.0, y - line / 2, frame.left() - 4.0, line)
-        painter.drawText(beside, right, tick.label)
+        left = QRectF(0.0, y - line / 2, frame.left() - 4.0, line)
+        painter.drawText(left, right, tick.label)
     painter.setPen(QPen(QColor(theme.border), 1))
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.drawRect(frame)
@@ -167,8 +174,6 @@ def _paint_frame(
     painter.restore()
 
 
-# What is checked, and the job that does it.
-
 TITLE = "Check against a recording"
 CHECKING = "Checking against recordings"
 # Steps of one design: predicted, checked, read.
@@ -177,18 +182,18 @@ _STEPS = 3
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Row:
-    """A design, and what was recorded of it.
+    """A design, and the recording that it is checked against.
 
     Attributes
     ----------
     name
-        What the report calls it.
+        Name of the design in the report.
     design
-        As it was when it was put here.
+        The design as it was when the row was added.
     recording
-        A file of responses; None: none was chosen.
+        File of measured responses; None: none was chosen.
     result
-        What was found, or why nothing was; None: not checked yet.
+        The condition, or why it could not be checked; None: not checked yet.
     """
 
     name: str
@@ -205,20 +210,20 @@ def check_rows(
     progress: Progress,
     stop: Stop,
 ) -> tuple[Condition | str, ...]:
-    """Check each row; return what was found of it, or why nothing was.
+    """Check each row; return its condition, or why it could not be checked.
 
     Parameters
     ----------
     rows
-        The designs.
+        The designs and their recordings.
     axes
         Axes that were recorded; empty: all of the limb.
     rate_hz
-        Rate of recordings that say none themselves.
+        Sample rate of recordings whose files do not state one.
     progress, stop
         As for all long work.
     """
-    found: list[Condition | str] = []
+    results: list[Condition | str] = []
     with ReadingProcess() as process:
         for number, row in enumerate(rows):
 
@@ -230,7 +235,7 @@ def check_rows(
                 None if row.recording is None else Recorded(path=row.recording, rate_hz=rate_hz)
             )
             try:
-                found.append(
+                results.append(
                     condition_of(
                         row.design,
                         row.name,
@@ -244,11 +249,9 @@ def check_rows(
             except Stopped:
                 raise
             except SkinSourceError as error:
-                found.append(str(error))
-    return tuple(found)
+                results.append(str(error))
+    return tuple(results)
 
-
-# The designs that are checked, as a table.
 
 _ERROR = "|p/P - m/M|; p predicted, m measured, P and M their RMS, mean over all channels"
 _AMPLITUDE = "100 |RMS(p/P) - RMS(m/M)| / RMS(m/M); letters as of Error"
@@ -270,7 +273,7 @@ _COLUMNS = (
 
 
 class CheckTable(QTableWidget):
-    """A row for each design; the first columns are wide, the others numbers."""
+    """Shows a row for each design: two wide columns of names, then numbers."""
 
     def __init__(self) -> None:
         super().__init__(0, len(_COLUMNS))
@@ -296,7 +299,7 @@ class CheckTable(QTableWidget):
             header.setSectionResizeMode(wide, QHeaderView.ResizeMode.Stretch)
 
     def show_rows(self, rows: Sequence[Row]) -> None:
-        """Show them; the selected row stays selected."""
+        """Show ``rows``; the selected row stays selected."""
         chosen = max(self.currentRow(), 0)
         self.setRowCount(len(rows))
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -312,28 +315,28 @@ class CheckTable(QTableWidget):
 
 
 def _hint(row: Row, column: int) -> str:
-    """What is more to be said of a cell than is in it; "": nothing."""
-    found = row.result
-    if isinstance(found, str):
-        return sentence(found)
-    if found is None or found.agreement is None or _COLUMNS[column][0] != "Channels":
+    """Return what the tooltip of a cell adds to its text; "": nothing."""
+    result = row.result
+    if isinstance(result, str):
+        return sentence(result)
+    if result is None or result.agreement is None or _COLUMNS[column][0] != "Channels":
         return ""
-    return f"{found.noise_words[0].upper()}{found.noise_words[1:]}"
+    return f"{result.noise_words[0].upper()}{result.noise_words[1:]}"
 
 
 def _texts(row: Row) -> list[str]:
     recording = "–" if row.recording is None else row.recording.name
-    found = row.result
-    if not isinstance(found, Condition):
+    result = row.result
+    if not isinstance(result, Condition):
         return [row.name, recording, *([""] * (len(_COLUMNS) - 2))]
-    texts = [_text(found.frequency_hz, "silent"), _text(found.linear), _text(found.superposed)]
-    if found.agreement is None:
+    texts = [_text(result.frequency_hz, "silent"), _text(result.linear), _text(result.superposed)]
+    if result.agreement is None:
         texts += ["–"] * 5
     else:
-        counted = found.agreement.counted
+        counted = result.agreement.counted
         texts += [f"{int(counted.sum())} of {counted.size}"]
-        texts += [_text(value) for value in found.agreement.medians]
-        texts += [str(found.shift_samples)]
+        texts += [_text(value) for value in result.agreement.medians]
+        texts += [str(result.shift_samples)]
     return [row.name, recording, *(minus(text) for text in texts)]
 
 
@@ -341,36 +344,32 @@ def _text(value: float, otherwise: str = "–") -> str:
     return f"{value:.3g}" if np.isfinite(value) else otherwise
 
 
-# The designs that are checked, and the buttons that choose them and their recordings.
-
 _RECORDINGS = "Recordings (*.csv *.tsv *.txt *.npy *.npz *.mat *.h5 *.hdf5);;All files (*)"
 _DESIGNS = "Designs (*.skinsource);;All files (*)"
 
 
 class CheckList(QWidget):
-    """Rows that are checked.
+    """Holds the rows, and the buttons that choose designs and recordings.
 
     Parameters
     ----------
     rows
-        Those at the start.
+        Initial rows.
     preferences
-        Know where files were taken from last.
+        Know the folder of the last file.
 
     Attributes
     ----------
-    rows, table
-        The rows, and what shows them.
     bar
-        Where the buttons stand; others can be put beside them.
+        Layout of the buttons, to which others can be added.
     """
 
-    #: Other rows, or other results.
+    #: The rows or their results changed.
     changed = Signal()
-    #: Why a file was not taken.
+    #: Why a file was not opened.
     failed = Signal(str)
-    #: What was taken, and what comes next.
-    took = Signal(str)
+    #: Which recording was chosen, and what comes next.
+    recording_chosen = Signal(str)
 
     def __init__(self, rows: Sequence[Row], preferences: Preferences) -> None:
         super().__init__()
@@ -381,7 +380,7 @@ class CheckList(QWidget):
         )
         add = page_button("add_design", "Add design…", "Check another design as well")
         remove = page_button("remove_design", "Remove", "Take the selected design off")
-        self._of_row, self._add = (recording, remove), add
+        self._row_buttons, self._add = (recording, remove), add
         self.bar = QHBoxLayout()
         for button in (recording, add, remove):
             self.bar.addWidget(button)
@@ -393,47 +392,49 @@ class CheckList(QWidget):
         column.addWidget(self.table, 1)
         recording.clicked.connect(self._ask_recording)
         add.clicked.connect(self._ask_design)
-        remove.clicked.connect(self._take_off)
+        remove.clicked.connect(self._remove)
         self.show_running(False)
 
     @property
     def conditions(self) -> tuple[Condition, ...]:
-        """What was found of the designs that could be checked."""
+        """The results of the rows that could be checked."""
         return tuple(row.result for row in self.rows if isinstance(row.result, Condition))
 
     def add_design(self, path: Path) -> None:
-        """Check the design of a file as well."""
+        """Add the design of a file."""
         try:
             design = open_design(path).design
         except SkinSourceError as error:
             self.failed.emit(str(error))
             return
-        self._put((*self.rows, Row(name=path.name, design=design)))
+        self._set_rows((*self.rows, Row(name=path.name, design=design)))
         self.table.setCurrentCell(len(self.rows) - 1, 0)
 
     def take_recording(self, path: Path) -> None:
-        """Take a recording of the selected design."""
+        """Choose the recording of the selected design."""
         rows, chosen = list(self.rows), self.table.currentRow()
         if 0 <= chosen < len(rows):
             rows[chosen] = replace(rows[chosen], recording=path, result=None)
-            self._put(tuple(rows))
+            self._set_rows(tuple(rows))
             name = printable(path.name)
-            self.took.emit(f"{name} is chosen for {rows[chosen].name}. Now press Check.")
+            self.recording_chosen.emit(
+                f"{name} is chosen for {rows[chosen].name}. Now press Check."
+            )
 
     def take_results(self, results: Sequence[Condition | str]) -> None:
-        """Take over what was found of each row."""
+        """Set the result of each row."""
         pairs = zip(self.rows, results, strict=True)
-        self._put(tuple(replace(row, result=result) for row, result in pairs))
+        self._set_rows(tuple(replace(row, result=result) for row, result in pairs))
 
     def forget_results(self) -> None:
-        """What was found was found of something else."""
+        """Clear all results: they belong to other settings."""
         if any(row.result is not None for row in self.rows):
-            self._put(tuple(replace(row, result=None) for row in self.rows))
+            self._set_rows(tuple(replace(row, result=None) for row in self.rows))
 
     def show_running(self, runs: bool) -> None:
-        """While they are checked the rows stay as they are."""
+        """Disable the buttons while the rows are checked."""
         self._add.setEnabled(not runs)
-        for button in self._of_row:
+        for button in self._row_buttons:
             button.setEnabled(bool(self.rows) and not runs)
         self.table.show_rows(self.rows)
 
@@ -449,17 +450,15 @@ class CheckList(QWidget):
         if name:
             self.add_design(Path(name))
 
-    def _take_off(self) -> None:
+    def _remove(self) -> None:
         chosen = self.table.currentRow()
-        self._put(tuple(row for k, row in enumerate(self.rows) if k != chosen))
+        self._set_rows(tuple(row for k, row in enumerate(self.rows) if k != chosen))
 
-    def _put(self, rows: tuple[Row, ...]) -> None:
+    def _set_rows(self, rows: tuple[Row, ...]) -> None:
         self.rows = rows
         self.show_running(False)
         self.changed.emit()
 
-
-# The page on which designs are checked, alone and against recordings.
 
 _ALL = "all"
 _AXES = ChoiceSpec(
@@ -484,13 +483,7 @@ _SIZE_PX = (1080, 620)
 
 
 class CheckingPage(QDialog):
-    """Holds predictions against measurements, as the paper's Fig. 4 does, and writes a report.
-
-    Parameters
-    ----------
-    runner, document, preferences
-        Who checks, whose design, and where files were taken from last.
-    """
+    """Compares predictions with measurements, as the paper's Fig. 4 does, and writes a report."""
 
     def __init__(
         self,
@@ -515,9 +508,7 @@ class CheckingPage(QDialog):
             BoxFigure(f"check_boxes_{k}", f"{title} ({unit})" if unit else title)
             for k, (title, unit, _) in enumerate(FIGURES)
         )
-        self.words = QLabel(_BEGIN)
-        self.words.setObjectName("check_words")
-        self.words.setWordWrap(True)
+        self.message = page_label("check_words", _BEGIN)
         self._check = page_button("check_designs", "Check", "Check all designs in the table")
         self._save = page_button("save_report", "Save report…", "Save what was found as HTML")
         self._close = page_button("close_page", "Close", "Close; what is being checked is given up")
@@ -526,7 +517,7 @@ class CheckingPage(QDialog):
         self._show()
 
     def check(self) -> None:
-        """Check all of them."""
+        """Check all rows."""
         axes = "" if self.axes.value == _ALL else self.axes.value
         work = partial(check_rows, tuple(self.list.rows), axes, self.rate.value_si)
         self.run.start(Job(CHECKING, work))
@@ -555,7 +546,7 @@ class CheckingPage(QDialog):
         for box in self.boxes:
             plots.addWidget(box, 1)
         below = QHBoxLayout()
-        below.addWidget(self.words, 1)
+        below.addWidget(self.message, 1)
         for button in (self._check, self._save, self._close):
             below.addWidget(button)
         column = QVBoxLayout(self)
@@ -570,22 +561,22 @@ class CheckingPage(QDialog):
         self._close.clicked.connect(self.close)
         self.list.changed.connect(self._show)
         self.list.failed.connect(self._complain)
-        self.list.took.connect(self._say)
-        # What was found was found along other axes, or at another rate.
+        self.list.recording_chosen.connect(self._say)
+        # Results hold for the axes and the rate that they were computed with.
         self.axes.chosen.connect(self._begin_anew)
         self.rate.edited.connect(self._begin_anew)
         for box in self.boxes:
-            box.reading.connect(self._read)
+            box.reading.connect(self._show_reading)
         self.run.progressed.connect(lambda progress: self._say(f"{progress.text}…"))
         self.run.done.connect(self._take)
         self.run.ended.connect(self._note_ended)
         self.finished.connect(self.run.give_up)
 
     def _begin_anew(self) -> None:
-        """What was said is of something else, and what was found."""
+        """Clear the results and the message about them."""
         self.list.forget_results()
-        taken = any(row.recording is not None for row in self.list.rows)
-        self._say(_AGAIN if taken else _BEGIN)
+        has_recording = any(row.recording is not None for row in self.list.rows)
+        self._say(_AGAIN if has_recording else _BEGIN)
 
     def _ask_and_save(self) -> None:
         start = str(self._preferences.folder / "check.html")
@@ -594,7 +585,7 @@ class CheckingPage(QDialog):
             self.save(Path(name))
 
     def _show(self) -> None:
-        """Show what is known, and offer what can be done now."""
+        """Show the results, and enable what can be done now."""
         runs, conditions = self.run.runs, self.list.conditions
         for k, box in enumerate(self.boxes):
             box.show_groups(by_frequency(conditions, k))
@@ -604,10 +595,10 @@ class CheckingPage(QDialog):
 
     def _take(self, results: Sequence[Condition | str]) -> None:
         self.list.take_results(results)
-        problems = [one for one in results if isinstance(one, str)]
+        problems = [result for result in results if isinstance(result, str)]
         if problems:
             self._complain(problems[0])
-        elif any(one.agreement is not None for one in self.list.conditions):
+        elif any(condition.agreement is not None for condition in self.list.conditions):
             self._say(_REPORTED.format(*(reported for _, _, reported in FIGURES)))
         else:
             self._say("Checked. Choose a recording to hold it against.")
@@ -616,21 +607,21 @@ class CheckingPage(QDialog):
         self._show()
         self._complain(reason)
 
-    def _read(self, words: str) -> None:
-        if words:
-            self._say(words)
+    def _show_reading(self, text: str) -> None:
+        if text:
+            self._say(text)
 
-    def _say(self, words: str) -> None:
-        set_tone(self.words, "")
-        self.words.setText(words)
+    def _say(self, text: str) -> None:
+        set_tone(self.message, "")
+        self.message.setText(text)
 
     def _complain(self, reason: str) -> None:
-        set_tone(self.words, "error")
-        self.words.setText(sentence(reason))
+        set_tone(self.message, "error")
+        self.message.setText(sentence(reason))
 
 
 def _name_of(document: Document) -> str:
-    """What a report calls the open design: a file is not what was checked once it was edited."""
+    """Return the name of the open design in a report, which says where it is not the file's."""
     if document.path is None:
         return document.design.title or "This design"
     edited = ", with unsaved edits" if document.modified else ""

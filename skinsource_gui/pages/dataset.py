@@ -1,4 +1,4 @@
-"""What the page is called, wherever the way to it is told."""
+"""Help > Get the measured limbs: install them from a folder, or download them."""
 
 from functools import partial
 from pathlib import Path
@@ -21,15 +21,13 @@ from skinsource.limbs.dataset.download import fetch
 from skinsource.limbs.dataset.install import install
 from skinsource.limbs.dataset.published import published_files
 from skinsource.limbs.dataset.store import StoreInfo
-from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 from skinsource_gui.state.preferences import INSTALLATIONS, InstalledLimbs
 
 TITLE = "Get the measured limbs"
 
-
-# Help > Get the measured limbs: install them from a folder, or download them.
 
 _ABOUT = """
 <h3>The measured limbs</h3>
@@ -46,15 +44,7 @@ _MEASURED = "measured"
 
 
 class DatasetPage(QDialog):
-    """Starts an installation, and shows how far it is; closing the page lets it run on.
-
-    Parameters
-    ----------
-    runner
-        Carries the installation out.
-    limbs
-        Knows what is installed.
-    """
+    """Starts an installation, and shows its progress; closing the page lets it run on."""
 
     def __init__(self, runner: JobRunner, limbs: InstalledLimbs, parent: QWidget) -> None:
         super().__init__(parent)
@@ -64,13 +54,9 @@ class DatasetPage(QDialog):
         self.resize(560, 320)
         self._runner, self._limbs = runner, limbs
         size_mb = round(sum(file.size_bytes for file in published_files()) / 1e6)
-        about = QLabel(_ABOUT.format(size=size_mb))
-        about.setObjectName("page_text")
-        about.setWordWrap(True)
+        about = page_label("page_text", _ABOUT.format(size=size_mb))
         about.setOpenExternalLinks(True)
-        self._words = QLabel()
-        self._words.setObjectName("dataset_words")
-        self._words.setWordWrap(True)
+        self._message = page_label("dataset_words")
         self._bar = QProgressBar()
         self._bar.setObjectName("dataset_progress")
         self._bar.setAccessibleName("Progress of the installation")
@@ -103,7 +89,7 @@ class DatasetPage(QDialog):
         column.setSpacing(UNIT_PX)
         column.addWidget(about)
         column.addStretch(1)
-        column.addWidget(self._words)
+        column.addWidget(self._message)
         column.addWidget(self._bar)
         column.addLayout(buttons)
 
@@ -136,12 +122,12 @@ class DatasetPage(QDialog):
             self._bar.setRange(0, 1000 if progress.total else 0)
             self._bar.setValue(1000 * progress.done // max(progress.total, 1))
             left = time_left_text(progress.seconds_left)
-            self._words.setText(f"{progress.text}, {left}" if left else f"{progress.text}…")
+            self._message.setText(f"{progress.text}, {left}" if left else f"{progress.text}…")
 
     def _show_installed(self) -> None:
         names = [name for name in self._limbs.names if name.startswith(_MEASURED)]
         count = len(names)
-        self._words.setText(
+        self._message.setText(
             f"{count} measured limbs are installed; choose one at the left of the bar above the "
             "panels."
             if count
@@ -153,13 +139,13 @@ class DatasetPage(QDialog):
             self._limbs.look()
             self._show_installed()
             if isinstance(result, StoreInfo) and result.note:
-                self._words.setText(f"{self._words.text()}\nNote: {result.note}.")
+                self._message.setText(f"{self._message.text()}\nNote: {result.note}.")
 
     def _note_cancelled(self, job: Job[Any]) -> None:
         if job.title in INSTALLATIONS:
-            self._words.setText("Cancelled. Nothing was changed.")
+            self._message.setText("Cancelled. Nothing was changed.")
 
     def _note_failed(self, job: Job[Any], error: Exception) -> None:
         if job.title in INSTALLATIONS:
             mistake = f"The studio made a mistake: {type(error).__name__}: {error}"
-            self._words.setText(str(error) if isinstance(error, SkinSourceError) else mistake)
+            self._message.setText(str(error) if isinstance(error, SkinSourceError) else mistake)

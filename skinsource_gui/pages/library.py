@@ -1,4 +1,4 @@
-"""Edit > Save to library…: what is kept, and under which name; and presets that are dropped."""
+"""Edit > Save to library…: asks which clips become a preset, and under which name."""
 
 from dataclasses import dataclass
 
@@ -7,7 +7,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QFormLayout,
-    QLabel,
     QLineEdit,
     QVBoxLayout,
     QWidget,
@@ -22,48 +21,45 @@ from skinsource.design.design import Design
 from skinsource.design.presets.presets import Preset, tags_of, whole_design
 from skinsource.design.view import View
 from skinsource_gui.fields.choice_field import DropDown
-from skinsource_gui.qt.theme import set_tone
-
-# What of a design can be kept as a preset.
+from skinsource_gui.qt.buttons import page_label
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Choice:
-    """Clips, what they are called in the list of choices, and a name to begin with."""
+    """Clips that can be saved, their text in the list of choices, and a suggested name."""
 
-    words: str
+    text: str
     name: str
     fragment: Fragment
 
 
 def fragments_to_save(design: Design, view: View) -> tuple[Choice, ...]:
-    """Selected clips, all clips of the selected tracks, the whole design; each once."""
-    tracks = [one for one in design.inputs if one.id in view.selected_inputs]
-    on_tracks = tuple(clip.id for one in tracks for clip in one.clips)
-    found: list[Choice] = []
-    for words, ids in (
+    """Return selected clips, clips of the selected tracks, and the whole design; each once."""
+    tracks = [track for track in design.inputs if track.id in view.selected_inputs]
+    on_tracks = tuple(clip.id for track in tracks for clip in track.clips)
+    choices: list[Choice] = []
+    for text, ids in (
         ("Selected", view.selected_clips),
         ("On the selected tracks" if len(tracks) > 1 else "On the selected track", on_tracks),
     ):
         fragment = edits.fragment_of(design, ids)
         if fragment is not None:
-            found.append(_choice(words, _name(fragment), fragment))
+            choices.append(_choice(text, _name(fragment), fragment))
     everything = whole_design(design)
     if everything is not None:
-        found.append(_choice("The whole design", design.title or _name(everything), everything))
+        choices.append(_choice("The whole design", design.title or _name(everything), everything))
     once: list[Choice] = []
-    for one in found:
-        if all(one.fragment != other.fragment for other in once):
-            once.append(one)
+    for choice in choices:
+        if all(choice.fragment != other.fragment for other in once):
+            once.append(choice)
     return tuple(once)
 
 
-def _choice(words: str, name: str, fragment: Fragment) -> Choice:
-    n = sum(len(lane.clips) for lane in fragment.lanes)
-    clips = counted(n, "clip")
+def _choice(text: str, name: str, fragment: Fragment) -> Choice:
+    clips = counted(sum(len(lane.clips) for lane in fragment.lanes), "clip")
     if len(fragment.lanes) > 1:
         clips += f" on {len(fragment.lanes)} tracks"
-    return Choice(words=f"{words}: {clips}", name=name[:100], fragment=fragment)
+    return Choice(text=f"{text}: {clips}", name=name[:100], fragment=fragment)
 
 
 def _name(fragment: Fragment) -> str:
@@ -71,18 +67,16 @@ def _name(fragment: Fragment) -> str:
     return first.label.strip() or first.waveform.title
 
 
-# The page on which a preset gets its name.
-
 TITLE = "Save to library"
 
 
 class SavePage(QDialog):
-    """Asks what is kept, its name, tags, and words.
+    """Asks what is saved, and for its name, tags, description and source.
 
     Parameters
     ----------
     choices
-        What can be kept, the likeliest first; at least one.
+        What can be saved, the likeliest first; at least one.
     """
 
     #: `Preset`.
@@ -96,13 +90,10 @@ class SavePage(QDialog):
         self.setMinimumWidth(460)
         self._choices = choices
         self.what = DropDown()
-        self.what.addItems([one.words for one in choices])
+        self.what.addItems([choice.text for choice in choices])
         self.name, self.tags = QLineEdit(), QLineEdit()
         self.description, self.source = QLineEdit(), QLineEdit()
-        self.problem = QLabel()
-        self.problem.setObjectName("library_problem")
-        self.problem.setWordWrap(True)
-        set_tone(self.problem, "error")
+        self.problem = page_label("library_problem", tone="error")
         self.problem.hide()
         self.buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
@@ -115,10 +106,10 @@ class SavePage(QDialog):
         self._suggest()
         self.name.setFocus()
 
-    def show_problem(self, words: str) -> None:
-        """Say why it was not kept; the page stays."""
-        self.problem.setText(words)
-        self.problem.setVisible(bool(words))
+    def show_problem(self, text: str) -> None:
+        """Show why it was not saved; the page stays."""
+        self.problem.setText(text)
+        self.problem.setVisible(bool(text))
 
     def _lay_out(self) -> None:
         form = QFormLayout()
@@ -142,7 +133,7 @@ class SavePage(QDialog):
         column.addWidget(self.buttons)
 
     def _suggest(self) -> None:
-        suggested = {one.name for one in self._choices}
+        suggested = {choice.name for choice in self._choices}
         # What was typed stays.
         if not self.name.text() or self.name.text() in suggested:
             self.name.setText(self._choices[self.what.currentIndex()].name)

@@ -1,4 +1,8 @@
-"""What a person sees while matching: which of both plays, and what can be done."""
+"""The matching page: a person makes tests feel as strong as a reference.
+
+The form asks for the procedure and the table of matches, a worker thread plays the pairs, and the
+view shows which of both plays and takes the answers.
+"""
 
 from dataclasses import replace
 from functools import partial
@@ -34,14 +38,14 @@ from skinsource.lab.playing.stream import Stream
 from skinsource.limbs.locations import input_name
 from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.number_field import NumberField
-from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.keys import KEYS, Gesture
 from skinsource_gui.qt.room import LetterWidth
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.state.playing import SoundThread
 
-#: What each button says, by the name of its gesture.
+#: Captions of the buttons, by the names of their gestures.
 _BUTTONS = {
     "weaker": "Weaker  ↓",
     "stronger": "Stronger  ↑",
@@ -52,14 +56,22 @@ _SIDE_PX = 96
 
 
 class RunView(QWidget):
-    """Reference and test, the one that plays lit; the level is not shown, it would lead."""
+    """Shows reference and test and lights the one that plays.
+
+    The level is not shown: it would bias the person.
+
+    Attributes
+    ----------
+    lit
+        ``"reference"``, ``"test"``, or "" where neither is lit.
+    """
 
     #: ``"weaker"``, ``"stronger"``, ``"store"`` or ``"play"``.
-    wanted = Signal(str)
+    requested = Signal(str)
 
     def __init__(self) -> None:
         super().__init__()
-        self._lit = ""
+        self.lit = ""
         self.progress, self.bar = QLabel(), QProgressBar()
         self.progress.setObjectName("matching_progress")
         self.bar.setTextVisible(False)
@@ -79,9 +91,7 @@ class RunView(QWidget):
             f"{gestures['store'].shown} when both feel equally strong."
         )
         question.setWordWrap(True)
-        self.note = QLabel()
-        self.note.setObjectName("matching_note")
-        self.note.setWordWrap(True)
+        self.note = page_label("matching_note")
         self.note.setTextFormat(Qt.TextFormat.PlainText)
         self.buttons = {
             name: page_button(f"matching_{name}", label, _hint(gestures[name]))
@@ -89,7 +99,7 @@ class RunView(QWidget):
         }
         row = QHBoxLayout()
         for name, button in self.buttons.items():
-            button.clicked.connect(lambda _=False, name=name: self.wanted.emit(name))
+            button.clicked.connect(lambda _=False, name=name: self.requested.emit(name))
             row.addWidget(button, 2 if name == "store" else 1)
         rows = QVBoxLayout(self)
         rows.setContentsMargins(0, 0, 0, 0)
@@ -105,7 +115,7 @@ class RunView(QWidget):
         self.light("")
 
     def show_trial(self, done: int, of: int, reference: str, test: str) -> None:
-        """Say how many are done, and what both are; "" where nothing is left."""
+        """Show how many matches are done, and what reference and test are."""
         self.bar.setRange(0, of)
         self.bar.setValue(done)
         left = of - done
@@ -115,30 +125,25 @@ class RunView(QWidget):
         self.sides["reference"].setText(f"Reference\n{reference}" if left else "")
         self.sides["test"].setText(f"Test\n{test}" if left else "")
 
-    def show_playing(self, *, playing: bool, felt: bool, left: bool) -> None:
-        """Let do what can be done: what is about to be played cannot be judged yet."""
+    def show_playing(self, *, playing: bool, audible: bool, left: bool) -> None:
+        """Enable what can be done now: what does not sound yet cannot be judged."""
         for name in ("weaker", "stronger", "store"):
-            self.buttons[name].setEnabled(felt and left)
+            self.buttons[name].setEnabled(audible and left)
         self.buttons["play"].setEnabled(left)
         self.buttons["play"].setText("Stop" if playing else "Play")
         if not playing:
             self.light("")
 
-    def show_note(self, words: str, *, problem: bool = False) -> None:
-        """Say something below."""
+    def show_note(self, text: str, *, problem: bool = False) -> None:
+        """Show a note below the buttons."""
         set_tone(self.note, "error" if problem else "dim")
-        self.note.setText(words)
+        self.note.setText(text)
 
     def light(self, which: str) -> None:
         """Light ``"reference"``, ``"test"`` or neither."""
-        self._lit = which
+        self.lit = which
         for name, side in self.sides.items():
             set_tone(side, "lit" if name == which else "unlit")
-
-    @property
-    def lit(self) -> str:
-        """Which of both is lit, or ""."""
-        return self._lit
 
     def _shortcut(self, name: str, key: str) -> QShortcut:
         shortcut = QShortcut(QKeySequence(key), self)
@@ -150,14 +155,12 @@ class RunView(QWidget):
 
     def _press(self, name: str) -> None:
         if self.isVisible() and self.buttons[name].isEnabled():
-            self.wanted.emit(name)
+            self.requested.emit(name)
 
 
 def _hint(gesture: Gesture) -> str:
     return f"{gesture.effect[:1].upper()}{gesture.effect[1:]} ({gesture.shown})"
 
-
-# What is matched, by whom, and where it is kept.
 
 _NUMBERS = {
     "reference_hz": NumberSpec(label="Reference", unit="Hz", minimum=1.0, maximum=600.0, step=1.0),
@@ -193,19 +196,19 @@ _TEXTS = {
     "frequencies": ("Frequencies (Hz)", "50, 100, 200, 300", "Of the tests, with commas between"),
     "places": ("Places", "7, 12, 17", "Of the tests: input places, with commas between"),
 }
-_MOST = 200
+_MOST_VALUES = 200
 _NUMBER_PX = 140
 
 
 class SetupForm(QWidget):
-    """Fields of a procedure, and the table that matches are added to.
+    """Asks for a procedure, and for the table that matches are added to.
 
     Parameters
     ----------
     table
-        The table at first.
+        Initial path of the table.
     gain_db
-        How loud at first.
+        Initial gain.
     drive_unit
         Unit of the drive of the reference, on the limb that is played.
     """
@@ -243,17 +246,17 @@ class SetupForm(QWidget):
 
     @property
     def gain_db(self) -> float:
-        """How loud it is played."""
+        """The gain of playback."""
         return self._numbers["gain_db"].value_si
 
     @property
     def path(self) -> Path:
-        """The table.
+        """The path of the table.
 
         Raises
         ------
         InvalidInputError
-            There is none.
+            No table is named.
         """
         text = self.table.text().strip()
         if not text:
@@ -262,22 +265,22 @@ class SetupForm(QWidget):
         return path if path.suffix else path.with_suffix(".csv")
 
     def field(self, name: str) -> QLineEdit:
-        """The widget of a row."""
+        """Return the widget of a row."""
         return self._texts.get(name) or self._numbers[name]
 
     def procedure(self, limb: str) -> Procedure:
-        """What the fields say, for designs of ``limb``.
+        """Return the procedure in the fields, for designs of ``limb``.
 
         Raises
         ------
         InvalidInputError
-            A field holds what cannot be.
+            A field holds an invalid value.
         """
         numbers = {name: field.value_si for name, field in self._numbers.items()}
         return Procedure(
             person=self._texts["person"].text().strip(),
-            frequencies_hz=tuple(self._listed("frequencies")),
-            places=tuple(_whole(one) for one in self._listed("places")),
+            frequencies_hz=tuple(self._numbers_in("frequencies")),
+            places=tuple(_integer(place) for place in self._numbers_in("places")),
             reference_hz=float(numbers["reference_hz"]),
             reference_place=int(numbers["reference_place"]),
             amplitude=float(numbers["amplitude"]),
@@ -285,13 +288,13 @@ class SetupForm(QWidget):
             limb=limb,
         )
 
-    def _listed(self, name: str) -> list[float]:
+    def _numbers_in(self, name: str) -> list[float]:
         text = self._texts[name].text()
-        words = [one for one in text.replace(";", ",").split(",") if one.strip()]
+        parts = [part for part in text.replace(";", ",").split(",") if part.strip()]
         try:
-            if len(words) > _MOST:
+            if len(parts) > _MOST_VALUES:
                 raise ValueError
-            return [float(one) for one in words]
+            return [float(part) for part in parts]
         except ValueError:
             raise InvalidInputError(
                 f"{_TEXTS[name][0].lower()} are {quoted(text)}, expected numbers with commas "
@@ -304,38 +307,38 @@ class SetupForm(QWidget):
         self._form.addRow(label, field)
 
 
-def _whole(value: float) -> int:
+def _integer(value: float) -> int:
     if not value.is_integer():
         raise InvalidInputError(f"places hold {value:g}, expected whole numbers")
     return int(value)
 
 
-# What is matched, played away from the GUI thread.
-
-_GONE = (
+_DEVICE_LOST = (
     "The device does not ask for sound any more: it may have been unplugged. Connect it, close "
     "this page, look for devices again (View > Panels > Playback), and come back: what was stored "
     "stays."
 )
 
 
-class Sounding(QObject):
-    """Plays the latest of the designs that it is given, until it is stopped.
+class LatestDesignPlayer(QObject):
+    """Plays the latest of the designs that it gets, in a thread of its own, until it is stopped.
 
     Parameters
     ----------
     output, rig
-        What is played on, and what is wired to it; None: not known.
+        The device, and the rig that is wired to it; None: not known.
 
     Attributes
     ----------
+    playing
+        Whether it plays, or is about to.
     now
-        What is being played; None: nothing is.
+        The present playback; None: nothing is played.
     """
 
-    #: Something is played, or something else; the `Playing`.
+    #: A design begins to play; the `Playing`.
     began = Signal(object)
-    #: Nothing is played any more, and why; "": somebody said so.
+    #: Nothing is played any more, and why; "": it was stopped here.
     ended = Signal(str)
     _finished = Signal(object)  # from the thread of the device
 
@@ -343,76 +346,73 @@ class Sounding(QObject):
         super().__init__(parent)
         self._thread = SoundThread(self)
         self._presenter = Presenter(output, self._finished.emit, rig)
-        self._finished.connect(self._end_of, Qt.ConnectionType.QueuedConnection)
-        self._waiting: tuple[Design, float] | None = None
-        self._busy = self._wanted = self._closed = False
+        self._finished.connect(self._note_finished, Qt.ConnectionType.QueuedConnection)
+        self._queued: tuple[Design, float] | None = None
+        self._starting = self._closed = self.playing = False
         self.now: Playing | None = None
 
-    @property
-    def playing(self) -> bool:
-        """Whether it plays, or is about to."""
-        return self._wanted
-
     def play(self, design: Design, gain_db: float) -> None:
-        """Play ``design``, or go over to it."""
-        self._wanted = True
-        self._waiting = design, gain_db
-        self._next()
+        """Play ``design`` in place of what plays now."""
+        self.playing = True
+        self._queued = design, gain_db
+        self._start_queued()
 
     def stop_at_once(self) -> None:
         """Be silent within a millisecond."""
-        was = self._wanted
-        self._wanted, self._waiting, self.now = False, None, None
+        was_playing = self.playing
+        self._reset()
         self._presenter.stop_at_once()
-        if was:
+        if was_playing:
             self.ended.emit("")
 
     def close(self) -> None:
-        """Let go of the device, for good."""
-        self._wanted, self._waiting, self.now, self._closed = False, None, None, True
+        """Release the device for good."""
+        self._reset()
+        self._closed = True
         self._presenter.stop_at_once()
         self._thread.end(self._presenter.close)
 
-    def _next(self) -> None:
-        if self._busy or self._waiting is None or self._closed:
-            return
-        self._busy = True
-        wanted, self._waiting = self._waiting, None
-        self._thread.do(partial(self._presenter.present, *wanted), self._take)
+    def watch(self) -> None:
+        """Check whether the device was lost: no signal tells it."""
+        if self.now is not None and self.now.over:
+            self._reset()
+            self._presenter.stop_at_once()
+            self.ended.emit(_DEVICE_LOST)
 
-    def _take(self, playing: Playing | None, error: SkinSourceError | None) -> None:
-        self._busy = False
-        if not self._wanted:
+    def _reset(self) -> None:
+        self.playing, self._queued, self.now = False, None, None
+
+    def _start_queued(self) -> None:
+        if self._starting or self._queued is None or self._closed:
+            return
+        self._starting = True
+        queued, self._queued = self._queued, None
+        self._thread.do(partial(self._presenter.present, *queued), self._note_started)
+
+    def _note_started(self, playback: Playing | None, error: SkinSourceError | None) -> None:
+        self._starting = False
+        if not self.playing:
             # It was stopped before it began.
             self._presenter.stop_at_once()
-        elif playing is None:
-            self._wanted, self._waiting, self.now = False, None, None
+        elif playback is None:
+            self._reset()
             self.ended.emit(str(error))
         else:
-            self.now = playing
-            self.began.emit(playing)
-            stream = playing.stream
-            # What was too loud at once has ended before anybody could be told.
+            self.now = playback
+            self.began.emit(playback)
+            stream = playback.stream
+            # What was too loud at once ended before its end could be noted.
             if stream is not None and stream.deck.ending is not None:
-                self._end_of(stream)
-        self._next()
+                self._note_finished(stream)
+        self._start_queued()
 
-    def watch(self) -> None:
-        """Find out whether the device is gone; nobody says so."""
-        if self.now is not None and self.now.over:
-            self._wanted, self._waiting, self.now = False, None, None
-            self._presenter.stop_at_once()
-            self.ended.emit(_GONE)
-
-    def _end_of(self, stream: Stream) -> None:
+    def _note_finished(self, stream: Stream) -> None:
         if stream.closed or self.now is None or self.now.stream is not stream:
             return
-        self._wanted, self._waiting, self.now = False, None, None
+        self._reset()
         ending = stream.deck.ending
-        self.ended.emit(_GONE if ending is None else ending.sentence)
+        self.ended.emit(_DEVICE_LOST if ending is None else ending.sentence)
 
-
-# The matching page.
 
 _TABLE = "matches.csv"
 _INTRODUCTION = (
@@ -422,22 +422,22 @@ _INTRODUCTION = (
 )
 _REHEARSAL = "Rehearsal: nothing is stored."
 _STOPPED = f"Stopped. {KEYS['matching'].gestures['play'].shown} plays again."
-_LOOK_MS = 40
-# Esc that is pressed twice in a hurry stops, and does not close the page as well.
+_POLL_MS = 40
+# A second Esc within this time after the one that stopped playback does not close the page.
 _HURRY_S = 1.0
 
 
 class MatchingPage(QDialog):
-    """Asks what is matched, then plays it and stores what the person says.
+    """Asks for a procedure, then plays it and stores the answers of the person.
 
     Parameters
     ----------
     limb
         Limb of the designs that are played.
     folder
-        Where the table lies at first.
+        Initial folder of the table.
     output, rig, gain_db
-        What is played on, what is wired to it (None: not known), and how loud.
+        The device, the rig that is wired to it (None: not known), and the initial gain.
     """
 
     def __init__(
@@ -459,11 +459,13 @@ class MatchingPage(QDialog):
         unit = amplitude_unit(Design(limb=limb))
         self.form = SetupForm(folder / _TABLE, gain_db, unit)
         self.view = RunView()
-        self.sounding = Sounding(output, rig, self)
+        self.player = LatestDesignPlayer(output, rig, self)
         self._stopped_s = -_HURRY_S
-        self._timer = QTimer(self, interval=_LOOK_MS)
-        self._timer.timeout.connect(self._look)
-        self._stack, self._problem = QStackedWidget(), QLabel()
+        self._timer = QTimer(self, interval=_POLL_MS)
+        self._timer.timeout.connect(self._poll)
+        self._stack = QStackedWidget()
+        self._problem = page_label("matching_problem", tone="error")
+        self._problem.setTextFormat(Qt.TextFormat.PlainText)
         self._begin = page_button("matching_begin", "Begin", "Play, and store matches")
         self._rehearse = page_button(
             "matching_rehearse", "Rehearse", "The same, and nothing is stored"
@@ -473,9 +475,9 @@ class MatchingPage(QDialog):
         self._connect()
 
     def done(self, result: int) -> None:
-        """Stop at once, and close."""
+        """Stop playback at once, and close the page."""
         self._timer.stop()
-        self.sounding.close()
+        self.player.close()
         super().done(result)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -484,9 +486,9 @@ class MatchingPage(QDialog):
         super().keyPressEvent(event)
 
     def _may_close(self) -> bool:
-        """Whether Esc closes the page; while something is played it stops that at once."""
-        if self.sounding.playing:
-            self.sounding.stop_at_once()
+        """Return whether Esc closes the page; during playback it stops that at once instead."""
+        if self.player.playing:
+            self.player.stop_at_once()
             self._stopped_s = monotonic()
             return False
         return monotonic() - self._stopped_s >= _HURRY_S
@@ -498,10 +500,6 @@ class MatchingPage(QDialog):
         rows.setSpacing(2 * UNIT_PX)
         about = QLabel(_INTRODUCTION)
         about.setWordWrap(True)
-        self._problem.setObjectName("matching_problem")
-        self._problem.setWordWrap(True)
-        self._problem.setTextFormat(Qt.TextFormat.PlainText)
-        set_tone(self._problem, "error")
         for part in (about, self.form, self._problem):
             rows.addWidget(part)
         rows.addStretch(1)
@@ -520,9 +518,9 @@ class MatchingPage(QDialog):
         self._rehearse.clicked.connect(lambda: self._start(rehearsal=True))
         self._close.clicked.connect(self.reject)
         self.form.browse.clicked.connect(self._choose_table)
-        self.view.wanted.connect(self._do)
-        self.sounding.began.connect(self._show_began)
-        self.sounding.ended.connect(self._show_ended)
+        self.view.requested.connect(self._act)
+        self.player.began.connect(self._show_began)
+        self.player.ended.connect(self._show_ended)
 
     def _choose_table(self) -> None:
         name, _ = QFileDialog.getSaveFileName(
@@ -552,17 +550,17 @@ class MatchingPage(QDialog):
         self._show_trial()
         self._play()
 
-    def _do(self, what: str) -> None:
+    def _act(self, action: str) -> None:
         if self.run is None:
             return
-        if what == "play":
-            self._stop() if self.sounding.playing else self._play()
-        elif what == "store":
+        if action == "play":
+            self.player.stop_at_once() if self.player.playing else self._play()
+        elif action == "store":
             self._store()
-        elif self.run.step(STEP_DB if what == "stronger" else -STEP_DB):
+        elif self.run.step(STEP_DB if action == "stronger" else -STEP_DB):
             self._play()
         else:
-            self.view.show_note("The test can be made no " + what + ".")
+            self.view.show_note(f"The test can be made no {action}.")
 
     def _store(self) -> None:
         run = self.run
@@ -571,12 +569,12 @@ class MatchingPage(QDialog):
         try:
             run.store()
         except SkinSourceError as error:
-            self._stop()
+            self.player.stop_at_once()
             self.view.show_note(sentence(str(error)), problem=True)
             return
         stored = _REHEARSAL if run.path is None else f"Stored in {run.path}."
         if run.trial is None:
-            self.sounding.stop_at_once()
+            self.player.stop_at_once()
             self.view.show_note(stored)
         self._show_trial()
         if run.trial is not None:
@@ -586,23 +584,19 @@ class MatchingPage(QDialog):
     def _play(self) -> None:
         if self.run is not None and self.run.trial is not None:
             try:
-                self.sounding.play(self.run.design, self.form.gain_db)
+                self.player.play(self.run.design, self.form.gain_db)
             except SkinSourceError as error:
                 self.view.show_note(sentence(str(error)), problem=True)
             self._show_playing()
 
-    def _stop(self) -> None:
-        self.sounding.stop_at_once()
-
-    def _show_began(self, playing: Playing) -> None:
+    def _show_began(self, playback: Playing) -> None:
         run = self.run
-        if playing.stream is None and run is not None and run.path is not None:
-            # What nobody feels is no match.
+        if playback.stream is None and run is not None and run.path is not None:
+            # Nothing reaches the skin, so the answers are no matches.
             run.path = None
             self._show_trial()
-        if playing.reason:
-            words = f"Nothing is heard: {playing.reason} {_REHEARSAL}"
-            self.view.show_note(words, problem=True)
+        if playback.reason:
+            self.view.show_note(f"Nothing is heard: {playback.reason} {_REHEARSAL}", problem=True)
         self._timer.start()
         self._show_playing()
 
@@ -614,32 +608,32 @@ class MatchingPage(QDialog):
 
     def _show_playing(self) -> None:
         left = self.run is not None and self.run.trial is not None
-        felt = self.sounding.now is not None
-        self.view.show_playing(playing=self.sounding.playing, felt=felt, left=left)
+        audible = self.player.now is not None
+        self.view.show_playing(playing=self.player.playing, audible=audible, left=left)
 
     def _show_trial(self) -> None:
         run = self.run
         if run is None:
             return
         procedure, trial = run.procedure, run.trial
-        reference = _words(procedure.reference_hz, procedure.reference_place, self._limb)
-        test = "" if trial is None else _words(trial.frequency_hz, trial.place, self._limb)
+        reference = _stimulus_text(procedure.reference_hz, procedure.reference_place, self._limb)
+        test = "" if trial is None else _stimulus_text(trial.frequency_hz, trial.place, self._limb)
         self.view.show_trial(run.done, len(procedure), reference, test)
         self._show_playing()
 
-    def _look(self) -> None:
-        """Light what is felt now."""
-        self.sounding.watch()
-        now, run = self.sounding.now, self.run
+    def _poll(self) -> None:
+        """Light what plays now."""
+        self.player.watch()
+        now, run = self.player.now, self.run
         at_s = None if now is None or run is None else now.position_s()
         if at_s is None or run is None:
             return
         procedure = run.procedure
-        second_s = procedure.duration_s + procedure.pause_s
-        which, within_s = divmod(at_s, second_s)
+        period_s = procedure.duration_s + procedure.pause_s
+        which, within_s = divmod(at_s, period_s)
         lit = within_s < procedure.duration_s
         self.view.light(("reference", "test")[int(which) % 2] if lit else "")
 
 
-def _words(frequency_hz: float, place: int, limb: str) -> str:
+def _stimulus_text(frequency_hz: float, place: int, limb: str) -> str:
     return f"{frequency_hz:g} Hz at place {place}, {input_name(place, limb).name}"

@@ -86,10 +86,10 @@ class Draft(QObject):
     def change_kind(self, name: str) -> None:
         """Go over to another kind of motion, along the same path."""
         self._left[type(self.motion).__name__] = self.motion
-        found = following(self._left[name], self.motion)
+        motion = following(self._left[name], self.motion)
         with suppress(InvalidInputError):
-            found = with_field(found, "path", self._whole_path)
-        self._take(found)
+            motion = with_field(motion, "path", self._whole_path)
+        self._take(motion)
 
     def change_field(self, name: str, value: Any) -> None:
         """Give a field of the motion another value."""
@@ -107,7 +107,7 @@ class Draft(QObject):
 
     def change_waveform_kind(self, name: str) -> None:
         """Play another kind of waveform."""
-        kind = next(one for one in self.waveform_kinds if one.__name__ == name)
+        kind = next(kind for kind in self.waveform_kinds if kind.__name__ == name)
         new = as_kind(self.motion.waveform, kind, self._limb.sample_rate_hz)
         self._try(
             lambda: with_field(self.motion, "waveform", new), "kind", self.waveform_field_refused
@@ -144,18 +144,18 @@ class Draft(QObject):
                 f"{MAX_INPUTS}; remove some first"
             )
         after = self._design
-        for one in tracks:
-            after = after.adding(one)
+        for track in tracks:
+            after = after.adding(track)
         added = after.inputs[len(self._design.inputs) :]
-        largest = max(abs(one.amplitude) for one in added) or 1.0
+        largest = max(abs(track.amplitude) for track in added) or 1.0
         shown = ClipDrawings(self._limb.sample_rate_hz)
         return tuple(
             Lane(
-                place=one.location,
-                colour=one.colour,
-                clips=tuple(shown.of(clip, one.amplitude / largest) for clip in one.clips),
+                place=track.location,
+                colour=track.colour,
+                clips=tuple(shown.of(clip, track.amplitude / largest) for clip in track.clips),
             )
-            for one in added
+            for track in added
         )
 
     def _try(self, change: Callable[[], Motion], name: str, refused: Any) -> None:
@@ -592,7 +592,7 @@ class MotionPage(QDialog):
         problem = self.draft.problem
         try:
             lanes = self.draft.lanes()
-            colours = {one.place: current_theme().input_colour(one.colour) for one in lanes}
+            colours = {lane.place: current_theme().input_colour(lane.colour) for lane in lanes}
             self.strip.show_lanes(lanes)
         except InvalidInputError as error:
             problem = problem or sentence(str(error))

@@ -191,44 +191,44 @@ class ScenesPage(QDialog):
         button.setToolTip("Open the scene in place of the present design")
 
     def _fill(self, selected: str) -> None:
-        for one in self._scenes:
-            item = QListWidgetItem(one.heading)
-            item.setIcon(_icon_of(one))
+        for scene in self._scenes:
+            item = QListWidgetItem(scene.heading)
+            item.setIcon(_icon_of(scene))
             self.list.addItem(item)
-        names = [one.name for one in self._scenes]
+        names = [scene.name for scene in self._scenes]
         self.list.setCurrentRow(names.index(selected) if selected in names else 0)
 
     def _show_limb(self) -> None:
         """Dim the scenes that do not apply on the chosen limb."""
         limb = self.played_on.value
         self._reasons = {
-            one.name: why_not_on(one.name, limb) if limb else "" for one in self._scenes
+            scene.name: why_not_on(scene.name, limb) if limb else "" for scene in self._scenes
         }
-        for row, one in enumerate(self._scenes):
-            reason = self._reasons[one.name]
+        for row, scene in enumerate(self._scenes):
+            reason = self._reasons[scene.name]
             item = self.list.item(row)
             item.setForeground(QColor(current_theme().dim if reason else current_theme().text))
-            item.setToolTip(f"{one.sentence}\n{reason}".strip())
+            item.setToolTip(f"{scene.sentence}\n{reason}".strip())
         self._show(self.list.currentRow())
 
     def _show(self, row: int) -> None:
         if row < 0:
             return
-        one, reason = self.scene, self._reasons[self.scene.name]
+        scene, reason = self.scene, self._reasons[self.scene.name]
         self.buttons.button(QDialogButtonBox.StandardButton.Open).setEnabled(not reason)
-        self.picture.show_picture(picture_of(one), one.title)
-        lines = [f"<b>{escape(one.heading)}</b>", escape(one.sentence), _dim(_source_of(one))]
-        lines.append(self._not_there(reason) if reason else self._there(one))
+        self.picture.show_picture(picture_of(scene), scene.title)
+        lines = [f"<b>{escape(scene.heading)}</b>", escape(scene.sentence), _dim(_source_of(scene))]
+        lines.append(self._not_there(reason) if reason else self._there(scene))
         self.words.setText("<br>".join(lines))
 
     def _not_there(self, reason: str) -> str:
         words = f"Does not apply on {limb_word(self.played_on.value).title}: {reason}"
         return f'<span style="color: {current_theme().error}">{escape(words)}</span>'
 
-    def _there(self, one: Scene) -> str:
+    def _there(self, scene: Scene) -> str:
         """On which limbs it opens, and what must be said of them."""
         limb = self.played_on.value
-        opened = open_scene(one.name, available=self._limbs, limb=limb)
+        opened = open_scene(scene.name, available=self._limbs, limb=limb)
         limbs = dict.fromkeys(each.design.limb for each in opened.conditions)
         titles = ", ".join(limb_word(limb).title for limb in limbs)
         note = f"Opens on {titles}. {opened.note} {too_large(limb) if limb else ''} {_PICTURES}"

@@ -1,11 +1,20 @@
-"""Buttons of pages and panels, and the swatch of an input."""
+"""Buttons, labels and scroll areas of pages, buttons of panels, and the swatch of an input."""
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QKeyEvent, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QAbstractButton, QPushButton, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QFrame,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QSizePolicy,
+    QToolButton,
+    QWidget,
+)
 
 from skinsource_gui.qt.keys import key_text
-from skinsource_gui.qt.theme import current_theme, letter_scale, tabular
+from skinsource_gui.qt.theme import current_theme, letter_scale, set_tone, tabular
 
 
 def page_button(name: str, text: str, hint: str = "") -> QPushButton:
@@ -15,6 +24,27 @@ def page_button(name: str, text: str, hint: str = "") -> QPushButton:
     button.setToolTip(hint)
     button.setAutoDefault(False)
     return button
+
+
+def page_label(name: str, text: str = "", *, tone: str = "") -> QLabel:
+    """Return a label for sentences, which breaks lines."""
+    label = QLabel(text)
+    label.setObjectName(name)
+    label.setWordWrap(True)
+    if tone:
+        set_tone(label, tone)
+    return label
+
+
+def scrolled(content: QWidget, name: str) -> QScrollArea:
+    """Return an area without a frame in which ``content`` scrolls up and down."""
+    area = QScrollArea()
+    area.setObjectName(name)
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setWidgetResizable(True)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setWidget(content)
+    return area
 
 
 def tool_button(

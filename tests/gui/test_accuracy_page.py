@@ -64,7 +64,7 @@ def test_every_row_stands_in_table_and_plot(page, qtbot):
     points = page.plot._points(page.plot._axes)
     for row, point in zip(page.rows, points, strict=True):
         page.plot.move_cursor(point)
-        assert page.words.text().startswith(f"{CASE}, {row.way}: error {row.error:.1e} in ")
+        assert page.message.text().startswith(f"{CASE}, {row.way}: error {row.error:.1e} in ")
     # What errs more is higher, what takes longer is further right.
     by_error = sorted(zip(page.rows, points, strict=True), key=lambda one: one[0].error)
     assert [one.y() for _, one in by_error] == sorted((one.y() for one in points), reverse=True)
@@ -83,7 +83,7 @@ def test_times_of_edits_and_the_error_of_the_traces_stand_above(window, page, qt
 def test_measuring_ends_with_whoever_wanted_it(window, page, qtbot, monkeypatch, how):
     monkeypatch.setattr(page_module, "measure", never_ending)
     press(page, "measure")
-    qtbot.waitUntil(lambda: "0 of 3: a case: a way" in page.words.text(), timeout=20_000)
+    qtbot.waitUntil(lambda: "0 of 3: a case: a way" in page.message.text(), timeout=20_000)
     if how == "cancel":
         press(page, "measure")
     elif how == "escape":
@@ -98,7 +98,7 @@ def test_measuring_ends_with_whoever_wanted_it(window, page, qtbot, monkeypatch,
     assert page.rows == ()
     assert page.isVisible() == (how in ("cancel", "bar"))
     if how == "cancel":
-        assert page.words.text() == "Cancelled. Nothing was kept."
+        assert page.message.text() == "Cancelled. Nothing was kept."
         assert page.findChild(QPushButton, "measure").text() == "Measure now"
 
 
@@ -108,12 +108,12 @@ def test_the_table_is_saved_as_numbers(page, qtbot, tmp_path, monkeypatch):
         QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "table.csv"), "")
     )
     press(page, "save_table")
-    assert page.words.text() == "Saved table.csv."
+    assert page.message.text() == "Saved table.csv."
     with (tmp_path / "table.csv").open(encoding="utf-8", newline="") as file:
         lines = list(csv.DictReader(file))
     assert [float(line["error"]) for line in lines] == [row.error for row in page.rows]
     page.save(Path(tmp_path / "table.csv" / "x.csv"))
-    assert "cannot be written" in page.words.text()
+    assert "cannot be written" in page.message.text()
 
 
 def test_the_limb_of_the_design_can_be_measured_on(window, page, qtbot, monkeypatch):
@@ -131,7 +131,7 @@ def test_the_limb_of_the_design_can_be_measured_on(window, page, qtbot, monkeypa
     assert asked[1].name == "lab-1"
     installed(hand_length_mm=150.0)
     measure(page, qtbot)
-    assert page.words.text().startswith("The limb 'lab-1' here is another one than that of this")
+    assert page.message.text().startswith("The limb 'lab-1' here is another one than that of this")
 
 
 def test_the_page_is_worked_by_keyboard_and_keeps_its_rows_while_closed(window, page, qtbot):

@@ -67,12 +67,12 @@ def test_designs_are_checked_against_recordings_of_other_rates_and_reported(page
     channels = page.list.table.item(0, 5)
     assert channels.text() == "216 of 216"
     assert channels.toolTip() == "Noise from before the response in the recording"
-    assert "above 0.5" in page.words.text()
+    assert "above 0.5" in page.message.text()
     for box in page.boxes:
         assert not box.message
         assert not box.grab().isNull()
         box.move_cursor(box.keys_area().center())
-        assert "median" in page.words.text()
+        assert "median" in page.message.text()
     page.save(tmp_path / "report.html")
     written = (tmp_path / "report.html").read_text()
     assert written.count("<svg") == 3
@@ -107,16 +107,16 @@ def test_what_does_not_fit_is_said_in_its_row_and_the_others_are_checked(page, q
     save_design(tmp_path / "other.skinsource", design_of(200.0), View())
     np.savez(tmp_path / "z.npz", response=np.ones((600, 72)), fs=1300.0)
     checked(page, qtbot)
-    assert page.words.text() == "Checked. Choose a recording to hold it against."
+    assert page.message.text() == "Checked. Choose a recording to hold it against."
     page.list.take_recording(tmp_path / "z.npz")
-    assert page.words.text() == "z.npz is chosen for This design. Now press Check."
+    assert page.message.text() == "z.npz is chosen for This design. Now press Check."
     (flat,) = checked(page, qtbot)
     assert "or choose one axis (x, y or z), which takes 72 signals" in flat.result
-    assert page.words.property("tone") == "error"
+    assert page.message.property("tone") == "error"
     page.axes.choose("z")
     # What was wrong along all axes is not said of this one.
-    assert page.words.text() == "Now press Check."
-    assert page.words.property("tone") == ""
+    assert page.message.text() == "Now press Check."
+    assert page.message.property("tone") == ""
     (along_z,) = checked(page, qtbot)
     assert isinstance(along_z.result, Condition)
     page.axes.choose("all")
@@ -127,9 +127,9 @@ def test_what_does_not_fit_is_said_in_its_row_and_the_others_are_checked(page, q
     assert isinstance(alone, Condition)
     assert alone.linear == pytest.approx(1.0)
     assert alone.agreement is None
-    assert "50 × 6 × 3" in page.words.text()
+    assert "50 × 6 × 3" in page.message.text()
     page.list.add_design(tmp_path / "none.skinsource")
-    assert "none.skinsource" in page.words.text()
+    assert "none.skinsource" in page.message.text()
     button(page, "remove_design").click()
     button(page, "remove_design").click()
     assert page.list.rows == ()

@@ -338,25 +338,25 @@ class ExportJobs(QObject):
         self._runner.add(job)
 
     def _note_written(self, job: Job[Any], result: Any) -> None:
-        one = self._running.pop(job, None)
-        if one is not None:
-            self._files.note_written(one.written(result), one.note)
+        export = self._running.pop(job, None)
+        if export is not None:
+            self._files.note_written(export.written(result), export.note)
 
     def _note_cancelled(self, job: Job[Any]) -> None:
-        one = self._running.pop(job, None)
-        if one is not None:
-            self._files.done.emit(f"Export of {one.path.name} cancelled; nothing was written")
+        export = self._running.pop(job, None)
+        if export is not None:
+            self._files.done.emit(f"Export of {export.path.name} cancelled; nothing was written")
 
     def _note_failed(self, job: Job[Any], error: Exception) -> None:
-        one = self._running.pop(job, None)
-        if one is None or one.answered(error):
+        export = self._running.pop(job, None)
+        if export is None or export.answered(error):
             return
         if isinstance(error, SkinSourceError):
             self.failed.emit(str(error))
             return
         _log.error("an export failed", exc_info=error)
         self.failed.emit(
-            f"{one.path.name} was not exported: the studio made a mistake "
+            f"{export.path.name} was not exported: the studio made a mistake "
             f"({type(error).__name__}: {error}). Please report this."
         )
 
@@ -423,7 +423,7 @@ class ExportActions(QObject):
 
     def export(self, name: str) -> None:
         """Ask for a file, and export to it what the table calls ``name``."""
-        spec = next(one for one in EXPORTS if one.name == name)
+        spec = next(spec for spec in EXPORTS if spec.name == name)
         # What the user sees now, whatever happens while the dialog is open.
         design, view = self._document.design, self._document.view
         if spec.package is not None:

@@ -73,12 +73,12 @@ class ChoiceForm(QWidget):
     #: The `ImportChoice` that is wanted now.
     changed = Signal(object)
 
-    def __init__(self, found: Found, parent: QWidget | None = None) -> None:
+    def __init__(self, contents: Found, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("import_form")
-        self._found = found
-        self._series = found.signals()[0]
-        self._choice = suggested(found)
+        self._found = contents
+        self._series = contents.signals()[0]
+        self._choice = suggested(contents)
         self._lasts_s: float | None = None
         self._part_chosen = False
         # How long the part shall be, also where less is left after its start.
@@ -109,7 +109,9 @@ class ChoiceForm(QWidget):
         for name, widget in self._widgets.items():
             widget.setObjectName(f"import_{name}")
         self._lay_out()
-        _fill(self._form, self._signal, [(one.key, one.name) for one in found.signals()])
+        _fill(
+            self._form, self._signal, [(signal.key, signal.name) for signal in contents.signals()]
+        )
         self._take_series(self._series)
 
     @property
@@ -198,23 +200,23 @@ class ChoiceForm(QWidget):
         self._rate_typed = self._part_chosen = False
         self._lasts_s = None
         others = [
-            one
-            for one in self._found.series
-            if one.n_samples == series.n_samples and one.key != series.key
+            other
+            for other in self._found.series
+            if other.n_samples == series.n_samples and other.key != series.key
         ]
         # Columns that are not called time may be it, where nothing else says the rate.
-        stamps = [one for one in others if one.is_time or stated is None][:50]
+        stamps = [other for other in others if other.is_time or stated is None][:50]
         steady = "At a steady rate" if stated is None else f"At {stated:g} Hz"
         _fill(
             self._form,
             self._timing,
-            [(_STEADY, steady), *((one.key, f"In {one.name}") for one in stamps)],
+            [(_STEADY, steady), *((column.key, f"In {column.name}") for column in stamps)],
         )
         axes = other_axes(self._found, series)
-        together = f"With {' and '.join(one.name for one in axes)}, as one (DFT321)"
-        offered = [(" ".join(one.key for one in axes), together)] if axes else []
+        together = f"With {' and '.join(axis.name for axis in axes)}, as one (DFT321)"
+        offered = [(" ".join(axis.key for axis in axes), together)] if axes else []
         _fill(self._form, self._axes, [("", f"{series.name} alone"), *offered])
-        self._others = {"": (), **{key: tuple(one.key for one in axes) for key, _ in offered}}
+        self._others = {"": (), **{key: tuple(axis.key for axis in axes) for key, _ in offered}}
         self._timing.set_value(first.time or _STEADY)
         self._rate.set_value(stated or ASSUMED_RATE_HZ)
         self._time_unit.set_value(f"{first.time_unit_s:g}")

@@ -284,9 +284,9 @@ class ImportPage(QDialog):
         self._buttons.accepted.connect(self.accept)
         self._buttons.rejected.connect(self.reject)
 
-    def _show_found(self, found: Found) -> None:
-        self._about.setText(about(found))
-        self._form = ChoiceForm(found, self)
+    def _show_found(self, contents: Found) -> None:
+        self._about.setText(about(contents))
+        self._form = ChoiceForm(contents, self)
         self._form.changed.connect(self._want)
         self._left.insertWidget(2, self._form)
         self._strip.part_wanted.connect(self._form.take_part)
@@ -347,17 +347,17 @@ class ImportPage(QDialog):
         self._bar.setValue(1000 * done // max(total, 1))
 
 
-def about(found: Found) -> str:
+def about(contents: Found) -> str:
     """What a file says about itself, in a few lines."""
-    signals = found.signals()
-    one = signals[0]
-    rate_hz = found.rate_of(one)
+    signals = contents.signals()
+    signal = signals[0]
+    rate_hz = contents.rate_of(signal)
     many = f"{len(signals)} signals" if len(signals) > 1 else "one signal"
-    words = [f"{found.format}, {many} of {counted(one.n_samples, 'sample')}"]
+    words = [f"{contents.format}, {many} of {counted(signal.n_samples, 'sample')}"]
     if rate_hz is not None:
-        words.append(f"{rate_hz:g} Hz, {one.n_samples / rate_hz:.4g} s")
-    if one.unit:
-        words.append(f"in {one.unit}")
+        words.append(f"{rate_hz:g} Hz, {signal.n_samples / rate_hz:.4g} s")
+    if signal.unit:
+        words.append(f"in {signal.unit}")
     # Numbers stay with their units.
-    facts = ", ".join(one.replace(" Hz", "\u00a0Hz").replace(" s", "\u00a0s") for one in words)
-    return facts + "." + "".join(f"\n{note}" for note in found.notes[:3])
+    facts = ", ".join(fact.replace(" Hz", "\u00a0Hz").replace(" s", "\u00a0s") for fact in words)
+    return facts + "." + "".join(f"\n{note}" for note in contents.notes[:3])

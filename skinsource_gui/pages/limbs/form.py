@@ -106,7 +106,7 @@ class Draft:
         turned = y_down if what == "outline" else self.turned
         changed: dict[str, Any] = {what: points * _TURN if turned else points}
         if turned != self.turned:
-            changed |= {one: getattr(self, one) * _TURN for one in self.tables - {what}}
+            changed |= {table: getattr(self, table) * _TURN for table in self.tables - {what}}
         return replace(self, tables=self.tables | {what}, turned=turned, **changed)
 
     def with_array(self, path: Path) -> "Draft":
@@ -297,10 +297,10 @@ class PlacesCanvas(QWidget):
         scale = min(room.width() / bounds.width(), room.height() / bounds.height())
         up = -1.0 if not self._draft.y_down and self._photograph.isNull() else 1.0
         middle, centre = room.center(), bounds.center()
-        found = QTransform.fromTranslate(middle.x(), middle.y())
-        found.scale(scale, up * scale)
-        found.translate(-centre.x(), -centre.y())
-        return found
+        transform = QTransform.fromTranslate(middle.x(), middle.y())
+        transform.scale(scale, up * scale)
+        transform.translate(-centre.x(), -centre.y())
+        return transform
 
 
 def spacing_of(points: Floats) -> Floats:
@@ -429,7 +429,7 @@ class LimbForm(QObject):
             return
         self._forget_file()
         if not self.name.text():
-            stem = "".join(one if one.isalnum() else "-" for one in path.stem.lower())
+            stem = "".join(letter if letter.isalnum() else "-" for letter in path.stem.lower())
             self.name.setText(stem.strip("-0123456789")[:40])
             self._said[self.name] = self.name.text()
 

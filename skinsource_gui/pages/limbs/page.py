@@ -121,9 +121,9 @@ class OwnList(QWidget):
         """List them anew, and choose ``name``."""
         names = own_limb_names()
         self.list.clear()
-        for one in names:
-            facts = facts_of(one)
-            self.list.addItem(f"{facts.title} ({one})" if facts.title != one else one)
+        for limb in names:
+            facts = facts_of(limb)
+            self.list.addItem(f"{facts.title} ({limb})" if facts.title != limb else limb)
         self.list.setVisible(bool(names))
         if names:
             self.list.setCurrentRow(names.index(name) if name in names else 0)
@@ -386,7 +386,7 @@ class LimbPage(QDialog):
             self.form.show_header(header)
         else:
             self.draft = self.draft.with_array(path)
-        largest = max(about["arrays"], key=lambda one: np.prod(one["shape"]), default=None)
+        largest = max(about["arrays"], key=lambda array: np.prod(array["shape"]), default=None)
         if largest is not None:
             self._array_shape = tuple(largest["shape"])
         dimensions = " × ".join(map(str, shape if in_layout else self._array_shape))
@@ -396,11 +396,11 @@ class LimbPage(QDialog):
 
     def _take_points(self, path: Path, what: str, points: Points) -> None:
         self.form.show_file(what, path.name)
-        found: dict[str, Any] = {}
+        names: dict[str, Any] = {}
         if points.names and what != "outline":
-            found[f"{what[:-1]}_names"] = points.names
+            names[f"{what[:-1]}_names"] = points.names
         draft = self.draft.with_file(what, points.points, y_down=points.y_down)
-        self.draft = replace(draft, **found)
+        self.draft = replace(draft, **names)
         self._show()
 
     def _take_photograph(self, path: Path, image: QImage) -> None:
@@ -461,8 +461,8 @@ class LimbPage(QDialog):
 
 
 def _points_of(rows: list[Any]) -> np.ndarray:
-    found = [(np.nan, np.nan) if row is None else row for row in rows]
-    return np.array(found, float).reshape(-1, 2)
+    points = [(np.nan, np.nan) if row is None else row for row in rows]
+    return np.array(points, float).reshape(-1, 2)
 
 
 def _shape(shape: tuple[int, ...], order: str) -> tuple[int, ...] | None:

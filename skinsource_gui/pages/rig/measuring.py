@@ -71,21 +71,21 @@ class MeasureFields(QObject):
         """The cell of a field."""
         return self._cells[name]
 
-    def show_inputs(self, found: Sequence[InputDevice]) -> None:
+    def show_inputs(self, devices: Sequence[InputDevice]) -> None:
         """Offer these devices to record from."""
         old = self._cells[_DEVICE]
-        self._cells[_DEVICE] = self._devices(found)
+        self._cells[_DEVICE] = self._devices(devices)
         self._show()
         old.label.deleteLater()
         old.deleteLater()
 
     def _cell(self, name: str, spec: Any) -> FieldCell:
-        found = FieldCell(name, spec)
-        found.edited.connect(self._edit)
-        return found
+        cell = FieldCell(name, spec)
+        cell.edited.connect(self._edit)
+        return cell
 
-    def _devices(self, found: Sequence[InputDevice]) -> FieldCell:
-        titles = dict.fromkeys(one.title for one in found)
+    def _devices(self, devices: Sequence[InputDevice]) -> FieldCell:
+        titles = dict.fromkeys(device.title for device in devices)
         chosen = self.setup.input_device
         if chosen:
             # One that is not there now may come back.
@@ -134,14 +134,14 @@ def model_of(channel: RigChannel) -> Actuator | None:
     if channel.model is not None:
         return channel.model
     if channel.actuator in names():
-        found = profile(channel.actuator).model
-        return found if isinstance(found, Actuator) else None
+        model = profile(channel.actuator).model
+        return model if isinstance(model, Actuator) else None
     return None
 
 
-def axis_of(found: ChannelMeasurement) -> XAxis:
+def axis_of(measurement: ChannelMeasurement) -> XAxis:
     """Frequencies of the measurement."""
-    points = found.response.points
+    points = measurement.response.points
     return XAxis(
         titles=("Frequency (Hz)",),
         unit="Hz",
@@ -153,14 +153,14 @@ def axis_of(found: ChannelMeasurement) -> XAxis:
     )
 
 
-def measured_curves(found: ChannelMeasurement, channel: RigChannel) -> Curves:
+def measured_curves(measurement: ChannelMeasurement, channel: RigChannel) -> Curves:
     """Gains at the points that were measured: measured, of the model, and of the time before."""
-    hz = np.array([point[0] for point in found.response.points])
-    rows: list[tuple[CurveName, Floats]] = [(_MEASURED, _db(found.response, hz))]
+    hz = np.array([point[0] for point in measurement.response.points])
+    rows: list[tuple[CurveName, Floats]] = [(_MEASURED, _db(measurement.response, hz))]
     model = model_of(channel)
     if model is not None:
         rows.append((_MODEL, _db(model, hz)))
-    if channel.measured is not None and channel.measured != found.response:
+    if channel.measured is not None and channel.measured != measurement.response:
         rows.append((_BEFORE, _db(channel.measured, hz)))
     return Curves(
         x=hz,
@@ -172,13 +172,13 @@ def measured_curves(found: ChannelMeasurement, channel: RigChannel) -> Curves:
     )
 
 
-def model_difference_text(found: ChannelMeasurement, channel: RigChannel) -> tuple[str, ...]:
+def model_difference_text(measurement: ChannelMeasurement, channel: RigChannel) -> tuple[str, ...]:
     """How far the gain is from that of the model, as a sentence; nothing without a model."""
     model = model_of(channel)
     if model is None:
         return ()
-    hz = np.array([point[0] for point in found.response.points])
-    apart_db = _db(found.response, hz) - _db(model, hz)
+    hz = np.array([point[0] for point in measurement.response.points])
+    apart_db = _db(measurement.response, hz) - _db(model, hz)
     worst = int(np.abs(apart_db).argmax())
     away = minus(f"{apart_db[worst]:+z.1f} dB")
     return (f"It is at most {away} from the model, at {hz[worst]:.3g} Hz.",)
@@ -206,15 +206,18 @@ class MeasuredView(SignalView):
         self.show_measured(None, None)
 
     def show_measured(
-        self, found: ChannelMeasurement | None, channel: RigChannel | None, words: str = _NOTHING
+        self,
+        measurement: ChannelMeasurement | None,
+        channel: RigChannel | None,
+        words: str = _NOTHING,
     ) -> None:
         """Draw what was found of a channel; None: say why there is nothing."""
-        self._found, self._zoom = found, None
+        self._found, self._zoom = measurement, None
         self._show_view()
-        if found is None or channel is None:
+        if measurement is None or channel is None:
             self.show_message(words)
         else:
-            self.show_curves(measured_curves(found, channel), synthetic=False)
+            self.show_curves(measured_curves(measurement, channel), synthetic=False)
 
     def _show_part(self, zoom: tuple[float, float] | None) -> None:
         self._zoom = zoom
@@ -355,9 +358,9 @@ class MeasurePage(QDialog):
             self._thread.do(input_devices, self._show_inputs)
 
     def _show_inputs(
-        self, found: tuple[InputDevice, ...] | None, error: SkinSourceError | None
+        self, devices: tuple[InputDevice, ...] | None, error: SkinSourceError | None
     ) -> None:
-        self.fields.show_inputs(found or ())
+        self.fields.show_inputs(devices or ())
         self._say_whether()
         if error is not None and not self._missing:
             self._say(str(error))
@@ -381,11 +384,13 @@ class MeasurePage(QDialog):
         )
         self._thread.do(work, self._take)
 
-    def _take(self, found: ChannelMeasurement | None, error: SkinSourceError | None) -> None:
-        self._running, self.found = False, found
-        self.plot.show_measured(found, self._channel)
-        if found is not None:
-            self._say(" ".join((*found.lines, *model_difference_text(found, self._channel))))
+    def _take(self, measurement: ChannelMeasurement | None, error: SkinSourceError | None) -> None:
+        self._running, self.found = False, measurement
+        self.plot.show_measured(measurement, self._channel)
+        if measurement is not None:
+            self._say(
+                " ".join((*measurement.lines, *model_difference_text(measurement, self._channel)))
+            )
         else:
             self._say("Stopped." if isinstance(error, Stopped) else str(error))
         self._show_state()

@@ -121,8 +121,8 @@ class ChannelFields(QObject):
         self.forget.setEnabled(bool(points))
 
     def _laid_out(self) -> QWidget:
-        found = QWidget()
-        column = QVBoxLayout(found)
+        widget = QWidget()
+        column = QVBoxLayout(widget)
         column.setContentsMargins(0, 0, UNIT_PX, 0)
         own, limits = FieldGrid(), FieldGrid()
         own.show_cells([self._cells[name] for name in _OWN])
@@ -132,7 +132,7 @@ class ChannelFields(QObject):
         for part in parts:
             column.addWidget(part)
         column.addStretch(1)
-        return found
+        return widget
 
     def _edit(self, name: str, value: Any, _gesture: int | None) -> None:
         channel = self._channel
@@ -213,7 +213,7 @@ class RigDraft(QObject):
 
     def __init__(self, rig: Rig | None, path: Path | None, design: Design, parent: QObject) -> None:
         super().__init__(parent)
-        driven = (one.location for one in design.inputs)
+        driven = (track.location for track in design.inputs)
         every = range(1, facts_of(design.limb).n_inputs + 1)
         self._places = tuple(dict.fromkeys((*driven, *every)))
         self.rig = self._saved = rig or Rig()
@@ -241,13 +241,13 @@ class RigDraft(QObject):
         """Add a channel for the next place, of the design first, and output that are free."""
         there = self.rig.channels
         last = there[-1] if there else None
-        places = {one.place for one in there}
+        places = {channel.place for channel in there}
         free = [place for place in self._places if place not in places]
         if not free:
             self.said.emit("All places are wired already.")
             return
         device = "" if last is None else last.device
-        outputs = {one.output for one in there if one.device == device}
+        outputs = {channel.output for channel in there if channel.device == device}
         output = next(k for k in range(1, len(there) + 2) if k not in outputs)
         if last is None:
             new = RigChannel(place=free[0], output=output)
@@ -258,14 +258,14 @@ class RigDraft(QObject):
 
     def remove(self, row: int) -> None:
         """Take a channel out."""
-        left = tuple(one for k, one in enumerate(self.rig.channels) if k != row)
+        left = tuple(channel for k, channel in enumerate(self.rig.channels) if k != row)
         self._change(left, row, max(row - 1, 0))
 
-    def take_response(self, row: int, found: MeasuredResponse | None) -> None:
+    def take_response(self, row: int, response: MeasuredResponse | None) -> None:
         """Let a channel answer as it was measured today; None: as if it was not."""
         if 0 <= row < len(self.rig.channels):
-            today = "" if found is None else datetime.now(UTC).date().isoformat()
-            changed = replace(self.rig.channels[row], measured=found, measured_on=today)
+            today = "" if response is None else datetime.now(UTC).date().isoformat()
+            changed = replace(self.rig.channels[row], measured=response, measured_on=today)
             self.take_channel(row, changed)
 
     def open(self, path: Path) -> None:
@@ -424,7 +424,7 @@ class RigPage(QDialog):
         with QSignalBlocker(self.channels):
             self.channels.clear()
             limb = self._document.design.limb
-            self.channels.addItems([title_of(one, limb) for one in channels])
+            self.channels.addItems([title_of(channel, limb) for channel in channels])
             self.channels.setCurrentRow(min(row, len(channels) - 1))
         self._show_channel(self.channels.currentRow())
         self.button("remove").setEnabled(bool(channels))
@@ -455,16 +455,16 @@ class RigPage(QDialog):
         row = self.channels.currentRow()
         channel = self.draft.rig.channels[row]
         page = MeasurePage(channel, self._settings, self)
-        page.kept.connect(lambda found: self._take_response(found.response))
+        page.kept.connect(lambda measurement: self._take_response(measurement.response))
         page.open()
 
     def _take_response(
-        self, found: MeasuredResponse | None, error: SkinSourceError | None = None
+        self, response: MeasuredResponse | None, error: SkinSourceError | None = None
     ) -> None:
         if error is not None:
             self._say(str(error))
         else:
-            self.draft.take_response(self.channels.currentRow(), found)
+            self.draft.take_response(self.channels.currentRow(), response)
 
     def _open(self) -> None:
         if self.draft.unsaved and not self._agreed():
@@ -513,10 +513,10 @@ class RigPage(QDialog):
 
 
 def _row(*buttons: tuple[str, str]) -> QHBoxLayout:
-    found = QHBoxLayout()
+    row = QHBoxLayout()
     for name, words in buttons:
-        found.addWidget(page_button(f"rig_{name}", words))
-    return found
+        row.addWidget(page_button(f"rig_{name}", words))
+    return row
 
 
 def _nothing() -> None:

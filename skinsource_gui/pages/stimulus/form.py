@@ -72,7 +72,7 @@ OTHER = "other"
 
 FORMAT = ChoiceSpec(
     label="Format",
-    options=tuple((one.name, one.title) for one in FORMATS),
+    options=tuple((stimulus_format.name, stimulus_format.title) for stimulus_format in FORMATS),
     hint="What the file is for",
 )
 RATE = ChoiceSpec(
@@ -238,8 +238,8 @@ class RigFields(QObject):
             return None
         if name == _PANEL:
             return self.chosen
-        one = ActuatorAt(actuator=profile(name).title, model=load(name))
-        return Actuation(actuators=(one,))
+        actuator = ActuatorAt(actuator=profile(name).title, model=load(name))
+        return Actuation(actuators=(actuator,))
 
     @property
     def equaliser(self) -> Equaliser | None:
@@ -249,30 +249,34 @@ class RigFields(QObject):
             return None
         if kind != _PANEL or self.chosen is None:
             return RegularisedInverse(phase=kind)
-        found, other = self.chosen.equaliser, self.actuation
-        if isinstance(found, PolePairReplacement) and other is not None and other != self.chosen:
+        equaliser, other = self.chosen.equaliser, self.actuation
+        if (
+            isinstance(equaliser, PolePairReplacement)
+            and other is not None
+            and other != self.chosen
+        ):
             # Its pole pair is that of one actuator.
-            (one,) = other.actuators
-            return PolePairReplacement(*resonance_of(one.model), found.new_quality)
-        return found
+            (actuator,) = other.actuators
+            return PolePairReplacement(*resonance_of(actuator.model), equaliser.new_quality)
+        return equaliser
 
     def take(self, path: Path | None) -> None:
         """Export for the rig of a file; None: for none."""
         try:
-            found = None if path is None else open_rig(path)
+            rig = None if path is None else open_rig(path)
         except SkinSourceError as error:
             self.refused.emit(str(error))
             return
-        self.rig, self.path = found, path
-        title = None if found is None or path is None else found.title or path.stem
+        self.rig, self.path = rig, path
+        title = None if rig is None or path is None else rig.title or path.stem
         self.rig_field.show_rig(title)
         self.changed.emit()
 
 
 def _chosen_in_panel(view: View) -> Actuation | None:
     """Actuator and equaliser that the panel Actuator shows; None where it is as it starts."""
-    found = actuation_of(settings_of(view, "actuator", ActuatorSettings))
-    return None if found == actuation_of(ActuatorSettings()) else found
+    actuation = actuation_of(settings_of(view, "actuator", ActuatorSettings))
+    return None if actuation == actuation_of(ActuatorSettings()) else actuation
 
 
 # How a stimulus is exported, as fields.

@@ -72,7 +72,9 @@ class ChannelsView(QWidget):
         """Paint ``overview``; ``colours`` has the number of the colour of each input."""
         self._overview, self._colours, self._pale = overview, colours, False
         words = (
-            [line for one in overview.channels for line in channel_lines(one)] if overview else []
+            [line for channel in overview.channels for line in channel_lines(channel)]
+            if overview
+            else []
         )
         self.setAccessibleDescription("; ".join(words))
         self.updateGeometry()
@@ -88,15 +90,15 @@ class ChannelsView(QWidget):
             return
         painter = QPainter(self)
         painter.setOpacity(PALE if self._pale else 1.0)
-        for row, one in enumerate(self._overview.channels):
+        for row, channel in enumerate(self._overview.channels):
             top = row * (_ROW_PX + _GAP_PX)
             if event.rect().intersects(QRectF(0, top, self.width(), _ROW_PX).toRect()):
-                self._paint_words(painter, one, top)
+                self._paint_words(painter, channel, top)
                 area = QRectF(_WORDS_PX, top, self.width() - _WORDS_PX, _ROW_PX)
-                self._paint_picture(painter, one, area)
+                self._paint_picture(painter, channel, area)
 
-    def _paint_words(self, painter: QPainter, one: ChannelOverview, top: float) -> None:
-        title, peak, clipped = (*channel_lines(one), "")[:3]
+    def _paint_words(self, painter: QPainter, channel: ChannelOverview, top: float) -> None:
+        title, peak, clipped = (*channel_lines(channel), "")[:3]
         room = QRectF(0, top, _WORDS_PX - UNIT_PX, _ROW_PX / 3)
         left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
         painter.setFont(tabular(self.font()))
@@ -111,7 +113,7 @@ class ChannelsView(QWidget):
             shown = metrics.elidedText(words, Qt.TextElideMode.ElideRight, int(room.width()))
             painter.drawText(room.translated(0, number * _ROW_PX / 3), left, shown)
 
-    def _paint_picture(self, painter: QPainter, one: ChannelOverview, area: QRectF) -> None:
+    def _paint_picture(self, painter: QPainter, channel: ChannelOverview, area: QRectF) -> None:
         painter.fillRect(area, QColor(current_theme().base))
         middle, reach = area.center().y(), area.height() / 2.0 - 3.0
         painter.setPen(QPen(QColor(current_theme().grid), 1))
@@ -119,11 +121,11 @@ class ChannelsView(QWidget):
             y = middle - reach * level
             painter.drawLine(QLineF(area.left(), y, area.right(), y))
         colour = (
-            current_theme().input_colour(self._colours.get(one.inputs[0], 0))
-            if one.inputs
+            current_theme().input_colour(self._colours.get(channel.inputs[0], 0))
+            if channel.inputs
             else (QColor(current_theme().dim))
         )
-        low, high = joined(np.clip(one.extremes, -1.0, 1.0))
+        low, high = joined(np.clip(channel.extremes, -1.0, 1.0))
         x = area.left() + (np.arange(low.size) + 0.5) * area.width() / low.size
         width = max(area.width() / low.size, 1.0)
         painter.setPen(QPen(colour, width, c=Qt.PenCapStyle.FlatCap))
@@ -134,8 +136,8 @@ class ChannelsView(QWidget):
                 for at, y, bottom in zip(x.tolist(), tops.tolist(), bottoms.tolist(), strict=True)
             ]
         )
-        beyond = np.flatnonzero((one.extremes[0] < -1.0) | (one.extremes[1] > 1.0))
-        if one.clipped and beyond.size:
+        beyond = np.flatnonzero((channel.extremes[0] < -1.0) | (channel.extremes[1] > 1.0))
+        if channel.clipped and beyond.size:
             painter.setPen(QPen(QColor(current_theme().error), max(width, 2.0)))
             painter.drawLines(
                 [QLineF(at, area.top(), at, area.top() + 5.0) for at in x[beyond].tolist()]
@@ -154,14 +156,14 @@ def joined(extremes: Floats) -> Floats:
     return met
 
 
-def channel_lines(one: ChannelOverview) -> list[str]:
+def channel_lines(channel: ChannelOverview) -> list[str]:
     """Lines on a channel: what it is, how strong, and what would be cut off."""
-    title = one.title if one.place is None else f"Place {one.place}, {one.title}"
-    peak = "silent" if one.peak == 0.0 else f"peak {20.0 * np.log10(one.peak):z.1f} dB"
-    rms = "" if one.rms == 0.0 else f", RMS {20.0 * np.log10(one.rms):z.1f} dB"
-    words = [f"{one.number}  {title}", f"{peak}{rms}".replace("-", "\u2212")]
-    if one.clipped:
-        words.append(f"{one.clipped} sample{'' if one.clipped == 1 else 's'} would clip")
+    title = channel.title if channel.place is None else f"Place {channel.place}, {channel.title}"
+    peak = "silent" if channel.peak == 0.0 else f"peak {20.0 * np.log10(channel.peak):z.1f} dB"
+    rms = "" if channel.rms == 0.0 else f", RMS {20.0 * np.log10(channel.rms):z.1f} dB"
+    words = [f"{channel.number}  {title}", f"{peak}{rms}".replace("-", "\u2212")]
+    if channel.clipped:
+        words.append(f"{channel.clipped} sample{'' if channel.clipped == 1 else 's'} would clip")
     return words
 
 
@@ -304,7 +306,7 @@ class StimulusPage(QDialog):
         self.setObjectName("stimulus_page")
         self.setWindowTitle("Export stimulus")
         self.resize(960, 680)
-        self._colours = {one.id: one.colour for one in design.inputs}
+        self._colours = {track.id: track.colour for track in design.inputs}
         self._wanted: Order | None = None
         self._shown: tuple[Order, Overview] | None = None
         self.form = StimulusForm(design, view)

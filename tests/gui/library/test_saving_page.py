@@ -25,7 +25,7 @@ SEVERAL = Design(
 def test_what_can_be_kept_is_what_is_selected_the_track_and_all():
     view = View(selected_inputs=(1,), selected_clips=(1,))
     found = fragments_to_save(SEVERAL, view)
-    assert [one.words for one in found] == [
+    assert [one.text for one in found] == [
         "Selected: 1 clip",
         "On the selected track: 2 clips",
         "The whole design: 3 clips on 2 tracks",

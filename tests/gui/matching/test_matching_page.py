@@ -51,7 +51,7 @@ def press(page, name):
 
 def begin(page, qtbot, name="begin"):
     press(page, name)
-    qtbot.waitUntil(lambda: page.sounding.now is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: page.player.now is not None, timeout=20_000)
 
 
 def key(page, which):
@@ -76,7 +76,7 @@ def test_arrow_keys_and_enter_make_a_row(sound, page, qtbot, tmp_path):
     assert float(row["matched_db"]) == pytest.approx(start_db + 1.0)
     assert page.run.done == 1
     assert "Match 2 of 4" in page.view.progress.text()
-    assert page.sounding.playing
+    assert page.player.playing
 
 
 def test_all_matches_are_made_and_the_sound_ends(sound, page, qtbot, tmp_path):
@@ -85,11 +85,11 @@ def test_all_matches_are_made_and_the_sound_ends(sound, page, qtbot, tmp_path):
         key(page, Qt.Key.Key_Enter)
     assert len(rows_in(tmp_path / "matches.csv")) == 4
     assert "All 4" in page.view.progress.text()
-    assert not page.sounding.playing
+    assert not page.player.playing
     key(page, Qt.Key.Key_Enter)
     key(page, Qt.Key.Key_Space)
     assert len(rows_in(tmp_path / "matches.csv")) == 4
-    assert not page.sounding.playing
+    assert not page.player.playing
 
 
 def test_it_goes_on_where_it_ended(sound, studio, page, qtbot, tmp_path):
@@ -129,9 +129,9 @@ def test_esc_stops_at_once_and_a_second_one_in_a_hurry_closes_nothing(
 ):
     monkeypatch.setattr("skinsource_gui.pages.matching._HURRY_S", 60.0)  # also for a busy machine
     begin(page, qtbot)
-    stream = page.sounding.now.stream
+    stream = page.player.now.stream
     key(page, Qt.Key.Key_Escape)
-    assert not page.sounding.playing
+    assert not page.player.playing
     assert stream.deck.panic
     key(page, Qt.Key.Key_Escape)
     assert page.isVisible()
@@ -140,7 +140,7 @@ def test_esc_stops_at_once_and_a_second_one_in_a_hurry_closes_nothing(
         key(page, which)
     assert (page.run.level_db, page.run.trial) == (level_db, trial)
     key(page, Qt.Key.Key_Space)
-    qtbot.waitUntil(lambda: page.sounding.now is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: page.player.now is not None, timeout=20_000)
     key(page, Qt.Key.Key_Up)
     assert page.run.level_db == pytest.approx(level_db + 1.0)
 
@@ -149,7 +149,7 @@ def test_what_would_pass_full_scale_stops_it_and_is_said(sound, page, qtbot):
     page.form.field("amplitude").set_value(1.0)
     page.form.field("gain_db").set_value(20.0)
     begin(page, qtbot)
-    qtbot.waitUntil(lambda: not page.sounding.playing, timeout=20_000)
+    qtbot.waitUntil(lambda: not page.player.playing, timeout=20_000)
     assert "full scale" in page.view.note.text()
     assert np.abs(sound.streams[0].samples).max() <= 1.0
 
@@ -157,7 +157,7 @@ def test_what_would_pass_full_scale_stops_it_and_is_said(sound, page, qtbot):
 def test_a_device_that_is_pulled_out_is_said(sound, page, qtbot):
     begin(page, qtbot)
     sound.streams[0].pull_out()
-    qtbot.waitUntil(lambda: not page.sounding.playing, timeout=20_000)
+    qtbot.waitUntil(lambda: not page.player.playing, timeout=20_000)
     assert "unplugged" in page.view.note.text()
     assert not page.view.buttons["store"].isEnabled()
 
@@ -210,7 +210,7 @@ def test_a_table_that_cannot_be_written_stops_and_keeps_the_trial(sound, page, q
     key(page, Qt.Key.Key_Return)
     assert page.run.trial == trial
     assert "nowhere" in page.view.note.text()
-    assert not page.sounding.playing
+    assert not page.player.playing
 
 
 def test_the_rig_of_the_machine_holds_while_matching(sound, studio, qtbot, tmp_path):
@@ -224,7 +224,7 @@ def test_the_rig_of_the_machine_holds_while_matching(sound, studio, qtbot, tmp_p
     page.form.field("places").setText("7")
     press(page, "rehearse")
     qtbot.waitUntil(lambda: "rig" in page.view.note.text(), timeout=20_000)
-    assert not page.sounding.playing
+    assert not page.player.playing
     studio.playback.matching.end()
 
 

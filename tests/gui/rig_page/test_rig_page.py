@@ -78,7 +78,7 @@ def test_a_rig_made_by_hand_is_the_one_in_its_file(page, window, answer):
     # next place and output.
     assert (second.place, second.output, second.full_scale_v) == (1, 2, 2.5)
     assert second.actuator == "example-voice-coil"
-    assert "Saved bench.skinrig" in page.words.text()
+    assert "Saved bench.skinrig" in page.message.text()
     assert window.playback.player.settings.rig == page.draft.rig
 
 
@@ -97,13 +97,13 @@ def test_a_place_that_is_wired_twice_is_refused_and_said(page):
     press(page, "add")
     press(page, "add")
     put(page, "place", page.draft.rig.channels[0].place)
-    assert "place 7 2 times" in page.words.text()
+    assert "place 7 2 times" in page.message.text()
     assert [one.place for one in page.draft.rig.channels] == [7, 1]
     assert page.fields.cell("place").field.value_si == 1
 
 
 def test_channels_are_removed_and_an_empty_rig_says_what_to_do(page):
-    assert "No channel yet" in page.words.text()
+    assert "No channel yet" in page.message.text()
     press(page, "add")
     press(page, "add")
     press(page, "remove")
@@ -135,7 +135,7 @@ def test_what_is_no_response_says_so_and_changes_nothing(page, qtbot, answer):
     press(page, "add")
     answer("coil.csv").write_text("a,b\n1,2\n3,4\n", encoding="utf-8")
     page.fields.from_file.click()
-    qtbot.waitUntil(lambda: "coil.csv" in page.words.text(), **WAIT)
+    qtbot.waitUntil(lambda: "coil.csv" in page.message.text(), **WAIT)
     assert page.draft.rig.channels[0].measured is None
 
 
@@ -149,7 +149,7 @@ def test_an_opened_rig_is_shown_and_what_is_none_is_refused(page, answer):
     path.write_text("no rig", encoding="utf-8")
     press(page, "open")
     assert page.draft.rig == rig
-    assert "bench.skinrig" in page.words.text()
+    assert "bench.skinrig" in page.message.text()
 
 
 def test_changes_are_not_lost_unasked(page, monkeypatch, tmp_path):
@@ -171,13 +171,13 @@ def test_changes_are_not_lost_unasked(page, monkeypatch, tmp_path):
 def test_a_design_is_predicted_through_the_rig(page, window):
     press(page, "add")
     press(page, "predict")
-    assert "does not say how any" in page.words.text()
+    assert "does not say how any" in page.message.text()
     put(page, "place", 7)
     put(page, "actuator", "example-voice-coil")
     press(page, "predict")
     actuated = window.document.design.actuated
     assert actuated.at(7).model == ss.actuators.load("example-voice-coil")
-    assert "regularised inverse" in page.words.text()
+    assert "regularised inverse" in page.message.text()
     with pytest.raises(ss.SkinSourceError, match="Place 3 has no actuator"):
         actuated.at(3)
 
