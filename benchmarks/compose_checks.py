@@ -78,8 +78,8 @@ def check_recording(you: Composer, times_s: float, level: float) -> None:
     (clip,) = clips
     seconds = clip.waveform.duration_s
     you.expect(abs(seconds - RECORDED_S) < 1e-3, f"it lasts {RECORDED_S} s, not {seconds:g} s")
-    envelopes = [one for one in clip.effects if isinstance(one, Envelope)]
-    points = np.array([point[:2] for one in envelopes for point in one.points])
+    envelopes = [effect for effect in clip.effects if isinstance(effect, Envelope)]
+    points = np.array([point[:2] for envelope in envelopes for point in envelope.points])
     same = points.shape == (len(ENVELOPE), 2) and bool(
         np.all(np.abs(points - ENVELOPE) <= (times_s, level))
     )
@@ -98,9 +98,9 @@ def check_recording(you: Composer, times_s: float, level: float) -> None:
 def check_sweep(you: Composer) -> None:
     """Places, onsets and courses of the sweep."""
     wanted = Sweep(path=PATH, waveform=Tone(SWEEP_HZ, duration_s=0.6))
-    found = [(one.location, one.clips[0].onset_s) for one in you.document.design.inputs]
-    expected = [(one.location, one.clips[0].onset_s) for one in wanted.tracks()]
-    you.expect(found == expected, f"the sweep passes {expected}, not {found}")
+    onsets = [(track.location, track.clips[0].onset_s) for track in you.document.design.inputs]
+    expected = [(track.location, track.clips[0].onset_s) for track in wanted.tracks()]
+    you.expect(onsets == expected, f"the sweep passes {expected}, not {onsets}")
     for track, plan in zip(you.document.design.inputs, wanted.tracks(), strict=False):
         same = track.clips[0].sampled(1300.0)[1]
         off = np.abs(same - plan.clips[0].sampled(1300.0)[1]).max(initial=0.0)
@@ -121,12 +121,12 @@ def check_levels(you: Composer) -> None:
         for clip, (first, samples) in zip(track.clips, sampled, strict=True):
             total[first : first + samples.size] += clip.gain * samples
         pieces.append(total)
-    longest = max(one.size for one in pieces)
+    longest = max(piece.size for piece in pieces)
     vibration = ss.predict(
         limb,
-        [np.pad(one, (0, longest - one.size)) for one in pieces],
-        [one.location for one in design.inputs],
-        [one.amplitude for one in design.inputs],
+        [np.pad(piece, (0, longest - piece.size)) for piece in pieces],
+        [track.location for track in design.inputs],
+        [track.amplitude for track in design.inputs],
         design.scaling,
     )
     signals = ss.project_axes(vibration, view.axes, view.method)

@@ -69,7 +69,7 @@ class ScreenHands:
         """Press a key, with those that are held: Ctrl+K."""
         *held, key = keys.split("+")
         key = key.lower() if len(key) == 1 else _X_NAMES.get(key, key)
-        self._do("key", "+".join([*(one.lower() for one in held), key]))
+        self._do("key", "+".join([*(modifier.lower() for modifier in held), key]))
 
     def type(self, text: str) -> None:
         """Type a text."""

@@ -135,7 +135,7 @@ class Composer:
     def choose(self, *words: str) -> None:
         """Choose in a menu of the menu bar, and in the menus that open from there, by mouse."""
         bar = self.window.menuBar()
-        first = next(one for one in bar.actions() if _plain(one.text()) == words[0])
+        first = next(action for action in bar.actions() if _plain(action.text()) == words[0])
         self.click(bar, bar.actionGeometry(first).center())
         self.choose_of_popup(*words[1:])
 
@@ -168,7 +168,7 @@ class Composer:
     @property
     def pages(self) -> list[QDialog]:
         """The dialogs that are open."""
-        return [one for one in self.window.findChildren(QDialog) if one.isVisible()]
+        return [dialog for dialog in self.window.findChildren(QDialog) if dialog.isVisible()]
 
     def page(self) -> QDialog:
         """The dialog that opens."""
@@ -178,8 +178,8 @@ class Composer:
 
     def widget(self, name: str, inside: QWidget | None = None) -> QWidget:
         """The widget called ``name`` that is shown."""
-        found = (inside or self.window).findChildren(QWidget, name)
-        return next(one for one in found if one.isVisible())
+        widgets = (inside or self.window).findChildren(QWidget, name)
+        return next(widget for widget in widgets if widget.isVisible())
 
     def _scroll_to(self, widget: QWidget) -> None:
         area = widget.parentWidget()
@@ -203,7 +203,7 @@ def _line(word: str) -> QAction | None:
     """The line of the open menu with these words."""
     menu = QApplication.activePopupWidget()
     lines = menu.actions() if isinstance(menu, QMenu) else ()
-    return next((one for one in lines if _plain(one.text()) == word), None)
+    return next((line for line in lines if _plain(line.text()) == word), None)
 
 
 def _surface(widget: QWidget) -> QWidget:

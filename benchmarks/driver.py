@@ -65,13 +65,13 @@ class Driver:
 
     def widget(self, name: str, inside: QWidget | None = None) -> QWidget:
         """The visible widget called ``name``."""
-        found = (inside or self.window).findChildren(QWidget, name)
-        return next(one for one in found if one.isVisible())
+        widgets = (inside or self.window).findChildren(QWidget, name)
+        return next(widget for widget in widgets if widget.isVisible())
 
     def surface(self, name: str, inside: QWidget) -> QWidget:
         """What takes the mouse in a plot called ``name``."""
-        found = self.widget(name, inside)
-        return found.viewport() if isinstance(found, QAbstractScrollArea) else found
+        widget = self.widget(name, inside)
+        return widget.viewport() if isinstance(widget, QAbstractScrollArea) else widget
 
     def click(self, widget: QWidget, at: QPoint | None = None, modifiers=NONE) -> None:
         """Click; in the middle if no place is named."""

@@ -31,7 +31,7 @@ def edit_ms(folder: Path, seconds: float) -> float:
     paths = os.pathsep.join(map(str, (folder / "core", folder)))
     environment = {**os.environ, "PYTHONPATH": paths, "QT_QPA_PLATFORM": "offscreen"}
     # What promises of its own it keeps is not asked here.
-    found = subprocess.run(  # noqa: S603  a script of the project
+    completed = subprocess.run(  # noqa: S603  a script of the project
         command,
         cwd=folder,
         env=environment,
@@ -40,9 +40,11 @@ def edit_ms(folder: Path, seconds: float) -> float:
         timeout=_LONGEST_S,
         check=False,
     )
-    totals = [line.split() for line in found.stdout.splitlines() if line.split()[:1] == ["total"]]
+    totals = [
+        line.split() for line in completed.stdout.splitlines() if line.split()[:1] == ["total"]
+    ]
     if len(totals) != 1:
-        raise SystemExit(f"{folder} did not measure: {found.stderr[-2000:]}")
+        raise SystemExit(f"{folder} did not measure: {completed.stderr[-2000:]}")
     return float(totals[0][1])
 
 

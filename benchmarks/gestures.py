@@ -67,7 +67,7 @@ def scene() -> Design:
         Clip(waveform=Tone(90.0, 0.0, 1.0)),
         Clip(waveform=Tone(220.0, 0.0, 1.0)),
     )
-    tracks = (Input(location=2 + 3 * k, colour=k, clips=(one,)) for k, one in enumerate(clips))
+    tracks = (Input(location=2 + 3 * k, colour=k, clips=(clip,)) for k, clip in enumerate(clips))
     return Design(limb=default_limb(), inputs=tuple(tracks))
 
 
@@ -182,7 +182,7 @@ def clip(window: MainWindow) -> bool:
     """Drag a clip on its lane."""
     in_sight(window, "timeline")
     lanes = window.findChild(LanesView, "lanes")
-    box = next(one for one in lanes.content.boxes if one.clip.id == 3)
+    box = next(box for box in lanes.content.boxes if box.clip.id == 3)
     start = box.rect.center()
 
     def place(share: float) -> QPointF:

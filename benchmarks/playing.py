@@ -55,12 +55,12 @@ def main() -> int:
         return 0
     with tempfile.TemporaryDirectory() as folder:
         card = start_card(Path(folder)) if asked.card else None
-        found = play(asked.seconds)
+        counts = play(asked.seconds)
         if card is not None:
-            found |= json.loads(card.communicate(timeout=60)[0])
-    for name, value in found.items():
+            counts |= json.loads(card.communicate(timeout=60)[0])
+    for name, value in counts.items():
         print(f"{name:>28}: {value}")
-    lost = found["underruns"] + found.get("card found nothing", 0)
+    lost = counts["underruns"] + counts.get("card found nothing", 0)
     return int(lost > 0)
 
 
@@ -156,8 +156,8 @@ def play(seconds: float) -> dict[str, object]:
 
 
 def _spread(seconds: list[float]) -> str:
-    found = np.percentile(np.array(seconds) * 1e3, [50, 99, 100])
-    return ", ".join(f"{one:.3g}" for one in found)
+    spread_ms = np.percentile(np.array(seconds) * 1e3, [50, 99, 100])
+    return ", ".join(f"{value_ms:.3g}" for value_ms in spread_ms)
 
 
 if __name__ == "__main__":

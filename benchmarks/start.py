@@ -59,7 +59,9 @@ def main() -> int:
         report("without bytecode", bare, {})
         first = [usual | {"SKINSOURCE_CACHE": f"{folder}/{k}"} for k in few]
         report("no operator on disk", first, {})
-        bare_mb, idle_mb = (run((*one, "--rest"), usual)["idle_mb"] for one in (IMPORTS, STUDIO))
+        bare_mb, idle_mb = (
+            run((*command, "--rest"), usual)["idle_mb"] for command in (IMPORTS, STUDIO)
+        )
     print(f"at rest with one limb: {idle_mb:.0f} MB")
     return int(not (verdict("memory at rest", idle_mb / bare_mb, MOST_TIMES["idle_mb"]) and kept))
 
@@ -70,14 +72,14 @@ def report(title: str, environments: list[dict[str, str]], promises: dict[str, f
     Imports and studio take the environments in turn.
     """
     rounds = [
-        run(IMPORTS, one) | run(STUDIO, other)
-        for one, other in zip(environments[::2], environments[1::2], strict=True)
+        run(IMPORTS, environment) | run(STUDIO, other)
+        for environment, other in zip(environments[::2], environments[1::2], strict=True)
     ]
     print(f"{title}: medians (least) of {len(rounds)} fresh processes each, in turn, in ms")
     kept = True
     for name, words in WORDS.items():
-        times_ms = [1e3 * one[name] for one in rounds]
-        ratio = statistics.median(one[name] / one["imported"] for one in rounds)
+        times_ms = [1e3 * times[name] for times in rounds]
+        ratio = statistics.median(times[name] / times["imported"] for times in rounds)
         print(
             f"{words:>22} {statistics.median(times_ms):6.0f} ({min(times_ms):.0f}) {ratio:5.2f} x"
         )

@@ -111,9 +111,9 @@ def play(window: MainWindow, length_s: float, name: str) -> bool:
 
     def timed(*given: object) -> object:
         begun_s = perf_counter()
-        found = changes(*given)
+        result = changes(*given)
         computed_s.append(perf_counter() - begun_s)
-        return found
+        return result
 
     time.changes = timed
     before_mb = psutil.Process().memory_info().rss / 1e6

@@ -90,7 +90,7 @@ def report(words: str, frames: tuple[float, float], promised: float) -> bool:
 def frames_per_s(began: list[tuple[float, float]], ended: list[tuple[float, float]]) -> Frames:
     """By the clock and by processor time, in the median."""
     spent = [(b[0] - a[0], b[1] - a[1]) for a, b in zip(began, ended, strict=True)]
-    clock_s, processor_s = (median(one) for one in zip(*spent, strict=True))
+    clock_s, processor_s = (median(times_s) for times_s in zip(*spent, strict=True))
     return 1 / clock_s, 1 / processor_s
 
 
@@ -101,7 +101,7 @@ def now() -> tuple[float, float]:
 
 def dragged(window: MainWindow, lanes: LanesView) -> Frames:
     """Frames per second while one clip is dragged, each painted with its results."""
-    box = next(one for one in lanes.content.boxes if one.clip.id == 3)
+    box = next(box for box in lanes.content.boxes if box.clip.id == 3)
     at = box.rect.center()
     held = Qt.KeyboardModifier.AltModifier
     lanes.mouse.press(at, Qt.MouseButton.LeftButton, held, lanes.sample_rate_hz)

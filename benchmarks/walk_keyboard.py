@@ -42,5 +42,5 @@ def go_by_keyboard(you: Driver, _: Path) -> None:
 
 def _panel_with_keyboard(you: Driver) -> str:
     focused = QApplication.focusWidget()
-    inside = (one.name for one in you.window.panels if focused and one.isAncestorOf(focused))
+    inside = (panel.name for panel in you.window.panels if focused and panel.isAncestorOf(focused))
     return next(inside, "")

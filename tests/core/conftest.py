@@ -232,10 +232,10 @@ class Scene:
     def padded(self) -> np.ndarray:
         """Drives with silence before and after them, (n_inputs, n_times)."""
         starts = self.starts()
-        n_times = max(k + one.size for k, one in zip(starts, self.drives, strict=True))
+        n_times = max(k + drive.size for k, drive in zip(starts, self.drives, strict=True))
         padded = np.zeros((len(self.drives), n_times))
-        for row, start, one in zip(padded, starts, self.drives, strict=True):
-            row[start : start + one.size] = one
+        for row, start, drive in zip(padded, starts, self.drives, strict=True):
+            row[start : start + drive.size] = drive
         return padded
 
     def predicted(self) -> np.ndarray:
@@ -287,7 +287,7 @@ FINEST = 1074
 
 def whole(samples: np.ndarray) -> list[int]:
     """Samples as whole multiples of 2**-FINEST."""
-    ratios = (float(one).as_integer_ratio() for one in samples)
+    ratios = (float(sample).as_integer_ratio() for sample in samples)
     return [numerator * (2**FINEST // denominator) for numerator, denominator in ratios]
 
 

@@ -95,7 +95,7 @@ def test_a_limb_is_named_in_the_report(tmp_path, monkeypatch, user_data):
     )
     monkeypatch.setattr(bench_command, "write_plots", lambda rows, stem: None)
     assert main(["bench", "--limb", limb.name, "--quick", "--out", str(tmp_path)]) == 0
-    assert [one.name for one in asked] == [limb.name]
+    assert [computed.name for computed in asked] == [limb.name]
     assert "limb lab-1, SHA-256 " in (tmp_path / "report.md").read_text(encoding="utf-8")
 
 

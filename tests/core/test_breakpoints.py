@@ -39,13 +39,13 @@ def drawn(draw, kinds=KINDS, apart=0.0):
 @given(drawn())
 def test_a_curve_stays_within_the_levels_that_were_drawn(points):
     levels = [level for _, level, _ in points]
-    found = curve_at(points, GRID)
-    assert np.isfinite(found).all()
-    assert min(levels) <= found.min()
-    assert found.max() <= max(levels)
+    values = curve_at(points, GRID)
+    assert np.isfinite(values).all()
+    assert min(levels) <= values.min()
+    assert values.max() <= max(levels)
     # And so between each two of them.
     for (x0, y0, _), (x1, y1, _) in itertools.pairwise(points):
-        part = found[(x0 <= GRID) & (x1 > GRID)]
+        part = values[(x0 <= GRID) & (x1 > GRID)]
         assert ((part >= min(y0, y1)) & (part <= max(y0, y1))).all()
 
 
@@ -69,8 +69,8 @@ def test_a_smooth_curve_is_the_monotone_cubic(points):
 def test_segments_are_straight_smooth_or_held():
     points = ((0.0, 0.0, "straight"), (1.0, 2.0, "held"), (2.0, 4.0, "smooth"), (3.0, 0.0))
     points = Envelope(points).points
-    found = curve_at(points, np.array([0.25, 1.0, 1.99, 2.0, 2.5, 3.0, 4.0]))
-    assert found == pytest.approx([0.5, 2.0, 2.0, 4.0, 2.0, 0.0, 0.0])
+    values = curve_at(points, np.array([0.25, 1.0, 1.99, 2.0, 2.5, 3.0, 4.0]))
+    assert values == pytest.approx([0.5, 2.0, 2.0, 4.0, 2.0, 0.0, 0.0])
 
 
 def test_one_point_is_one_level():
@@ -81,8 +81,8 @@ def test_one_point_is_one_level():
 @pytest.mark.parametrize("apart", [0.0, 1e-12, 5e-10])
 def test_two_points_at_one_time_are_a_jump(kind, apart):
     points = ((0.0, 1.0, kind), (0.5, 1.0, kind), (0.5 + apart, 3.0, kind), (1.0, 3.0, kind))
-    found = curve_at(points, np.array([0.2, 0.499999, 0.5 + 2 * apart, 0.7]))
-    assert found == pytest.approx([1.0, 1.0, 3.0, 3.0])
+    values = curve_at(points, np.array([0.2, 0.499999, 0.5 + 2 * apart, 0.7]))
+    assert values == pytest.approx([1.0, 1.0, 3.0, 3.0])
     # Of more than two, what lies between does not count.
     more = (*points[:2], (0.5, 9.0, kind), (0.5, 0.0, kind), *points[2:])
     assert np.array_equal(curve_at(more, GRID + 1e-6), curve_at(points, GRID + 1e-6))
@@ -106,9 +106,9 @@ def test_points_that_cannot_be_meant_are_refused(points):
 def test_ten_thousand_points_are_a_curve():
     times = np.linspace(0.0, 600.0, 10_000)
     points = tuple((time, abs(np.sin(time)), "smooth") for time in times.tolist())
-    found = Envelope(points).values_at(np.linspace(0.0, 600.0, 100_000))
-    assert found.max() <= 1.0
-    assert found == pytest.approx(np.abs(np.sin(np.linspace(0.0, 600.0, 100_000))), abs=4e-2)
+    values = Envelope(points).values_at(np.linspace(0.0, 600.0, 100_000))
+    assert values.max() <= 1.0
+    assert values == pytest.approx(np.abs(np.sin(np.linspace(0.0, 600.0, 100_000))), abs=4e-2)
 
 
 @given(drawn(apart=0.001), st.lists(st.floats(0.0, 1.2), min_size=1, max_size=4))
@@ -178,7 +178,9 @@ def test_a_split_curve_that_is_moved_rises_or_falls_throughout_between_its_point
     added, place = with_point(points, time_s), place_of(points, time_s)
     assert moved(added, {place}, 0.0, 0.0) == added
     after = moved(added, {place}, by_s, by_value)
-    assert [slope_of(one) is None for one in after] == [slope_of(one) is None for one in added]
+    assert [slope_of(effect) is None for effect in after] == [
+        slope_of(effect) is None for effect in added
+    ]
     for (x0, y0, _), (x1, y1, _) in itertools.pairwise(after):
         course = np.diff(curve_at(after, np.linspace(x0, np.nextafter(x1, x0), 60)))
         steps = course * np.sign(y1 - y0)

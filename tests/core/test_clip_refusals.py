@@ -82,8 +82,8 @@ def test_edits_lead_to_edits():
 def test_a_split_where_a_clip_begins_or_ends_says_so(at_s, said):
     clip = Clip(onset_s=0.2, waveform=Tone(frequency_hz=100.0, duration_s=0.1))
     design = Design(limb="synthetic-1", inputs=(Input(location=1, clips=(clip,)),))
-    found = edits.split_clips(design, View(), (design.clips[0].id,), at_s)
-    assert found.sentence.startswith(said)
+    outcome = edits.split_clips(design, View(), (design.clips[0].id,), at_s)
+    assert outcome.sentence.startswith(said)
     two = design.with_input(0, clips=(clip, Clip(onset_s=0.2, waveform=Tap())))
-    ids = tuple(one.id for one in two.clips)
+    ids = tuple(clip.id for clip in two.clips)
     assert edits.split_clips(two, View(), ids, 0.2).sentence.startswith("A selected clip begins")

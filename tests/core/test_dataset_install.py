@@ -16,18 +16,18 @@ from skinsource.limbs.dataset.store import describe, is_installed, load_mask, lo
 
 def _everything(path):
     """Give all arrays of a store, by name."""
-    found = {}
+    arrays = {}
     with h5py.File(path) as store:
         store.visititems(
             lambda name, part: (
-                found.__setitem__(name, part[()]) if isinstance(part, h5py.Dataset) else None
+                arrays.__setitem__(name, part[()]) if isinstance(part, h5py.Dataset) else None
             )
         )
-    return found
+    return arrays
 
 
-def _assert_same_content(one, other):
-    first, second = _everything(one), _everything(other)
+def _assert_same_content(path, other):
+    first, second = _everything(path), _everything(other)
     assert list(first) == list(second)
     assert all(first[name].tobytes() == second[name].tobytes() for name in first)
 

@@ -48,8 +48,8 @@ def read_png(content: bytes) -> tuple[np.ndarray, str]:
 
 def test_show_says_the_gain_of_a_recording_and_the_peak_that_results(tmp_path, capsys):
     samples = Samples(values=[0.0, -4.88, 2.0], sample_rate_hz=1300.0, unit="m/s²")
-    one = ss.track(7, ss.waveforms.Recording(samples), amplitude=2.0)
-    ss.save_design(tmp_path / "a.skinsource", ss.Design(limb="synthetic-1", inputs=(one,)))
+    track = ss.track(7, ss.waveforms.Recording(samples), amplitude=2.0)
+    ss.save_design(tmp_path / "a.skinsource", ss.Design(limb="synthetic-1", inputs=(track,)))
     assert main(["show", str(tmp_path / "a.skinsource")]) == 0
     assert "place 7, Digit II, pad: gain 2, peak 9.76 m/s²\n" in capsys.readouterr().out
 
@@ -154,7 +154,7 @@ def test_both_commands_need_no_qt(saved, tmp_path):
 
 def test_show_tells_the_conditions_that_are_not_kept_as_captions_do(saved, tmp_path, capsys):
     assert main(["show", str(saved)]) == 0
-    told = [one for one in capsys.readouterr().out.splitlines() if one.startswith("CAUTION")]
+    told = [line for line in capsys.readouterr().out.splitlines() if line.startswith("CAUTION")]
     assert told == ["CAUTION   Responses are computed from a model, not measured."]
     fast = ss.track(7, ss.waveforms.Tone(frequency_hz=50.0), amplitude=20.0)
     path = tmp_path / "fast.skinsource"

@@ -74,8 +74,8 @@ def test_a_part_is_called_by_its_label_or_by_what_it_plays():
 )
 def test_the_history_says_what_was_done_to_a_list(after, words):
     design = Design(limb="synthetic-1").adding(track(location=7, waveform=Layers((A, B, C))))
-    (one,) = design.inputs
-    done = edits.change_field(design, View(), (one.id,), "parts", after)
+    (only,) = design.inputs
+    done = edits.change_field(design, View(), (only.id,), "parts", after)
     assert done.label == f"{words} input at 7 (II pad)"
     assert done.design.inputs[0].clips[0].waveform == Layers(after)
 

@@ -209,8 +209,8 @@ def test_a_failing_export_leaves_the_old_table(tmp_path):
 
 @pytest.mark.parametrize("place", [7, 2])
 def test_the_table_of_levels_names_the_loudest_output_that_was_checked(tmp_path, place):
-    path, one = tmp_path / "levels.csv", track(location=place, waveform=Tap())
-    export_levels(path, Design(limb="synthetic-1", inputs=(one,)), VIEW)
+    path, tap = tmp_path / "levels.csv", track(location=place, waveform=Tap())
+    export_levels(path, Design(limb="synthetic-1", inputs=(tap,)), VIEW)
     about, _, numbers = read(path)
     loudest = numbers[np.argmax(numbers[:, 1]), 0]
     checked = [line for line in about if "the loudest" in line]

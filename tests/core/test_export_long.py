@@ -45,9 +45,9 @@ def test_traces_that_are_too_many_to_be_held_are_the_same(tmp_path, monkeypatch,
     export_traces(tmp_path / "held.csv", DESIGN, view)
     monkeypatch.setattr(exported_design, "_MOST_HELD_BYTES", 500_000)
     export_traces(tmp_path / "traces.csv", DESIGN, view)
-    held, found = read(tmp_path / "held.csv"), read(tmp_path / "traces.csv")
-    assert found.shape == held.shape
-    np.testing.assert_allclose(found, held, rtol=0, atol=1e-14 * np.abs(held[:, 1:]).max())
+    held, written = read(tmp_path / "held.csv"), read(tmp_path / "traces.csv")
+    assert written.shape == held.shape
+    np.testing.assert_allclose(written, held, rtol=0, atol=1e-14 * np.abs(held[:, 1:]).max())
     assert "error of the traces of outputs 29, rel" in (tmp_path / "traces.csv").read_text()
 
 

@@ -109,7 +109,7 @@ def test_ten_thousand_texts_are_played_or_refused_with_a_column(capsys):
     for text in texts(rng):
         try:
             # A hundred samples say as much as a second.
-            found = playing.played(reading.read(text), 100, 1300.0, 0.0002, 0.1)
+            samples = playing.played(reading.read(text), 100, 1300.0, 0.0002, 0.1)
         except InvalidInputError as error:
             n_refused += 1
             column = getattr(error, "column", None)
@@ -118,8 +118,8 @@ def test_ten_thousand_texts_are_played_or_refused_with_a_column(capsys):
             longest = max(longest, len(str(error)))
         else:
             n_played += 1
-            assert found.shape == (100,), (SEED, text)
-            assert np.isfinite(found).all(), (SEED, text)
+            assert samples.shape == (100,), (SEED, text)
+            assert np.isfinite(samples).all(), (SEED, text)
     with capsys.disabled():
         print(f"\nseed {SEED}: {n_played} texts played, {n_refused} refused")  # noqa: T201
     assert n_played + n_refused == COUNT

@@ -65,6 +65,6 @@ def test_a_changed_rule_changes_the_drawing():
         """Level of the sum, another way."""
         return total + floor + span
 
-    found = drawing(Graph(level, total), ["total", "level"])
-    assert "span --> level" in found
-    assert found != drawing(Graph(globals()["level"], total), ["total", "level"])
+    drawn = drawing(Graph(level, total), ["total", "level"])
+    assert "span --> level" in drawn
+    assert drawn != drawing(Graph(globals()["level"], total), ["total", "level"])

@@ -47,7 +47,7 @@ def expected():
     """Acceleration as `skinsource.predict` has it."""
     limb = ss.load_limb("synthetic-1")
     drives = np.zeros((2, 260))
-    tone, tap = (one.clips[0].waveform.samples(RATE) for one in SHORT.inputs)
+    tone, tap = (track.clips[0].waveform.samples(RATE) for track in SHORT.inputs)
     drives[0, : tone.size] = tone
     drives[1, 65 : 65 + tap.size] = -2.0 * tap
     return ss.predict(limb, drives, locations=[7, 13], scaling="probe")
@@ -92,9 +92,11 @@ def test_a_vector_that_turns_keeps_its_length_between_samples():
 def test_outside_of_the_response_there_is_silence():
     kept = moving(np.ones((2, 3, 50)))
     for at in (-1.0, 50.0, 70.0, -64.5, 114.5):
-        found = kept.acceleration(at / RATE)
-        assert found.shape == (2, 3)
-        assert abs(found).max() < 1e-3 if at in (-64.5, 114.5) else (found == 0.0).all()
+        acceleration = kept.acceleration(at / RATE)
+        assert acceleration.shape == (2, 3)
+        assert (
+            abs(acceleration).max() < 1e-3 if at in (-64.5, 114.5) else (acceleration == 0.0).all()
+        )
     assert (values_at(np.ones((2, 50)), 1e6) == 0.0).all()
 
 
@@ -113,19 +115,19 @@ def test_the_sliding_rms_is_that_of_the_samples_in_the_window():
         sums=sums, first=40, sample_rate_hz=RATE, response_samples=240, largest=3.0, delay_s=0.0
     )
     # An odd window lies around a sample.
-    found = kept.rms((40 + 100) / RATE, 21 / RATE)
-    assert found == pytest.approx(np.sqrt((samples[:, 90:111] ** 2).mean(axis=1)))
+    rms = kept.rms((40 + 100) / RATE, 21 / RATE)
+    assert rms == pytest.approx(np.sqrt((samples[:, 90:111] ** 2).mean(axis=1)))
     # Half way to the next one, half of each mean square.
     later = np.sqrt(
         ((samples[:, 90:111] ** 2).mean(axis=1) + (samples[:, 91:112] ** 2).mean(axis=1)) / 2
     )
     assert kept.rms((40 + 100.5) / RATE, 21 / RATE) == pytest.approx(later)
     # An even one around the middle between two.
-    found = kept.rms((40 + 100.5) / RATE, 20 / RATE)
-    assert found == pytest.approx(np.sqrt((samples[:, 91:111] ** 2).mean(axis=1)))
+    rms = kept.rms((40 + 100.5) / RATE, 20 / RATE)
+    assert rms == pytest.approx(np.sqrt((samples[:, 91:111] ** 2).mean(axis=1)))
     # What lies before is silence, and counts as much.
-    found = kept.rms(40 / RATE, 21 / RATE)
-    assert found == pytest.approx(np.sqrt((samples[:, :11] ** 2).sum(axis=1) / 21))
+    rms = kept.rms(40 / RATE, 21 / RATE)
+    assert rms == pytest.approx(np.sqrt((samples[:, :11] ** 2).sum(axis=1) / 21))
     assert (kept.rms(10.0, 0.02) == 0.0).all()
     with pytest.raises(InvalidInputError, match="window_s is 0"):
         kept.rms(0.0, 0.0)
@@ -134,10 +136,10 @@ def test_the_sliding_rms_is_that_of_the_samples_in_the_window():
 @pytest.mark.parametrize(("axes", "method"), [("xyz", "mag"), ("z", "mag"), ("xy", "pca")])
 def test_a_window_as_long_as_the_record_gives_the_level_of_the_map(axes, method):
     view = replace(VIEW, axes=axes, method=method)
-    found = new_graph().evaluate({"moving_energy", "output_rms"}, sources(SHORT, view))
-    n = found["moving_energy"].response_samples
-    rms = found["moving_energy"].rms((n - 1) / 2 / RATE, n / RATE)
-    assert rms == pytest.approx(found["output_rms"], rel=1e-9, abs=1e-12)
+    values = new_graph().evaluate({"moving_energy", "output_rms"}, sources(SHORT, view))
+    n = values["moving_energy"].response_samples
+    rms = values["moving_energy"].rms((n - 1) / 2 / RATE, n / RATE)
+    assert rms == pytest.approx(values["output_rms"], rel=1e-9, abs=1e-12)
 
 
 def test_frames_transform_nothing_and_run_no_rule(short):
@@ -163,8 +165,8 @@ def test_of_a_long_design_two_blocks_are_kept_which_are_its_traces():
     view = replace(VIEW, axes="z")
     for playhead_s in (0.0, 20.0, 59.0):
         looked = replace(view, playhead_s=playhead_s)
-        found = graph.evaluate(wanted, sources(LONG, looked))
-        kept, traces = found["moving_z"], found["selected_traces"]
+        values = graph.evaluate(wanted, sources(LONG, looked))
+        kept, traces = values["moving_z"], values["selected_traces"]
         assert kept.signals[[28, 51], 0] == pytest.approx(
             traces[:, kept.first : kept.end], abs=1e-12
         )
@@ -199,9 +201,9 @@ def test_windows_overlap_by_a_block():
 
 def test_silence_is_silent():
     silent = replace(SHORT, inputs=())
-    found = new_graph().evaluate({"moving_z", "moving_energy"}, sources(silent, VIEW))
-    assert found["moving_z"].largest == 0.0
-    assert not found["moving_energy"].rms(0.1, 0.02).any()
+    values = new_graph().evaluate({"moving_z", "moving_energy"}, sources(silent, VIEW))
+    assert values["moving_z"].largest == 0.0
+    assert not values["moving_energy"].rms(0.1, 0.02).any()
 
 
 def test_a_limb_without_z_says_what_can_be_seen_of_it():

@@ -105,8 +105,8 @@ def test_distances_down_the_middle_match_the_description():
     model = synthetic_model(1)
     tip = model.shape.digit_axes[2][-1]
     mm_per_px = model.hand_length_mm / model.shape.hand_length_px
-    found = np.array([tip[1] - position(model.shape, n)[1] for n in MIDDLE_PATH]) * mm_per_px
-    assert np.abs(found - DISTANCES_MM).max() < 5, found.round()
+    lengths_mm = np.array([tip[1] - position(model.shape, n)[1] for n in MIDDLE_PATH]) * mm_per_px
+    assert np.abs(lengths_mm - DISTANCES_MM).max() < 5, lengths_mm.round()
 
 
 def test_digits_stand_in_order_with_the_thumb_on_the_left(shape):

@@ -63,7 +63,7 @@ def predicted(studio: Studio, design: Design, heard: list[int]) -> np.ndarray:
     for row, (k, samples) in zip(drives, played.items(), strict=True):
         row[starts[k] : starts[k] + samples.size] = samples
     chosen = [design.inputs[k] for k in heard]
-    places, amplitudes = [one.location for one in chosen], [one.amplitude for one in chosen]
+    places, amplitudes = [track.location for track in chosen], [track.amplitude for track in chosen]
     return predict(studio.limb, drives, places, amplitudes, design.scaling)
 
 
@@ -79,9 +79,9 @@ def test_traces_are_those_of_the_prediction_through_all_edits(studio, scaling):
         (design, [0, 1, 2, 3]),
     ]
     for edited, heard in edits:
-        (found,) = studio.show(edited, "axis_traces")
+        (traces,) = studio.show(edited, "axis_traces")
         expected = predicted(studio, edited, heard)[[28, 51]]
-        np.testing.assert_allclose(found, expected, atol=1e-14 * np.abs(expected).max())
+        np.testing.assert_allclose(traces, expected, atol=1e-14 * np.abs(expected).max())
 
 
 def test_only_the_places_that_are_heard_are_read(studio):
@@ -156,7 +156,7 @@ def test_the_graph_of_the_studio_knows_every_field_of_design_and_view():
     given = sources(FOUR, View())
     assert {"limb", "inputs", "scaling", "axes", "method", "outputs"} <= set(given)
     results = new_graph().evaluate(["voices", "other_voices"], given)
-    assert [one.location for one in results["voices"]] == [7, 8, 7, 16]
+    assert [track.location for track in results["voices"]] == [7, 8, 7, 16]
     assert results["other_voices"] == results["voices"][1:]
 
 

@@ -67,9 +67,9 @@ def test_where_nothing_can_arrive_there_is_exactly_nothing(scene, limb, noted, g
     felt = np.zeros(gap + 2100 + 521, bool)
     for start, end in spans:
         felt[start : end + 521] = True
-    for found in shown.both_ways():
-        noted("a4 silence", np.count_nonzero(found[..., ~felt]))
-        assert found[..., felt].any(axis=(0, 1)).all()
+    for field in shown.both_ways():
+        noted("a4 silence", np.count_nonzero(field[..., ~felt]))
+        assert field[..., felt].any(axis=(0, 1)).all()
 
 
 @pytest.mark.parametrize("n_times", LENGTHS)
@@ -83,13 +83,13 @@ def test_outputs_without_a_response_and_silent_scenes_are_exactly_still(
         return response
 
     shown = scene(limb=limb_of(deaf), drives=(noise(n_times, 1), noise(n_times, 2)), places=(4, 5))
-    for found in shown.both_ways():
-        noted("a4 still", np.count_nonzero(found[10:20]) + np.count_nonzero(found[30, 1]))
+    for field in shown.both_ways():
+        noted("a4 still", np.count_nonzero(field[10:20]) + np.count_nonzero(field[30, 1]))
     levels = shown.by_engine(OUTPUTS)["output_rms"]
     noted("a4 still", np.count_nonzero(levels[10:20]))
     silent = replace(shown, drives=(np.zeros(n_times), noise(n_times, 2)), amplitudes=(1.0, 0.0))
-    for found in silent.both_ways():
-        noted("a4 still", np.count_nonzero(found))
+    for field in silent.both_ways():
+        noted("a4 still", np.count_nonzero(field))
     noted("a4 still", np.count_nonzero(silent.by_engine(OUTPUTS)["output_rms"]))
 
 
@@ -103,8 +103,8 @@ def test_inputs_that_are_not_heard_change_no_bit(scene, limb, noted, n_times):
         places=(4, 5, 6, 7),
         amplitudes=(1.0, 1.0, 0.0, 3.0),
     )
-    for found, expected in zip(beside.both_ways(), alone.both_ways(), strict=True):
-        noted("a4 muted", np.count_nonzero(found != expected))
+    for field, expected in zip(beside.both_ways(), alone.both_ways(), strict=True):
+        noted("a4 muted", np.count_nonzero(field != expected))
 
 
 def refused(action, *words: str) -> int:
@@ -170,20 +170,20 @@ def test_peaks_of_any_size_keep_all_digits(
     drive /= np.abs(drive).max()
     shown = scene(limb=limb_of(sized), drives=(drive * of_drive,), places=(4,))
     random = np.random.default_rng(SEED)
-    for found in shown.both_ways():
+    for field in shown.both_ways():
         for _ in range(6):
             output, axis = int(random.choice(OUTPUTS)), int(random.integers(3))
             time = int(random.integers(n_times + 521))
             exact = float(shown.exact_sample(output, axis, time))
-            trace = found[output - 1, axis]
+            trace = field[output - 1, axis]
             noted("a6 error", abs(trace[time] - exact) / np.abs(trace).max())
     plain = scene(limb=limb, drives=(drive,), places=(4,))
     size = of_drive * of_response / np.abs(made_up_response(4)).max()
     for method in ("mag", "pca", "rms", "soc"):
-        found, expected = (
-            one.by_engine(OUTPUTS, method=method)["output_rms"] for one in (shown, plain)
+        field, expected = (
+            either.by_engine(OUTPUTS, method=method)["output_rms"] for either in (shown, plain)
         )
-        noted("a6 levels", np.abs(found / size / expected - 1).max())
+        noted("a6 levels", np.abs(field / size / expected - 1).max())
 
 
 @pytest.mark.parametrize("n_times", LENGTHS)
@@ -197,7 +197,7 @@ def test_subnormal_numbers_are_numbers_like_others(scene, limb, limb_of, noted, 
     assert (np.abs(drive[600:]) < 1e-308).all()
     assert (np.abs(tails.limb.response_to(4)[..., 500:]) < 1e-308).all()
     # Predicted once: processors are slow with numbers this small.
-    by_tails = [found[19, 1] for found in tails.both_ways()]
+    by_tails = [field[19, 1] for field in tails.both_ways()]
     by_small = small.predicted()[19, 1]
     for time in (0, 1, 60, 200, 521):
         exact = float(tails.exact_sample(20, 1, time))
@@ -218,15 +218,15 @@ def test_a_huge_offset_costs_no_more_than_its_own_digits(scene, limb_of, noted, 
     shown = scene(limb=limb_of(without_offset), drives=(drive,), places=(4,))
     random = np.random.default_rng(SEED)
     n_fft = transform_length(n_times + 521) if n_times < 5000 else BLOCK_FFT
-    for found in shown.both_ways():
+    for field in shown.both_ways():
         for _ in range(20):
             output, axis = int(random.choice(OUTPUTS)), int(random.integers(3))
             time = int(random.integers(521, n_times))
             exact = float(shown.exact_sample(output, axis, time))
-            steady = np.abs(found[output - 1, axis, 521:n_times]).max()
+            steady = np.abs(field[output - 1, axis, 521:n_times]).max()
             norms = np.linalg.norm(drive) * np.linalg.norm(
                 shown.limb.response_to(4)[output - 1, axis]
             )
-            wrong = abs(found[output - 1, axis, time] - exact)
+            wrong = abs(field[output - 1, axis, time] - exact)
             noted("a8 offset", wrong / steady)
             noted("a8 ratio", wrong / (np.finfo(float).eps * np.log2(n_fft) * norms))

@@ -30,6 +30,7 @@ def test_a_full_chain_plays_what_it_played_below_its_gain_curve(count):
         Design(limb="synthetic-1"), View(), kept, "all", clip.onset_s, location=7
     )
     before, after = (
-        ss.evaluate(one, "output_levels_db")["output_levels_db"] for one in (design, outcome.design)
+        ss.evaluate(either, "output_levels_db")["output_levels_db"]
+        for either in (design, outcome.design)
     )
     assert np.allclose(before, after, rtol=0.0, atol=1e-9)

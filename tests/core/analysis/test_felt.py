@@ -75,7 +75,7 @@ def test_the_contact_alone_is_weighted_and_in_probe_scaling_only():
 
 @pytest.mark.parametrize("frequency_hz", [40.0, 100.0, 250.0, 400.0])
 def test_a_steady_tone_lies_as_far_above_threshold_as_its_acceleration(frequency_hz):
-    found = felt(tone(frequency_hz, 1.0))
+    sensation = felt(tone(frequency_hz, 1.0))
     design = ss.Design(limb="synthetic-1", inputs=(tone(frequency_hz, 1.0),))
     view = View(outputs=(20,), method="mag", span="loudest")
     rms = ss.evaluate(design, "output_rms", view=view)["output_rms"]
@@ -83,15 +83,15 @@ def test_a_steady_tone_lies_as_far_above_threshold_as_its_acceleration(frequency
     for channel in ("P", "NP I"):
         expected = 20 * np.log10(rms / threshold_rms(frequency_hz, channel)) - offsets[channel]
         hand = slice(0, 42)
-        assert found.by_channel[channel][hand] == pytest.approx(expected[hand], abs=0.5)
-    assert found.level_db == pytest.approx(np.maximum(*found.by_channel.values()))
+        assert sensation.by_channel[channel][hand] == pytest.approx(expected[hand], abs=0.5)
+    assert sensation.level_db == pytest.approx(np.maximum(*sensation.by_channel.values()))
 
 
 def test_onset_and_silence_around_change_nothing_and_twice_is_six_decibels():
-    one = felt(tone(150.0)).level_db
+    level_db = felt(tone(150.0)).level_db
     later = felt(tone(150.0, onset_s=1.3), tone(150.0, amplitude=0.0, onset_s=4.0)).level_db
-    assert later == pytest.approx(one, abs=0.05)
-    assert felt(tone(150.0, amplitude=2.0)).level_db == pytest.approx(one + 6.0206, abs=1e-3)
+    assert later == pytest.approx(level_db, abs=0.05)
+    assert felt(tone(150.0, amplitude=2.0)).level_db == pytest.approx(level_db + 6.0206, abs=1e-3)
 
 
 def test_what_lies_outside_the_measured_band_counts_for_nothing():
@@ -116,17 +116,17 @@ def test_small_contacts_raise_the_threshold_of_p_only():
 
 
 def test_the_arm_is_governed_by_np_and_silence_is_not_felt():
-    found = felt(tone(100.0))
-    assert (found.by_channel["P"][42:60] == SILENT_DB).all()
+    sensation = felt(tone(100.0))
+    assert (sensation.by_channel["P"][42:60] == SILENT_DB).all()
     silent = felt()
     assert (silent.level_db == SILENT_DB).all()
     assert (silent.strength == 0.0).all()
 
 
 def test_other_scalings_have_a_reason_instead_of_levels():
-    found = felt(tone(100.0), scaling="upstream")
-    assert "Probe acceleration" in found.problem
-    assert found.level_db.size == 0
+    sensation = felt(tone(100.0), scaling="upstream")
+    assert "Probe acceleration" in sensation.problem
+    assert sensation.level_db.size == 0
 
 
 def test_own_thresholds_come_from_a_table_in_either_unit(tmp_path):
@@ -139,11 +139,11 @@ def test_own_thresholds_come_from_a_table_in_either_unit(tmp_path):
     path.write_text("frequency_hz, threshold_dB_re_1e-6_m_per_s2\n50,120\n100,100\n")
     assert read_threshold_table(path) == ((50.0, pytest.approx(1.0)), (100.0, pytest.approx(0.1)))
     view = with_settings(View(), "perception", PerceptionSettings(table=settings_table(table)))
-    found = felt(tone(100.0, 1.0), view=view)
+    sensation = felt(tone(100.0, 1.0), view=view)
     design = ss.Design(limb="synthetic-1", inputs=(tone(100.0, 1.0),))
     rms = ss.evaluate(design, "output_rms", view=View(method="mag", span="loudest"))["output_rms"]
-    assert set(found.by_channel) == {"own"}
-    assert found.level_db[:42] == pytest.approx(20 * np.log10(rms[:42] / 0.4), abs=0.3)
+    assert set(sensation.by_channel) == {"own"}
+    assert sensation.level_db[:42] == pytest.approx(20 * np.log10(rms[:42] / 0.4), abs=0.3)
 
 
 @pytest.mark.parametrize(

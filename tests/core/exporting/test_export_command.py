@@ -62,7 +62,7 @@ def test_options_reach_the_file(saved, tmp_path, capsys):
     assert about["samples"] == "int16"
     assert about["dither_seed"] == 3
     assert about["start_s"] == -0.1
-    assert [one["title"] for one in about["channels"]] == ["Digit II, base", "Sync"]
+    assert [channel["title"] for channel in about["channels"]] == ["Digit II, base", "Sync"]
     capsys.readouterr()
 
 

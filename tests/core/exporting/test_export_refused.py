@@ -25,7 +25,7 @@ def test_what_clips_is_refused_until_it_is_confirmed(design, tmp_path, kind):
     assert done.clip_count == counts.sum()
     about = sidecar(path)
     assert about["clip_count"] == counts.sum()
-    assert [one["clip_count"] for one in about["channels"]] == counts.tolist()
+    assert [channel["clip_count"] for channel in about["channels"]] == counts.tolist()
     assert "cuts them off" in about["confirmed"][0]
     if kind == "pcm16":
         limited = np.clip(drive, -1.0, 1.0)
@@ -93,19 +93,19 @@ def test_where_nothing_can_be_written_one_sentence_says_so(design, tmp_path, nam
         ss.export_stimulus(design, tmp_path / "missing" / "a", format=name)
 
 
-@pytest.mark.parametrize("one", FORMATS, ids=lambda one: one.name)
+@pytest.mark.parametrize("form", FORMATS, ids=lambda form: form.name)
 def test_nothing_stands_under_the_final_name_until_all_of_it_is_written(
-    design, tmp_path, monkeypatch, one
+    design, tmp_path, monkeypatch, form
 ):
     path, seen = tmp_path / "a", []
 
     def write(outgoing, place):
-        facts = one.write(outgoing, place)
+        facts = form.write(outgoing, place)
         seen.append(sorted(there.name for there in tmp_path.iterdir() if there.suffix != ".part"))
         return facts
 
-    monkeypatch.setattr(formats, "FORMATS", (replace(one, write=write),))
-    ss.export_stimulus(design, path, format=one.name)
+    monkeypatch.setattr(formats, "FORMATS", (replace(form, write=write),))
+    ss.export_stimulus(design, path, format=form.name)
     assert path.exists()
     assert seen
     assert not any(seen)
@@ -115,7 +115,7 @@ def test_a_folder_of_that_name_is_left_alone(design, tmp_path):
     (tmp_path / "a.wav").mkdir()
     with pytest.raises(StorageError, match="Choose another name"):
         ss.export_stimulus(design, tmp_path / "a.wav")
-    assert [one.name for one in tmp_path.iterdir()] == ["a.wav"]
+    assert [file.name for file in tmp_path.iterdir()] == ["a.wav"]
 
 
 @pytest.mark.parametrize("name", ss.export_formats())
@@ -128,10 +128,10 @@ def test_an_export_that_is_stopped_leaves_what_was_there(design, tmp_path, name)
 
     path = tmp_path / "a"
     ss.export_stimulus(design, path, format=name, stop=count)
-    before = sorted((one.name, one.stat().st_mtime_ns) for one in tmp_path.iterdir())
+    before = sorted((file.name, file.stat().st_mtime_ns) for file in tmp_path.iterdir())
     times = len(asked)
     # As late as it is asked at all.
     late = iter([*[False] * (times - 1), True])
     with pytest.raises(Stopped):
         ss.export_stimulus(design, path, format=name, stop=lambda: next(late))
-    assert sorted((one.name, one.stat().st_mtime_ns) for one in tmp_path.iterdir()) == before
+    assert sorted((file.name, file.stat().st_mtime_ns) for file in tmp_path.iterdir()) == before

@@ -18,5 +18,5 @@ def test_the_files_that_are_told_are_those_that_are_written(tmp_path, name, apar
     path = tmp_path / f"a.b{kind.suffix}"
     overview = overview_of(prepare_stimulus(DESIGN, path, kind, None, options))
     ss.export_stimulus(DESIGN, path, name, options=options, confirmed=True)
-    told = [one for files in written_files(path, kind, overview.marks) for one in files]
+    told = [file for files in written_files(path, kind, overview.marks) for file in files]
     assert sorted(told) == sorted(tmp_path.iterdir())

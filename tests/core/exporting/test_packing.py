@@ -149,10 +149,12 @@ def test_a_limb_of_a_lab_is_told_by_its_digest_and_not_by_the_published_dataset(
     installed()
     digest = facts_of("lab-1").digest
     design = replace(DESIGN, limb="lab-1")
-    for one in (design, replace(design, limb_digest=digest)):
-        assert "zenodo" not in citation(one)
-        assert f"on the limb Lab 1 (imported here), its numbers SHA-256 {digest}" in citation(one)
-        assert data_of(one)["limb_sha256"] == digest
+    for exported in (design, replace(design, limb_digest=digest)):
+        assert "zenodo" not in citation(exported)
+        assert f"on the limb Lab 1 (imported here), its numbers SHA-256 {digest}" in citation(
+            exported
+        )
+        assert data_of(exported)["limb_sha256"] == digest
     installed(synthetic=True)
     assert "computed from a wave model" in citation(design)
     assert "not known here" in citation(replace(DESIGN, limb="gone-1"))

@@ -66,9 +66,9 @@ class MadeUpCard(types.ModuleType):
 
 @pytest.fixture
 def card(monkeypatch):
-    found = MadeUpCard()
-    monkeypatch.setitem(sys.modules, "sounddevice", found)
-    return found
+    card = MadeUpCard()
+    monkeypatch.setitem(sys.modules, "sounddevice", card)
+    return card
 
 
 @pytest.fixture
@@ -84,7 +84,7 @@ def player(folder, card):
 
 
 def test_the_folder_holds_all_that_is_needed(folder, expected, design):
-    names = sorted(str(one.relative_to(folder)) for one in folder.rglob("*") if one.is_file())
+    names = sorted(str(file.relative_to(folder)) for file in folder.rglob("*") if file.is_file())
     assert names == ["conditions.csv", "play.py", "stimuli/session.wav", "stimulus.json"]
     read, rate_hz = soundfile.read(folder / "stimuli" / "session.wav", dtype="float32")
     np.testing.assert_array_equal(read, expected(design, 48_000).astype(np.float32))
@@ -152,10 +152,10 @@ def test_no_log_of_an_earlier_session_is_lost(folder, player, capsys, design):
         player.main([])
     told = capsys.readouterr().out.split()
     logs = [folder / name for name in ("log.csv", "log-2.csv", "log-3.csv")]
-    assert told == [str(one) for one in logs]
-    before = [one.read_text() for one in logs]
+    assert told == [str(log) for log in logs]
+    before = [log.read_text() for log in logs]
     ss.export_stimulus(design, folder, format="psychopy", rate_hz=8000)
-    assert [one.read_text() for one in logs] == before
+    assert [log.read_text() for log in logs] == before
 
 
 def test_what_the_card_does_not_do_is_one_sentence(player, card):
@@ -203,7 +203,11 @@ def test_an_earlier_folder_is_replaced_and_a_foreign_one_is_not(design, tmp_path
     with pytest.raises(StorageError, match="something else stands there"):
         ss.export_stimulus(design, other, format="psychopy")
     assert (other / "chapter.txt").read_text() == "years of work"
-    assert sorted(one.name for one in tmp_path.iterdir()) == ["session", "session.json", "thesis"]
+    assert sorted(entry.name for entry in tmp_path.iterdir()) == [
+        "session",
+        "session.json",
+        "thesis",
+    ]
 
 
 def test_the_player_needs_nothing_of_the_library():

@@ -230,9 +230,9 @@ def test_the_same_design_gives_the_same_bytes(design, tmp_path, name):
     for folder in ("one", "two"):
         (tmp_path / folder).mkdir()
         ss.export_stimulus(design, tmp_path / folder / "a", format=name)
-    files = sorted(one.relative_to(tmp_path / "one") for one in (tmp_path / "one").rglob("*"))
+    files = sorted(file.relative_to(tmp_path / "one") for file in (tmp_path / "one").rglob("*"))
     assert len(files) >= 2
-    for one in files:
-        if (tmp_path / "one" / one).is_file():
-            content = (tmp_path / "one" / one).read_bytes()
-            assert content == (tmp_path / "two" / one).read_bytes(), one
+    for file in files:
+        if (tmp_path / "one" / file).is_file():
+            content = (tmp_path / "one" / file).read_bytes()
+            assert content == (tmp_path / "two" / file).read_bytes(), file

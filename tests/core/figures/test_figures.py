@@ -109,7 +109,7 @@ def test_the_sum_that_figure_5f_shows_is_of_what_each_input_causes_alone():
 def test_maps_of_all_figures_that_have_them_tell_how_long_a_millimetre_is():
     for name, words in (("1C", "20 mm"), ("2H", "50 mm"), ("4A", "50 mm")):
         figure = draw_figure(ss.scenes.open_scene(name, available=())).figure
-        told = [one.get_text() for ax in figure.axes for one in ax.texts]
+        told = [text.get_text() for ax in figure.axes for text in ax.texts]
         assert told.count(words) == 1, name
 
 
@@ -120,9 +120,9 @@ def test_frames_of_figure_4a_are_a_quarter_of_a_cycle_apart():
     quarters = 100.0 + np.arange(5) * 1e3 / (4 * 104.0)
     np.testing.assert_allclose(at_ms, quarters, atol=1e3 / 1300 / 2 + 1e-3)
     view = ss.View(axes="z", outputs=tuple(range(1, 73)))
-    found = ss.evaluate(opened.design, "response_time_s", "selected_traces", view=view)
-    at = np.searchsorted(found["response_time_s"], 1e-3 * at_ms[2] - 1e-5)
-    np.testing.assert_array_equal(np.asarray(shown.rows)[:, 3], found["selected_traces"][:, at])
+    values = ss.evaluate(opened.design, "response_time_s", "selected_traces", view=view)
+    at = np.searchsorted(values["response_time_s"], 1e-3 * at_ms[2] - 1e-5)
+    np.testing.assert_array_equal(np.asarray(shown.rows)[:, 3], values["selected_traces"][:, at])
 
 
 def test_figures_say_on_which_limb_and_which_conditions_are_not_kept(measured, tmp_path):
@@ -145,14 +145,16 @@ def test_noise_is_hatched_on_a_map_of_a_measured_limb_and_no_other(measured):
     for limb, hatched in (("measured-1", True), ("synthetic-1", False)):
         figure = ss.plot.map(ss.Design(limb=limb, inputs=(tone,)))
         patches = figure.axes[0].patches
-        assert [bool(one.get_hatch()) for one in patches] == [False, *[True] * hatched]
-        words = " ".join(one.get_text() for one in figure.texts)
+        assert [bool(patch.get_hatch()) for patch in patches] == [False, *[True] * hatched]
+        words = " ".join(text.get_text() for text in figure.texts)
         assert ("Hatched: " in words) == hatched
         if hatched:
             noisy = next(
-                one.outputs
-                for one in ss.evaluate(ss.Design(limb=limb, inputs=(tone,)), "validity")["validity"]
-                if one.name == "noise"
+                finding.outputs
+                for finding in ss.evaluate(ss.Design(limb=limb, inputs=(tone,)), "validity")[
+                    "validity"
+                ]
+                if finding.name == "noise"
             )
             shape = ss.load_limb(limb)
             scale = shape.hand_length_mm / shape.map.hand_length_px

@@ -23,18 +23,22 @@ def test_of_200_killed_writers_none_loses_more_than_one_interval(tmp_path):
     assert done.returncode == 0, done.stderr
     told = json.loads(done.stdout)
     assert len(told) == KILLS
-    found = recovery.find(tmp_path)
-    assert found.set_aside == ()
-    left = {int(one.copies[0].parent.name.split("-")[2]): one for one in found.left}
+    search = recovery.find(tmp_path)
+    assert search.set_aside == ()
+    left = {
+        int(left_over.copies[0].parent.name.split("-")[2]): left_over for left_over in search.left
+    }
     for writer in told:
         times = writer["edits_s"]
         kept = 0
         if writer["pid"] in left:
-            one = left[writer["pid"]]
-            assert len(one.copies) <= 6  # the sixth was being written
-            kept = round(8 * open_design(one.copies[0]).design.inputs[0].amplitude)
-            assert [open_design(copy).layout for copy in one.copies] == [b""] * len(one.copies)
-            assert (one.name, one.file) == ("tap", Path("/designs/tap.skinsource"))
+            left_over = left[writer["pid"]]
+            assert len(left_over.copies) <= 6  # the sixth was being written
+            kept = round(8 * open_design(left_over.copies[0]).design.inputs[0].amplitude)
+            assert [open_design(copy).layout for copy in left_over.copies] == [b""] * len(
+                left_over.copies
+            )
+            assert (left_over.name, left_over.file) == ("tap", Path("/designs/tap.skinsource"))
         since_s = times[kept - 1] if kept else times[0]
         # Between two edits the writer may have had to wait for its turn, or for the disk.
         longest_s = max((b - a for a, b in pairwise(times)), default=0.0)
@@ -42,6 +46,6 @@ def test_of_200_killed_writers_none_loses_more_than_one_interval(tmp_path):
     assert len(left) > KILLS // 2
     files = [path for path in tmp_path.rglob("*") if path.is_file()]
     assert [path for path in files if path.name.endswith((".part", ".opening"))] == []
-    for one in found.left:
-        recovery.discard(one)
+    for left_over in search.left:
+        recovery.discard(left_over)
     assert [path for path in tmp_path.rglob("*") if path.is_file()] == []

@@ -28,7 +28,7 @@ def test_what_an_arrow_changes_is_the_test_alone_on_its_own_actuator(tmp_path):
     begin = int(np.flatnonzero(reference)[0])
     run = MatchingRun(Procedure(**MATCHED), None)
     exact = ss.stimulus_of(run.design, RATE_HZ)
-    sent = dict(zip((one.place for one in exact.channels), exact.samples, strict=True))
+    sent = dict(zip((channel.place for channel in exact.channels), exact.samples, strict=True))
     # The first samples of a sine that begins at 0 are 0.
     begin -= int(np.flatnonzero(sent[7])[0])
     n = min(sent[7].size, CYCLE)
@@ -40,6 +40,6 @@ def test_what_an_arrow_changes_is_the_test_alone_on_its_own_actuator(tmp_path):
     n = min(sent[3].size, CYCLE)
     assert test[begin:][:n] == pytest.approx(factor * sent[3][:n], abs=1e-6)
     cycles = [test[begin + k * CYCLE :][:CYCLE] for k in range((test.size - begin) // CYCLE)]
-    heard_db = 20.0 * np.log10([np.abs(one).max() / 0.25 for one in cycles])
+    heard_db = 20.0 * np.log10([np.abs(cycle).max() / 0.25 for cycle in cycles])
     for level_db in seen["levels_db"]:
         assert np.abs(heard_db - level_db).min() < 0.05

@@ -40,10 +40,10 @@ def sound(monkeypatch):
 @pytest.fixture
 def presenter():
     over = threading.Event()
-    found = Presenter(Output(outputs=((7, 1), (3, 2))), lambda stream: over.set())
-    found.over = over
-    yield found
-    found.close()
+    new = Presenter(Output(outputs=((7, 1), (3, 2))), lambda stream: over.set())
+    new.over = over
+    yield new
+    new.close()
 
 
 def test_reference_and_test_alternate_on_their_actuators(sound, presenter):
@@ -52,14 +52,14 @@ def test_reference_and_test_alternate_on_their_actuators(sound, presenter):
     wait_for(lambda: sound.streams[0].samples.shape[1] > 3 * CYCLE)
     heard = sound.streams[0].samples
     expected = ss.stimulus_of(run.design, 48_000)
-    for one, row in zip(expected.channels, expected.samples, strict=True):
-        output = {7: 0, 3: 1}[one.place]
+    for channel, row in zip(expected.channels, expected.samples, strict=True):
+        output = {7: 0, 3: 1}[channel.place]
         for cycle in (1, 2):
             begin = cycle * CYCLE + FADE
-            found = heard[output, begin : begin + CYCLE - 2 * FADE]
+            played = heard[output, begin : begin + CYCLE - 2 * FADE]
             wanted = np.zeros(CYCLE)
             wanted[: min(row.size, CYCLE)] = row[:CYCLE]
-            np.testing.assert_allclose(found, wanted[: -2 * FADE], atol=1e-6)
+            np.testing.assert_allclose(played, wanted[: -2 * FADE], atol=1e-6)
     assert not heard[2:].any()
 
 

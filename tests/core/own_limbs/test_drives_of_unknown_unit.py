@@ -26,11 +26,11 @@ COIL = ss.ActuatorAt(model=ss.actuators.load("example-voice-coil"))
 
 
 def units(design):
-    return [amplitude_unit(replace(design, scaling=one)) for one in SCALINGS]
+    return [amplitude_unit(replace(design, scaling=scaling)) for scaling in SCALINGS]
 
 
 def driven(design):
-    return [drive_unit(replace(design, scaling=one)) for one in SCALINGS]
+    return [drive_unit(replace(design, scaling=scaling)) for scaling in SCALINGS]
 
 
 @pytest.fixture
@@ -62,7 +62,7 @@ def test_only_where_the_drive_is_the_amplitude_its_unit_is_not_known(drive_limb)
 def test_a_limb_that_answers_the_probe_is_told_of_as_the_published_ones(probe_limb):
     assert drive_unit_known("lab-1")
     for scaling in SCALINGS:
-        lab, published = (replace(one, scaling=scaling) for one in (LAB, PUBLISHED))
+        lab, published = (replace(design, scaling=scaling) for design in (LAB, PUBLISHED))
         for say in (amplitude_unit, amplitude_meaning, drive_unit, amplitude_spec):
             assert say(lab) == say(published)
     assert units(PUBLISHED) == ["m/s²", "×", "m/s²"]
@@ -156,8 +156,8 @@ def test_what_is_exported_says_it_in_every_file(user_data, tmp_path, answers_dri
 def test_figures_of_linearity_tell_strengths_in_what_is_known(user_data, answers_drive):
     installed(per_unit_drive=answers_drive)
     opened = ss.scenes.open_scene("5D", limb="lab-1")
-    labels = [one.label for one in opened.conditions]
-    speeds = [one.label for one in ss.scenes.open_scene("5A", limb="lab-1").conditions]
+    labels = [condition.label for condition in opened.conditions]
+    speeds = [condition.label for condition in ss.scenes.open_scene("5A", limb="lab-1").conditions]
     drawn = draw_figure(opened)
     axis = drawn.sheet.figure.axes[0].get_xlabel()
     header = drawn.tables[""].header

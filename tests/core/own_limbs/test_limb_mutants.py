@@ -17,19 +17,19 @@ N_MUTANTS = 300
 
 @pytest.fixture(scope="module")
 def process():
-    with ReadingProcess(silence_s=5.0) as one:
-        yield one
+    with ReadingProcess(silence_s=5.0) as reading:
+        yield reading
 
 
 def outcome(path, process):
     """The error, or None where a whole limb came of it."""
     source = LimbSource(responses=path)
     try:
-        found = prepare_limb(source, process)
-        blocks = list(importing_module._responses(path, found, process, lambda: False))
+        prepared = prepare_limb(source, process)
+        blocks = list(importing_module._responses(path, prepared, process, lambda: False))
     except SkinSourceError as error:
         return error
-    assert len(blocks) == found.limb.n_inputs
+    assert len(blocks) == prepared.limb.n_inputs
     return None
 
 

@@ -41,9 +41,9 @@ ALSA_SETTINGS = Path("/usr/share/alsa/alsa.conf")
 
 def rows(seed: int, n: int) -> np.ndarray:
     """Noise that fills the range, and whose first and last samples are not silent."""
-    found = np.random.default_rng(seed).uniform(-1.0, 1.0, (N_OUTPUTS, n)).astype(np.float32)
-    found[:, [0, -1]] = 0.5
-    return found
+    noise = np.random.default_rng(seed).uniform(-1.0, 1.0, (N_OUTPUTS, n)).astype(np.float32)
+    noise[:, [0, -1]] = 0.5
+    return noise
 
 
 def first_sounding(heard: np.ndarray) -> int:

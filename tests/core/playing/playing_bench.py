@@ -52,6 +52,6 @@ def largest_step(heard) -> float:
 
 def playing(of_mix, *, at=0, gain_db=0.0, n_outputs=None):
     """A deck that plays a mix from a sample on."""
-    found = deck(n_outputs or of_mix.n_outputs, gain_db)
-    found.play(of_mix, at)
-    return found
+    queue = deck(n_outputs or of_mix.n_outputs, gain_db)
+    queue.play(of_mix, at)
+    return queue

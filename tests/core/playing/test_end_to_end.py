@@ -34,14 +34,14 @@ def test_what_arrives_at_the_device_is_what_was_sent_sample_by_sample(tmp_path):
 
 
 def test_a_live_change_arrives_in_its_place_while_the_playhead_keeps_step(tmp_path):
-    found = seen("live", tmp_path)
-    assert (found["done"], found["reason"], found["gone"]) == (True, "stopped", False)
-    assert 0.0 < found["total_s"] < 0.5
-    assert all(-1.0 < peak <= 0.0 for peak in found["peak_db"])
+    report = seen("live", tmp_path)
+    assert (report["done"], report["reason"], report["gone"]) == (True, "stopped", False)
+    assert 0.0 < report["total_s"] < 0.5
+    assert all(-1.0 < peak <= 0.0 for peak in report["peak_db"])
     heard, before, after = read_heard(tmp_path), rows(1, LONG), rows(2, LONG)
     begin = first_sounding(heard)
     # The middle one: on a busy machine one or the other thread stands still now and then.
-    ahead_s = [at_s - (frames - begin) / RATE_HZ for at_s, frames in found["seen_at"]]
+    ahead_s = [at_s - (frames - begin) / RATE_HZ for at_s, frames in report["seen_at"]]
     assert np.median(ahead_s) == pytest.approx(0.0, abs=0.1)
     heard = heard[:, begin:]
     n = heard.shape[1]

@@ -24,9 +24,9 @@ def test_an_output_that_another_place_is_wired_to_is_not_free():
 def test_no_two_places_share_an_output(places, pairs):
     outputs = tuple({place: (place, output) for place, output in pairs}.values())
     outputs = tuple({output: (place, output) for place, output in outputs}.values())
-    found = Output(outputs=outputs).outputs_of(places)
-    assert set(found) == set(places)
-    assert len(set(found.values())) == len(found)
+    numbers = Output(outputs=outputs).outputs_of(places)
+    assert set(numbers) == set(places)
+    assert len(set(numbers.values())) == len(numbers)
 
 
 def test_what_is_written_down_is_read_again():

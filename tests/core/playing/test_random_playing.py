@@ -21,7 +21,7 @@ rows = st.builds(
     _row, st.integers(0, 2), st.integers(1, 900), st.floats(-1.0, 1.0, allow_subnormal=False)
 )
 loops = st.none() | st.tuples(st.integers(0, 700), st.integers(2 * FADE, 500)).map(
-    lambda found: (found[0], found[0] + found[1])
+    lambda span: (span[0], span[0] + span[1])
 )
 swaps = st.tuples(st.just("play"), rows, loops, st.none() | st.integers(0, 1200))
 gains = st.tuples(st.just("gain"), st.floats(-60.0, 20.0))
@@ -93,8 +93,8 @@ def test_whatever_is_asked_for_nothing_clicks(all_commands):
 def test_a_mix_in_the_place_of_itself_changes_nothing(row, at, sizes):
     loop = (100, 400)
     live, left_alone = deck(), deck()
-    for one in (live, left_alone):
-        one.play(mix(row, loop=loop), at)
+    for queue in (live, left_alone):
+        queue.play(mix(row, loop=loop), at)
     for n in sizes:
         live_heard, left_heard = block(live, n), block(left_alone, n)
         assert np.allclose(live_heard, left_heard, rtol=0, atol=1e-7)

@@ -29,10 +29,10 @@ def sound(monkeypatch):
 @pytest.fixture
 def session():
     over = threading.Event()
-    found = Session(lambda stream: over.set())
-    found.over = over
-    yield found
-    found.close()
+    new = Session(lambda stream: over.set())
+    new.over = over
+    yield new
+    new.close()
 
 
 def play(session, design=ONE, output=None, **changes):
@@ -80,7 +80,7 @@ def test_an_edit_that_needs_more_outputs_opens_the_device_anew(sound, session):
     playing = play(session, output=Output(device="Eight"), loops=True)
     three = replace(ONE, inputs=tuple(ss.track(place, TONE) for place in (7, 8, 9)))
     changed = session.change(playing, three, Output(device="Eight"), loops=True)
-    assert [one.asked["channels"] for one in sound.streams] == [2, 3]
+    assert [stream.asked["channels"] for stream in sound.streams] == [2, 3]
     assert playing.stream.closed
     assert not changed.stream.closed
 
@@ -174,4 +174,4 @@ def test_underruns_are_counted(sound, session):
 
 def test_looking_for_devices_ends_what_is_played(sound, session):
     play(session, loops=True)
-    assert [one.name for one in session.devices()] == ["Two", "Eight"]
+    assert [device.name for device in session.devices()] == ["Two", "Eight"]

@@ -45,27 +45,27 @@ def test_a_signal_with_jitter_is_itself_at_a_steady_rate():
     n = 70_000
     stamps = 5.0 + (np.arange(n) + rng.uniform(-0.3, 0.3, n)) / 6000.0
     values = np.sin(2.0 * np.pi * 250.0 * stamps)
-    found = at_steady_rate(values, stamps, Fraction(6000))
-    times = stamps[0] + np.arange(found.size) / 6000.0
-    assert abs(found.size - n) <= 1
-    assert np.abs(found - np.sin(2.0 * np.pi * 250.0 * times))[3:-3].max() < 2e-3
-    assert np.abs(found - np.sin(2.0 * np.pi * 250.0 * times)).max() < 2e-2
+    steady = at_steady_rate(values, stamps, Fraction(6000))
+    times = stamps[0] + np.arange(steady.size) / 6000.0
+    assert abs(steady.size - n) <= 1
+    assert np.abs(steady - np.sin(2.0 * np.pi * 250.0 * times))[3:-3].max() < 2e-3
+    assert np.abs(steady - np.sin(2.0 * np.pi * 250.0 * times)).max() < 2e-2
 
 
 def test_samples_on_the_grid_stay_what_they_are():
     stamps = np.arange(1000) / 500.0
     values = np.random.default_rng(2).standard_normal(1000)
-    found = at_steady_rate(values, stamps, Fraction(500))
-    np.testing.assert_allclose(found, values, rtol=0, atol=1e-9)
+    steady = at_steady_rate(values, stamps, Fraction(500))
+    np.testing.assert_allclose(steady, values, rtol=0, atol=1e-9)
 
 
 def test_a_gap_is_bridged_by_a_straight_line():
     stamps = np.concatenate((np.arange(200) / 1000.0, 0.5 + np.arange(200) / 1000.0))
     values = np.sin(stamps * 900.0)
-    found = at_steady_rate(values, stamps, Fraction(1000))
+    steady = at_steady_rate(values, stamps, Fraction(1000))
     expected = np.interp(np.arange(200, 500) / 1000.0, [stamps[199], 0.5], values[[199, 200]])
-    np.testing.assert_allclose(found[200:500], expected, atol=1e-12)
-    assert np.abs(found).max() <= 1.0001
+    np.testing.assert_allclose(steady[200:500], expected, atol=1e-12)
+    assert np.abs(steady).max() <= 1.0001
 
 
 @pytest.mark.parametrize(

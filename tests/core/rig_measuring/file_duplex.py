@@ -55,8 +55,12 @@ def main(folder: Path) -> dict:
     measurement.Duplex = Prepared
     rig = Rig(channels=(RigChannel(place=7, device="card", full_scale_v=VOLTS),))
     setup = replace(SETUP, repeats=2)
-    found = measurement.measure(rig, 7, setup, output=Output(sample_rate_hz=RATE_HZ))
-    return {"off": apart(found), "delay_s": found.delay_s, "points": len(found.response.points)}
+    measured = measurement.measure(rig, 7, setup, output=Output(sample_rate_hz=RATE_HZ))
+    return {
+        "off": apart(measured),
+        "delay_s": measured.delay_s,
+        "points": len(measured.response.points),
+    }
 
 
 if __name__ == "__main__":

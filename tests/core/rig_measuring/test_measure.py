@@ -43,9 +43,9 @@ def measured(rig=RIG, place=7, setup=SETUP, **more):
 GAIN, BOTH = 0.02, 0.06
 
 
-def apart(found, model=COIL):
+def apart(result, model=COIL):
     """Largest relative distance from what the model is by its formula, delay and sign included."""
-    ratio = found.response.response(HZ) / model.response(HZ)
+    ratio = result.response.response(HZ) / model.response(HZ)
     assert np.abs(np.abs(ratio) - 1.0).max() < GAIN
     return np.abs(ratio - 1.0).max()
 
@@ -56,14 +56,14 @@ def card(monkeypatch):
 
 
 def test_the_response_of_the_actuator_comes_back_in_m_per_s2_per_v(card):
-    found = measured()
-    assert apart(found) < BOTH
-    assert abs(found.delay_s - DELAY_S - BLOCK_S) < 2e-5
-    assert not found.inverted
-    assert found.n_left_out == 0
-    assert found.noise_m_per_s2 == pytest.approx(1e-5 * INPUT_VOLTS / SENSITIVITY, rel=0.1)
+    result = measured()
+    assert apart(result) < BOTH
+    assert abs(result.delay_s - DELAY_S - BLOCK_S) < 2e-5
+    assert not result.inverted
+    assert result.n_left_out == 0
+    assert result.noise_m_per_s2 == pytest.approx(1e-5 * INPUT_VOLTS / SENSITIVITY, rel=0.1)
     # What is said of its error is about what its error is.
-    assert np.median(found.error) < 0.01
+    assert np.median(result.error) < 0.01
     quiet, loud = (np.abs(stream.samples).max(axis=1) for stream in card.streams)
     assert loud == pytest.approx([0.0, 0.0, 0.1], rel=0.01)
     assert quiet == pytest.approx([0.0, 0.0, 0.01], rel=0.01)
@@ -72,41 +72,41 @@ def test_the_response_of_the_actuator_comes_back_in_m_per_s2_per_v(card):
 def test_a_wire_from_output_to_input_tells_the_delay(monkeypatch):
     wire = ears(lambda hz: np.full(hz.size, 0.5 + 0j))
     use(monkeypatch, Card(wire, ears(sensed(COIL))))
-    found = measured(setup=replace(SETUP, input_number=2, loopback_input=1))
-    assert found.delay_by_wire
-    assert abs(found.delay_s - DELAY_S - BLOCK_S) < 1e-6
-    assert apart(found) < 0.02
+    result = measured(setup=replace(SETUP, input_number=2, loopback_input=1))
+    assert result.delay_by_wire
+    assert abs(result.delay_s - DELAY_S - BLOCK_S) < 1e-6
+    assert apart(result) < 0.02
 
 
 def test_noise_covers_the_lowest_frequencies_and_they_are_left_out(monkeypatch):
     use(monkeypatch, Card(ears(sensed(COIL)), noise=2e-2))
-    found = measured()
-    assert found.n_left_out > 0
-    assert found.response.points[0][0] > 22.0
-    hz = np.array([point[0] for point in found.response.points])
-    off = np.abs(np.abs(found.response.response(hz) / COIL.response(hz)) - 1.0)
+    result = measured()
+    assert result.n_left_out > 0
+    assert result.response.points[0][0] > 22.0
+    hz = np.array([point[0] for point in result.response.points])
+    off = np.abs(np.abs(result.response.response(hz) / COIL.response(hz)) - 1.0)
     # Within three of its own standard errors and what the width of a point costs, nearly always.
-    assert np.mean(off < 3.0 * found.error + GAIN) > 0.95
-    assert found.error.max() <= 0.1
-    assert np.median(found.error) > 0.005
+    assert np.mean(off < 3.0 * result.error + GAIN) > 0.95
+    assert result.error.max() <= 0.1
+    assert np.median(result.error) > 0.005
 
 
 def test_an_actuator_that_moves_against_the_voltage_is_told(monkeypatch):
     use(monkeypatch, Card(ears(sensed(COIL, -VOLTS))))
-    found = measured()
-    assert found.inverted
-    assert "against the voltage" in " ".join(found.lines)
+    result = measured()
+    assert result.inverted
+    assert "against the voltage" in " ".join(result.lines)
     turned = replace(RIG, channels=(replace(CHANNEL, polarity="inverted"),))
     assert not measured(turned).inverted
     assert apart(measured(turned)) < BOTH
 
 
 def test_what_was_measured_is_in_its_channel_with_the_date(card):
-    found = measured()
-    after = kept(RIG, found)
+    result = measured()
+    after = kept(RIG, result)
     assert after.channels[0] == RIG.channels[0]
     today = datetime.now(UTC).date().isoformat()
-    assert after.channels[1] == replace(CHANNEL, measured=found.response, measured_on=today)
+    assert after.channels[1] == replace(CHANNEL, measured=result.response, measured_on=today)
     assert after.channels[1].calibrated
 
 

@@ -40,14 +40,14 @@ def cards(monkeypatch):
 @pytest.mark.parametrize("ppm", [0.0, 83.0, -400.0])
 def test_the_response_comes_back_whatever_the_clocks_do(cards, ppm):
     cards.ratio = 1.0 + 1e-6 * ppm
-    found = measured()
-    assert found.clock_ppm == pytest.approx(ppm, abs=0.5)
-    assert apart(found) < 0.06
+    result = measured()
+    assert result.clock_ppm == pytest.approx(ppm, abs=0.5)
+    assert apart(result) < 0.06
     # By the clock that records, which has run since the first sample.
     begun_s = BEGUN_LATER / RATE_HZ + 0.205e-6 * ppm
-    assert found.delay_s == pytest.approx(DELAY_S + begun_s, abs=2e-5)
-    assert np.median(found.error) < 0.01
-    said = " ".join(found.lines)
+    assert result.delay_s == pytest.approx(DELAY_S + begun_s, abs=2e-5)
+    assert np.median(result.error) < 0.01
+    said = " ".join(result.lines)
     assert "two devices, Plays and Hears, which begin when they can" in said
     assert ("millionths quicker", "clocks agree", "millionths slower")[
         1 - int(np.sign(ppm))
@@ -57,9 +57,9 @@ def test_the_response_comes_back_whatever_the_clocks_do(cards, ppm):
 def test_a_wire_tells_delay_and_clocks(cards):
     cards.paths = (ears(lambda hz: np.full(hz.size, 0.5 + 0j)), *cards.paths)
     cards.ratio = 1.0 + 150e-6
-    found = measured(replace(SETUP, input_number=2, loopback_input=1))
-    assert found.clock_ppm == pytest.approx(150.0, abs=0.05)
-    assert apart(found) < 0.02
+    result = measured(replace(SETUP, input_number=2, loopback_input=1))
+    assert result.clock_ppm == pytest.approx(150.0, abs=0.05)
+    assert apart(result) < 0.02
 
 
 def test_the_command_that_looks_for_another_device_finds_it_by_its_name(cards):
@@ -93,13 +93,13 @@ def test_each_device_is_named_that_refuses_or_is_gone(cards, monkeypatch):
     cards.pulled_after, cards.deaf_after = 100_000, 200
     with pytest.raises(PlaybackError, match="Hears stopped answering"):
         measured()
-    assert all(one.closed.is_set() for one in cards.streams)
+    assert all(stream.closed.is_set() for stream in cards.streams)
 
 
 def test_lost_samples_are_told_and_a_stop_is_silent(cards):
     with pytest.raises(Stopped):
         measured(stop=lambda: True)
-    assert all(one.closed.is_set() for one in cards.streams)
+    assert all(stream.closed.is_set() for stream in cards.streams)
     cards.loses_at = 150
     with pytest.raises(PlaybackError, match="lost 1 times"):
         measured()
@@ -109,7 +109,7 @@ def test_a_stop_is_heard_too_while_what_was_played_last_is_on_its_way_in(cards):
     cards.deaf_after = 200
     with pytest.raises(Stopped):
         measured(stop=lambda: cards.began and not cards.streams[-1].active)
-    assert all(one.closed.is_set() for one in cards.streams)
+    assert all(stream.closed.is_set() for stream in cards.streams)
 
 
 def test_nothing_is_waited_for_where_playing_ended_before_the_end(cards, monkeypatch):

@@ -22,8 +22,8 @@ def two_workers():
     logging.getLogger("distributed").setLevel(logging.CRITICAL)
     with distributed.LocalCluster(
         n_workers=2, threads_per_worker=1, dashboard_address=None, processes=True
-    ) as found:
-        yield found
+    ) as cluster:
+        yield cluster
 
 
 def test_no_row_is_lost_or_doubled_where_a_worker_is_killed(two_workers):
@@ -38,7 +38,7 @@ def test_no_row_is_lost_or_doubled_where_a_worker_is_killed(two_workers):
         if done == 20:
             os.kill(victim, signal.SIGKILL)
 
-    found = run(
+    table = run(
         Sweep(plan=plan),
         None,
         measuring=cluster.Cluster(two_workers.scheduler_address),
@@ -46,8 +46,8 @@ def test_no_row_is_lost_or_doubled_where_a_worker_is_killed(two_workers):
     )
     assert told == list(range(161))
     here = run(Sweep(plan=plan), None, processes=1)
-    assert [repr(row) for row in found.rows] == [repr(row) for row in here.rows]
-    assert not found.failed
+    assert [repr(row) for row in table.rows] == [repr(row) for row in here.rows]
+    assert not table.failed
 
 
 def test_a_scheduler_that_does_not_answer_is_one_sentence(monkeypatch):

@@ -47,13 +47,13 @@ def test_a_file_says_all_that_a_sweep_does(folder):
         rate_hz = 48000
         """,
     )
-    found = read_sweep(path)
-    assert len(found.plan) == 8
-    assert found.plan.names == ("frequency_hz", "2.amplitude", "location")
-    assert found.plan.outputs == (19, 21)
-    assert (found.plan.axes, found.plan.method, found.plan.level_db) == ("z", "mag", -3.0)
-    assert found.order == Order(kind="counterbalanced", seed=9, participants=4, blocks=2)
-    assert (found.files.format, found.files.rate_hz) == ("wav", 48_000)
+    table = read_sweep(path)
+    assert len(table.plan) == 8
+    assert table.plan.names == ("frequency_hz", "2.amplitude", "location")
+    assert table.plan.outputs == (19, 21)
+    assert (table.plan.axes, table.plan.method, table.plan.level_db) == ("z", "mag", -3.0)
+    assert table.order == Order(kind="counterbalanced", seed=9, participants=4, blocks=2)
+    assert (table.files.format, table.files.rate_hz) == ("wav", 48_000)
 
 
 @pytest.mark.parametrize(
