@@ -82,7 +82,7 @@ def test_each_curve_stays_what_it_was_when_the_other_is_drawn(frequency, amplitu
 def test_a_curve_that_is_put_back_changes_nothing_that_is_heard(frequency):
     points = (
         (0.0, *frequency[0][1:], 0.5),
-        *((*point, 1.0) for point in frequency),
+        *((*knot, 1.0) for knot in frequency),
         (2.0, 50.0, 0.0),
     )
     glide = Glide(points)

@@ -156,7 +156,7 @@ def test_the_graph_of_the_studio_knows_every_field_of_design_and_view():
     given = sources(FOUR, View())
     assert {"limb", "inputs", "scaling", "axes", "method", "outputs"} <= set(given)
     results = new_graph().evaluate(["voices", "other_voices"], given)
-    assert [track.location for track in results["voices"]] == [7, 8, 7, 16]
+    assert [voice.location for voice in results["voices"]] == [7, 8, 7, 16]
     assert results["other_voices"] == results["voices"][1:]
 
 

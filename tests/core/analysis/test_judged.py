@@ -84,10 +84,10 @@ def test_each_condition_that_is_not_kept_has_short_words_and_no_other(scaling):
     findings = evaluate(design, "validity")["validity"]
     left = {finding.name for finding in findings if finding.state == "left"}
     assert left >= {"band", "spacing", "limb", "drive" if scaling == "probe" else "scaling"}
-    for waveform in findings:
-        assert bool(waveform.in_short) == (waveform.state == "left")
-        assert (waveform.number is None) == ("{" not in waveform.in_short)
-        assert len(waveform.in_short) <= 100
+    for finding in findings:
+        assert bool(finding.in_short) == (finding.state == "left")
+        assert (finding.number is None) == ("{" not in finding.in_short)
+        assert len(finding.in_short) <= 100
     short = " ".join(in_short([Judged(label="A", findings=findings)]))
     assert "{" not in short
     assert " of the energy lies above 300 Hz" in short

@@ -76,6 +76,6 @@ def test_its_windows_are_those_that_windowed_rms_cuts(measured):
     rms = ss.windowed_rms(traces, windows.window_samples, windows.first_sample)
     limb = ss.load_limb("measured-4")
     distances_mm = [
-        ss.extent(rms_m_per_s2, limb, 7).mean_distance_mm for rms_m_per_s2 in rms[: windows.count]
+        ss.extent(window_rms, limb, 7).mean_distance_mm for window_rms in rms[: windows.count]
     ]
     assert distances_mm == pytest.approx([31.9, 27.9, 23.4, 18.8, 17.0], abs=0.5)

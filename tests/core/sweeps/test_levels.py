@@ -43,7 +43,7 @@ def highest_above_threshold(design):
         [1.0] * len(design.inputs),
         "probe",
     )
-    return max(level_db.max() for level_db in sensation_levels_db(field, 1300.0).values())
+    return max(of_channel.max() for of_channel in sensation_levels_db(field, 1300.0).values())
 
 
 @pytest.mark.parametrize("values", [FREQUENCIES, FREQUENCIES[:2]])
