@@ -119,16 +119,16 @@ def begin_anew(you: Composer) -> None:
     you.expect(you.document.design.inputs == (), "New empties the hand")
 
 
-def pick_of_list(you: Composer, box: QComboBox, words: str) -> None:
+def pick_of_list(you: Composer, box: QComboBox, text: str) -> None:
     """Open a drop-down list and click on a line of it."""
-    if box.currentText() == words:
+    if box.currentText() == text:
         return
     you.click(box)
     rows: QAbstractItemView = box.view()
     you.wait(rows.isVisible, "the list opens")
     # A list that has just opened takes a quick click for the second half of the first one.
     QTest.qWait(QApplication.doubleClickInterval() + 100)
-    row = rows.model().index(box.findText(words), box.modelColumn())
+    row = rows.model().index(box.findText(text), box.modelColumn())
     rows.scrollTo(row)
     you.click(rows, rows.visualRect(row).center())
 

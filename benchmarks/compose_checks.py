@@ -50,8 +50,10 @@ def check_train(you: Composer) -> None:
     you.expect(train.family == "gabor", "wavelets are Gabor's")
     you.expect(len(train.gains_db) == len(TRAIN_HZ), "each wavelet has a gain of its own")
     levels = [_loudest_db(you, train, k) for k in range(len(train.frequencies_hz))]
-    apart = max(levels) - min(levels)
-    you.expect(apart < _EQUAL_DB, f"wavelets are alike on the skin, not {apart:.3f} dB apart")
+    spread_db = max(levels) - min(levels)
+    you.expect(
+        spread_db < _EQUAL_DB, f"wavelets are alike on the skin, not {spread_db:.3f} dB apart"
+    )
     check_levels(you)
 
 
@@ -97,11 +99,11 @@ def check_recording(you: Composer, times_s: float, level: float) -> None:
 
 def check_sweep(you: Composer) -> None:
     """Places, onsets and courses of the sweep."""
-    wanted = Sweep(path=PATH, waveform=Tone(SWEEP_HZ, duration_s=0.6))
+    planned = Sweep(path=PATH, waveform=Tone(SWEEP_HZ, duration_s=0.6))
     onsets = [(track.location, track.clips[0].onset_s) for track in you.document.design.inputs]
-    expected = [(track.location, track.clips[0].onset_s) for track in wanted.tracks()]
+    expected = [(track.location, track.clips[0].onset_s) for track in planned.tracks()]
     you.expect(onsets == expected, f"the sweep passes {expected}, not {onsets}")
-    for track, plan in zip(you.document.design.inputs, wanted.tracks(), strict=False):
+    for track, plan in zip(you.document.design.inputs, planned.tracks(), strict=False):
         same = track.clips[0].sampled(1300.0)[1]
         off = np.abs(same - plan.clips[0].sampled(1300.0)[1]).max(initial=0.0)
         you.expect(off == 0.0, f"place {track.location} plays what the law says")

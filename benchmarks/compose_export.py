@@ -87,8 +87,8 @@ def check(you: Composer, path: Path) -> None:
     you.expect(about["equaliser"]["kind"] == "RegularisedInverse", "they are equalised")
     you.expect("oltage" not in about["calibration"], "it says that it is uncalibrated")
     coil = load("example-voice-coil")
-    wanted = stimulus_of(design).samples
-    for volts, drive in zip(samples.T * about["full_scale"], wanted, strict=True):
+    expected = stimulus_of(design).samples
+    for volts, drive in zip(samples.T * about["full_scale"], expected, strict=True):
         moved = coil.simulate(volts, rate_hz, "first").acceleration
         resampled = resample(moved, rate_hz, 1300)[: drive.size]
         # What rings beyond the ends of the file is cut off there.

@@ -97,11 +97,11 @@ class ScreenHands:
         there = widget.mapToGlobal(at)
         self._do("mousemove", str(there.x()), str(there.y()))
 
-    def _do(self, *words: str) -> None:
+    def _do(self, *text: str) -> None:
         tool = shutil.which("xdotool")
         if tool is None:
             raise SystemExit("xdotool is missing; it moves the mouse of a real screen")
-        subprocess.run([tool, *words], check=True, timeout=10)  # noqa: S603  found above
+        subprocess.run([tool, *text], check=True, timeout=10)  # noqa: S603  found above
         QTest.qWait(60)
 
 

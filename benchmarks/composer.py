@@ -73,10 +73,10 @@ class Composer:
             QTest.qWait(_LOOK_MS)
         QTest.qWait(_LOOK_MS)
 
-    def picture(self, words: str) -> None:
+    def picture(self, text: str) -> None:
         """Photograph the window."""
         self.settle()
-        self.window.grab().save(str(self._pictures / f"{words.replace(' ', '-')}.png"))
+        self.window.grab().save(str(self._pictures / f"{text.replace(' ', '-')}.png"))
 
     def key(self, keys: str, times: int = 1) -> None:
         """Press a key, wherever the keyboard is."""
@@ -132,16 +132,16 @@ class Composer:
         self.steps += abs(notches)
         QTest.qWait(_LOOK_MS)
 
-    def choose(self, *words: str) -> None:
+    def choose(self, *text: str) -> None:
         """Choose in a menu of the menu bar, and in the menus that open from there, by mouse."""
         bar = self.window.menuBar()
-        first = next(action for action in bar.actions() if _plain(action.text()) == words[0])
+        first = next(action for action in bar.actions() if _plain(action.text()) == text[0])
         self.click(bar, bar.actionGeometry(first).center())
-        self.choose_of_popup(*words[1:])
+        self.choose_of_popup(*text[1:])
 
-    def choose_of_popup(self, *words: str) -> None:
+    def choose_of_popup(self, *text: str) -> None:
         """Choose in the menu that is open, by mouse."""
-        for word in words:
+        for word in text:
             # A menu within a menu opens a moment later.
             self.wait(lambda w=word: _line(w) is not None, f"a menu opens that has {word}")
             menu, line = QApplication.activePopupWidget(), _line(word)
@@ -214,5 +214,5 @@ def _text(widget: QWidget) -> str:
     return _plain(widget.text()) if isinstance(widget, QAbstractButton) else ""
 
 
-def _plain(words: str) -> str:
-    return words.replace("&", "").split("\t")[0]
+def _plain(text: str) -> str:
+    return text.replace("&", "").split("\t")[0]

@@ -125,9 +125,9 @@ def main() -> int:
             ratio(way(plain, drives_with(1.0, 1.0), 1.0), way(*scene), rounds)
             for way in (by_predict, by_engine)
         ]
-        kept = max(ratios) <= PROMISED
-        broken += not kept
-        mark = "" if kept else "  BROKEN"
+        holds = max(ratios) <= PROMISED
+        broken += not holds
+        mark = "" if holds else "  BROKEN"
         print(f"{label:>36} {ratios[0]:8.2f} {ratios[1]:8.2f} {PROMISED:9.1f}{mark}")
     return int(broken > 0)
 

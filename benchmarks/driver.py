@@ -56,11 +56,11 @@ class Driver:
             QTest.qWait(_LOOK_MS)
         return holds()
 
-    def picture(self, words: str, widget: QWidget | None = None) -> None:
+    def picture(self, label: str, widget: QWidget | None = None) -> None:
         """Photograph the window, or a part or dialog of it."""
         self.settle()
         self._count += 1
-        name = f"{self._count:02d}-{words.replace(' ', '-')}.png"
+        name = f"{self._count:02d}-{label.replace(' ', '-')}.png"
         (widget or self.window).grab().save(str(self._folder / name))
 
     def widget(self, name: str, inside: QWidget | None = None) -> QWidget:
@@ -86,7 +86,7 @@ class Driver:
         self.settle()
 
     def drag(
-        self, widget: QWidget, start: QPoint, end: QPoint, words: str = "", modifiers=NONE
+        self, widget: QWidget, start: QPoint, end: QPoint, label: str = "", modifiers=NONE
     ) -> None:
         """Press, move in ten steps, take a picture if it has ``words``, and let go."""
         QTest.mousePress(widget, LEFT, modifiers, start)
@@ -102,8 +102,8 @@ class Driver:
             )
             QApplication.sendEvent(widget, event)
             QApplication.processEvents()
-        if words:
-            self.picture(words)
+        if label:
+            self.picture(label)
         QTest.mouseRelease(widget, LEFT, modifiers, end)
         self.settle()
 

@@ -58,12 +58,12 @@ def measure(here: Path, other: Path, seconds: float, rounds: int) -> bool:
         ratios.append(took[here] / took[other])
         print(f"  here {took[here]:6.2f}, there {took[other]:6.2f}: {ratios[-1]:.2f} x", flush=True)
     middle = statistics.median(ratios)
-    kept = middle <= MOST
+    holds = middle <= MOST
     print(
         f"{middle:.2f} x, from {min(ratios):.2f} to {max(ratios):.2f} (promised: {MOST:g}): "
-        f"{'kept' if kept else 'BROKEN'}"
+        f"{'kept' if holds else 'BROKEN'}"
     )
-    return kept
+    return holds
 
 
 def main() -> int:
@@ -74,8 +74,8 @@ def main() -> int:
     parser.add_argument("--seconds", type=float, nargs="+", default=[1.0, 4.0])
     options = parser.parse_args()
     here, other = Path(__file__).resolve().parents[1], options.other.resolve()
-    kept = [measure(here, other, seconds, options.rounds) for seconds in options.seconds]
-    return int(not all(kept))
+    holds = [measure(here, other, seconds, options.rounds) for seconds in options.seconds]
+    return int(not all(holds))
 
 
 if __name__ == "__main__":

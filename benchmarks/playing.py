@@ -87,7 +87,7 @@ def be_a_card(path: Path) -> dict[str, object]:
         os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(10))
     while _waiting(pipe) < _STEADY:
         sleep(0.001)
-    due_s, taken, missed, late, in_a_row = perf_counter(), 0, 0, 0, 0
+    due_s, n_read, missed, late, in_a_row = perf_counter(), 0, 0, 0, 0
     while in_a_row < 1000:
         due_s += _BLOCK_S
         sleep(max(due_s - perf_counter(), 0.0))
@@ -97,11 +97,11 @@ def be_a_card(path: Path) -> dict[str, object]:
             due_s = perf_counter()
         if _waiting(pipe) >= _BLOCK_BYTES:
             os.read(pipe, _BLOCK_BYTES)
-            taken, missed, in_a_row = taken + 1, missed + in_a_row, 0
+            n_read, missed, in_a_row = n_read + 1, missed + in_a_row, 0
         else:
             in_a_row += 1
     os.close(pipe)
-    return {"card took blocks": taken, "card found nothing": missed, "card was late": late}
+    return {"card took blocks": n_read, "card found nothing": missed, "card was late": late}
 
 
 def _waiting(pipe: int) -> int:
@@ -114,9 +114,9 @@ def play(seconds: float) -> dict[str, object]:
     """Loop, edit, and tell what happened."""
     took_s: list[float] = []
 
-    def timed(deck: object, out: object) -> None:
+    def timed(queue: object, out: object) -> None:
         begun_s = perf_counter()
-        block.next_block(deck, out)
+        block.next_block(queue, out)
         took_s.append(perf_counter() - begun_s)
 
     stream.next_block = timed

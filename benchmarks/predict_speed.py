@@ -82,15 +82,15 @@ def main() -> int:
     return int(broken > 0)
 
 
-def verdict(words: str, times: np.ndarray, least: float) -> bool:
+def verdict(label: str, times: np.ndarray, least: float) -> bool:
     """Print how many times quicker than the plain way, on the wall and of processors; if kept."""
-    kept = times.max() >= least
+    holds = times.max() >= least
     wall, processors = times
     print(
-        f"{words:>16} {wall:.2f} times as quick, {processors:.2f} by processor time, promised "
-        f"{least:g}: {'kept' if kept else 'BROKEN'}"
+        f"{label:>16} {wall:.2f} times as quick, {processors:.2f} by processor time, promised "
+        f"{least:g}: {'kept' if holds else 'BROKEN'}"
     )
-    return kept
+    return holds
 
 
 if __name__ == "__main__":

@@ -50,8 +50,8 @@ def main() -> int:
         "two designs": (design, twenty_inputs("synthetic-1", 63.0)),
     }
     print(f"{'':>12} {'edit':>10} {'alone, ms':>10} {'in turn, ms':>12} {'ratio':>6}  promised")
-    kept = [row(pair, edit, *pairs[pair]) for pair in pairs for edit in EDITS]
-    return 0 if all(kept) else 1
+    holds = [row(pair, edit, *pairs[pair]) for pair in pairs for edit in EDITS]
+    return 0 if all(holds) else 1
 
 
 def row(pair: str, edit: str, left: Design, right: Design) -> bool:

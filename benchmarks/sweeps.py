@@ -78,8 +78,8 @@ def seconds_after_start(plan: Plan, processes: int) -> float:
     """How long the stimuli after the first few take, in as many processes."""
     start = 0.0
     numbers = range(1, len(plan) + 1)
-    for seen, _ in enumerate(measured(plan, numbers, processes), start=1):
-        if seen == _WARM * processes:
+    for n_measured, _ in enumerate(measured(plan, numbers, processes), start=1):
+        if n_measured == _WARM * processes:
             start = perf_counter()
     return (perf_counter() - start) / (len(plan) - _WARM * processes)
 

@@ -72,19 +72,19 @@ def main() -> int:
         # Nobody is there to be asked about unsaved work.
         window.document.mark_saved(Path(folder) / "saved")
         window.close()
-    kept = report("drag of one clip of 1000, all panels", drag, PROMISED_DRAG)
-    return 0 if report("scrolling the lanes", scroll, PROMISED_SCROLL) and kept else 1
+    holds = report("drag of one clip of 1000, all panels", drag, PROMISED_DRAG)
+    return 0 if report("scrolling the lanes", scroll, PROMISED_SCROLL) and holds else 1
 
 
-def report(words: str, frames: tuple[float, float], promised: float) -> bool:
+def report(label: str, frames: tuple[float, float], promised: float) -> bool:
     """Print frames per second; whether the promise is kept."""
-    kept = max(frames) >= promised
+    holds = max(frames) >= promised
     clock, processor = frames
     print(
-        f"{words}: {clock:.0f} frames per second, {processor:.0f} by processor time, promised "
-        f"{promised:g}: {'kept' if kept else 'BROKEN'}"
+        f"{label}: {clock:.0f} frames per second, {processor:.0f} by processor time, promised "
+        f"{promised:g}: {'kept' if holds else 'BROKEN'}"
     )
-    return kept
+    return holds
 
 
 def frames_per_s(began: list[tuple[float, float]], ended: list[tuple[float, float]]) -> Frames:

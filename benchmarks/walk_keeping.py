@@ -89,9 +89,9 @@ def export_field(you: Driver, folder: Path) -> None:
 def arrange(you: Driver, _: Path) -> None:
     """Arrangements, themes, docks, palette, pages, full screen."""
     window = you.window
-    for digit, words in ((KEY.Key_2, "analysis"), (KEY.Key_3, "presenting")):
+    for digit, label in ((KEY.Key_2, "analysis"), (KEY.Key_3, "presenting")):
         you.key(digit, CONTROL)
-        you.picture(f"arranged for {words}")
+        you.picture(f"arranged for {label}")
     you.key(KEY.Key_1, CONTROL)
     window.docks["spectra"].setFloating(True)
     window.docks["inspector"].close()

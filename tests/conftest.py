@@ -183,13 +183,13 @@ def made_up_download(tmp_path_factory, write_table, complete_rows) -> Path:
     polyshape["Vertices"][0, 0] = random.uniform(-600, -40, (1505, 2))
     outputs = random.uniform(-600, -40, (72, 2))
     outputs[60:66] = np.nan
-    seen = random.uniform(0, 400, (1505, 72))
-    seen[:, 60:66] = np.nan
+    magnitudes = random.uniform(0, 400, (1505, 72))
+    magnitudes[:, 60:66] = np.nan
     content = {
         "surface": ("surface", MatlabOpaque({"any": polyshape}, "polyshape")),
         "outputLocations": ("outputLocations", outputs),
         "inputLocations": ("inputLocations", random.uniform(-600, -40, (20, 2))),
-        "adjacencyMatrix": ("adjacencyMatrix", seen),
+        "adjacencyMatrix": ("adjacencyMatrix", magnitudes),
     }
     shapes = ((464, 174), (437, 164), (490, 184), (437, 164))
     for k, shape in enumerate(shapes, start=1):

@@ -83,8 +83,8 @@ def pytest_sessionfinish(session) -> None:
     numbers, stated = session.config.stash[NUMBERS], stated_promises()
     missing = [key for key in stated if key not in numbers]
     if missing:
-        words = f"\nno table was written: not measured were {', '.join(missing)}"
-        session.config.get_terminal_writer().line(words)
+        message = f"\nno table was written: not measured were {', '.join(missing)}"
+        session.config.get_terminal_writer().line(message)
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
         return
     machine = (
@@ -148,9 +148,9 @@ def noted(request, documented) -> Callable[[str, float], None]:
         numbers[key] = max(known, numbers.get(key, 0.0))
         assert known <= promise, f"{key}, {what}: {known:.3g} is more than {promise:g}"
         if not making:
-            told = float(documented[key][3])
-            assert known <= MOST_TIMES_THE_TABLE * told, (
-                f"{key}, {what}: {known:.3g}, but docs/stability.md says {told:g}; make it again"
+            stated = float(documented[key][3])
+            assert known <= MOST_TIMES_THE_TABLE * stated, (
+                f"{key}, {what}: {known:.3g}, but docs/stability.md says {stated:g}; make it again"
             )
 
     return note

@@ -52,8 +52,8 @@ def test_stored_convolutions_are_those_that_whole_numbers_give(case):
 
 def test_stored_signals_are_those_of_the_formula_in_float64():
     for case in of_kind(Resampling):
-        wanted = tone_burst(case.problem.to_hz)[None, case.samples]
-        np.testing.assert_allclose(case.reference, wanted, rtol=0, atol=1e-11)
+        expected = tone_burst(case.problem.to_hz)[None, case.samples]
+        np.testing.assert_allclose(case.reference, expected, rtol=0, atol=1e-11)
 
 
 @pytest.mark.parametrize(
@@ -134,15 +134,18 @@ def test_what_would_not_fit_or_take_too_long_is_left_out(monkeypatch):
 
 
 def test_measuring_is_told_and_can_be_stopped():
-    told = []
+    progress = []
     cases = of_kind(Resampling)
     rows = measure(
-        cases, repeats=1, progress=lambda *step: told.append(step), stop=lambda: len(told) > 1
+        cases,
+        repeats=1,
+        progress=lambda *step: progress.append(step),
+        stop=lambda: len(progress) > 1,
     )
     assert next(rows).way == "SkinSource resample"
     with pytest.raises(Stopped):
         list(rows)
-    assert told[0] == (0, 9, "1300 to 48000 Hz: SkinSource resample")
+    assert progress[0] == (0, 9, "1300 to 48000 Hz: SkinSource resample")
 
 
 def test_tables_hold_every_row():

@@ -94,10 +94,10 @@ def test_a_changed_drive_through_an_actuator_costs_the_transforms_of_one_without
     for through in (None, actuation(equaliser=INVERSE)):
         design = replace(design_of(tone(), tone(3, 60.0)), actuation=through)
         view, graph = View(outputs=(5,), selected_inputs=(1,)), new_graph()
-        wanted = {"output_rms", "selected_traces", "selected_spectra"}
-        graph.evaluate(wanted, sources(design, view))
+        quantities = {"output_rms", "selected_traces", "selected_spectra"}
+        graph.evaluate(quantities, sources(design, view))
         edited = design.with_clip(design.clips[0].id, waveform=ss.waveforms.Tone(frequency_hz=90.0))
-        graph.evaluate(wanted, sources(edited, view))
+        graph.evaluate(quantities, sources(edited, view))
         counted.append((graph.work.forward_transforms, graph.work.inverse_transforms))
     assert counted[0] == counted[1]
 
@@ -241,15 +241,15 @@ def test_what_it_goes_through_is_saved_and_digests_tell_it_apart(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("actuators", "words"),
+    ("actuators", "message"),
     [
         ((), "empty"),
         ((ss.ActuatorAt(model=COIL), ss.ActuatorAt(model=PIEZO)), "all other places twice"),
         ((ss.ActuatorAt(place=3, model=COIL), ss.ActuatorAt(place=3, model=COIL)), "place 3 twice"),
     ],
 )
-def test_actuators_that_cannot_be_are_refused(actuators, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_actuators_that_cannot_be_are_refused(actuators, message):
+    with pytest.raises(InvalidInputError, match=message):
         ss.Actuation(actuators=actuators)
 
 

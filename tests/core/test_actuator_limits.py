@@ -95,8 +95,8 @@ def test_responses_beyond_all_numbers_are_refused():
 
 
 def test_a_limit_that_is_passed_is_called_as_in_the_panel_with_its_unit():
-    said = [str(Breach(field.name, 0.0123456, 0.002)) for field in fields(Limits)]
-    assert said[0] == "peak voltage: 0.01235 V, expected at most 0.002 V"
-    assert "RMS voltage: 0.01235 V, expected at most 0.002 V" in said
-    assert "slew: 0.01235 V/s, expected at most 0.002 V/s" in said
-    assert said[-1] == "duty: 0.01235, expected at most 0.002"
+    sentences = [str(Breach(field.name, 0.0123456, 0.002)) for field in fields(Limits)]
+    assert sentences[0] == "peak voltage: 0.01235 V, expected at most 0.002 V"
+    assert "RMS voltage: 0.01235 V, expected at most 0.002 V" in sentences
+    assert "slew: 0.01235 V/s, expected at most 0.002 V/s" in sentences
+    assert sentences[-1] == "duty: 0.01235, expected at most 0.002"

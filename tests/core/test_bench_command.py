@@ -100,17 +100,19 @@ def test_a_limb_is_named_in_the_report(tmp_path, monkeypatch, user_data):
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("arguments", "message"),
     [(["--out", "file/x"], "cannot be written"), (["--limb", "nowhere"], "nowhere")],
 )
-def test_what_cannot_be_done_is_told_before_the_work(tmp_path, monkeypatch, capsys, words, said):
+def test_what_cannot_be_done_is_told_before_the_work(
+    tmp_path, monkeypatch, capsys, arguments, message
+):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(
         bench_command, "measure", lambda *_, **__: pytest.fail("measured for nothing")
     )
     (tmp_path / "file").write_text("in the way")
-    assert main(["bench", *words]) == 1
-    assert said in capsys.readouterr().err
+    assert main(["bench", *arguments]) == 1
+    assert message in capsys.readouterr().err
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
 
 

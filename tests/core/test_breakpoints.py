@@ -29,10 +29,10 @@ GRID = np.linspace(-0.1, 1.3, 1401)
 
 
 @st.composite
-def drawn(draw, kinds=KINDS, apart=0.0):
+def drawn(draw, kinds=KINDS, gap_s=0.0):
     times = sorted(draw(st.lists(st.integers(0, 1000), min_size=1, max_size=8)))
     times = [time / 1000 for time in times]
-    assume(all(b - a >= apart for a, b in itertools.pairwise(times)))
+    assume(all(b - a >= gap_s for a, b in itertools.pairwise(times)))
     return tuple((time, draw(LEVELS), draw(kinds)) for time in times)
 
 
@@ -49,7 +49,7 @@ def test_a_curve_stays_within_the_levels_that_were_drawn(points):
         assert ((part >= min(y0, y1)) & (part <= max(y0, y1))).all()
 
 
-@given(drawn(apart=0.001))
+@given(drawn(gap_s=0.001))
 def test_a_curve_goes_through_its_points(points):
     times = np.array([time for time, _, _ in points])
     assert curve_at(points, times) == pytest.approx([level for _, level, _ in points], abs=1e-12)
@@ -57,7 +57,7 @@ def test_a_curve_goes_through_its_points(points):
     assert ends.tolist() == [points[0][1], points[-1][1]]
 
 
-@given(drawn(st.just("smooth"), apart=0.001))
+@given(drawn(st.just("smooth"), gap_s=0.001))
 def test_a_smooth_curve_is_the_monotone_cubic(points):
     assume(len(points) > 1)
     times, levels = (np.array([point[k] for point in points]) for k in (0, 1))
@@ -78,10 +78,10 @@ def test_one_point_is_one_level():
 
 
 @pytest.mark.parametrize("kind", SEGMENTS)
-@pytest.mark.parametrize("apart", [0.0, 1e-12, 5e-10])
-def test_two_points_at_one_time_are_a_jump(kind, apart):
-    points = ((0.0, 1.0, kind), (0.5, 1.0, kind), (0.5 + apart, 3.0, kind), (1.0, 3.0, kind))
-    values = curve_at(points, np.array([0.2, 0.499999, 0.5 + 2 * apart, 0.7]))
+@pytest.mark.parametrize("gap_s", [0.0, 1e-12, 5e-10])
+def test_two_points_at_one_time_are_a_jump(kind, gap_s):
+    points = ((0.0, 1.0, kind), (0.5, 1.0, kind), (0.5 + gap_s, 3.0, kind), (1.0, 3.0, kind))
+    values = curve_at(points, np.array([0.2, 0.499999, 0.5 + 2 * gap_s, 0.7]))
     assert values == pytest.approx([1.0, 1.0, 3.0, 3.0])
     # Of more than two, what lies between does not count.
     more = (*points[:2], (0.5, 9.0, kind), (0.5, 0.0, kind), *points[2:])
@@ -111,7 +111,7 @@ def test_ten_thousand_points_are_a_curve():
     assert values == pytest.approx(np.abs(np.sin(np.linspace(0.0, 600.0, 100_000))), abs=4e-2)
 
 
-@given(drawn(apart=0.001), st.lists(st.floats(0.0, 1.2), min_size=1, max_size=4))
+@given(drawn(gap_s=0.001), st.lists(st.floats(0.0, 1.2), min_size=1, max_size=4))
 def test_points_are_added_without_changing_the_curve(points, times_s):
     after = points
     for time_s in times_s:
@@ -167,7 +167,7 @@ def test_beside_a_step_of_next_to_nothing_the_curve_is_level():
 
 
 @given(
-    drawn(st.just("smooth"), apart=0.05),
+    drawn(st.just("smooth"), gap_s=0.05),
     st.floats(0.0, 1.0),
     st.floats(-0.3, 0.3),
     st.floats(-2, 2),

@@ -31,8 +31,8 @@ WANTED = ("output_rms", "clip_waveforms", "input_waveforms")
 def show():
     graph = new_graph()
 
-    def show(design=DESIGN, wanted=WANTED):
-        return graph.evaluate(wanted, sources(design, View())), graph.work
+    def show(design=DESIGN, quantities=WANTED):
+        return graph.evaluate(quantities, sources(design, View())), graph.work
 
     show()
     return show

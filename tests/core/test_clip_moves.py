@@ -109,10 +109,10 @@ def test_what_was_copied_from_selected_tracks_is_pasted_onto_them(order):
 
 def test_a_fragment_travels_as_text():
     fragment = edits.fragment_of(DESIGN, (1, 4))
-    words = edits.fragment_text(fragment)
-    assert edits.fragment_from(words) == fragment
+    text = edits.fragment_text(fragment)
+    assert edits.fragment_from(text) == fragment
     with pytest.raises(FileFormatError, match="changed on its way"):
-        edits.fragment_from(words.replace("Tone", "Tune"))
+        edits.fragment_from(text.replace("Tone", "Tune"))
     with pytest.raises(FileFormatError, match="does not hold skinsource clips"):
         edits.fragment_from("{}")
     assert edits.fragment_of(DESIGN, (9,)) is None

@@ -68,11 +68,11 @@ def test_what_cannot_be_is_refused_with_a_reason():
         inputs=(Input(location=3, clips=(Clip(),) * MAX_CLIPS), Input(location=7, clips=(Clip(),))),
     )
     many = Design(limb="synthetic-1", inputs=(Input(location=1, clips=(Clip(),)),) * MAX_INPUTS)
-    for outcome, words in (
+    for outcome, label in (
         (edits.move_clips_to_place(DESIGN, VIEW, (), 3), "No clip is selected"),
         (edits.move_clips_to_place(DESIGN, VIEW, (2,), 0), "location"),
         (edits.move_clips_to_place(full, VIEW, (MAX_CLIPS + 1,), 3), "at most 1000 clips"),
         (edits.move_clips_to_place(many, VIEW, (1,), 5), "at most 100 inputs"),
     ):
         assert isinstance(outcome, Refusal)
-        assert words in outcome.sentence
+        assert label in outcome.sentence

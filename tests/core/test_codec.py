@@ -136,8 +136,8 @@ def signed(change, padding: bytes = b"") -> bytes:
         file.attrs["version"] = 2
         change(file)
     stored = memory.getvalue()[512:] + padding
-    words = f"SkinSource design, version 2\nSHA-256 {sha256(stored).hexdigest()}\n"
-    return words.encode().ljust(512, b"\n") + stored
+    header = f"SkinSource design, version 2\nSHA-256 {sha256(stored).hexdigest()}\n"
+    return header.encode().ljust(512, b"\n") + stored
 
 
 def holding(content: bytes, **options):

@@ -83,8 +83,8 @@ def test_a_gain_of_one_changes_nothing_and_too_large_ones_are_refused():
     assert matching_gain(-12.3, -12.3) == 1.0
     assert matching_gain(FLOOR_DB, -12.3) == matching_gain(-12.3, FLOOR_DB) == 1.0
     assert matching_gain(-20.0, 0.0) == pytest.approx(10.0, rel=1e-15)
-    said = [gain_text(gain) for gain in (10.0, 0.5, 1.004, 0.0)]
-    assert said == ["+20.0 dB", "\N{MINUS SIGN}6.0 dB", "", ""]
+    texts = [gain_text(gain) for gain in (10.0, 0.5, 1.004, 0.0)]
+    assert texts == ["+20.0 dB", "\N{MINUS SIGN}6.0 dB", "", ""]
     with pytest.raises(InvalidInputError):
         louder(DESIGN, 1e6)
     with pytest.raises(InvalidInputError):
@@ -132,11 +132,11 @@ def test_one_key_goes_to_and_fro_between_the_last_two():
     design, view = store(DESIGN, View(), 1)
     design, view = store(OTHER, view, 2)
     design, view = store(THIRD, view, 3)
-    seen = []
+    shown = []
     for _ in range(4):
         design, view = toggle(design, view)
-        seen.append(design)
-    assert seen == [OTHER, THIRD, OTHER, THIRD]
+        shown.append(design)
+    assert shown == [OTHER, THIRD, OTHER, THIRD]
     design, view = apply(design, view, edits.show_snapshot(design, view, 1))
     assert toggle(design, view)[0] == THIRD
 
@@ -219,11 +219,11 @@ def test_only_the_snapshot_that_is_shown_has_its_gain_and_what_is_edited_has_non
 def test_to_keep_a_gain_is_an_edit_of_all_amplitudes():
     _, view = store(OTHER, MATCHED, 1)
     view = edits.show_snapshot(OTHER, view, 1, 0.5).view
-    kept = edits.keep_match_gain(OTHER, view)
-    assert kept.label == "Keep \N{MINUS SIGN}6.0 dB"
-    assert kept.design == louder(OTHER, 0.5)
-    assert kept.view.match_gain(kept.design) == 1.0
-    assert isinstance(edits.keep_match_gain(kept.design, kept.view), Refusal)
+    outcome = edits.keep_match_gain(OTHER, view)
+    assert outcome.label == "Keep \N{MINUS SIGN}6.0 dB"
+    assert outcome.design == louder(OTHER, 0.5)
+    assert outcome.view.match_gain(outcome.design) == 1.0
+    assert isinstance(edits.keep_match_gain(outcome.design, outcome.view), Refusal)
 
 
 def test_designs_are_alike_where_amplitudes_differ_by_rounding_alone():

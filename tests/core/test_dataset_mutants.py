@@ -110,12 +110,12 @@ def packed(tmp_path) -> Path:
 
 def test_flips_anywhere_but_in_values_are_refused_or_make_no_difference(packed):
     with h5py.File(packed) as file:
-        taken = [
+        ranges = [
             file["#refs#"][name].id.get_chunk_info(k) for name in file["#refs#"] for k in range(18)
         ]
     free = np.ones(packed.stat().st_size, bool)
     free[:512] = False
-    for piece in taken:
+    for piece in ranges:
         free[512 + piece.byte_offset : 512 + piece.byte_offset + piece.size] = False
     content = np.fromfile(packed, np.uint8)
     used = np.flatnonzero(free & (content != 0))
@@ -159,12 +159,12 @@ def test_a_misplaced_piece_is_refused_by_the_installation(made_up_download, tmp_
     values = matio.load_from_mat(str(path))["adjacencyMatrix"]
     matio.save_to_mat(str(path), {"adjacencyMatrix": values}, version="v7.3")
     with h5py.File(path, "r+", libver="earliest") as file:
-        kept = dict(file["adjacencyMatrix"].attrs)
+        attributes = dict(file["adjacencyMatrix"].attrs)
         del file["adjacencyMatrix"]
         pieces = file.create_dataset(
             "adjacencyMatrix", data=values.T, chunks=(8, 500), compression="gzip"
         )
-        pieces.attrs.update(kept)
+        pieces.attrs.update(attributes)
     install(folder, unpublished=True)
 
     content = bytearray(path.read_bytes())

@@ -79,7 +79,7 @@ def test_equal_designs_are_equal_and_can_be_keys():
 
 
 @pytest.mark.parametrize(
-    ("muted", "solo", "heard"),
+    ("muted", "solo", "audible"),
     [
         ((0, 0, 0), (0, 0, 0), [1, 2, 3]),
         ((0, 1, 0), (0, 0, 0), [1, 3]),
@@ -90,12 +90,12 @@ def test_equal_designs_are_equal_and_can_be_keys():
         ((1, 1, 1), (0, 0, 0), []),
     ],
 )
-def test_solo_inputs_are_heard_alone_and_muted_ones_never(muted, solo, heard):
+def test_solo_inputs_are_heard_alone_and_muted_ones_never(muted, solo, audible):
     inputs = tuple(
         replace(track, muted=bool(is_muted), solo=bool(is_solo))
         for track, is_muted, is_solo in zip(THREE.inputs, muted, solo, strict=True)
     )
-    assert [track.location for track in audible_inputs(inputs)] == heard
+    assert [track.location for track in audible_inputs(inputs)] == audible
 
 
 def scaled(scaling):

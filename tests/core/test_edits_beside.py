@@ -66,8 +66,8 @@ def test_what_was_silent_as_a_group_stays_silent_apart():
         True,
         True,
     ]
-    heard = design(Clip(waveform=Layers(parts)))
-    assert [clip.muted for clip in edits.ungroup_clips(heard, VIEW, (1,)).design.clips] == [
+    layered = design(Clip(waveform=Layers(parts)))
+    assert [clip.muted for clip in edits.ungroup_clips(layered, VIEW, (1,)).design.clips] == [
         True,
         False,
     ]

@@ -102,7 +102,7 @@ def test_an_envelope_is_that_of_the_last_one_or_a_new_one():
 
 
 @pytest.mark.parametrize(
-    ("edit", "given", "words"),
+    ("edit", "given", "message"),
     [
         ("add_effect", ((9,), "Fade"), "No clip is selected"),
         ("add_effect", ((1,), "Echo"), "No effect is called 'Echo'; there are Envelope, Fade"),
@@ -116,10 +116,10 @@ def test_an_envelope_is_that_of_the_last_one_or_a_new_one():
         ("set_envelope", (9, ((0.0, 1.0),)), "No clip is selected"),
     ],
 )
-def test_what_cannot_be_done_is_refused_with_a_reason(edit, given, words):
+def test_what_cannot_be_done_is_refused_with_a_reason(edit, given, message):
     outcome = getattr(edits, edit)(DESIGN, VIEW, *given)
     assert isinstance(outcome, Refusal)
-    assert words in outcome.sentence
+    assert message in outcome.sentence
 
 
 def test_a_chain_has_an_end_in_number_and_in_time():

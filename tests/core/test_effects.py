@@ -198,15 +198,15 @@ def test_a_band_keeps_what_lies_in_it_and_removes_the_rest():
     )
     band = BandLimit(50.0, 200.0)
     for effect in (low, high):
-        taken = effect.samples(RATE_HZ)
-        assert np.abs(band.applied(taken, RATE_HZ)).max() < 2e-4
-        assert band.share_removed(taken, RATE_HZ) > 0.999999
-    taken = inside.samples(RATE_HZ)
+        samples_in = effect.samples(RATE_HZ)
+        assert np.abs(band.applied(samples_in, RATE_HZ)).max() < 2e-4
+        assert band.share_removed(samples_in, RATE_HZ) > 0.999999
+    samples_in = inside.samples(RATE_HZ)
     # Without a delay, and without another shape.
-    assert np.abs(band.applied(taken, RATE_HZ) - taken).max() < 1e-4
-    assert band.share_removed(taken, RATE_HZ) < 1e-9
+    assert np.abs(band.applied(samples_in, RATE_HZ) - samples_in).max() < 1e-4
+    assert band.share_removed(samples_in, RATE_HZ) < 1e-9
     assert band.share_removed(np.zeros(10), RATE_HZ) == 0.0
-    both = low.samples(RATE_HZ) + taken
+    both = low.samples(RATE_HZ) + samples_in
     assert band.share_removed(both, RATE_HZ) == pytest.approx(0.5, abs=1e-6)
     noise = Noise(duration_s=1.0, low_hz=0.0, high_hz=650.0).samples(RATE_HZ)
     assert band.share_removed(noise, RATE_HZ) == pytest.approx(

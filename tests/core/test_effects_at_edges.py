@@ -25,8 +25,8 @@ def test_the_share_that_is_removed_counts_half_the_rate_once(n):
     size = limit._spectrum(samples, RATE_HZ)[1]
     frequencies_hz = np.abs(np.fft.fftfreq(size, 1.0 / RATE_HZ))
     energy = np.abs(np.fft.fft(samples, size)) ** 2
-    kept = (energy * limit.gains_at(frequencies_hz) ** 2).sum() / energy.sum()
-    assert limit.share_removed(samples, RATE_HZ) == pytest.approx(1.0 - kept, abs=1e-12)
+    share = (energy * limit.gains_at(frequencies_hz) ** 2).sum() / energy.sum()
+    assert limit.share_removed(samples, RATE_HZ) == pytest.approx(1.0 - share, abs=1e-12)
 
 
 @pytest.mark.parametrize(("shift_s", "size"), [(0.0, 80), (0.0004, 81)])

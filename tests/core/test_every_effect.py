@@ -89,12 +89,12 @@ def test_it_plays_as_long_as_it_says_and_is_silent_outside(effect, shift):
 
 @pytest.mark.parametrize("effect", ALL, ids=NAMES)
 def test_it_leaves_what_it_takes_as_it_was_and_gives_the_same_again(effect):
-    taken = BURST.samples(RATE_HZ)
-    before = taken.copy()
-    taken.flags.writeable = False
-    samples = effect.applied(taken, RATE_HZ)
+    samples_in = BURST.samples(RATE_HZ)
+    before = samples_in.copy()
+    samples_in.flags.writeable = False
+    samples = effect.applied(samples_in, RATE_HZ)
     assert np.array_equal(samples, effect.applied(before, RATE_HZ))
-    assert np.array_equal(taken, before)
+    assert np.array_equal(samples_in, before)
 
 
 @pytest.mark.parametrize(("effect", "shift"), list(product(ALL, SHIFTS)))

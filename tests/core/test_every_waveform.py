@@ -118,13 +118,13 @@ def played(recipe: Waveform, rate_hz: float, shift_s: float = 0.0) -> np.ndarray
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_samples_are_finite_as_many_as_the_length_says_and_the_same_each_time(kind):
-    heard = 0
+    n_audible = 0
     for number_of, recipe in enumerate(any_recipes(kind)):
         rate_hz = RATES_HZ[number_of % len(RATES_HZ)]
         samples = played(recipe, rate_hz)
         if samples is None:
             continue
-        heard += 1
+        n_audible += 1
         expected = 1 if kind.__name__ == "Impulse" else sample_count(recipe.duration_s, rate_hz)
         assert samples.shape == (expected,), recipe
         assert samples.dtype == np.float64
@@ -136,7 +136,7 @@ def test_samples_are_finite_as_many_as_the_length_says_and_the_same_each_time(ki
         assert np.isfinite(later).all(), recipe
         if kind.__name__ not in BEYOND_ONE:
             assert np.abs(samples).max(initial=0.0) <= 1.0 + 1e-12, recipe
-    assert heard >= (5 if len(any_recipes(kind)) > 1 else 1)
+    assert n_audible >= (5 if len(any_recipes(kind)) > 1 else 1)
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -157,8 +157,8 @@ def test_only_bad_input_is_refused_and_in_words(kind):
     )
     for name in specs_of(kind):
         for value in wrong:
-            words = refusal_of(lambda name=name, value=value: replace(kind(), **{name: value}))
-            assert "expected" in words or not words
+            message = refusal_of(lambda name=name, value=value: replace(kind(), **{name: value}))
+            assert "expected" in message or not message
     for rate_hz in (0.0, -1300.0, float("nan"), float("inf"), "fast", None):
         assert "expected" in refusal_of(lambda rate_hz=rate_hz: kind().samples(rate_hz))
 

@@ -106,21 +106,21 @@ def test_pandas_reads_the_tables_without_help(tmp_path):
 
 def test_levels_name_the_places_and_say_what_they_are_the_rms_over(tmp_path):
     path = tmp_path / "levels.csv"
-    for span, words in (
+    for span, text in (
         ("record", "whole record (record)"),
         ("loudest", "loudest 100 ms (loudest)"),
     ):
         export_levels(path, MEASURED, View(span=span))
         lines = path.read_text("utf-8").splitlines()
-        assert f"# levels: RMS over the {words}" in lines
+        assert f"# levels: RMS over the {text}" in lines
         rows = list(csv.reader(line for line in lines if not line.startswith("#")))[1:]
         assert [row[4] for row in rows] == [place.name for place in OUTPUTS]
         assert [int(row[0]) for row in rows if row[3] == "palm"] == list(VOLAR_OUTPUTS)
         assert {row[3] for row in rows} == {"back", "palm"}
 
 
-@pytest.mark.parametrize(("span", "words"), [("record", "whole record"), ("loudest", "100 ms")])
-def test_files_without_levels_name_what_levels_are_the_rms_over_too(tmp_path, span, words):
+@pytest.mark.parametrize(("span", "text"), [("record", "whole record"), ("loudest", "100 ms")])
+def test_files_without_levels_name_what_levels_are_the_rms_over_too(tmp_path, span, text):
     design, view = Design(limb="synthetic-1", inputs=INPUTS, scaling="upstream"), View(span=span)
     export_traces(tmp_path / "traces.csv", design, view)
     export_field(tmp_path / "field.npz", design, view)
@@ -129,7 +129,7 @@ def test_files_without_levels_name_what_levels_are_the_rms_over_too(tmp_path, sp
     of_traces = [line.removeprefix("# ") for line in read(tmp_path / "traces.csv")[0]]
     for about in (of_traces, of_the_field):
         (line,) = [line for line in about if line.startswith("levels: RMS over the ")]
-        assert words in line
+        assert text in line
         assert line.endswith(f"({span})")
 
 

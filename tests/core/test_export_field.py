@@ -115,9 +115,9 @@ def test_a_disk_with_too_little_room_is_one_clear_sentence_before_anything_is_wr
 
 
 def test_progress_only_grows_and_ends_at_the_end(tmp_path):
-    told = []
-    export_field(tmp_path / "field.npz", LONG, View(), progress=lambda *now: told.append(now))
-    done = [done for done, _, _ in told]
-    assert told[0] == (0, 0, "Computing")
+    progress = []
+    export_field(tmp_path / "field.npz", LONG, View(), progress=lambda *now: progress.append(now))
+    done = [done for done, _, _ in progress]
+    assert progress[0] == (0, 0, "Computing")
     assert done == sorted(done)
-    assert told[-1][0] == told[-1][1] == 16 * 1300 + 21 + 521
+    assert progress[-1][0] == progress[-1][1] == 16 * 1300 + 21 + 521

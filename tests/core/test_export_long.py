@@ -87,9 +87,9 @@ def test_a_folder_that_is_not_there_is_one_sentence(tmp_path, name):
 
 
 def test_a_table_is_written_in_small_pieces(tmp_path):
-    told = []
-    export_traces(tmp_path / "t.csv", DESIGN, VIEW, progress=lambda *now: told.append(now))
-    steps = np.diff([done for done, total, _ in told if total])
+    progress = []
+    export_traces(tmp_path / "t.csv", DESIGN, VIEW, progress=lambda *now: progress.append(now))
+    steps = np.diff([done for done, total, _ in progress if total])
     assert (steps > 0).all()
     assert steps.max() < 2100
-    assert told[-1][:2] == (16 * 1300 + 21 + 521,) * 2
+    assert progress[-1][:2] == (16 * 1300 + 21 + 521,) * 2

@@ -62,7 +62,7 @@ def test_of_several_places_the_nearest_counts():
 
 
 @pytest.mark.parametrize(
-    ("rms", "location", "words"),
+    ("rms", "location", "message"),
     [
         (np.ones(71), 7, "shape"),
         (-np.ones(72), 7, "0 or more"),
@@ -72,8 +72,8 @@ def test_of_several_places_the_nearest_counts():
         (np.ones(72), (), "expected an input place"),
     ],
 )
-def test_what_has_no_extent_is_refused(rms, location, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_has_no_extent_is_refused(rms, location, message):
+    with pytest.raises(InvalidInputError, match=message):
         ss.extent(rms, LIMB, location)
 
 

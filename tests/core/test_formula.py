@@ -146,7 +146,7 @@ def test_noise_is_gaussian_of_its_band_and_the_seed_decides():
 
 
 @pytest.mark.parametrize(
-    ("text", "column", "words"),
+    ("text", "column", "message"),
     [
         ("", 1, "found nothing, expected a formula such as"),
         ("   ", 1, "found nothing"),
@@ -197,11 +197,11 @@ def test_noise_is_gaussian_of_its_band_and_the_seed_decides():
         ("(lambda: 1)()", 2, "found lambda"),
     ],
 )
-def test_a_mistake_is_refused_with_its_column(text, column, words):
+def test_a_mistake_is_refused_with_its_column(text, column, message):
     with pytest.raises(FormulaError) as raised:
         Formula(text=text)
     assert raised.value.column == column
-    assert words in str(raised.value)
+    assert message in str(raised.value)
     assert f", column {column}: " in str(raised.value) or text == ""
     assert reading.column_of(str(raised.value)) == column
     assert len(str(raised.value)) < 400

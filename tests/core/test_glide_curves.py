@@ -109,7 +109,7 @@ def test_drawing_a_curve_is_an_edit():
 
 
 @pytest.mark.parametrize(
-    ("clip_id", "column", "curve", "words"),
+    ("clip_id", "column", "curve", "message"),
     [
         (2, "frequency", ((0.0, 90.0), (0.5, 30.0)), "does not play a glide"),
         (9, "frequency", ((0.0, 90.0), (0.5, 30.0)), "no clip has the id 9"),
@@ -120,11 +120,11 @@ def test_drawing_a_curve_is_an_edit():
         (1, "phase", ((0.0, 1.0), (0.5, 1.0)), "does not play a glide"),
     ],
 )
-def test_a_curve_that_cannot_be_drawn_is_refused_in_words(clip_id, column, curve, words):
+def test_a_curve_that_cannot_be_drawn_is_refused_in_words(clip_id, column, curve, message):
     design = Design(limb="synthetic-1", inputs=(track(7, Glide(POINTS)), track(3, Tone())))
     outcome = edits.set_glide_curve(design, View(), clip_id, column, curve)
     assert isinstance(outcome, Refusal)
-    assert words in outcome.sentence
+    assert message in outcome.sentence
 
 
 def test_what_has_a_frequency_becomes_a_glide_of_it():

@@ -78,8 +78,8 @@ def test_an_operator_is_built_once_and_found_again_to_the_last_bit(limb, built):
 
 
 def test_what_an_operator_warns_of_is_kept(built):
-    told = replace(built, same_place=((3, 5), (60, 61)), warnings=("Thin.", "Über µ."))
-    assert same(decoded(encoded(told)), told)
+    with_notes = replace(built, same_place=((3, 5), (60, 61)), warnings=("Thin.", "Über µ."))
+    assert same(decoded(encoded(with_notes)), with_notes)
 
 
 def test_another_map_hand_or_spacing_is_another_operator(limb):

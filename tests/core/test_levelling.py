@@ -117,7 +117,7 @@ def test_gains_take_off_what_is_above_the_softest():
 
 
 @pytest.mark.parametrize(
-    ("design", "clip_id", "levels_db", "words"),
+    ("design", "clip_id", "levels_db", "message"),
     [
         (design_of(TRAIN), 9, (0.0, 0.0, 0.0), "no clip has the id 9"),
         (design_of(Tone()), 1, (0.0,), "does not play that wavelet train"),
@@ -127,10 +127,10 @@ def test_gains_take_off_what_is_above_the_softest():
         (design_of(TRAIN), 1, (math.nan, 0.0, 0.0), "moves nothing"),
     ],
 )
-def test_what_cannot_be_equalised_is_refused_in_words(design, clip_id, levels_db, words):
+def test_what_cannot_be_equalised_is_refused_in_words(design, clip_id, levels_db, message):
     outcome = edits.equalise_on_skin(design, View(), clip_id, levels_db, MEASURE)
     assert isinstance(outcome, Refusal)
-    assert words in outcome.sentence
+    assert message in outcome.sentence
 
 
 def test_only_trains_have_wavelets():
@@ -139,9 +139,9 @@ def test_only_trains_have_wavelets():
 
 
 def test_it_tells_how_far_it_is_and_can_be_stopped():
-    told = []
-    wavelet_levels_db(design_of(TRAIN), 1, progress=lambda *step: told.append(step))
-    assert [step[:2] for step in told] == [(1, 3), (2, 3), (3, 3)]
+    progress = []
+    wavelet_levels_db(design_of(TRAIN), 1, progress=lambda *step: progress.append(step))
+    assert [step[:2] for step in progress] == [(1, 3), (2, 3), (3, 3)]
     with pytest.raises(Stopped):
         wavelet_levels_db(design_of(TRAIN), 1, stop=lambda: True)
 
@@ -152,5 +152,5 @@ def test_wavelets_are_made_alike_in_the_scaling_of_the_design(scaling):
     done = edits.equalise_on_skin(design, View(), 1, wavelet_levels_db(design, 1), "")
     train = done.design.clips[0].waveform
     # All of a train is divided by one number, as with "upstream": alone, each would be by its own.
-    alike = levels_by_hand(train, 7, "relative" if scaling == "upstream" else scaling)
-    assert max(alike) - min(alike) < 0.05
+    by_hand = levels_by_hand(train, 7, "relative" if scaling == "upstream" else scaling)
+    assert max(by_hand) - min(by_hand) < 0.05

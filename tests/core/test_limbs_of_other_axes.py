@@ -78,9 +78,9 @@ def plainly(limb: Limb, design: Design) -> np.ndarray:
     return total
 
 
-def shown(limb: Limb, design: Design, view: View, *wanted: str, graph=None) -> dict:
+def shown(limb: Limb, design: Design, view: View, *quantities: str, graph=None) -> dict:
     given = sources(design, view) | {"limb_data": limb}
-    return (graph or new_graph()).evaluate(wanted, given)
+    return (graph or new_graph()).evaluate(quantities, given)
 
 
 @pytest.mark.parametrize("measured", ["xz", "xy", "z", "xyz"])
@@ -134,10 +134,10 @@ def test_upstream_scaling_takes_the_largest_of_the_axes_there_are():
 @pytest.mark.parametrize(("measured", "axes"), [("xz", "y"), ("xz", "xy"), ("z", "x")])
 def test_an_axis_that_was_not_measured_is_refused_by_name(measured, axes):
     limb = limb_along(measured)
-    words = f"measures along {' and '.join(measured)} only. Choose '{measured}'"
-    with pytest.raises(InvalidInputError, match=words):
+    message = f"measures along {' and '.join(measured)} only. Choose '{measured}'"
+    with pytest.raises(InvalidInputError, match=message):
         shown(limb, PLAYED, View(axes=axes, outputs=OUTPUTS), "output_rms")
-    with pytest.raises(InvalidInputError, match=words):
+    with pytest.raises(InvalidInputError, match=message):
         project_axes(np.zeros((2, len(measured), 9)), axes, "mag", measured)
 
 

@@ -43,10 +43,10 @@ def limb() -> Limb:
     return load_synthetic_limb(1)
 
 
-def shown(design: Design, view: View, *wanted: str, span: str = "loudest", graph=None, **stop):
+def shown(design: Design, view: View, *quantities: str, span: str = "loudest", graph=None, **stop):
     given = sources(design, replace(view, span=span))
-    values = (graph or new_graph()).evaluate(wanted, given, **stop)
-    return [values[name] for name in wanted]
+    values = (graph or new_graph()).evaluate(quantities, given, **stop)
+    return [values[name] for name in quantities]
 
 
 def acceleration(limb: Limb, design: Design) -> np.ndarray:
@@ -108,8 +108,8 @@ def test_the_loudest_level_of_a_tone_hardly_changes_with_its_length(frequency_hz
         design = replace(SHORT, scaling=scaling, inputs=(track(location=7, waveform=tone),))
         levels_db += shown(design, View(), "output_levels_db", graph=graph)
     levels = np.array(levels_db)
-    heard = levels[-1] > levels[-1].max() - 20.0
-    assert np.ptp(levels[:, heard], axis=0).max() < 0.5
+    audible = levels[-1] > levels[-1].max() - 20.0
+    assert np.ptp(levels[:, audible], axis=0).max() < 0.5
 
 
 def test_the_level_of_the_whole_record_changes_with_the_onset():

@@ -87,8 +87,8 @@ def test_a_motion_can_follow_the_path_of_another(path, kind):
     assert type(followers) is kind
     assert (followers.amplitude, followers.onset_s) == (2.5, 1.5)
     moving = tuple(place for k, place in enumerate(path) if k == 0 or place != path[k - 1])
-    wanted = {Phantom: tuple(dict.fromkeys(path))[:2], Sweep: moving}.get(kind, path)
-    assert followers.path == (wanted if len(wanted) > 1 else kind().path)
+    expected_path = {Phantom: tuple(dict.fromkeys(path))[:2], Sweep: moving}.get(kind, path)
+    assert followers.path == (expected_path if len(expected_path) > 1 else kind().path)
     assert following(leader, followers).path == followers.path
 
 

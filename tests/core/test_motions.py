@@ -190,8 +190,8 @@ def test_a_sweep_takes_any_waveform_and_no_place_twice_in_a_row():
 
 @pytest.mark.parametrize("kind", MOTIONS)
 def test_a_motion_says_what_it_does_and_by_whose_law(kind):
-    for words in (kind.title, kind.law, kind.source, kind.limits, kind().summary):
-        assert len(words) >= 5
+    for text in (kind.title, kind.law, kind.source, kind.limits, kind().summary):
+        assert len(text) >= 5
     assert kind.law.endswith(".")
     assert "palm" in kind.limits or "hand" in kind.limits
     assert isinstance(kind(), Motion)

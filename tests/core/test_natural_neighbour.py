@@ -61,14 +61,14 @@ def exact_weights(sites, point):
     cell = [(-far, -far), (far, -far), (far, far), (-far, far)]
     for site in exact:
         cell = clipped(cell, q, site)
-    taken = []
+    chosen = []
     for site in exact:
         part = cell
         for other in exact:
             if part and other != site:
                 part = clipped(part, site, other)
-        taken.append(exact_area(part) if len(part) > 2 else Fraction(0))
-    return np.array([float(area / sum(taken)) for area in taken])
+        chosen.append(exact_area(part) if len(part) > 2 else Fraction(0))
+    return np.array([float(area / sum(chosen)) for area in chosen])
 
 
 @pytest.mark.parametrize("seed", range(4))

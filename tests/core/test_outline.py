@@ -56,8 +56,8 @@ def crossings(polygon):
     p, q, r, s = a[:, None], b[:, None], a[None], b[None]
     meets = (turn(p, q, r) * turn(p, q, s) <= 0) & (turn(r, s, p) * turn(r, s, q) <= 0)
     count = len(polygon)
-    apart = (np.arange(count)[:, None] - np.arange(count)) % count
-    return int(np.sum(meets & (apart > 1) & (apart < count - 1))) // 2
+    steps = (np.arange(count)[:, None] - np.arange(count)) % count
+    return int(np.sum(meets & (steps > 1) & (steps < count - 1))) // 2
 
 
 def position(shape, number):
@@ -184,8 +184,8 @@ def test_a_longer_forearm_moves_the_elbow_and_nothing_on_the_hand():
 def test_wider_digits_make_wider_fingers():
     wide = hand_shape(replace(PROPORTIONS, digit_widths=(0.12, 0.107, 0.12, 0.105, 0.092)))
     normal = hand_shape(PROPORTIONS)
-    apart = [np.linalg.norm(position(s, 19) - position(s, 20)) for s in (normal, wide)]
-    assert apart[1] / apart[0] == pytest.approx(0.12 / 0.108)
+    distances_px = [np.linalg.norm(position(s, 19) - position(s, 20)) for s in (normal, wide)]
+    assert distances_px[1] / distances_px[0] == pytest.approx(0.12 / 0.108)
 
 
 @pytest.mark.parametrize(

@@ -68,8 +68,10 @@ def test_a_tone_at_threshold_is_0_db_above_it(frequency_hz):
 def test_axes_and_frequencies_add_up_as_energies():
     time_s = np.arange(1300) / 1300.0
     low, high = (np.sin(2 * np.pi * f * time_s) for f in (50.0, 200.0))
-    apart = [sensation_levels_db(tone[None, None], 1300.0, NONE)["P"][0] for tone in (low, high)]
-    together_db = 10 * np.log10(sum(10 ** (level_db / 10) for level_db in apart))
+    levels_db = [
+        sensation_levels_db(tone[None, None], 1300.0, NONE)["P"][0] for tone in (low, high)
+    ]
+    together_db = 10 * np.log10(sum(10 ** (level_db / 10) for level_db in levels_db))
     added = sensation_levels_db((low + high)[None, None], 1300.0, NONE)["P"][0]
     on_two_axes = sensation_levels_db(np.array([[low, high]]), 1300.0, NONE)["P"][0]
     assert added == pytest.approx(together_db)
@@ -109,7 +111,7 @@ def test_both_channels_together_are_the_larger_and_half_of_the_smaller():
 
 
 @pytest.mark.parametrize(
-    ("call", "words"),
+    ("call", "message"),
     [
         (lambda: threshold_rms(0.0), "frequency_hz"),
         (lambda: threshold_rms(50.0, "SA"), "channel"),
@@ -120,6 +122,6 @@ def test_both_channels_together_are_the_larger_and_half_of_the_smaller():
         (lambda: sensation_levels_db(np.full((1, 1, 5), np.nan), 1300.0, NONE), "acceleration"),
     ],
 )
-def test_what_cannot_be_is_refused(call, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_cannot_be_is_refused(call, message):
+    with pytest.raises(InvalidInputError, match=message):
         call()

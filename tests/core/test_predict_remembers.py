@@ -128,9 +128,9 @@ def test_before_anything_sounds_and_after_it_has_faded_there_is_exactly_nothing(
 
 def test_what_is_predicted_may_be_written_to_without_effect_on_the_next(limb):
     first = ss.predict(limb, DRIVES[:1], [7])
-    kept = first.copy()
+    copy = first.copy()
     first[...] = 0.0
-    assert (ss.predict(limb, DRIVES[:1], [7]) == kept).all()
+    assert (ss.predict(limb, DRIVES[:1], [7]) == copy).all()
 
 
 def test_twenty_places_of_one_second_take_half_of_the_budget(limb):

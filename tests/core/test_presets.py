@@ -23,9 +23,9 @@ from tests.core.presets_bench import named, recipes, text
 @settings(max_examples=40)
 @given(preset=recipes)
 def test_a_preset_comes_back_from_its_text_bit_by_bit(preset):
-    words = presets.preset_text(preset)
-    assert presets.preset_from(words) == preset
-    assert presets.preset_text(presets.preset_from(words)) == words
+    text = presets.preset_text(preset)
+    assert presets.preset_from(text) == preset
+    assert presets.preset_text(presets.preset_from(text)) == text
 
 
 @pytest.mark.parametrize("name", ["", "  ", "two\nlines", "x" * 101, None])
@@ -47,8 +47,8 @@ def test_every_word_must_be_found_and_names_come_first():
         named("Tone"),
     )
 
-    def names_of_matches(words, tag=""):
-        return [entry.preset.name for entry in presets.matching(entries, words, tag)]
+    def names_of_matches(text, tag=""):
+        return [entry.preset.name for entry in presets.matching(entries, text, tag)]
 
     assert names_of_matches("") == ["Heartbeat", "Double TAP", "Noise", "Tone"]
     assert names_of_matches("tap") == ["Double TAP", "Heartbeat", "Noise"]
@@ -60,19 +60,19 @@ def test_every_word_must_be_found_and_names_come_first():
 
 
 @settings(max_examples=40)
-@given(kept=st.lists(recipes, max_size=4), words=text, more=text)
-def test_another_word_never_finds_more(kept, words, more):
-    entries = entries_of(*kept)
-    matches = presets.matching(entries, words)
-    assert set(map(id, presets.matching(entries, f"{words} {more}"))) <= set(map(id, matches))
+@given(tags=st.lists(recipes, max_size=4), query=text, more=text)
+def test_another_word_never_finds_more(tags, query, more):
+    entries = entries_of(*tags)
+    matches = presets.matching(entries, query)
+    assert set(map(id, presets.matching(entries, f"{query} {more}"))) <= set(map(id, matches))
     assert len(presets.matching(entries, "")) == len(entries)
     for entry in entries:
         assert entry in presets.matching(entries, entry.preset.name)
 
 
-@given(words=st.text(max_size=40))
-def test_typed_tags_are_a_presets_tags(words):
-    tags = presets.tags_of(words)
+@given(typed=st.text(max_size=40))
+def test_typed_tags_are_a_presets_tags(typed):
+    tags = presets.tags_of(typed)
     assert presets.tags_of(", ".join(tags)) == tags
     assert all(tag and tag.strip() == tag and "," not in tag for tag in tags)
 

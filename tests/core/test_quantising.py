@@ -79,13 +79,13 @@ def test_dither_is_that_of_its_seed_other_in_each_channel_and_without_seams(monk
 
 
 @pytest.mark.parametrize(
-    ("call", "words"),
+    ("call", "message"),
     [
         (lambda: quantised([[0.0, np.nan]], "int16"), r"nan at index \(0, 1\)"),
         (lambda: quantised([[0.0]], "int17"), "choose from int8"),
         (lambda: quantised([[0.0]], "int16", dither_seed=-1), "dither_seed"),
     ],
 )
-def test_what_cannot_be_rounded_is_refused(call, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_cannot_be_rounded_is_refused(call, message):
+    with pytest.raises(InvalidInputError, match=message):
         call()

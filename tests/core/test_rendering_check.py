@@ -68,8 +68,8 @@ def test_an_error_in_a_short_sound_within_a_long_silence_is_noticed():
     response = ResponseSpectrum(taps, forward(taps, 1152), 1152)
     voice = Heard(drive=drive, delay_samples=60_000, weight=1.0, response=response)
     trace = np.zeros((1, 1, 78_000))
-    felt = np.convolve(drive.samples, taps[28, 2])
-    trace[0, 0, 60_000 : 60_000 + felt.size] = felt
+    field = np.convolve(drive.samples, taps[28, 2])
+    trace[0, 0, 60_000 : 60_000 + field.size] = field
     assert trace_error_of(trace, (29,), (2,), [voice]).estimate < 1e-14
     assert trace_error_of(trace * (1 + 1e-6), (29,), (2,), [voice]).estimate > 1e-8
 

@@ -41,15 +41,15 @@ def limb() -> Limb:
 
 def plainly(limb: Limb, design: Design) -> np.ndarray:
     """Field (72, 3, n_times) by direct convolution, channel by channel."""
-    heard = audible_inputs(design.inputs)
+    audible = audible_inputs(design.inputs)
     played = [
         (round(clip.onset_s * RATE_HZ), clip.waveform.samples(RATE_HZ))
-        for track in heard
+        for track in audible
         for clip in track.clips
     ]
     n_times = max(start + samples.size for start, samples in played) + 521
     total = np.zeros((72, 3, n_times))
-    for input_track, (start, samples) in zip(heard, played, strict=True):
+    for input_track, (start, samples) in zip(audible, played, strict=True):
         field = np.zeros_like(total)
         for channel in np.ndindex(72, 3):
             answer = np.convolve(samples, limb.response_to(input_track.location)[channel])
@@ -59,8 +59,8 @@ def plainly(limb: Limb, design: Design) -> np.ndarray:
     return total
 
 
-def shown(design: Design, view: View, wanted=ALL, graph=None) -> dict:
-    return (graph or new_graph()).evaluate(wanted, sources(design, view))
+def shown(design: Design, view: View, quantities=ALL, graph=None) -> dict:
+    return (graph or new_graph()).evaluate(quantities, sources(design, view))
 
 
 def same_bits(values, expected, what: str) -> None:
@@ -247,10 +247,10 @@ def test_outputs_that_move_alike_in_all_directions_are_named(limb_of):
 def test_no_selected_outputs_give_empty_traces_and_spectra_also_after_some(onset_s, axes):
     design = DESIGN.with_clip(1, onset_s=onset_s)
     graph = new_graph()
-    wanted = ("axis_traces", "axis_spectra", "selected_traces", "selected_spectra")
+    quantities = ("axis_traces", "axis_spectra", "selected_traces", "selected_spectra")
     for outputs in ((), OUTPUTS, ()):
         view = View(outputs=outputs, axes=axes, method="pca", selected_inputs=(1,))
-        values = graph.evaluate(wanted, sources(design, view))
+        values = graph.evaluate(quantities, sources(design, view))
         n_times = values["selected_traces"].shape[-1]
         assert values["selected_traces"].shape == (len(outputs), n_times)
         assert values["axis_traces"].shape == (len(outputs), len(axes), n_times)

@@ -224,7 +224,7 @@ def test_a_ratio_need_not_be_one_of_whole_hertz():
 
 
 @pytest.mark.parametrize(
-    ("samples", "rates", "words"),
+    ("samples", "rates", "message"),
     [
         ([0.0, np.nan, 1.0], (1300, 48_000), r"nan at index \(1,\)"),
         ([0.0, np.inf], (1300, 1300), "index"),
@@ -235,8 +235,8 @@ def test_a_ratio_need_not_be_one_of_whole_hertz():
         (np.ones(1000), (1, 10_000_000), "take a part"),
     ],
 )
-def test_what_cannot_be_converted_is_refused(samples, rates, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_cannot_be_converted_is_refused(samples, rates, message):
+    with pytest.raises(InvalidInputError, match=message):
         ss.resample(samples, *rates)
 
 

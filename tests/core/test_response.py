@@ -95,8 +95,8 @@ def test_upstream_amplitude_is_the_signed_maximum_of_each_input(limb):
     assert predict(limb, drives[:1], [1], [2.5]).max() == pytest.approx(2.5, rel=1e-14)
     assert predict(limb, drives[:1], [1], [-2.5]).min() == pytest.approx(-2.5, rel=1e-14)
     both = predict(limb, drives, [1, 2], [2.5, 1.5])
-    apart = predict(limb, drives[:1], [1], [2.5]) + predict(limb, drives[1:], [2], [1.5])
-    assert_close(both, apart, 1e-14)
+    separate = predict(limb, drives[:1], [1], [2.5]) + predict(limb, drives[1:], [2], [1.5])
+    assert_close(both, separate, 1e-14)
 
 
 @pytest.mark.parametrize("scaling", ["relative", "probe"])

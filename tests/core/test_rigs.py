@@ -134,13 +134,13 @@ def test_volts_carry_gain_and_polarity_both_ways():
 
 
 def test_what_is_not_calibrated_says_so():
-    words = ss.rigs.calibration_words
-    assert words(None, [7]).startswith("uncalibrated")
-    assert words(RIG, [7]) == "calibrated, measured on 2026-11-20"
-    assert words(RIG, [7, 8]) == "uncalibrated: place 8 has no volts at full scale"
-    assert words(RIG, [5]) == "uncalibrated: place 5 is not wired"
+    text_of = ss.rigs.calibration_words
+    assert text_of(None, [7]).startswith("uncalibrated")
+    assert text_of(RIG, [7]) == "calibrated, measured on 2026-11-20"
+    assert text_of(RIG, [7, 8]) == "uncalibrated: place 8 has no volts at full scale"
+    assert text_of(RIG, [5]) == "uncalibrated: place 5 is not wired"
     unmeasured = Rig(channels=(replace(WHOLE, measured=None),))
-    assert words(unmeasured, [7]) == "uncalibrated: place 7 has no measured response"
+    assert text_of(unmeasured, [7]) == "uncalibrated: place 7 has no measured response"
 
 
 TONE = np.sin(2.0 * np.pi * 100.0 * np.arange(1300) / 1300.0)[None]

@@ -71,8 +71,8 @@ def exact_traces(scene, outputs=OUTPUTS) -> np.ndarray:
     for drive, start, place, amplitude in zip(*columns, strict=True):
         taps = scene.limb.response_to(place)
         for index in np.ndindex(len(outputs), 3):
-            heard = np.convolve(drive, taps[outputs[index[0]] - 1, index[1]])
-            total[index][start : start + heard.size] += amplitude * heard
+            signal = np.convolve(drive, taps[outputs[index[0]] - 1, index[1]])
+            total[index][start : start + signal.size] += amplitude * signal
         largest += abs(amplitude) * np.abs(drive).max() * np.abs(taps).sum(axis=-1).max()
     assert largest < 2**53
     return total
@@ -90,8 +90,8 @@ def window_error(values: np.ndarray, exact: np.ndarray) -> float:
     shape = (*exact.shape[:-1], -1, WINDOW_SAMPLES)
     peaks = np.abs(exact[..., :n]).reshape(shape).max(axis=-1)
     differences = np.abs(values - exact)[..., :n].reshape(shape).max(axis=-1)
-    heard = peaks > FAINTEST * np.abs(exact).max(axis=-1, keepdims=True)
-    return float((differences[heard] / peaks[heard]).max())
+    audible = peaks > FAINTEST * np.abs(exact).max(axis=-1, keepdims=True)
+    return float((differences[audible] / peaks[audible]).max())
 
 
 def ratio(values: np.ndarray, exact: np.ndarray, scene) -> float:

@@ -64,12 +64,12 @@ def test_where_nothing_can_arrive_there_is_exactly_nothing(scene, limb, noted, g
         limb=limb, drives=(hesitant, noise(100, 3)), places=(2, 9), onsets=(300, gap + 2000)
     )
     spans = [(340, 400), (400 + gap, 460 + gap), (gap + 2000, gap + 2100)]
-    felt = np.zeros(gap + 2100 + 521, bool)
+    affected = np.zeros(gap + 2100 + 521, bool)
     for start, end in spans:
-        felt[start : end + 521] = True
+        affected[start : end + 521] = True
     for field in shown.both_ways():
-        noted("a4 silence", np.count_nonzero(field[..., ~felt]))
-        assert field[..., felt].any(axis=(0, 1)).all()
+        noted("a4 silence", np.count_nonzero(field[..., ~affected]))
+        assert field[..., affected].any(axis=(0, 1)).all()
 
 
 @pytest.mark.parametrize("n_times", LENGTHS)
@@ -107,12 +107,12 @@ def test_inputs_that_are_not_heard_change_no_bit(scene, limb, noted, n_times):
         noted("a4 muted", np.count_nonzero(field != expected))
 
 
-def refused(action, *words: str) -> int:
+def refused(action, *texts: str) -> int:
     """0 if ``action`` is refused with all ``words``, else 1."""
     try:
         action()
     except InvalidInputError as error:
-        return int(not all(word in str(error) for word in words))
+        return int(not all(word in str(error) for word in texts))
     return 1
 
 
@@ -143,9 +143,9 @@ def test_a_tap_that_is_no_usable_number_is_refused_at_the_door(
         return response
 
     shown = scene(limb=limb_of(broken), drives=(noise(n_times, 1),), places=(4,))
-    words = "made-up", "location 4", "output 12", "axis z", "tap 345 ", str(value)
-    noted("a5 response", refused(shown.predicted, *words))
-    noted("a5 response", refused(lambda: shown.by_engine(OUTPUTS), *words))
+    texts = "made-up", "location 4", "output 12", "axis z", "tap 345 ", str(value)
+    noted("a5 response", refused(shown.predicted, *texts))
+    noted("a5 response", refused(lambda: shown.by_engine(OUTPUTS), *texts))
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])

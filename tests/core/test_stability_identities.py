@@ -90,8 +90,8 @@ def test_powers_of_two_scale_every_bit(once, limb_of, noted, power):
 def test_prediction_is_linear(scene, limb, noted, n_times):
     x, y = noise(n_times, 1), noise(n_times, 2)
     together = scene(limb=limb, drives=(2.5 * x - 0.75 * y,), places=(4,)).both_ways()
-    apart = scene(limb=limb, drives=(x, y), places=(4, 4), amplitudes=(2.5, -0.75)).both_ways()
-    for field, expected in zip(together, apart, strict=True):
+    separate = scene(limb=limb, drives=(x, y), places=(4, 4), amplitudes=(2.5, -0.75)).both_ways()
+    for field, expected in zip(together, separate, strict=True):
         noted("a9 sum", difference(field, expected))
 
 

@@ -100,8 +100,8 @@ def test_what_has_no_level_is_refused_by_index(noted, value):
 @pytest.mark.parametrize("inputs", [(), (track(location=7, muted=True),)])
 def test_a_silent_design_has_levels_and_a_map_at_the_floor(noted, inputs):
     design = Design(limb="synthetic-1", inputs=inputs)
-    wanted = {"output_levels_db", "surface_levels_db"}
-    values = new_graph().evaluate(wanted, sources(design, View()))
+    quantities = {"output_levels_db", "surface_levels_db"}
+    values = new_graph().evaluate(quantities, sources(design, View()))
     inside = ~np.isnan(values["surface_levels_db"])
     noted("g silence", np.count_nonzero(values["output_levels_db"] != FLOOR_DB))
     off = np.abs(values["surface_levels_db"][inside] - FLOOR_DB) > 1e-9

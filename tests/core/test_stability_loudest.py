@@ -69,8 +69,8 @@ def levels_db(limb: Limb, place: int, drives: list[np.ndarray]) -> dict[str, np.
 
 def changes(levels: np.ndarray, down_to_db: float) -> float:
     """Largest change of any output that is heard so well; of how many is for the caller to ask."""
-    heard = levels[-1] >= levels[-1].max() - down_to_db
-    return float(np.ptp(levels[:, heard], axis=0).max())
+    audible = levels[-1] >= levels[-1].max() - down_to_db
+    return float(np.ptp(levels[:, audible], axis=0).max())
 
 
 def of_lengths(

@@ -177,14 +177,14 @@ def test_what_is_no_number_has_no_axis(noted, value):
     data[2, 1, 33] = value
     matrices = np.ones((4, 3, 3))
     matrices[2, 1, 1] = value
-    for action, words in (
+    for action, message in (
         (lambda: project_axes(data, "xyz", "pca"), ("output 3", "axis y", "sample 33")),
         (lambda: no_main_axis(matrices), ("covariance of output 3",)),
     ):
         try:
             action()
         except InvalidInputError as error:
-            noted("f bad", int(not all(word in str(error) for word in words)))
+            noted("f bad", int(not all(word in str(error) for word in message)))
         else:
             noted("f bad", 1)
 

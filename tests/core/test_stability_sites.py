@@ -116,10 +116,10 @@ def test_outputs_on_a_line_are_interpolated_within_any_outline(noted, off, count
         noted("h thin", np.count_nonzero(~(np.abs(inside - 7.0) < 1e-9)) + (not any_area))
 
 
-@pytest.mark.parametrize("apart", [0.0, 1e-9, 1e-7, 1e-6, 1e-4])
-def test_two_outputs_at_one_place_have_one_value(noted, apart):
+@pytest.mark.parametrize("distance_mm", [0.0, 1e-9, 1e-7, 1e-6, 1e-4])
+def test_two_outputs_at_one_place_have_one_value(noted, distance_mm):
     positions = np.full((72, 2), np.nan)
-    positions[:4] = [[100, 50], [100 + apart, 50], [200, 50], [300, 25]]
+    positions[:4] = [[100, 50], [100 + distance_mm, 50], [200, 50], [300, 25]]
     square = np.array([[0.0, 0.0], [400.0, 0.0], [400.0, 100.0], [0.0, 100.0]])
     limb_map = replace(
         load_synthetic_limb(1).map, outline=square, output_positions=positions, hand_length_px=400.0
@@ -129,7 +129,7 @@ def test_two_outputs_at_one_place_have_one_value(noted, apart):
     assert (operator.x_mm[column], operator.y_mm[row]) == (100.0, 50.0)
     values = np.zeros(72)
     values[:4] = -30.0, -50.0, -10.0, -20.0
-    if apart > 1e-9 * 400:
+    if distance_mm > 1e-9 * 400:
         noted("h close", abs(operator.interpolate(values)[row, column] + 40) / 40)
         return
     try:

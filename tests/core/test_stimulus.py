@@ -155,14 +155,14 @@ def test_the_band_is_that_of_the_lower_rate():
 
 
 def test_stages_come_at_the_rate_of_the_device_one_after_the_other():
-    seen = []
+    rates = []
 
     def doubled(plain):
-        seen.append(plain.sample_rate_hz)
+        rates.append(plain.sample_rate_hz)
         return plain.with_samples(plain.samples * 2.0)
 
     result = stimulus_of(SEVERAL, 8000, stages=(doubled, doubled))
-    assert seen == [8000.0, 8000.0]
+    assert rates == [8000.0, 8000.0]
     np.testing.assert_array_equal(result.samples, 4.0 * stimulus_of(SEVERAL, 8000).samples)
 
 
@@ -258,7 +258,7 @@ def test_what_was_handed_over_is_never_changed():
 
 
 @pytest.mark.parametrize(
-    ("call", "words"),
+    ("call", "message"),
     [
         (lambda: stimulus_of("design"), "expected a Design"),
         (lambda: stimulus_of(design(track(21))), "location 21"),
@@ -268,8 +268,8 @@ def test_what_was_handed_over_is_never_changed():
         (lambda: stimulus_of(SEVERAL, clips=(99,)), "no clip has the id 99"),
     ],
 )
-def test_what_cannot_be_played_is_refused(call, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_cannot_be_played_is_refused(call, message):
+    with pytest.raises(InvalidInputError, match=message):
         call()
 
 
@@ -277,13 +277,16 @@ def test_more_than_can_be_held_is_refused_before_it_is_made(monkeypatch):
     monkeypatch.setattr(of_design, "MOST_SAMPLES", 10_000)
     with pytest.raises(InvalidInputError, match="lower rate") as refused:
         stimulus_of(SEVERAL, 48_000)
-    said = str(refused.value)
+    message_text = str(refused.value)
     channels = len(stimulus_of(SEVERAL).channels)
-    assert f"at most {10_000 / channels / 48_000:.1f} s for {channels} channels at 48000 Hz" in said
-    lasts_s = float(said.partition("lasts ")[2].partition(" s")[0])
+    assert (
+        f"at most {10_000 / channels / 48_000:.1f} s for {channels} channels at 48000 Hz"
+        in message_text
+    )
+    lasts_s = float(message_text.partition("lasts ")[2].partition(" s")[0])
     assert lasts_s == pytest.approx(stimulus_of(SEVERAL).duration_s, abs=0.06)
-    assert "samples" not in said
-    assert "e+" not in said
+    assert "samples" not in message_text
+    assert "e+" not in message_text
     assert stimulus_of(SEVERAL).n_times < 5000
 
 

@@ -77,10 +77,10 @@ def test_what_is_taken_from_the_prediction_says_what_it_is_without(design):
 def test_several_are_said_in_one_sentence():
     bad = track(8, BEYOND_HALF_THE_RATE)
     two, four = (Design(limb="synthetic-1", inputs=(TONE, *[bad] * count)) for count in (2, 4))
-    (said, *_) = shown(two)["validity"]
-    assert "; 1 more input cannot be played either." in said.sentence
-    (said, *_) = shown(four)["validity"]
-    assert "; 3 more inputs cannot be played either." in said.sentence
+    (finding, *_) = shown(two)["validity"]
+    assert "; 1 more input cannot be played either." in finding.sentence
+    (finding, *_) = shown(four)["validity"]
+    assert "; 3 more inputs cannot be played either." in finding.sentence
 
 
 def test_a_preset_that_the_actuator_cannot_follow_is_left_out():
@@ -107,9 +107,9 @@ def test_the_actuator_panel_is_told_of_a_drive_that_cannot_be_followed():
 def test_a_muted_input_that_cannot_be_sampled_changes_nothing(design):
     muted = design.with_input(1, muted=True)
     alone = replace(design, inputs=design.inputs[:1])
-    wanted = ("output_levels_db", "selected_traces", "surface_levels_db", "input_waveforms")
-    values, expected = ss.evaluate(muted, *wanted), ss.evaluate(alone, *wanted)
-    for name in wanted[:-1]:
+    quantities = ("output_levels_db", "selected_traces", "surface_levels_db", "input_waveforms")
+    values, expected = ss.evaluate(muted, *quantities), ss.evaluate(alone, *quantities)
+    for name in quantities[:-1]:
         np.testing.assert_allclose(values[name], expected[name], rtol=1e-9, atol=1e-12)
     assert np.array_equal(values["input_waveforms"][0], expected["input_waveforms"][0])
 

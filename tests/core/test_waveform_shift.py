@@ -93,9 +93,9 @@ def test_shifted_noise_is_windowed_at_its_own_time():
 
 def test_noise_of_a_band_lies_in_it():
     samples = Noise(3, 1.0, 100.0, 200.0, "none").samples(RATE_HZ)
-    heard = np.flatnonzero(np.abs(np.fft.rfft(samples)) > 1e-9)
-    assert heard.min() == 100
-    assert heard.max() == 200
+    lines = np.flatnonzero(np.abs(np.fft.rfft(samples)) > 1e-9)
+    assert lines.min() == 100
+    assert lines.max() == 200
     np.testing.assert_array_equal(samples, white_noise(1.0, 3, band_hz=(100.0, 200.0)))
 
 

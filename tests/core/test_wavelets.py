@@ -115,8 +115,8 @@ def test_the_frequency_of_a_chirplet_rises_by_its_slope(slope):
     before, after = samples[crossings], samples[crossings + 1]
     crossings = (crossings + before / (before - after)) / FINE_HZ
     middle = (crossings[1:] + crossings[:-1]) / 2 - 4 * sigma_s
-    heard = np.abs(middle) < 1.5 * sigma_s
-    rise, at_middle = np.polyfit(middle[heard], 1 / np.diff(crossings)[heard], 1)
+    inside = np.abs(middle) < 1.5 * sigma_s
+    rise, at_middle = np.polyfit(middle[inside], 1 / np.diff(crossings)[inside], 1)
     assert at_middle == pytest.approx(200.0, abs=0.5)
     assert rise == pytest.approx(slope, abs=40.0)
 

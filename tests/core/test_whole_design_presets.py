@@ -23,11 +23,11 @@ def test_a_full_chain_plays_what_it_played_below_its_gain_curve(count):
     design = Design(
         limb="synthetic-1", inputs=(Input(location=7, clips=(clip,), gain_curve=CURVE),)
     )
-    kept = whole_design(design)
-    [lane] = kept.lanes
+    preset = whole_design(design)
+    [lane] = preset.lanes
     assert len(lane.clips[0].effects) <= MAX_EFFECTS
     outcome = edits.place_fragment(
-        Design(limb="synthetic-1"), View(), kept, "all", clip.onset_s, location=7
+        Design(limb="synthetic-1"), View(), preset, "all", clip.onset_s, location=7
     )
     before, after = (
         ss.evaluate(either, "output_levels_db")["output_levels_db"]

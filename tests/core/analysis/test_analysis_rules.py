@@ -91,9 +91,9 @@ def test_nothing_selected_gives_nothing_and_no_error():
 
 def test_the_spectrogram_is_of_the_chosen_output_or_the_last_one():
     traces = ss.evaluate(DESIGN, "selected_traces", view=VIEW)["selected_traces"]
-    for wanted, row in ((0, 2), (24, 1), (7, 2)):
+    for number, row in ((0, 2), (24, 1), (7, 2)):
         view = with_settings(
-            VIEW, "spectrogram", SpectrogramSettings(output=wanted, window_ms="100")
+            VIEW, "spectrogram", SpectrogramSettings(output=number, window_ms="100")
         )
         output_spectrogram = ss.evaluate(DESIGN, "output_spectrogram", view=view)[
             "output_spectrogram"
@@ -104,22 +104,22 @@ def test_the_spectrogram_is_of_the_chosen_output_or_the_last_one():
 
 def test_other_choices_of_drawing_compute_nothing_anew():
     graph = new_graph()
-    wanted = {"output_spectrogram"}
-    graph.evaluate(wanted, sources(DESIGN, VIEW))
+    quantities = {"output_spectrogram"}
+    graph.evaluate(quantities, sources(DESIGN, VIEW))
     ran = graph.runs["output_spectrogram"]
     view = with_settings(VIEW, "spectrogram", SpectrogramSettings(ceiling_hz=300.0))
-    graph.evaluate(wanted, sources(DESIGN, view))
+    graph.evaluate(quantities, sources(DESIGN, view))
     assert graph.runs["output_spectrogram"] == ran
     view = with_settings(VIEW, "spectrogram", SpectrogramSettings(window_ms="200"))
-    graph.evaluate(wanted, sources(DESIGN, view))
+    graph.evaluate(quantities, sources(DESIGN, view))
     assert graph.runs["output_spectrogram"] == ran + 1
 
 
 def test_main_axes_are_those_that_the_projection_takes():
     view = replace(VIEW, method="pca")
     values = ss.evaluate(DESIGN, "output_main_axes", "projection", view=view)
-    taken = values["projection"].directions[[19, 23, 68]]
-    along = np.abs(np.einsum("oa,oa->o", taken, values["output_main_axes"].direction))
+    directions = values["projection"].directions[[19, 23, 68]]
+    along = np.abs(np.einsum("oa,oa->o", directions, values["output_main_axes"].direction))
     assert along == pytest.approx(np.ones(3), abs=1e-9)
     single = replace(VIEW, axes="z")
     assert ss.evaluate(DESIGN, "output_main_axes", view=single)["output_main_axes"] is None
@@ -150,19 +150,19 @@ def test_noise_of_a_prediction_is_that_of_a_limb_that_is_noise(scaling, actuatio
     given = sources(design, view) | {"limb_data": limb}
     levels = "output_noise_rms", "record_rms"
     windows = "noise_rms_of_windows", "rms_of_windows"
-    wanted = {*levels, *windows, "above_noise_db", "transfer"}
-    values = new_graph().evaluate(wanted, given)
-    told, is_there = (np.mean(values[name] ** 2) for name in levels)
-    assert told == pytest.approx(is_there, rel=0.03)
+    quantities = {*levels, *windows, "above_noise_db", "transfer"}
+    values = new_graph().evaluate(quantities, given)
+    computed, is_there = (np.mean(values[name] ** 2) for name in levels)
+    assert computed == pytest.approx(is_there, rel=0.03)
     ratio_db = 20.0 * np.log10(values["record_rms"] / values["output_noise_rms"])
     assert values["above_noise_db"] == pytest.approx(ratio_db)
-    told, is_there = (np.mean(values[name] ** 2, axis=1) for name in windows)
-    assert told == pytest.approx(is_there, rel=0.1, abs=0.02 * is_there.max())
+    computed, is_there = (np.mean(values[name] ** 2, axis=1) for name in windows)
+    assert computed == pytest.approx(is_there, rel=0.1, abs=0.02 * is_there.max())
     transfer = values["transfer"]
-    told, is_there = (
+    computed, is_there = (
         np.mean(magnitude**2, axis=0) for magnitude in (transfer.noise, transfer.magnitude)
     )
-    assert told.sum() == pytest.approx(is_there.sum(), rel=0.03)
+    assert computed.sum() == pytest.approx(is_there.sum(), rel=0.03)
 
 
 @pytest.fixture
@@ -227,16 +227,16 @@ def test_a_prediction_through_an_actuator_is_as_far_above_the_noise_as_one_made_
     assert set(range(67, 73)) <= set(noisy)
     without = ss.evaluate(plain, "validity", view=view)["validity"]
     assert next(finding.outputs for finding in without if finding.name == "noise") == noisy
-    said = []
+    conditions = []
     for design in (plain, through):
         ss.export_stimulus(design, tmp_path / "a.wav")
         sidecar = json.loads((tmp_path / "a.wav.json").read_text("utf-8"))
-        said.append(
+        conditions.append(
             next(
                 condition for condition in sidecar["validity"] if condition["condition"] == "noise"
             )
         )
-    assert said[0] == said[1]
+    assert conditions[0] == conditions[1]
 
 
 def test_a_wave_on_the_synthetic_finger_has_the_speed_of_its_model():

@@ -30,15 +30,15 @@ PAIRS = (
 )
 
 
-def told(design, view, of_axes):
+def levels_of(design, view, of_axes):
     return evaluate(design, *(pair[not of_axes] for pair in PAIRS), view=view)
 
 
 def same_for_each_axis(design, view, axes):
-    levels = told(design, view, True)
+    levels = levels_of(design, view, True)
     assert len(levels["axis_levels_db"]) == len(axes)
     for k, axis in enumerate(axes):
-        alone = told(design, replace(view, axes=axis), False)
+        alone = levels_of(design, replace(view, axes=axis), False)
         for of_axes, name in PAIRS:
             if alone[name] is None:
                 assert levels[of_axes][k] is None

@@ -36,11 +36,11 @@ def design_file(tmp_path):
 def test_a_design_is_linear_and_its_inputs_add_up(design_file, capsys):
     path, _ = design_file
     assert main(["check", str(path)]) == 0
-    said = capsys.readouterr().out
-    assert "104" in said or "103" in said or "105" in said
-    assert "adjusted R² 1" in said
-    assert "superposition: r 1" in said
-    assert "measured" not in said
+    printed = capsys.readouterr().out
+    assert "104" in printed or "103" in printed or "105" in printed
+    assert "adjusted R² 1" in printed
+    assert "superposition: r 1" in printed
+    assert "measured" not in printed
 
 
 def test_which_recording_is_silent_is_said(design_file, tmp_path):
@@ -70,9 +70,9 @@ def test_a_recording_is_held_against_the_prediction_and_reported(design_file, tm
     np.savez(recording, field=table, fs=1300.0)
     arguments = ["check", str(path), "--measured", str(recording), "--out", str(report)]
     assert main(arguments) == 0
-    said = capsys.readouterr().out
-    assert "216 of 216 channels" in said
-    r = float(said.split(", r ")[1].split()[0])
+    printed = capsys.readouterr().out
+    assert "216 of 216 channels" in printed
+    r = float(printed.split(", r ")[1].split()[0])
     assert r == pytest.approx(1.0 / np.sqrt(1.25), abs=0.02)
     page = report.read_text()
     ticks = re.findall(r"text-anchor='end'>([^<]*)<", page)

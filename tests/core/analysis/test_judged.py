@@ -69,9 +69,9 @@ def test_numbers_that_differ_between_designs_are_a_range():
 
 
 def test_what_was_not_judged_says_so():
-    words = "hether conditions of the measurement are kept was not judged"
-    assert in_short([Judged(label="A")]) == (f"W{words}.",)
-    assert in_full([Judged(label="A")]) == (f"validity: w{words}",)
+    text = "hether conditions of the measurement are kept was not judged"
+    assert in_short([Judged(label="A")]) == (f"W{text}.",)
+    assert in_full([Judged(label="A")]) == (f"validity: w{text}",)
 
 
 @pytest.mark.parametrize("scaling", ["probe", "upstream"])
@@ -107,8 +107,10 @@ def test_short_words_hold_the_number_of_the_sentence():
         "noise",
     ]
     for finding in findings:
-        said = finding.in_short.format(finding.number)
-        assert re.findall(r"\d[\d.]*%?", said)[0] == re.findall(r"\d[\d.]*%?", finding.sentence)[0]
+        sentence = finding.in_short.format(finding.number)
+        assert (
+            re.findall(r"\d[\d.]*%?", sentence)[0] == re.findall(r"\d[\d.]*%?", finding.sentence)[0]
+        )
 
 
 @pytest.mark.parametrize("limit_hz", [300.0, None])

@@ -104,8 +104,8 @@ def test_a_synthetic_limb_and_silence_have_no_noise_in_windows():
 def test_the_table_of_windows_says_which_are_noise(measured, tmp_path):
     export_windows(tmp_path / "late.csv", LATE, VIEW)
     lines = (tmp_path / "late.csv").read_text("utf-8").splitlines()
-    words = "validity, windows: CAUTION: windows 1 and 7: mostly noise, and so is the extent"
-    assert f"# {words}" in lines
+    caution = "validity, windows: CAUTION: windows 1 and 7: mostly noise, and so is the extent"
+    assert f"# {caution}" in lines
     assert len(list(csv.reader(line for line in lines if not line.startswith("#")))) == 8
     export_windows(tmp_path / "train.csv", TRAIN, VIEW)
     assert "validity, windows" not in (tmp_path / "train.csv").read_text("utf-8")

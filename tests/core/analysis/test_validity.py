@@ -139,9 +139,9 @@ def test_the_peak_scaling_hides_differences_and_probe_scaling_does_not():
 
 
 def test_a_synthetic_limb_is_said_to_be_one_and_its_noise_is_unknown():
-    seen = findings_of(design_of(tone(100.0)))
-    assert seen["limb"].state == "left"
-    assert seen["noise"].state == "unknown"
+    findings = findings_of(design_of(tone(100.0)))
+    assert findings["limb"].state == "left"
+    assert findings["noise"].state == "unknown"
 
 
 def test_outputs_below_six_decibels_are_told_and_can_be_deselected():
@@ -156,8 +156,8 @@ def test_outputs_below_six_decibels_are_told_and_can_be_deselected():
     view = View(outputs=(1, 5, 72))
     assert edits.mend(design_of(), view, finding).view.outputs == (5,)
     assert isinstance(edits.mend(design_of(), View(outputs=(5,)), finding), Refusal)
-    kept = noise_findings(np.full(72, 6.0), synthetic=False, silent=False)
-    assert (kept.state, kept.outputs) == ("kept", ())
+    quiet = noise_findings(np.full(72, 6.0), synthetic=False, silent=False)
+    assert (quiet.state, quiet.outputs) == ("kept", ())
 
 
 def test_the_elbow_is_mostly_noise_on_a_measured_limb(measured):
@@ -168,8 +168,8 @@ def test_the_elbow_is_mostly_noise_on_a_measured_limb(measured):
 
 
 def test_silence_leaves_no_condition_but_those_of_the_setup():
-    seen = findings_of(design_of())
-    assert {name for name, finding in seen.items() if finding.state != "kept"} == {"limb"}
+    findings = findings_of(design_of())
+    assert {name for name, finding in findings.items() if finding.state != "kept"} == {"limb"}
 
 
 def test_lines_of_a_file_name_what_is_not_kept():
@@ -193,20 +193,20 @@ def test_tables_carry_what_is_not_kept(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("numbers", "words"), [((3,), "3"), ((1, 2), "1 and 2"), ((2, 1, 3), "1 to 3")]
+    ("numbers", "text"), [((3,), "3"), ((1, 2), "1 and 2"), ((2, 1, 3), "1 to 3")]
 )
-def test_numbers_are_listed_as_one_reads_them(numbers, words):
-    assert listed(numbers) == words
+def test_numbers_are_listed_as_one_reads_them(numbers, text):
+    assert listed(numbers) == text
 
 
 def test_the_sidecar_of_a_stimulus_carries_the_conditions(tmp_path):
     path = tmp_path / "drive.wav"
     ss.export_stimulus(design_of(tone(400.0, 10.0)), path, "wav", 48000)
-    told = json.loads((tmp_path / "drive.wav.json").read_text())
-    assert {condition["condition"]: condition["state"] for condition in told["validity"]}[
+    sidecar = json.loads((tmp_path / "drive.wav.json").read_text())
+    assert {condition["condition"]: condition["state"] for condition in sidecar["validity"]}[
         "spacing"
     ] == "left"
-    assert told["limb_note"] is None
+    assert sidecar["limb_note"] is None
     nowhere = {"limb_note": None, "validity": []}
     assert about_validity(replace(design_of(), limb="nobody")) == nowhere
 

@@ -171,9 +171,9 @@ def test_the_spread_of_the_speed_is_that_of_repeated_measurements():
         travelling_wave(clean + rng.normal(0, 0.05, clean.shape), distance_mm, RATE)
         for _ in range(60)
     ]
-    told = np.median([wave.speed_deviation_m_per_s for wave in runs])
-    seen = np.std([wave.speed_m_per_s for wave in runs])
-    assert told == pytest.approx(seen, rel=0.4)
+    stated = np.median([wave.speed_deviation_m_per_s for wave in runs])
+    deviation = np.std([wave.speed_m_per_s for wave in runs])
+    assert stated == pytest.approx(deviation, rel=0.4)
 
 
 def test_distances_add_up_along_the_line():

@@ -79,11 +79,11 @@ def test_a_wave_is_followed_along_z_whatever_axes_are_chosen():
 
 
 def test_delays_count_from_the_first_input_that_is_heard():
-    heard, view = tone(120.0, duration_s=0.1, onset_s=0.3), View(outputs=(20,))
+    audible, view = tone(120.0, duration_s=0.1, onset_s=0.3), View(outputs=(20,))
     muted, still = replace(tone(60.0, place=3), muted=True), tone(60.0, 0.0, place=4)
     alone, beside = (
         ss.evaluate(ss.Design(limb="synthetic-1", inputs=inputs), "output_statistics", view=view)
-        for inputs in ((heard,), (muted, still, heard))
+        for inputs in ((audible,), (muted, still, audible))
     )
     assert 0.04 < alone["output_statistics"].delay_s[0] < 0.08
     assert beside["output_statistics"].delay_s == pytest.approx(
@@ -150,8 +150,8 @@ def test_shares_of_several_drives_are_weighed_by_their_energy():
 def test_of_a_probe_whose_drive_has_no_known_unit_nothing_is_told(user_data, answers_drive):
     installed(per_unit_drive=answers_drive)
     design = ss.Design(limb="lab-1", inputs=(tone(100.0, 2.0, place=3),), scaling="probe")
-    wanted = "validity", "fastest_probe_m_per_s", "contact_weighted_rms"
-    values = ss.evaluate(design, *wanted)
+    quantities = "validity", "fastest_probe_m_per_s", "contact_weighted_rms"
+    values = ss.evaluate(design, *quantities)
     drive = next(finding for finding in values["validity"] if finding.name == "drive")
     if answers_drive:
         assert (drive.state, drive.mend) == ("unknown", "")

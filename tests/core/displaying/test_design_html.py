@@ -87,8 +87,8 @@ def test_a_design_without_inputs_and_one_on_an_unknown_limb_are_shown_too():
 
 def test_what_cannot_be_played_says_why_in_its_lane():
     high = ss.track(7, ss.waveforms.Tone(frequency_hz=900.0))
-    words = "".join(drawing_of(ss.Design(limb="synthetic-1", inputs=(high,))).itertext())
-    assert "900" in words
+    text = "".join(drawing_of(ss.Design(limb="synthetic-1", inputs=(high,))).itertext())
+    assert "900" in text
 
 
 def test_many_clips_are_counted_and_not_all_listed():

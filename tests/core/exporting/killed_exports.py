@@ -115,14 +115,14 @@ def main(folder: Path, kills: int, seed: int) -> None:
                 if state(target) not in whole:
                     broken.append(target.name)
     left = [file.name for file in folder.iterdir() if file.name.endswith(".part")]
-    told = {
+    summary = {
         "kills": kills,
         "at_moves": at_moves,
         "broken": broken,
         "states": len(states),
         "left_over": len(left),
     }
-    sys.stdout.write(json.dumps(told) + "\n")
+    sys.stdout.write(json.dumps(summary) + "\n")
 
 
 if __name__ == "__main__":

@@ -96,12 +96,12 @@ def test_bos1901_gets_12_bits_that_begin_and_end_at_0_volts(design, tmp_path):
     ss.export_stimulus(design, path, "bos1901", 48_000)
     arrays, constants = arrays_of(path)
     drive = ss.stimulus_of(design, 8000).samples
-    wanted = drive / np.abs(drive).max() * 2047
-    for words, row in zip(arrays.values(), wanted, strict=True):
-        assert words[0] == words[-1] == 0
-        assert words.min() >= 0
-        assert words.max() <= 0x0FFF
-        values = np.where(words >= 0x800, words - 0x1000, words)
+    expected_values = drive / np.abs(drive).max() * 2047
+    for array, row in zip(arrays.values(), expected_values, strict=True):
+        assert array[0] == array[-1] == 0
+        assert array.min() >= 0
+        assert array.max() <= 0x0FFF
+        values = np.where(array >= 0x800, array - 0x1000, array)
         assert np.abs(values[1:-1] - row).max() <= 0.5 + 1e-9
     assert constants["STIM_FS_HZ"] == "8000UL"
     # Whatever rate is asked for: the chip has its own.
@@ -113,8 +113,8 @@ def test_drv2665_gets_8_bits_at_8_khz_that_begin_and_end_at_0(design, tmp_path):
     ss.export_stimulus(design, path, "drv2665")
     arrays, _ = arrays_of(path)
     drive = ss.stimulus_of(design, 8000).samples
-    wanted = drive / np.abs(drive).max() * 127
-    for values, row in zip(arrays.values(), wanted, strict=True):
+    expected_values = drive / np.abs(drive).max() * 127
+    for values, row in zip(arrays.values(), expected_values, strict=True):
         assert values[0] == values[-1] == 0
         assert np.abs(values[1:-1] - row).max() <= 0.5 + 1e-9
 

@@ -173,8 +173,8 @@ def test_dither_is_that_of_its_seed_and_clips_nothing(design, tmp_path):
     assert about["integer_full_scale"] == 32766
     assert about["clip_count"] == 0
     steps = read(tmp_path / "a.wav") * 32768
-    wanted = ss.stimulus_of(design, 48_000).samples * about["gain"] * 32766
-    assert 0.6 < np.abs(steps - wanted).max() <= 1.5
+    integers = ss.stimulus_of(design, 48_000).samples * about["gain"] * 32766
+    assert 0.6 < np.abs(steps - integers).max() <= 1.5
 
 
 def test_lossy_formats_say_what_they_lose(design, tmp_path):

@@ -104,12 +104,14 @@ def test_it_plays_what_was_exported_with_a_trigger_that_can_be_read(
     player.main(["--gain-db", "-6", "--trigger", "4", "--mask", "3"])
     (stream,) = card.streams
     played = np.concatenate(stream.played)
-    wanted = expected(design, 48_000) * 10 ** (-6 / 20)
+    expected_samples = expected(design, 48_000) * 10 ** (-6 / 20)
     assert played.shape[1] == 4
-    np.testing.assert_allclose(played[: len(wanted), :2], wanted, rtol=0, atol=1e-6)
-    assert not played[len(wanted) :].any()
+    np.testing.assert_allclose(
+        played[: len(expected_samples), :2], expected_samples, rtol=0, atol=1e-6
+    )
+    assert not played[len(expected_samples) :].any()
     assert player.code_in(played[:, 3], 48_000) == (1, 0)
-    noise = played[: len(wanted), 2]
+    noise = played[: len(expected_samples), 2]
     assert np.abs(noise).max() == pytest.approx(10 ** (-30 / 20), rel=1e-5)
     with (folder / "log.csv").open(newline="") as file:
         (row,) = csv.DictReader(file)
@@ -135,9 +137,9 @@ def test_every_code_reads_back_also_late_and_noisy(player, code, rate_hz):
 
 def test_the_loopback_test_tells_delay_and_jitter(player, capsys):
     player.main(["--loopback", "1", "1", "--repeats", "5"])
-    told = capsys.readouterr().out
-    assert "5 of 5 clicks seen" in told
-    assert f"delay {DELAY / 48:.3f} ms, jitter 0.0000 ms" in told
+    printed = capsys.readouterr().out
+    assert "5 of 5 clicks seen" in printed
+    assert f"delay {DELAY / 48:.3f} ms, jitter 0.0000 ms" in printed
 
 
 def test_outputs_of_the_stimulus_are_not_taken_for_anything_else(player):
@@ -150,9 +152,9 @@ def test_outputs_of_the_stimulus_are_not_taken_for_anything_else(player):
 def test_no_log_of_an_earlier_session_is_lost(folder, player, capsys, design):
     for _ in range(3):
         player.main([])
-    told = capsys.readouterr().out.split()
+    printed = capsys.readouterr().out.split()
     logs = [folder / name for name in ("log.csv", "log-2.csv", "log-3.csv")]
-    assert told == [str(log) for log in logs]
+    assert printed == [str(log) for log in logs]
     before = [log.read_text() for log in logs]
     ss.export_stimulus(design, folder, format="psychopy", rate_hz=8000)
     assert [log.read_text() for log in logs] == before

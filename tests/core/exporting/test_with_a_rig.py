@@ -126,10 +126,13 @@ def test_limits_of_the_rig_must_be_confirmed(design, rig, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("scaling", "words"), [("upstream", "scaling is upstream"), ("relative", "scaling is relative")]
+    ("scaling", "message"),
+    [("upstream", "scaling is upstream"), ("relative", "scaling is relative")],
 )
-def test_drives_that_are_no_accelerations_are_not_equalised(design, rig, tmp_path, scaling, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_drives_that_are_no_accelerations_are_not_equalised(
+    design, rig, tmp_path, scaling, message
+):
+    with pytest.raises(InvalidInputError, match=message):
         ss.export_stimulus(
             replace(design, scaling=scaling),
             tmp_path / "a.wav",
@@ -172,9 +175,9 @@ def test_the_command_takes_a_rig_and_an_equaliser(design, rig, tmp_path, capsys)
     assert sidecar(path)["equaliser"]["phase"] == "minimum"
     assert main(call) == 0
     assert sidecar(path)["equaliser"] is None
-    said = capsys.readouterr().out.splitlines()[-1].strip()
-    assert said == f"{sidecar(path)['calibration'].capitalize()}."
-    assert said.startswith("Calibrated")
+    last_line = capsys.readouterr().out.splitlines()[-1].strip()
+    assert last_line == f"{sidecar(path)['calibration'].capitalize()}."
+    assert last_line.startswith("Calibrated")
 
 
 def test_channels_wait_for_the_one_with_the_longest_delay(design, rig, tmp_path):

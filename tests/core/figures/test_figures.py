@@ -32,11 +32,11 @@ def test_each_figure_is_written_as_picture_pages_and_numbers(name, tmp_path):
     assert sorted(tmp_path.iterdir()) == sorted(written)
     known = ss.scenes.scene(name)
     drawing = (tmp_path / f"{name}.svg").read_text("utf-8")
-    words = " ".join(re.findall(r"<text[^>]*>(.*?)</text>", drawing))
-    assert known.heading in words
-    assert "SYNTHETIC LIMB" in words
-    assert f"Fig. {name}." in words
-    assert ("Inferred: " in words) == bool(known.inferred)
+    text = " ".join(re.findall(r"<text[^>]*>(.*?)</text>", drawing))
+    assert known.heading in text
+    assert "SYNTHETIC LIMB" in text
+    assert f"Fig. {name}." in text
+    assert ("Inferred: " in text) == bool(known.inferred)
     for path in written:
         if path.suffix == ".csv":
             about, header, rows = table(path)
@@ -107,10 +107,10 @@ def test_the_sum_that_figure_5f_shows_is_of_what_each_input_causes_alone():
 
 
 def test_maps_of_all_figures_that_have_them_tell_how_long_a_millimetre_is():
-    for name, words in (("1C", "20 mm"), ("2H", "50 mm"), ("4A", "50 mm")):
+    for name, label in (("1C", "20 mm"), ("2H", "50 mm"), ("4A", "50 mm")):
         figure = draw_figure(ss.scenes.open_scene(name, available=())).figure
-        told = [text.get_text() for ax in figure.axes for text in ax.texts]
-        assert told.count(words) == 1, name
+        labels = [text.get_text() for ax in figure.axes for text in ax.texts]
+        assert labels.count(label) == 1, name
 
 
 def test_frames_of_figure_4a_are_a_quarter_of_a_cycle_apart():
@@ -146,8 +146,8 @@ def test_noise_is_hatched_on_a_map_of_a_measured_limb_and_no_other(measured):
         figure = ss.plot.map(ss.Design(limb=limb, inputs=(tone,)))
         patches = figure.axes[0].patches
         assert [bool(patch.get_hatch()) for patch in patches] == [False, *[True] * hatched]
-        words = " ".join(text.get_text() for text in figure.texts)
-        assert ("Hatched: " in words) == hatched
+        caption = " ".join(text.get_text() for text in figure.texts)
+        assert ("Hatched: " in caption) == hatched
         if hatched:
             noisy = next(
                 finding.outputs
@@ -177,10 +177,10 @@ def test_a_folder_that_is_not_there_is_no_place_for_figures(tmp_path):
 
 def test_the_command_writes_what_is_named_and_says_where(tmp_path, capsys):
     assert main(["figures", "--out", str(tmp_path), "--only", "1E"]) == 0
-    told = capsys.readouterr()
-    assert told.out.split() == [
+    printed = capsys.readouterr()
+    assert printed.out.split() == [
         str(tmp_path / f"1E.{kind}") for kind in ("png", "svg", "pdf", "csv")
     ]
-    assert "SYNTHETIC" in told.err
+    assert "SYNTHETIC" in printed.err
     assert main(["figures", "--out", str(tmp_path / "no"), "--only", "1E"]) == 1
     assert "is no folder" in capsys.readouterr().err

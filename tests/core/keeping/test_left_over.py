@@ -113,7 +113,7 @@ def test_a_file_of_another_system_that_cannot_be_told_is_none(tmp_path, left_by_
 
 
 @pytest.mark.parametrize(
-    ("seconds", "words"),
+    ("seconds", "text"),
     [
         (-5.0, "less than a minute ago"),
         (59.9, "less than a minute ago"),
@@ -124,5 +124,5 @@ def test_a_file_of_another_system_that_cannot_be_told_is_none(tmp_path, left_by_
         (200_000.0, "2 days ago"),
     ],
 )
-def test_ages_are_told_in_whole_units(seconds, words):
-    assert recovery.age_text(seconds) == words
+def test_ages_are_told_in_whole_units(seconds, text):
+    assert recovery.age_text(seconds) == text

@@ -190,7 +190,7 @@ def test_a_table_that_cannot_be_written_keeps_the_trial(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("change", "words"),
+    ("change", "message"),
     [
         (lambda text: "", "no table of matches"),
         (lambda text: "a,b\n1,2\n", "no table of matches"),
@@ -206,19 +206,19 @@ def test_a_table_that_cannot_be_written_keeps_the_trial(tmp_path):
         (lambda text: "\0" + text, "no table|no CSV"),
     ],
 )
-def test_a_damaged_table_is_one_error_that_says_where(tmp_path, change, words):
+def test_a_damaged_table_is_one_error_that_says_where(tmp_path, change, message):
     path = tmp_path / "matches.csv"
     store_all(ANNA, path)
     path.write_text(change(path.read_text()))
     before = path.read_bytes()
-    with pytest.raises(FileFormatError, match=words) as refused:
+    with pytest.raises(FileFormatError, match=message) as refused:
         MatchingRun(ANNA, path)
     assert "matches.csv" in str(refused.value)
     assert path.read_bytes() == before
 
 
 @pytest.mark.parametrize(
-    ("changes", "words"),
+    ("changes", "message"),
     [
         ({"person": ""}, "person"),
         ({"person": "a\nb"}, "person"),
@@ -234,8 +234,8 @@ def test_a_damaged_table_is_one_error_that_says_where(tmp_path, change, words):
          "at most 2000"),
     ],
 )  # fmt: skip
-def test_a_procedure_that_cannot_be_is_refused(changes, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_a_procedure_that_cannot_be_is_refused(changes, message):
+    with pytest.raises(InvalidInputError, match=message):
         replace(ANNA, **changes)
 
 

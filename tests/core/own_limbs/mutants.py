@@ -99,8 +99,13 @@ def _text(file: LimbFile) -> str:
 
 
 def _refused(tally: Tally, number: int, error: SkinSourceError) -> None:
-    said = str(error)
-    lost = any(words in said for words in _CRASHED)
+    message = str(error)
+    lost = any(part in message for part in _CRASHED)
     tally.outcomes["process lost" if lost else "refused"] += 1
-    if "mutant" not in said or "\n" in said or len(said) >= _LONGEST or "Traceback" in said:
-        tally.wrong.append(f"{number}: unclear: {said}")
+    if (
+        "mutant" not in message
+        or "\n" in message
+        or len(message) >= _LONGEST
+        or "Traceback" in message
+    ):
+        tally.wrong.append(f"{number}: unclear: {message}")

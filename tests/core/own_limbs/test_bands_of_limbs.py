@@ -58,13 +58,13 @@ def test_the_band_is_kept_exported_and_part_of_the_digest(user_data, tmp_path):
     assert facts_of("lab-1").band_hz is None
     assert ss.load_limb("lab-1").band_hz is None
     installed(band_hz=BAND)
-    said = facts_of("lab-1")
-    assert said.band_hz == ss.load_limb("lab-1").band_hz == BAND
-    assert said.digest != silent
-    assert said.sentence.endswith("4000 Hz, measured from 40 to 1500 Hz.")
+    facts = facts_of("lab-1")
+    assert facts.band_hz == ss.load_limb("lab-1").band_hz == BAND
+    assert facts.digest != silent
+    assert facts.sentence.endswith("4000 Hz, measured from 40 to 1500 Hz.")
     export_limb("lab-1", tmp_path / "lab.h5")
     again = import_limb(LimbSource(responses=tmp_path / "lab.h5", values={"name": "copy"}))
-    assert (again.band_hz, again.digest) == (BAND, said.digest)
+    assert (again.band_hz, again.digest) == (BAND, facts.digest)
 
 
 @pytest.mark.parametrize("band", [(600.0, 25.0), (0.0, 2001.0), (-1.0, 5.0), (5.0,), (np.nan, 9.0)])

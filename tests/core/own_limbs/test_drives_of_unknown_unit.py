@@ -102,15 +102,15 @@ def test_a_stimulus_has_the_unit_of_the_limb_that_is_open(drive_limb):
 
 
 def test_no_equaliser_takes_a_drive_of_unknown_unit_for_accelerations(drive_limb, tmp_path):
-    path, wanted = tmp_path / "lab.wav", {"equaliser": RegularisedInverse()}
+    path, options = tmp_path / "lab.wav", {"equaliser": RegularisedInverse()}
     asked = ss.Actuation(actuators=(COIL,), equaliser=RegularisedInverse())
     rig = ss.rigs.Rig(
         channels=(ss.rigs.RigChannel(place=2, output=1, actuator="example-voice-coil"),)
     )
     with pytest.raises(InvalidInputError, match="answers a drive of unknown unit") as refused:
-        ss.export_stimulus(LAB, path, rig=rig, **wanted)
+        ss.export_stimulus(LAB, path, rig=rig, **options)
     assert "scaling" not in str(refused.value)
-    ss.export_stimulus(replace(LAB, actuation=asked), path, **wanted)
+    ss.export_stimulus(replace(LAB, actuation=asked), path, **options)
     assert path.exists()
 
 
@@ -138,11 +138,11 @@ def exported(path, design, format):
 def test_what_is_exported_says_it_in_every_file(user_data, tmp_path, answers_drive):
     installed(per_unit_drive=answers_drive)
     path = tmp_path / "stim.h"
-    said = exported(path, LAB, "c-header")
+    facts = exported(path, LAB, "c-header")
     unit = "a.u." if answers_drive else "m/s²"
-    assert said["unit"] == said["channels"][0]["unit"] == unit
-    assert ("of the probe in m/s²" in said["scaling_means"]) is not answers_drive
-    assert ("unit of the drive" in said["scaling_means"]) is answers_drive
+    assert facts["unit"] == facts["channels"][0]["unit"] == unit
+    assert ("of the probe in m/s²" in facts["scaling_means"]) is not answers_drive
+    assert ("unit of the drive" in facts["scaling_means"]) is answers_drive
     header = path.read_text()
     assert ("it stands for 0.5 a.u.\n" in header) is answers_drive
     export_traces(tmp_path / "traces.csv", LAB, View(axes="xz", outputs=(3,)))

@@ -248,7 +248,7 @@ def test_responses_replaced_while_the_limb_is_open_are_noticed(lab):
 
 
 @pytest.mark.parametrize(
-    ("changes", "words"),
+    ("changes", "message"),
     [
         ({"name": "Lab 1"}, "small letters, digits"),
         ({"name": "measured-1"}, "not beginning with measured-"),
@@ -267,11 +267,11 @@ def test_responses_replaced_while_the_limb_is_open_are_noticed(lab):
         ({"n_taps": 2**20}, "would take 3.6 GB"),
     ],
 )
-def test_what_is_no_limb_is_refused_in_one_sentence(changes, words):
+def test_what_is_no_limb_is_refused_in_one_sentence(changes, message):
     if "n_taps" in changes and changes["n_taps"] > 1:
         changes = {**changes, "input_positions": np.zeros((60, 2)), "input_names": ()}
-        words = "would take 31.2 GB"
-    with pytest.raises(InvalidInputError, match=words):
+        message = "would take 31.2 GB"
+    with pytest.raises(InvalidInputError, match=message):
         own_limb(**changes)
 
 

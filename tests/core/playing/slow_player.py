@@ -61,19 +61,19 @@ class SlowPlayer:
         """The next sample."""
         if self.over:
             return self._falling()
-        heard = self._read(self.now)
+        samples = self._read(self.now)
         if self.faded < FADE:
             share = weight(self.faded, FADE)
-            heard = share * heard + (1 - share) * self._read(self.old)
+            samples = share * samples + (1 - share) * self._read(self.old)
             self.faded += 1
         most = 1.0 / (0.05 * RATE_HZ)
         self.gain += max(-most, min(most, self.wanted_gain - self.gain))
-        heard *= self.gain
-        if abs(heard) > 1.0:
+        samples *= self.gain
+        if abs(samples) > 1.0:
             self.over, self.fall = "limit", 0
             return self._falling()
-        self.last = heard
-        return heard
+        self.last = samples
+        return samples
 
     def end_block(self) -> None:
         """All may have been played."""

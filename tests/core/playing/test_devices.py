@@ -89,8 +89,8 @@ def test_a_device_is_found_by_its_name_and_its_host(library):
     library(cards=(*CARDS, ("Built-in", 1, 2, 48000.0)))
     listed = devices.devices()
     assert devices.device_of(Output(), listed).name == "Eight"
-    wanted = Output(device="Built-in", host_api="JACK")
-    assert devices.device_of(wanted, listed).index == 3
+    output = Output(device="Built-in", host_api="JACK")
+    assert devices.device_of(output, listed).index == 3
     assert devices.device_of(Output(device="Built-in"), listed).index == 0
 
 
@@ -120,7 +120,7 @@ def test_rates_are_those_that_the_device_takes(library):
 
 
 @pytest.mark.parametrize(
-    ("refusal", "words"),
+    ("refusal", "message"),
     [
         (("Invalid sample rate", -9997), "Eight does not take 48000 Hz; it prefers 48000 Hz"),
         (("Invalid number of channels", -9998), "Eight does not take 3 outputs"),
@@ -129,9 +129,9 @@ def test_rates_are_those_that_the_device_takes(library):
         (("no code",), "cannot be played on: no code"),
     ],
 )
-def test_what_a_device_refuses_is_said_in_plain_words(library, refusal, words):
+def test_what_a_device_refuses_is_said_in_plain_words(library, refusal, message):
     library(refusal=refusal)
-    with pytest.raises(PlaybackError, match=words):
+    with pytest.raises(PlaybackError, match=message):
         stream.Stream(PlayQueue(3, 48_000), devices.devices()[0], 0.02, lambda: None)
 
 
@@ -151,8 +151,8 @@ def test_without_portaudio_the_package_of_the_system_is_said(monkeypatch):
 
 
 def test_nothing_of_sound_is_imported_before_somebody_asks():
-    words = "import sys, skinsource.lab.playing.session; print(*sys.modules)"
-    completed = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True)
+    program = "import sys, skinsource.lab.playing.session; print(*sys.modules)"
+    completed = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
     assert completed.returncode == 0, completed.stderr
     assert "skinsource.lab.playing.stream" in completed.stdout
     assert "sounddevice" not in completed.stdout.split()

@@ -24,7 +24,7 @@ def test_channels_at_one_output_add_up():
 
 
 @pytest.mark.parametrize(
-    ("rows", "changes", "words"),
+    ("rows", "changes", "message"),
     [
         ([[1, np.nan], [0, 0]], {}, "finite"),
         ([[1, np.inf], [0, 0]], {}, "finite"),
@@ -36,8 +36,8 @@ def test_channels_at_one_output_add_up():
         ([[1, 2], [3, 4]], {"loop_s": (0.2, 0.1)}, "expected at least 10 ms"),
     ],
 )
-def test_what_cannot_be_played_is_refused(rows, changes, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_cannot_be_played_is_refused(rows, changes, message):
+    with pytest.raises(InvalidInputError, match=message):
         made(rows, **changes)
 
 

@@ -55,13 +55,13 @@ def test_anything_else_is_refused(text):
 
 
 @pytest.mark.parametrize(
-    ("outputs", "words"),
+    ("outputs", "message"),
     [
         (((1, 2), (3, 2)), "output 2 stands twice"),
         (((1, 2), (1, 3)), "place 1 stands twice"),
         (((1, 200),), "output is 200"),
     ],
 )
-def test_an_impossible_map_is_refused(outputs, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_an_impossible_map_is_refused(outputs, message):
+    with pytest.raises(InvalidInputError, match=message):
         Output(outputs=outputs)

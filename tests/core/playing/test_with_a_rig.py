@@ -48,7 +48,7 @@ def play(session, design=ONE, **changes):
     return session.play(design, Output(device="Eight"), **settings)
 
 
-def heard(sound, session):
+def samples_at_outputs(sound, session):
     assert session.over.wait(30)
     return sound.streams[0].samples[:, FADE:]
 
@@ -56,7 +56,7 @@ def heard(sound, session):
 def test_the_rig_says_which_output_drives_a_place(sound, session):
     quiet = TWO.with_input(0, amplitude=0.5)
     play(session, quiet)
-    played = heard(sound, session)
+    played = samples_at_outputs(sound, session)
     expected = ss.stimulus_of(quiet, RATE_HZ).samples
     assert played[2].any()
     assert not played[1].any()
@@ -67,7 +67,7 @@ def test_the_rig_says_which_output_drives_a_place(sound, session):
 def test_an_inverted_channel_is_turned_round(sound, session):
     quiet = ONE.with_input(0, amplitude=0.5)
     play(session, quiet, rig=rig_of(polarity="inverted"))
-    played = heard(sound, session)[2]
+    played = samples_at_outputs(sound, session)[2]
     expected = -ss.stimulus_of(quiet, RATE_HZ).samples[0]
     assert played[: expected.size] == pytest.approx(expected, abs=1e-6)
 
@@ -77,7 +77,7 @@ def test_volts_of_a_design_are_volts_of_the_rig(sound, session):
     through = ss.Actuation(actuators=(ss.ActuatorAt(actuator="coil", model=coil),))
     volts = replace(ONE.with_input(0, amplitude=1.5), actuation=through)
     play(session, volts)
-    played = heard(sound, session)[2]
+    played = samples_at_outputs(sound, session)[2]
     expected = ss.stimulus_of(volts, RATE_HZ).samples[0] / 2.0
     assert played[: expected.size] == pytest.approx(expected, abs=1e-6)
 
@@ -89,7 +89,7 @@ def test_what_is_predicted_through_an_equaliser_is_played_through_it(sound, sess
         equaliser=ss.equalising.RegularisedInverse(),
     )
     play(session, replace(ONE, actuation=through))
-    played = heard(sound, session)[2]
+    played = samples_at_outputs(sound, session)[2]
     # 50 m/s² for each volt, 2 V at full scale.
     expected = ss.stimulus_of(ONE, RATE_HZ).samples[0] / 50.0 / 2.0
     assert played[: expected.size] == pytest.approx(expected, abs=4e-3 * np.abs(expected).max())
@@ -99,7 +99,7 @@ def test_what_is_predicted_through_an_equaliser_is_played_through_it(sound, sess
 def test_channels_wait_for_the_slowest(sound, session, delay_s):
     quiet = TWO.with_input(0, amplitude=0.5)
     play(session, quiet, rig=rig_of(delay_s=delay_s))
-    played = heard(sound, session)
+    played = samples_at_outputs(sound, session)
     expected = ss.stimulus_of(quiet, 1300).samples
     sent = ss.resample(expected, 1300, RATE_HZ)
     n = sent.shape[1]
@@ -133,11 +133,11 @@ def test_a_gain_that_is_turned_up_past_a_limit_stops_it(sound, session):
     playing = play(
         session, ONE.with_input(0, amplitude=0.9), rig=limited, gain_db=-20.0, loops=True
     )
-    deck = playing.stream.deck
-    assert deck.ending is None
-    deck.set_gain(0.0)
+    queue = playing.stream.deck
+    assert queue.ending is None
+    queue.set_gain(0.0)
     assert session.over.wait(30)
-    assert deck.ending.reason == "rig"
+    assert queue.ending.reason == "rig"
     # Not even the way up to it is heard.
     assert np.abs(sound.streams[0].samples).max() <= 0.09 + 1e-6
 

@@ -57,8 +57,8 @@ def test_columns_are_in_the_unit_of_the_scale():
     figure = ss.plot.traces(LONG, view=replace(VIEW, outputs=MISSED[:1]))
     ax = figure.axes[0]
     [line] = [line for line in ax.lines if len(line.get_xdata()) > 2]
-    words = [text.get_text() for text in ax.texts]
-    size = float(next(text for text in words if "a row is" in text).split()[-3])
+    texts = [text.get_text() for text in ax.texts]
+    size = float(next(text for text in texts if "a row is" in text).split()[-3])
     time_ms, values = np.asarray(line.get_xdata()), line.get_ydata() * size
     amplitudes, _ = tone_amplitudes(LONG, replace(VIEW, outputs=MISSED[:1]))
     inside = (time_ms > 5e3) & (time_ms < 15e3)

@@ -57,11 +57,11 @@ def test_a_map_lies_where_the_outline_is_and_marks_inputs_and_outputs():
     marked = [(line.get_xdata()[0], line.get_ydata()[0]) for line in ax.lines]
     assert any(np.allclose(point, limb.map.input_positions[6] * scale) for point in marked)
     assert any(np.allclose(point, limb.map.output_positions[18] * scale) for point in marked)
-    words = [text.get_text() for text in (*ax.texts, *figure.texts)]
-    assert "19" in words
-    assert "61" not in words  # it has no place on the back
-    assert "50 mm" in words
-    assert any("SYNTHETIC" in text for text in words)
+    texts = [text.get_text() for text in (*ax.texts, *figure.texts)]
+    assert "19" in texts
+    assert "61" not in texts  # it has no place on the back
+    assert "50 mm" in texts
+    assert any("SYNTHETIC" in text for text in texts)
 
 
 def test_a_bar_of_50_mm_is_as_long_as_50_mm_of_the_hand():
@@ -95,8 +95,8 @@ def test_between_samples_a_magnitude_is_the_length_of_the_wave_and_never_negativ
         view = ss.View(axes=axes, method=method, outputs=(30,), time_range_s=(0.05, 0.1))
         figure = ss.plot.traces(DESIGN, view=view)
         [line] = [line for line in figure.axes[0].lines if line.get_xdata().__len__() > 2]
-        words = [text.get_text() for text in figure.axes[0].texts]
-        size = float(next(text for text in words if "a row is" in text).split()[-3])
+        texts = [text.get_text() for text in figure.axes[0].texts]
+        size = float(next(text for text in texts if "a row is" in text).split()[-3])
         return line.get_ydata() * size, size
 
     squares = [lines(axis, "mag")[0] ** 2 for axis in "xyz"]
@@ -195,7 +195,7 @@ def test_silence_is_drawn_too():
 
 
 @pytest.mark.parametrize(
-    ("call", "words"),
+    ("call", "message"),
     [
         (lambda: ss.plot.map(np.zeros(72)), "need the limb"),
         (lambda: ss.plot.map(np.zeros(71), limb="synthetic-1"), "shape"),
@@ -213,8 +213,8 @@ def test_silence_is_drawn_too():
         (lambda: ss.plot.strip("2H"), "expected a Design"),
     ],
 )
-def test_what_cannot_be_drawn_is_refused_in_words(call, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_cannot_be_drawn_is_refused_in_words(call, message):
+    with pytest.raises(InvalidInputError, match=message):
         call()
 
 
@@ -246,14 +246,14 @@ def test_all_words_of_a_strip_stand_in_the_figure_and_none_on_a_curve(count):
     figure = ss.plot.strip(ss.Design(limb="synthetic-4", inputs=inputs), count=count)
     figure.savefig(BytesIO(), dpi=figure.dpi)
     (extent,) = (ax for ax in figure.axes if ax.get_legend())
-    words = [ax.yaxis.label for ax in figure.axes if ax.yaxis.label.get_text()]
-    words += [ax.title for ax in figure.axes if ax.get_title()] + extent.get_legend().get_texts()
-    for text in words:
+    labels = [ax.yaxis.label for ax in figure.axes if ax.yaxis.label.get_text()]
+    labels += [ax.title for ax in figure.axes if ax.get_title()] + extent.get_legend().get_texts()
+    for text in labels:
         room = text.get_window_extent()
         assert figure.bbox.x0 <= room.x0 < room.x1 <= figure.bbox.x1, text.get_text()
         assert figure.bbox.y0 <= room.y0 < room.y1 <= figure.bbox.y1, text.get_text()
     assert extent.get_legend().get_window_extent().y0 >= extent.get_window_extent().y1 - 1.0
-    (label,) = (text for text in words if text.get_text() == "mm from\nthe input")
+    (label,) = (text for text in labels if text.get_text() == "mm from\nthe input")
     assert label.get_window_extent().x1 < extent.get_window_extent().x0
 
 
@@ -266,15 +266,15 @@ def test_what_is_mostly_noise_is_hatched_within_the_outline_on_axes_that_are_dra
     (hatched,) = (patch for patch in ax.patches if patch.get_hatch())
     outline = ax.patches[1]
     clip, to_screen = hatched.get_transformed_clip_path_and_affine()
-    wanted = outline.get_transform().transform(outline.get_path().vertices)
-    np.testing.assert_allclose(to_screen.transform(clip.vertices), wanted)
+    expected_outline = outline.get_transform().transform(outline.get_path().vertices)
+    np.testing.assert_allclose(to_screen.transform(clip.vertices), expected_outline)
     # One disc: output 61 has no place on the back.
     place = limb.map.output_positions[29] * limb.hand_length_mm / limb.map.hand_length_px
     np.testing.assert_allclose(hatched.get_path().get_extents().get_points().mean(axis=0), place)
 
 
 def test_spectra_say_of_how_many_bins_they_are_the_mean():
-    said = [text.get_text() for text in ss.plot.spectra(DESIGN, outputs=(30,)).axes[0].texts]
-    assert not any("bins" in text for text in said)
+    texts = [text.get_text() for text in ss.plot.spectra(DESIGN, outputs=(30,)).axes[0].texts]
+    assert not any("bins" in text for text in texts)
     figure = ss.plot.spectra(DESIGN, outputs=(30,), mean_of_bins=10)
     assert any("mean of 10 bins" in text.get_text() for text in figure.axes[0].texts)

@@ -83,11 +83,11 @@ def try_mutants(
             recording = process.look(path)
             read = _read(path, recording, process)
         except RecordingError as error:
-            said = str(error)
-            lost = any(words in said for words in _CRASHED)
+            message = str(error)
+            lost = any(part in message for part in _CRASHED)
             tally.outcomes["process lost" if lost else "refused"] += 1
-            if not _SENTENCE.fullmatch(said) or "Traceback" in said:
-                tally.wrong.append(f"{file_format} {number}: unclear: {said}")
+            if not _SENTENCE.fullmatch(message) or "Traceback" in message:
+                tally.wrong.append(f"{file_format} {number}: unclear: {message}")
             continue
         tally.outcomes["read"] += 1
         reason = _wrong(content, recording, read)

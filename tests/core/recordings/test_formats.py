@@ -138,7 +138,7 @@ def test_objects_are_never_unpickled(tmp_path, process):
 
 
 @pytest.mark.parametrize(
-    ("content", "words"),
+    ("content", "message"),
     [
         (b"", "no rows of numbers"),
         (b"\0\1\2" * 50, "no text"),
@@ -150,15 +150,15 @@ def test_objects_are_never_unpickled(tmp_path, process):
         (b"<html>nothing here</html>", "no rows of numbers"),
     ],
 )
-def test_what_is_no_recording_is_one_clear_error(content, words, tmp_path, process):
+def test_what_is_no_recording_is_one_clear_error(content, message, tmp_path, process):
     path = tmp_path / "strange.bin"
     path.write_bytes(content)
-    with pytest.raises(RecordingError, match=words) as error:
+    with pytest.raises(RecordingError, match=message) as error:
         process.look(path)
-    said = str(error.value)
-    assert said.startswith("strange.bin: ")
-    assert "Traceback" not in said
-    assert "expected" in said
+    message_text = str(error.value)
+    assert message_text.startswith("strange.bin: ")
+    assert "Traceback" not in message_text
+    assert "expected" in message_text
 
 
 def test_a_file_that_is_not_there_is_said_to_be_missing(tmp_path, process):

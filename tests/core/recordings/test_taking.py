@@ -98,15 +98,15 @@ def test_stamps_give_the_rate_and_are_made_steady():
 
 
 @pytest.mark.parametrize(
-    ("choice", "raw", "words"),
+    ("choice", "raw", "message"),
     [
         (replace(KEEP, rate_hz=None), [1.0, 2.0], "does not say its sample rate"),
         (KEEP, [], "no sample in this part"),
         (replace(KEEP, scale="peak"), [0.0, 0.0], "silent"),
     ],
 )
-def test_what_cannot_be_taken_is_refused(choice, raw, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_cannot_be_taken_is_refused(choice, raw, message):
+    with pytest.raises(InvalidInputError, match=message):
         values_of(choice, np.array(raw))
 
 
@@ -127,9 +127,9 @@ def test_a_part_of_a_file_is_taken_and_named(tmp_path, signal, process):
     path = tmp_path / "a.wav"
     write_wav(path, [signal, -signal], 1300)
     choice = replace(KEEP, series="1", rate_hz=None, start_s=0.1, duration_s=0.5)
-    taken = take(path, choice, process=process)
-    np.testing.assert_array_equal(taken.samples.values, -signal[130:780])
-    assert (taken.name, taken.from_hz) == ("a.wav, channel 2", 1300.0)
+    converted = take(path, choice, process=process)
+    np.testing.assert_array_equal(converted.samples.values, -signal[130:780])
+    assert (converted.name, converted.from_hz) == ("a.wav, channel 2", 1300.0)
     assert look(path).rate_hz == 1300.0
 
 
@@ -137,9 +137,9 @@ def test_a_part_between_stamps_is_taken(files, signal, process):
     choice = suggested(process.look(files["text"]))
     assert (choice.time, choice.unit, choice.rate_hz) == ("0", "g", None)
     choice = replace(choice, start_s=0.25, duration_s=0.25, scale="keep", remove_offset=False)
-    taken = take(files["text"], choice, 2000.0, process=process)
-    np.testing.assert_array_equal(taken.samples.values, signal[500:1000] * 9.80665)
-    assert taken.name == "a.csv"
+    converted = take(files["text"], choice, 2000.0, process=process)
+    np.testing.assert_array_equal(converted.samples.values, signal[500:1000] * 9.80665)
+    assert converted.name == "a.csv"
 
 
 def test_what_has_a_physical_unit_keeps_its_size_unless_told_otherwise(
@@ -167,31 +167,31 @@ def test_every_format_leads_to_the_same_drive(files, process):
 
 
 @pytest.mark.parametrize(
-    ("changes", "words"),
+    ("changes", "message"),
     [
         ({"series": "7"}, "no signal '7'.*Choose one"),
         ({"start_s": 100.0}, "begins after the end"),
     ],
 )
-def test_errors_name_the_file(changes, words, files, process):
-    with pytest.raises(RecordingError, match=f"a.wav: .*{words}"):
+def test_errors_name_the_file(changes, message, files, process):
+    with pytest.raises(RecordingError, match=f"a.wav: .*{message}"):
         take(files["WAV"], replace(KEEP, rate_hz=None, **changes), process=process)
 
 
 def test_taking_can_be_stopped_and_tells_how_far_it_is(tmp_path, process):
     path = tmp_path / "long.wav"
     soundfile.write(path, np.zeros(2_000_000), 48_000)
-    told = []
+    progress = []
     take(
         path,
         replace(KEEP, rate_hz=None),
         process=process,
-        progress=lambda done, total, text: told.append((done, total, text)),
+        progress=lambda done, total, text: progress.append((done, total, text)),
     )
-    assert told[-1] == (2_000_000, 2_000_000, "Reading long.wav")
-    assert len(told) > 5
+    assert progress[-1] == (2_000_000, 2_000_000, "Reading long.wav")
+    assert len(progress) > 5
     with pytest.raises(Stopped):
-        take(path, KEEP, process=process, stop=lambda: len(told) > 3)
+        take(path, KEEP, process=process, stop=lambda: len(progress) > 3)
     assert process.look(path).rate_hz == 48_000
 
 
@@ -202,8 +202,8 @@ def test_a_part_is_taken_from_the_end_of_a_packed_file(tmp_path, process):
         file.create_dataset("a", data=values, chunks=(100_000,), compression=1)
         file["a"].attrs["fs"] = 10_000
     choice = replace(KEEP, series="a", rate_hz=None, start_s=99.5, duration_s=60.0)
-    taken = take(path, choice, 10_000.0, process=process)
-    np.testing.assert_array_equal(taken.samples.values, values[-5000:])
+    converted = take(path, choice, 10_000.0, process=process)
+    np.testing.assert_array_equal(converted.samples.values, values[-5000:])
 
 
 def test_what_is_taken_stays_in_the_design(tmp_path, process):

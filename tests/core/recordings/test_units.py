@@ -65,14 +65,14 @@ def test_units_are_known_in_many_spellings(text, unit):
 
 
 @pytest.mark.parametrize(
-    ("name", "words", "seconds"),
+    ("name", "is_time", "seconds"),
     [
         ("time", "", 1.0), ("Time", "ms", 1e-3), ("t", "µs", 1e-6), ("time_ms", "", 1e-3),
         ("timestamp", "s", 1.0), ("time", "h", None), ("tap", "", None), ("temperature", "", None),
     ],
 )  # fmt: skip
-def test_columns_of_time_are_known_by_their_names(name, words, seconds):
-    assert time_unit_s(name, words) == seconds
+def test_columns_of_time_are_known_by_their_names(name, is_time, seconds):
+    assert time_unit_s(name, is_time) == seconds
 
 
 def test_headings_hold_units_in_brackets():

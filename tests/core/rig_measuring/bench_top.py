@@ -43,7 +43,7 @@ def sensed(model, volts=VOLTS):
     return lambda hz: model.response(hz) * volts * SENSITIVITY / INPUT_VOLTS
 
 
-def apart(measured):
+def relative_error(measured):
     """Largest relative distance from the formula of the actuator, delay and sign included."""
     return float(np.abs(measured.response.response(HZ) / COIL.response(HZ) - 1.0).max())
 

@@ -37,7 +37,7 @@ def test_each_says_what_it_is_where_it_is_from_and_what_is_inferred(name):
     notes = open_design(path_of(name)).design.notes
     assert known.sentence in notes
     assert f"Fig. {name}." in notes
-    assert all(words in notes for words in known.inferred)
+    assert all(phrase in notes for phrase in known.inferred)
 
 
 @every
@@ -112,9 +112,9 @@ def test_the_command_lists_scenes_and_writes_one_as_a_design(tmp_path, capsys):
     assert all(f"{name} " in listed for name in PANELS)
     path = tmp_path / "own.skinsource"
     assert main(["scenes", "2b", "--out", str(path)]) == 0
-    told = capsys.readouterr().out
-    assert "2B · Low frequencies reach farther" in told
-    assert "SYNTHETIC" in told
+    printed = capsys.readouterr().out
+    assert "2B · Low frequencies reach farther" in printed
+    assert "SYNTHETIC" in printed
     opened = ss.scenes.open_scene("2B")
     assert open_design(path).design == opened.design
     assert open_design(path).view == opened.view

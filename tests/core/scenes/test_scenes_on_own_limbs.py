@@ -104,13 +104,13 @@ def test_the_commands_take_a_limb(user_data, tmp_path, capsys):
     assert open_design(path).design == ss.scenes.open_scene("2F", limb="lab-1").design
     assert main(["scenes", "1G", "--limb", "lab-1"]) == 1
     assert "It compares 4 people" in capsys.readouterr().err
-    wanted = ["figures", "--out", str(tmp_path), "--limb", "lab-1", "--only"]
-    assert main([*wanted, "2B"]) == 0
+    arguments = ["figures", "--out", str(tmp_path), "--limb", "lab-1", "--only"]
+    assert main([*arguments, "2B"]) == 0
     table = (tmp_path / "2B.csv").read_text()
     assert "need not do what the sentence says" in table
     assert "Lab 1 (lab-1)" in table
     capsys.readouterr()
-    assert main([*wanted, "2E"]) == 1
+    assert main([*arguments, "2E"]) == 1
     assert "2E does not apply on lab-1" in capsys.readouterr().err
 
 

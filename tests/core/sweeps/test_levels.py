@@ -124,7 +124,7 @@ def test_matched_drives_are_those_of_the_files_with_one_full_scale(matches, tmp_
 
 
 @pytest.mark.parametrize(
-    ("changes", "words"),
+    ("changes", "message"),
     [
         ({"level": "loud"}, "one of drive"),
         ({"level": "above_threshold"}, "level_db"),
@@ -134,8 +134,8 @@ def test_matched_drives_are_those_of_the_files_with_one_full_scale(matches, tmp_
         ({"level_db": 1000.0}, "-100 to 100 dB"),
     ],
 )
-def test_a_level_that_cannot_be_is_refused(changes, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_a_level_that_cannot_be_is_refused(changes, message):
+    with pytest.raises(InvalidInputError, match=message):
         ss.sweep(DESIGN, **changes)
 
 
@@ -149,9 +149,9 @@ def test_actuators_are_varied_and_say_what_they_have_to_do():
         model = actuators.load(name)
         drives = np.array([track.amplitude * TONE.samples(1300.0) for track in DESIGN.inputs])
         volts = equalised(drives, 1300.0, model, RegularisedInverse(), lead_s=0.1, tail_s=0.1)
-        told = actuators.predicted(volts, 1300, model)
+        loads = actuators.predicted(volts, 1300, model)
         for metric in ACTUATOR_METRICS[:-1]:
-            expected = max(getattr(extent, metric) for extent in told)
+            expected = max(getattr(extent, metric) for extent in loads)
             assert table.column(metric)[row] == pytest.approx(expected, rel=1e-9, nan_ok=True)
     assert table.column("peak_voltage_v")[0] != table.column("peak_voltage_v")[1]
     assert table.column("limits_passed").tolist() == [1.0, 1.0]
@@ -248,7 +248,7 @@ def test_a_file_says_level_actuators_and_limits(matches):
 
 
 @pytest.mark.parametrize(
-    ("text", "words"),
+    ("text", "message"),
     [
         ("level = 3", "expected a text"),
         ('level = "loud"', "one of drive"),
@@ -260,8 +260,8 @@ def test_a_file_says_level_actuators_and_limits(matches):
         ("limits = 3", "expected a table"),
     ],
 )
-def test_a_level_or_limit_of_a_file_that_cannot_be_is_one_error(tmp_path, text, words):
-    with pytest.raises(FileFormatError, match=words) as refused:
+def test_a_level_or_limit_of_a_file_that_cannot_be_is_one_error(tmp_path, text, message):
+    with pytest.raises(FileFormatError, match=message) as refused:
         read_sweep(written(tmp_path, text))
     assert "sweep.toml" in str(refused.value)
 

@@ -82,11 +82,11 @@ def test_the_drive_is_what_actuators_get():
 
 def test_inputs_at_one_place_are_one_channel():
     tone = ss.waveforms.Tone(frequency_hz=90.0)
-    apart = ss.Design(
+    separate = ss.Design(
         limb="synthetic-1",
         inputs=(ss.track(7, tone), ss.track(7, tone, amplitude=-1.0), ss.track(8, tone)),
     )
-    metrics = measured(apart)
+    metrics = measured(separate)
     samples = tone.samples(RATE_HZ)
     assert metrics["drive_peak"] == pytest.approx(np.abs(samples).max())
     assert metrics["drive_rms"] == pytest.approx(np.sqrt(np.mean(samples**2) / 2))

@@ -48,7 +48,7 @@ def test_design_inputs_and_clips_are_varied():
 
 
 @pytest.mark.parametrize(
-    ("name", "value", "words"),
+    ("name", "value", "message"),
     [
         ("colour_of_sky", 1.0, "nothing in the design"),
         ("3.frequency_hz", 1.0, "the design has 2"),
@@ -60,8 +60,8 @@ def test_design_inputs_and_clips_are_varied():
         ("scaling", "loud", "scaling"),
     ],
 )
-def test_what_cannot_be_varied_is_refused(name, value, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_cannot_be_varied_is_refused(name, value, message):
+    with pytest.raises(InvalidInputError, match=message):
         varied(design(3, 7), name, value)
 
 
@@ -112,7 +112,7 @@ def test_another_plan_has_another_digest():
 
 
 @pytest.mark.parametrize(
-    ("changes", "words"),
+    ("changes", "message"),
     [
         ({"designs": ()}, "no design"),
         ({"variables": (("amplitude", ()),)}, "no values"),
@@ -123,8 +123,8 @@ def test_another_plan_has_another_digest():
         ({"axes": "w"}, "axes"),
     ],
 )
-def test_a_plan_that_cannot_be_is_refused(changes, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_a_plan_that_cannot_be_is_refused(changes, message):
+    with pytest.raises(InvalidInputError, match=message):
         Plan(**({"designs": (("a", design(3)),)} | changes))
 
 

@@ -55,14 +55,14 @@ def test_a_bad_row_is_reported_and_the_rest_is_measured(tmp_path):
 
 
 def test_stopped_it_goes_on_where_it_ended(tmp_path):
-    told = []
+    progress = []
     with pytest.raises(Stopped):
         ss.sweep(
             DESIGN,
             {"frequency_hz": FREQUENCIES},
             out=tmp_path,
-            progress=lambda done, *_: told.append(done),
-            stop=lambda: told[-1:] == [3],
+            progress=lambda done, *_: progress.append(done),
+            stop=lambda: progress[-1:] == [3],
         )
     assert not (tmp_path / "stimuli.csv").exists()
     begun = []
@@ -273,7 +273,7 @@ def test_parquet_holds_the_same_table(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("vary", "words"),
+    ("vary", "message"),
     [
         ({"frequency_hz": 50.0}, "a list"),
         ({"frequency_hz": [None]}, "numbers or texts"),
@@ -281,6 +281,6 @@ def test_parquet_holds_the_same_table(tmp_path):
         ({"amplitude": [-np.inf]}, "holds -inf, expected finite"),
     ],
 )
-def test_what_is_no_value_is_refused_before_anything_is_measured(vary, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_is_no_value_is_refused_before_anything_is_measured(vary, message):
+    with pytest.raises(InvalidInputError, match=message):
         ss.sweep(DESIGN, vary)

@@ -54,7 +54,7 @@ def test_levels_that_were_asked_for_are_those_of_the_files(tmp_path):
 
 
 def test_stopped_the_export_goes_on_with_what_is_missing(tmp_path):
-    told = []
+    progress = []
     vary = {"1.amplitude": AMPLITUDES}
     with pytest.raises(Stopped):
         ss.sweep(
@@ -62,8 +62,8 @@ def test_stopped_the_export_goes_on_with_what_is_missing(tmp_path):
             vary,
             out=tmp_path,
             files=StimulusFiles(),
-            progress=lambda done, total, text: told.append(text),
-            stop=lambda: told[-1:] == ["Exporting 2.wav"],
+            progress=lambda done, total, text: progress.append(text),
+            stop=lambda: progress[-1:] == ["Exporting 2.wav"],
         )
     first = tmp_path / "stimuli" / "1.wav"
     before = first.stat().st_mtime_ns
@@ -98,5 +98,5 @@ def test_asked_for_at_another_rate_no_file_of_the_old_one_stays(tmp_path):
     for _ in range(2):
         ss.sweep(DESIGN, vary, out=tmp_path, files=StimulusFiles(format="bos1901"))
         chips = sorted(p for p in (tmp_path / "stimuli").iterdir() if ".wav" not in p.name)
-        seen = [chip.stat().st_mtime_ns for chip in chips]
-    assert seen == [chip.stat().st_mtime_ns for chip in chips]
+        times_before = [chip.stat().st_mtime_ns for chip in chips]
+    assert times_before == [chip.stat().st_mtime_ns for chip in chips]
