@@ -160,7 +160,7 @@ def main() -> int:
         beside = Beside(computing_and_painting, "a fixed piece of work", process_time)
         for _ in range(STEPS):
             beside.once()
-        print(f"{beside.words} took {1e3 * beside.median_s:.1f} ms of processor time")
+        print(f"{beside.label} took {1e3 * beside.median_s:.1f} ms of processor time")
         holds = [pen(window), clip(window), envelope(window)]
         # Nobody is there to be asked about unsaved work.
         window.document.mark_saved(Path(folder) / "saved")

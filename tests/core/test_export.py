@@ -30,12 +30,12 @@ VIEW = View(axes="xz", method="soc", outputs=(72, 1, 30))
 TEXTS = ("side", "place")
 
 
-def made_up_response(place: int) -> np.ndarray:
+def synthetic_response(place: int) -> np.ndarray:
     return np.random.default_rng(place).standard_normal((72, 3, 522))
 
 
 @pytest.fixture(autouse=True)
-def made_up_limbs(monkeypatch):
+def synthetic_limbs(monkeypatch):
     """Let every name stand for a made-up limb, measured ones included."""
 
     def load(name: str, digest: str = "") -> Limb:
@@ -50,7 +50,7 @@ def made_up_limbs(monkeypatch):
             hand_length_mm=175.0,
             synthetic=name.startswith("synthetic"),
             map=nowhere,
-            read_response=made_up_response,
+            read_response=synthetic_response,
         )
 
     monkeypatch.setattr(shared, "load_limb", load)
@@ -71,7 +71,7 @@ def signal(limb) -> np.ndarray:
     return project_axes(predict(limb, [drive], [7], [0.1]), "xz", "soc")
 
 
-def test_traces_read_back_exactly(tmp_path, made_up_limbs):
+def test_traces_read_back_exactly(tmp_path, synthetic_limbs):
     path = tmp_path / "traces.csv"
     design = MEASURED
     export_traces(path, design, VIEW)
@@ -80,16 +80,16 @@ def test_traces_read_back_exactly(tmp_path, made_up_limbs):
     np.testing.assert_array_equal(table[:, 0], np.arange(130 + 521) / 1300.0)
     computed = new_graph().evaluate({"selected_traces"}, sources(design, VIEW))
     np.testing.assert_array_equal(table[:, 1:].T, computed["selected_traces"])
-    expected = signal(made_up_limbs("x"))[[71, 0, 29]]
+    expected = signal(synthetic_limbs("x"))[[71, 0, 29]]
     np.testing.assert_allclose(table[:, 1:].T, expected, atol=1e-14 * np.abs(expected).max())
 
 
-def test_levels_read_back_exactly(tmp_path, made_up_limbs):
+def test_levels_read_back_exactly(tmp_path, synthetic_limbs):
     path = tmp_path / "levels.csv"
     export_levels(path, MEASURED, VIEW)
     _, names, table = read(path)
     assert names == ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2", *TEXTS]
-    expected = rms(signal(made_up_limbs("x")))
+    expected = rms(signal(synthetic_limbs("x")))
     np.testing.assert_array_equal(table[:, 0], np.arange(1, 73))
     np.testing.assert_allclose(table[:, 1], expected, rtol=1e-12)
     np.testing.assert_allclose(table[:, 2], 20 * np.log10(expected), rtol=0, atol=1e-12)
@@ -218,9 +218,9 @@ def test_the_table_of_levels_names_the_loudest_output_that_was_checked(tmp_path,
     assert f"the traces of output {loudest:.0f}, the loudest" in checked[0]
 
 
-def test_what_is_noted_of_a_limb_stands_in_every_export(tmp_path, monkeypatch, made_up_limbs):
+def test_what_is_noted_of_a_limb_stands_in_every_export(tmp_path, monkeypatch, synthetic_limbs):
     def load(name: str, digest: str = "") -> Limb:
-        limb = made_up_limbs(name)
+        limb = synthetic_limbs(name)
         limb.note = "made from files that are not the published ones: impulseResponses.mat"
         return limb
 

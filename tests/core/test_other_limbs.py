@@ -45,7 +45,7 @@ WANTED = (
 )
 
 
-def made_up_limb(n_taps: int = N_TAPS) -> Limb:
+def synthetic_limb(n_taps: int = N_TAPS) -> Limb:
     rng = np.random.default_rng(4)
     around = np.linspace(0, 2 * np.pi, 24, endpoint=False)
     return Limb(
@@ -91,7 +91,7 @@ def shown(limb: Limb, design: Design, view: View, span: str, graph=None) -> dict
 @pytest.mark.parametrize("design", [SHORT, LONG], ids=["at once", "streamed"])
 @pytest.mark.parametrize("scaling", ["upstream", "relative"])
 def test_every_quantity_is_that_of_plain_convolution(design, scaling):
-    limb, graph = made_up_limb(), new_graph()
+    limb, graph = synthetic_limb(), new_graph()
     design = replace(design, scaling=scaling)
     field = plainly(limb, design)
     for axes in AXES:
@@ -120,7 +120,7 @@ def test_every_quantity_is_that_of_plain_convolution(design, scaling):
 
 @pytest.mark.parametrize("n_taps", [1, 31, 1024, 1025, 3000])
 def test_responses_of_any_length_are_streamed_right(n_taps):
-    limb = made_up_limb(n_taps)
+    limb = synthetic_limb(n_taps)
     design = replace(LONG, scaling="upstream")
     values = shown(limb, design, View(outputs=OUTPUTS, axes="z"), "record")
     signals = plainly(limb, design)[:, 2]
@@ -131,7 +131,7 @@ def test_responses_of_any_length_are_streamed_right(n_taps):
 
 
 def test_prediction_takes_the_limb_as_it_is():
-    limb = made_up_limb()
+    limb = synthetic_limb()
     drive = Noise(seed=1).samples(RATE_HZ)
     response = predict(limb, [drive], [7], scaling="relative")
     expected = np.convolve(drive, limb.response_to(7)[9, 2])
@@ -142,14 +142,14 @@ def test_prediction_takes_the_limb_as_it_is():
 
 
 def test_a_response_of_another_shape_than_the_limb_says_is_refused():
-    limb = made_up_limb()
+    limb = synthetic_limb()
     limb.n_taps = 199
     with pytest.raises(InvalidInputError, match=r"shape \(10, 3, 200\), expected \(10, 3, 199\)"):
         limb.response_to(1)
 
 
 def test_outputs_and_places_that_the_limb_does_not_have_are_refused_by_name():
-    limb = made_up_limb()
+    limb = synthetic_limb()
     with pytest.raises(InvalidInputError, match=r"made-up has the outputs 1 to 10; .* \[29, 52\]"):
         shown(limb, SHORT, View(outputs=(29, 3, 52)), "record")
     elsewhere = SHORT.with_input(0, location=8)
@@ -158,21 +158,21 @@ def test_outputs_and_places_that_the_limb_does_not_have_are_refused_by_name():
 
 
 def test_tones_above_half_the_rate_of_the_limb_are_refused():
-    slow = made_up_limb()
+    slow = synthetic_limb()
     slow.sample_rate_hz = 1000.0
     with pytest.raises(InvalidInputError, match="half the sample rate of 1000 Hz"):
         shown(slow, SHORT, View(outputs=OUTPUTS), "record")
 
 
 def test_values_leave_to_the_limb_what_it_has():
-    rate = made_up_limb()
+    rate = synthetic_limb()
     rate.sample_rate_hz = 10_000.0
     high = SHORT.with_clip(1, waveform=Tone(frequency_hz=4000.0))
     values = shown(rate, high, View(outputs=OUTPUTS), "record")
     assert np.isfinite(values["output_levels_db"]).all()
     low = SHORT.with_clip(1, waveform=Tone(frequency_hz=0.01))
     assert np.isfinite(
-        shown(made_up_limb(), low, View(outputs=OUTPUTS), "record")["output_rms"]
+        shown(synthetic_limb(), low, View(outputs=OUTPUTS), "record")["output_rms"]
     ).all()
     assert Design(limb="foot-1", inputs=(track(location=9000),)).inputs[0].location == 9000
 

@@ -32,7 +32,7 @@ FOUR = Design(
 )
 
 
-def made_up_response(place: int) -> np.ndarray:
+def synthetic_response(place: int) -> np.ndarray:
     return np.random.default_rng(place).standard_normal((72, 3, 522))
 
 
@@ -51,7 +51,7 @@ class Studio:
 
 @pytest.fixture
 def studio(limb_of) -> Studio:
-    return Studio(limb_of(made_up_response))
+    return Studio(limb_of(synthetic_response))
 
 
 def predicted(studio: Studio, design: Design, audible: list[int]) -> np.ndarray:

@@ -15,17 +15,17 @@ SEED = 1300
 BYTES_PER_PLACE = 72 * 3 * 522 * 8
 
 
-def made_up_response(place: int) -> np.ndarray:
+def synthetic_response(place: int) -> np.ndarray:
     return np.random.default_rng(place).standard_normal((72, 3, 522))
 
 
 @pytest.fixture
 def limb(limb_of) -> Limb:
-    return limb_of(made_up_response)
+    return limb_of(synthetic_response)
 
 
 def direct_field(place: int, drive: np.ndarray) -> np.ndarray:
-    response = made_up_response(place).reshape(216, 522)
+    response = synthetic_response(place).reshape(216, 522)
     field = [np.convolve(channel, drive) for channel in response]
     return np.array(field).reshape(72, 3, drive.size + 521)
 
@@ -78,15 +78,15 @@ def test_an_amplitude_of_zero_and_a_silent_drive_contribute_nothing(limb, scalin
 
 def test_a_single_sample_returns_the_impulse_response(limb):
     response = predict(limb, [[1.0]], [9], scaling="relative")
-    assert_close(response, made_up_response(9), 1e-15)
+    assert_close(response, synthetic_response(9), 1e-15)
     scaled = predict(limb, [[1.0]], [9])
-    assert_close(scaled, made_up_response(9) / made_up_response(9).max(), 1e-15)
+    assert_close(scaled, synthetic_response(9) / synthetic_response(9).max(), 1e-15)
     assert scaled.max() == pytest.approx(1.0, rel=1e-15)
 
 
 def test_a_later_sample_returns_the_response_later(limb):
     response = predict(limb, [[0.0] * 40 + [1.0, 0.0]], [9], scaling="relative")
-    assert_close(response[:, :, 40:562], made_up_response(9), 1e-14)
+    assert_close(response[:, :, 40:562], synthetic_response(9), 1e-14)
     assert np.abs(response[:, :, :40]).max() < 1e-14
 
 
@@ -160,7 +160,7 @@ def test_what_is_handed_over_is_not_changed(limb):
     drives.flags.writeable = False
     for scaling in SCALINGS:
         predict(limb, drives, [7, 8], [2.0, 3.0], scaling)
-    np.testing.assert_array_equal(limb.response_to(7), made_up_response(7))
+    np.testing.assert_array_equal(limb.response_to(7), synthetic_response(7))
 
 
 @pytest.mark.parametrize("place", [0, 21, -1, True, 2.5, 7.0, "7", None, np.nan, np.True_])

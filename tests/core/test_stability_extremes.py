@@ -47,14 +47,14 @@ def noise(n: int, *seed: int) -> np.ndarray:
     return np.random.default_rng((SEED, *seed)).uniform(-1, 1, n)
 
 
-def made_up_response(place: int) -> np.ndarray:
+def synthetic_response(place: int) -> np.ndarray:
     decay = 0.5 ** (np.arange(522) / 60)
     return np.random.default_rng((SEED, place)).uniform(-1, 1, (72, 3, 522)) * decay
 
 
 @pytest.fixture(scope="module")
 def limb(limb_of):
-    return limb_of(made_up_response)
+    return limb_of(synthetic_response)
 
 
 @pytest.mark.parametrize("gap", [700, 6000])
@@ -77,7 +77,7 @@ def test_outputs_without_a_response_and_silent_scenes_are_exactly_still(
     scene, limb_of, noted, n_times
 ):
     def deaf(place: int) -> np.ndarray:
-        response = made_up_response(place)
+        response = synthetic_response(place)
         response[10:20] = 0.0
         response[30, 1] = 0.0
         return response
@@ -138,7 +138,7 @@ def test_a_tap_that_is_no_usable_number_is_refused_at_the_door(
     scene, limb_of, noted, value, n_times
 ):
     def broken(place: int) -> np.ndarray:
-        response = made_up_response(place)
+        response = synthetic_response(place)
         response[11, 2, 345] = value
         return response
 
@@ -163,7 +163,7 @@ def test_peaks_of_any_size_keep_all_digits(
     scene, limb, limb_of, noted, n_times, of_drive, of_response
 ):
     def sized(place: int) -> np.ndarray:
-        response = made_up_response(place)
+        response = synthetic_response(place)
         return response * (of_response / np.abs(response).max())
 
     drive = noise(n_times, 1)
@@ -178,7 +178,7 @@ def test_peaks_of_any_size_keep_all_digits(
             trace = field[output - 1, axis]
             noted("a6 error", abs(trace[time] - exact) / np.abs(trace).max())
     plain = scene(limb=limb, drives=(drive,), places=(4,))
-    size = of_drive * of_response / np.abs(made_up_response(4)).max()
+    size = of_drive * of_response / np.abs(synthetic_response(4)).max()
     for method in ("mag", "pca", "rms", "soc"):
         field, expected = (
             either.by_engine(OUTPUTS, method=method)["output_rms"] for either in (shown, plain)
@@ -189,7 +189,7 @@ def test_peaks_of_any_size_keep_all_digits(
 @pytest.mark.parametrize("n_times", LENGTHS)
 def test_subnormal_numbers_are_numbers_like_others(scene, limb, limb_of, noted, n_times):
     def fading(place: int) -> np.ndarray:
-        return made_up_response(place) * 0.5 ** (np.arange(522) * 2.2)
+        return synthetic_response(place) * 0.5 ** (np.arange(522) * 2.2)
 
     drive = noise(n_times, 1) * np.maximum(0.5 ** np.minimum(np.arange(n_times) * 2.0, 1070.0), 0)
     tails = scene(limb=limb_of(fading), drives=(drive,), places=(4,))
@@ -210,7 +210,7 @@ def test_subnormal_numbers_are_numbers_like_others(scene, limb, limb_of, noted, 
 @pytest.mark.parametrize("n_times", [2600, 16_000])
 def test_a_huge_offset_costs_no_more_than_its_own_digits(scene, limb_of, noted, n_times):
     def without_offset(place: int) -> np.ndarray:
-        response = np.round(made_up_response(place) * 2**20)
+        response = np.round(synthetic_response(place) * 2**20)
         response[..., 0] -= response.sum(axis=-1)
         return response
 

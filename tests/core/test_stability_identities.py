@@ -25,14 +25,14 @@ def noise(n: int, *seed: int) -> np.ndarray:
     return np.random.default_rng((SEED, *seed)).uniform(-1, 1, n)
 
 
-def made_up_response(place: int) -> np.ndarray:
+def synthetic_response(place: int) -> np.ndarray:
     decay = 0.5 ** (np.arange(522) / 60)
     return np.random.default_rng((SEED, place)).uniform(-1, 1, (72, 3, 522)) * decay
 
 
 @pytest.fixture(scope="module")
 def limb(limb_of):
-    return limb_of(made_up_response)
+    return limb_of(synthetic_response)
 
 
 def difference(values: np.ndarray, expected: np.ndarray) -> float:
@@ -71,7 +71,7 @@ def once(request, scene, limb):
 def test_powers_of_two_scale_every_bit(once, limb_of, noted, power):
     once, fields, levels = once
     drives, size = once.drives, 2.0**power
-    louder = limb_of(lambda place: made_up_response(place) * size)
+    louder = limb_of(lambda place: synthetic_response(place) * size)
     scaled = [
         replace(once, drives=(drives[0] * size, drives[1] * size)),
         replace(once, limb=louder),

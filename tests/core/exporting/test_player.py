@@ -18,7 +18,7 @@ LATENCY_S = 0.0125
 DELAY = 321
 
 
-class MadeUpCard(types.ModuleType):
+class SyntheticCard(types.ModuleType):
     """What of sounddevice the player uses; output 1 is wired to input 1, ``DELAY`` samples late."""
 
     class CallbackStop(Exception):
@@ -66,7 +66,7 @@ class MadeUpCard(types.ModuleType):
 
 @pytest.fixture
 def card(monkeypatch):
-    card = MadeUpCard()
+    card = SyntheticCard()
     monkeypatch.setitem(sys.modules, "sounddevice", card)
     return card
 
