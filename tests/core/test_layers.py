@@ -46,7 +46,7 @@ def total(*clips: Clip) -> np.ndarray:
 @given(st.floats(0.0, 0.3), st.permutations(PARTS))
 def test_a_group_plays_what_its_parts_play_there(onset_s, parts):
     group = Clip(waveform=Layers(parts=tuple(parts)), onset_s=onset_s)
-    alone = [replace(clip, onset_s=clip.onset_s + onset_s) for clip in PARTS]
+    alone = [replace(one, onset_s=one.onset_s + onset_s) for one in PARTS]
     np.testing.assert_allclose(total(group), total(*alone), rtol=0, atol=1e-8)
 
 

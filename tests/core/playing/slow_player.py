@@ -34,16 +34,16 @@ class SlowPlayer:
     def __init__(self, gain: float) -> None:
         self.now = self.old = None
         self.faded, self.gain, self.wanted_gain = FADE, gain, gain
-        self.wanted = None
+        self.requested = None
         self.fall = None
         self.last = 0.0
         self.over = ""
 
     def begin_block(self) -> None:
         """Commands are looked at once per block."""
-        if self.wanted is None or self.faded < FADE or self.over:
+        if self.requested is None or self.faded < FADE or self.over:
             return
-        (row, loop, at), self.wanted = self.wanted, None
+        (row, loop, at), self.requested = self.requested, None
         self.old, self.faded = self.now, 0
         if row is None:
             self.now = None
@@ -77,7 +77,7 @@ class SlowPlayer:
 
     def end_block(self) -> None:
         """All may have been played."""
-        if self.over or self.faded < FADE or self.wanted is not None:
+        if self.over or self.faded < FADE or self.requested is not None:
             return
         if self.now is None:
             self.over = "stopped"

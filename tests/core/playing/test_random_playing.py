@@ -37,20 +37,20 @@ def run(all_commands):
     """What is heard of both players, and the largest step that the signals have themselves."""
     quick, slow = play_queue(gain_db=0.0), SlowPlayer(1.0)
     quick.play(mix(np.zeros(2000)), 0)
-    slow.wanted = (np.zeros(2000, np.float32), None, 0)
+    slow.requested = (np.zeros(2000, np.float32), None, 0)
     output, expected, own = [], [], 0.0
     for name, *what in [*all_commands, ("hear", 300)]:
         if name == "play":
             row, loop, at = what
             quick.play(mix(row, loop=loop), at)
-            slow.wanted = (row.astype(np.float32), loop, at)
+            slow.requested = (row.astype(np.float32), loop, at)
             own = max(own, float(np.abs(np.diff(np.pad(row, 1))).max()))
         elif name == "gain":
             quick.set_gain(what[0])
             slow.wanted_gain = 10 ** (what[0] / 20)
         elif name == "stop":
             quick.stop()
-            slow.wanted = (None, None, None)
+            slow.requested = (None, None, None)
         elif name == "panic":
             quick.stop_at_once()
             if not slow.over:
