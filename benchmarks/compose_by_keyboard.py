@@ -105,11 +105,11 @@ def begin_anew(you: Composer) -> None:
     you.expect(you.document.design.inputs == (), "Ctrl+N empties the hand")
 
 
-def find(you: Composer, words: str) -> None:
+def find(you: Composer, text: str) -> None:
     """Search an action by a few letters, and do it."""
     you.key("Ctrl+K")
     you.page()
-    you.type(words)
+    you.type(text)
     you.key("Enter")
     you.settle()
 
@@ -119,10 +119,10 @@ def name_file(you: Composer, path: Path) -> None:
     you.key("Enter")
 
 
-def _choose(you: Composer, menu: QMenu, words: str) -> None:
+def _choose(you: Composer, menu: QMenu, text: str) -> None:
     for _ in range(len(menu.actions()) + 1):
         line = menu.activeAction()
-        if line is not None and line.text().replace("&", "") == words:
+        if line is not None and line.text().replace("&", "") == text:
             break
         you.key("Down")
     you.key("Enter")

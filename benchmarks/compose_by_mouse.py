@@ -35,8 +35,11 @@ def train(you: Composer, _: Path) -> None:
     # Falling and rising again: the buttons do what they say.
     for order, highest_first in (("Falling (expands)", True), ("Rising (contracts)", False)):
         _sweep(you, order)
-        found = you.document.design.clips[0].waveform.frequencies_hz
-        you.expect((found[0] > found[-1]) == highest_first, f"{order} frequencies: {found}")
+        frequencies_hz = you.document.design.clips[0].waveform.frequencies_hz
+        you.expect(
+            (frequencies_hz[0] > frequencies_hz[-1]) == highest_first,
+            f"{order} frequencies: {frequencies_hz}",
+        )
     you.choose("Edit", "Equal on the skin")
     you.wait(lambda: you.document.design.clips[0].waveform.gains_db, "gains are written")
     check_train(you)
@@ -116,16 +119,16 @@ def begin_anew(you: Composer) -> None:
     you.expect(you.document.design.inputs == (), "New empties the hand")
 
 
-def pick_of_list(you: Composer, box: QComboBox, words: str) -> None:
+def pick_of_list(you: Composer, box: QComboBox, text: str) -> None:
     """Open a drop-down list and click on a line of it."""
-    if box.currentText() == words:
+    if box.currentText() == text:
         return
     you.click(box)
     rows: QAbstractItemView = box.view()
     you.wait(rows.isVisible, "the list opens")
     # A list that has just opened takes a quick click for the second half of the first one.
     QTest.qWait(QApplication.doubleClickInterval() + 100)
-    row = rows.model().index(box.findText(words), box.modelColumn())
+    row = rows.model().index(box.findText(text), box.modelColumn())
     rows.scrollTo(row)
     you.click(rows, rows.visualRect(row).center())
 
@@ -133,7 +136,9 @@ def pick_of_list(you: Composer, box: QComboBox, words: str) -> None:
 def _sweep(you: Composer, order: str) -> None:
     inspector = you.window.panel("inspector")
     button = next(
-        one for one in inspector.findChildren(QWidget) if getattr(one, "text", str)() == "Sweep…"
+        widget
+        for widget in inspector.findChildren(QWidget)
+        if getattr(widget, "text", str)() == "Sweep…"
     )
     you.click(button)
     dialog = you.page()
@@ -146,12 +151,14 @@ def _sweep(you: Composer, order: str) -> None:
 def _pick(you: Composer, dialog: QFileDialog, name: str) -> None:
     """Double click on a file of the list."""
     # As a list, or with sizes and dates.
-    rows = next(one for one in dialog.findChildren(QAbstractItemView, _FILES) if one.isVisible())
+    rows = next(
+        widget for widget in dialog.findChildren(QAbstractItemView, _FILES) if widget.isVisible()
+    )
 
     def row():
         model, root = rows.model(), rows.rootIndex()
         names = [model.index(k, 0, root) for k in range(model.rowCount(root))]
-        return next((one for one in names if one.data() == name), None)
+        return next((index for index in names if index.data() == name), None)
 
     you.wait(row, f"{name} is listed")
     rows.scrollTo(row())

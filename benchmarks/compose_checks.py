@@ -50,8 +50,10 @@ def check_train(you: Composer) -> None:
     you.expect(train.family == "gabor", "wavelets are Gabor's")
     you.expect(len(train.gains_db) == len(TRAIN_HZ), "each wavelet has a gain of its own")
     levels = [_loudest_db(you, train, k) for k in range(len(train.frequencies_hz))]
-    apart = max(levels) - min(levels)
-    you.expect(apart < _EQUAL_DB, f"wavelets are alike on the skin, not {apart:.3f} dB apart")
+    spread_db = max(levels) - min(levels)
+    you.expect(
+        spread_db < _EQUAL_DB, f"wavelets are alike on the skin, not {spread_db:.3f} dB apart"
+    )
     check_levels(you)
 
 
@@ -78,8 +80,8 @@ def check_recording(you: Composer, times_s: float, level: float) -> None:
     (clip,) = clips
     seconds = clip.waveform.duration_s
     you.expect(abs(seconds - RECORDED_S) < 1e-3, f"it lasts {RECORDED_S} s, not {seconds:g} s")
-    envelopes = [one for one in clip.effects if isinstance(one, Envelope)]
-    points = np.array([point[:2] for one in envelopes for point in one.points])
+    envelopes = [effect for effect in clip.effects if isinstance(effect, Envelope)]
+    points = np.array([point[:2] for envelope in envelopes for point in envelope.points])
     same = points.shape == (len(ENVELOPE), 2) and bool(
         np.all(np.abs(points - ENVELOPE) <= (times_s, level))
     )
@@ -97,11 +99,11 @@ def check_recording(you: Composer, times_s: float, level: float) -> None:
 
 def check_sweep(you: Composer) -> None:
     """Places, onsets and courses of the sweep."""
-    wanted = Sweep(path=PATH, waveform=Tone(SWEEP_HZ, duration_s=0.6))
-    found = [(one.location, one.clips[0].onset_s) for one in you.document.design.inputs]
-    expected = [(one.location, one.clips[0].onset_s) for one in wanted.tracks()]
-    you.expect(found == expected, f"the sweep passes {expected}, not {found}")
-    for track, plan in zip(you.document.design.inputs, wanted.tracks(), strict=False):
+    planned = Sweep(path=PATH, waveform=Tone(SWEEP_HZ, duration_s=0.6))
+    onsets = [(track.location, track.clips[0].onset_s) for track in you.document.design.inputs]
+    expected = [(track.location, track.clips[0].onset_s) for track in planned.tracks()]
+    you.expect(onsets == expected, f"the sweep passes {expected}, not {onsets}")
+    for track, plan in zip(you.document.design.inputs, planned.tracks(), strict=False):
         same = track.clips[0].sampled(1300.0)[1]
         off = np.abs(same - plan.clips[0].sampled(1300.0)[1]).max(initial=0.0)
         you.expect(off == 0.0, f"place {track.location} plays what the law says")
@@ -121,12 +123,12 @@ def check_levels(you: Composer) -> None:
         for clip, (first, samples) in zip(track.clips, sampled, strict=True):
             total[first : first + samples.size] += clip.gain * samples
         pieces.append(total)
-    longest = max(one.size for one in pieces)
+    longest = max(piece.size for piece in pieces)
     vibration = ss.predict(
         limb,
-        [np.pad(one, (0, longest - one.size)) for one in pieces],
-        [one.location for one in design.inputs],
-        [one.amplitude for one in design.inputs],
+        [np.pad(piece, (0, longest - piece.size)) for piece in pieces],
+        [track.location for track in design.inputs],
+        [track.amplitude for track in design.inputs],
         design.scaling,
     )
     signals = ss.project_axes(vibration, view.axes, view.method)

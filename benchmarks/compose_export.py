@@ -76,7 +76,7 @@ def check(you: Composer, path: Path) -> None:
     you.wait(beside.exists, f"{path.name} is written")
     you.settle()
     design = you.document.design
-    you.expect(tuple(one.location for one in design.inputs) == PLACES, "four places are in use")
+    you.expect(tuple(track.location for track in design.inputs) == PLACES, "four places are in use")
     you.expect(isinstance(design.actuated, Actuation), "predictions go through the actuator")
     box = you.widget("actuator_through")
     you.expect(isinstance(box, QCheckBox) and box.isChecked(), "the switch shows it")
@@ -87,11 +87,11 @@ def check(you: Composer, path: Path) -> None:
     you.expect(about["equaliser"]["kind"] == "RegularisedInverse", "they are equalised")
     you.expect("oltage" not in about["calibration"], "it says that it is uncalibrated")
     coil = load("example-voice-coil")
-    wanted = stimulus_of(design).samples
-    for volts, drive in zip(samples.T * about["full_scale"], wanted, strict=True):
+    expected = stimulus_of(design).samples
+    for volts, drive in zip(samples.T * about["full_scale"], expected, strict=True):
         moved = coil.simulate(volts, rate_hz, "first").acceleration
-        found = resample(moved, rate_hz, 1300)[: drive.size]
+        resampled = resample(moved, rate_hz, 1300)[: drive.size]
         # What rings beyond the ends of the file is cut off there.
         inside = slice(65, -65)
-        missed = np.abs(found - drive)[inside].max() / np.abs(drive).max()
+        missed = np.abs(resampled - drive)[inside].max() / np.abs(drive).max()
         you.expect(missed < _MISSED, f"a coil misses the drive by {missed:.3f}")

@@ -69,7 +69,7 @@ class ScreenHands:
         """Press a key, with those that are held: Ctrl+K."""
         *held, key = keys.split("+")
         key = key.lower() if len(key) == 1 else _X_NAMES.get(key, key)
-        self._do("key", "+".join([*(one.lower() for one in held), key]))
+        self._do("key", "+".join([*(modifier.lower() for modifier in held), key]))
 
     def type(self, text: str) -> None:
         """Type a text."""
@@ -97,11 +97,11 @@ class ScreenHands:
         there = widget.mapToGlobal(at)
         self._do("mousemove", str(there.x()), str(there.y()))
 
-    def _do(self, *words: str) -> None:
+    def _do(self, *text: str) -> None:
         tool = shutil.which("xdotool")
         if tool is None:
             raise SystemExit("xdotool is missing; it moves the mouse of a real screen")
-        subprocess.run([tool, *words], check=True, timeout=10)  # noqa: S603  found above
+        subprocess.run([tool, *text], check=True, timeout=10)  # noqa: S603  found above
         QTest.qWait(60)
 
 

@@ -73,10 +73,10 @@ class Composer:
             QTest.qWait(_LOOK_MS)
         QTest.qWait(_LOOK_MS)
 
-    def picture(self, words: str) -> None:
+    def picture(self, text: str) -> None:
         """Photograph the window."""
         self.settle()
-        self.window.grab().save(str(self._pictures / f"{words.replace(' ', '-')}.png"))
+        self.window.grab().save(str(self._pictures / f"{text.replace(' ', '-')}.png"))
 
     def key(self, keys: str, times: int = 1) -> None:
         """Press a key, wherever the keyboard is."""
@@ -132,16 +132,16 @@ class Composer:
         self.steps += abs(notches)
         QTest.qWait(_LOOK_MS)
 
-    def choose(self, *words: str) -> None:
+    def choose(self, *text: str) -> None:
         """Choose in a menu of the menu bar, and in the menus that open from there, by mouse."""
         bar = self.window.menuBar()
-        first = next(one for one in bar.actions() if _plain(one.text()) == words[0])
+        first = next(action for action in bar.actions() if _plain(action.text()) == text[0])
         self.click(bar, bar.actionGeometry(first).center())
-        self.choose_of_popup(*words[1:])
+        self.choose_of_popup(*text[1:])
 
-    def choose_of_popup(self, *words: str) -> None:
+    def choose_of_popup(self, *text: str) -> None:
         """Choose in the menu that is open, by mouse."""
-        for word in words:
+        for word in text:
             # A menu within a menu opens a moment later.
             self.wait(lambda w=word: _line(w) is not None, f"a menu opens that has {word}")
             menu, line = QApplication.activePopupWidget(), _line(word)
@@ -168,7 +168,7 @@ class Composer:
     @property
     def pages(self) -> list[QDialog]:
         """The dialogs that are open."""
-        return [one for one in self.window.findChildren(QDialog) if one.isVisible()]
+        return [dialog for dialog in self.window.findChildren(QDialog) if dialog.isVisible()]
 
     def page(self) -> QDialog:
         """The dialog that opens."""
@@ -178,8 +178,8 @@ class Composer:
 
     def widget(self, name: str, inside: QWidget | None = None) -> QWidget:
         """The widget called ``name`` that is shown."""
-        found = (inside or self.window).findChildren(QWidget, name)
-        return next(one for one in found if one.isVisible())
+        widgets = (inside or self.window).findChildren(QWidget, name)
+        return next(widget for widget in widgets if widget.isVisible())
 
     def _scroll_to(self, widget: QWidget) -> None:
         area = widget.parentWidget()
@@ -203,7 +203,7 @@ def _line(word: str) -> QAction | None:
     """The line of the open menu with these words."""
     menu = QApplication.activePopupWidget()
     lines = menu.actions() if isinstance(menu, QMenu) else ()
-    return next((one for one in lines if _plain(one.text()) == word), None)
+    return next((line for line in lines if _plain(line.text()) == word), None)
 
 
 def _surface(widget: QWidget) -> QWidget:
@@ -214,5 +214,5 @@ def _text(widget: QWidget) -> str:
     return _plain(widget.text()) if isinstance(widget, QAbstractButton) else ""
 
 
-def _plain(words: str) -> str:
-    return words.replace("&", "").split("\t")[0]
+def _plain(text: str) -> str:
+    return text.replace("&", "").split("\t")[0]

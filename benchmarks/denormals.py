@@ -121,14 +121,14 @@ def main() -> int:
     broken = 0
     print(f"{'scene':>36} {'predict':>8} {'engine':>8} {'promised':>9}")
     for label, scene in scenes.items():
-        found = [
+        ratios = [
             ratio(way(plain, drives_with(1.0, 1.0), 1.0), way(*scene), rounds)
             for way in (by_predict, by_engine)
         ]
-        kept = max(found) <= PROMISED
-        broken += not kept
-        mark = "" if kept else "  BROKEN"
-        print(f"{label:>36} {found[0]:8.2f} {found[1]:8.2f} {PROMISED:9.1f}{mark}")
+        holds = max(ratios) <= PROMISED
+        broken += not holds
+        mark = "" if holds else "  BROKEN"
+        print(f"{label:>36} {ratios[0]:8.2f} {ratios[1]:8.2f} {PROMISED:9.1f}{mark}")
     return int(broken > 0)
 
 

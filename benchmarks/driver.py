@@ -56,22 +56,22 @@ class Driver:
             QTest.qWait(_LOOK_MS)
         return holds()
 
-    def picture(self, words: str, widget: QWidget | None = None) -> None:
+    def picture(self, label: str, widget: QWidget | None = None) -> None:
         """Photograph the window, or a part or dialog of it."""
         self.settle()
         self._count += 1
-        name = f"{self._count:02d}-{words.replace(' ', '-')}.png"
+        name = f"{self._count:02d}-{label.replace(' ', '-')}.png"
         (widget or self.window).grab().save(str(self._folder / name))
 
     def widget(self, name: str, inside: QWidget | None = None) -> QWidget:
         """The visible widget called ``name``."""
-        found = (inside or self.window).findChildren(QWidget, name)
-        return next(one for one in found if one.isVisible())
+        widgets = (inside or self.window).findChildren(QWidget, name)
+        return next(widget for widget in widgets if widget.isVisible())
 
     def surface(self, name: str, inside: QWidget) -> QWidget:
         """What takes the mouse in a plot called ``name``."""
-        found = self.widget(name, inside)
-        return found.viewport() if isinstance(found, QAbstractScrollArea) else found
+        widget = self.widget(name, inside)
+        return widget.viewport() if isinstance(widget, QAbstractScrollArea) else widget
 
     def click(self, widget: QWidget, at: QPoint | None = None, modifiers=NONE) -> None:
         """Click; in the middle if no place is named."""
@@ -86,7 +86,7 @@ class Driver:
         self.settle()
 
     def drag(
-        self, widget: QWidget, start: QPoint, end: QPoint, words: str = "", modifiers=NONE
+        self, widget: QWidget, start: QPoint, end: QPoint, label: str = "", modifiers=NONE
     ) -> None:
         """Press, move in ten steps, take a picture if it has ``words``, and let go."""
         QTest.mousePress(widget, LEFT, modifiers, start)
@@ -102,8 +102,8 @@ class Driver:
             )
             QApplication.sendEvent(widget, event)
             QApplication.processEvents()
-        if words:
-            self.picture(words)
+        if label:
+            self.picture(label)
         QTest.mouseRelease(widget, LEFT, modifiers, end)
         self.settle()
 

@@ -88,15 +88,15 @@ def ten_clips_each() -> tuple[Input, ...]:
 def edits() -> dict[str, Edit]:
     """Each edit of the table, as a function of the round."""
 
-    def waveform(one: Input, k: int) -> Input:
-        [clip] = one.clips
+    def waveform(track: Input, k: int) -> Input:
+        [clip] = track.clips
         if isinstance(clip.waveform, Noise):
-            new = replace(clip.waveform, seed=1000 + k + one.location)
+            new = replace(clip.waveform, seed=1000 + k + track.location)
         elif isinstance(clip.waveform, Tone):
-            new = replace(clip.waveform, frequency_hz=60.0 + k + one.location)
+            new = replace(clip.waveform, frequency_hz=60.0 + k + track.location)
         else:
-            new = Noise(seed=2000 + k + one.location, duration_s=0.05)
-        return replace(one, clips=(replace(clip, waveform=new),))
+            new = Noise(seed=2000 + k + track.location, duration_s=0.05)
+        return replace(track, clips=(replace(clip, waveform=new),))
 
     return {
         "amplitude of one input": lambda d, v, k: (d.with_input(4, amplitude=1.0 + 0.01 * k), v),
@@ -110,7 +110,7 @@ def edits() -> dict[str, Edit]:
             v,
         ),
         "all 20 waveforms": lambda d, v, k: (
-            replace(d, inputs=tuple(waveform(one, k) for one in d.inputs)),
+            replace(d, inputs=tuple(waveform(track, k) for track in d.inputs)),
             v,
         ),
         "axes": lambda d, v, k: (d, replace(v, axes=("z", "xyz")[k % 2])),
@@ -123,16 +123,16 @@ def plainly(design: Design, view: View) -> None:
     """Compute everything anew."""
     limb = load_limb(design.limb) if plainly.limb is None else plainly.limb
     total = 0.0
-    n_times = max(round((one.onset_s + one.duration_s) * 1300) for one in design.clips)
-    for one in design.inputs:
+    n_times = max(round((clip.onset_s + clip.duration_s) * 1300) for clip in design.clips)
+    for input_track in design.inputs:
         drive = np.zeros(n_times)
-        for clip in one.clips:
+        for clip in input_track.clips:
             samples = clip.waveform.samples(1300.0)
             start = round(clip.onset_s * 1300)
             drive[start : start + samples.size] += clip.gain * samples[: n_times - start]
-        response = plainly.responses[one.location]
+        response = plainly.responses[input_track.location]
         field = fftconvolve(response, drive[:, None, None], axes=0)
-        total = total + field * (one.amplitude / field.max())
+        total = total + field * (input_track.amplitude / field.max())
     del limb
     rms = np.sqrt(np.mean(np.sum(total**2, axis=2), axis=0))
     traces = total[:, [output - 1 for output in view.outputs]].transpose(1, 2, 0)
@@ -178,10 +178,10 @@ def long_row() -> bool:
             field = fftconvolve(plainly.responses[place], drive[:, None, None], axes=0)
             total = total + field / field.max()
         between = perf_counter()
-        found = predict(plainly.limb, drives, range(1, 21))
+        response = predict(plainly.limb, drives, range(1, 21))
         end = perf_counter()
         ratios.append((between - begin) / (end - between))
-    error = np.abs(found - total.transpose(1, 2, 0)).max() / np.abs(total).max()
+    error = np.abs(response - total.transpose(1, 2, 0)).max() / np.abs(total).max()
     ratio = statistics.median(ratios)
     print(
         f"60 s, all 216 channels, 20 inputs of noise, streamed: {1e3 * (between - begin):.0f} and "

@@ -230,8 +230,8 @@ def _report_steps(
     if promises is None:
         return True
     used = [row["processor"] for row in rows]
-    kept = beside.judge("median of processor time", _median(used) / 1e3, promises[0])
-    return beside.judge("p95 of processor time", _p95(used) / 1e3, promises[1]) and kept
+    holds = beside.judge("median of processor time", _median(used) / 1e3, promises[0])
+    return beside.judge("p95 of processor time", _p95(used) / 1e3, promises[1]) and holds
 
 
 def _report_free(free: Free, edit_s: float) -> bool:
@@ -239,8 +239,8 @@ def _report_free(free: Free, edit_s: float) -> bool:
     print(f"edit to painted: median {_median(free.ages_s):.1f} ms, p95 {_p95(free.ages_s):.1f} ms,")
     print(f"GUI thread busy for at most {free.block_s * 1e3:.1f} ms")
     beside = "one edit after another", edit_s * 1e3
-    words = "processor time of a frame"
-    return judge(words, 1e3 * free.processor_s, "ms", beside, MOST_EDITS_PER_FRAME)
+    label = "processor time of a frame"
+    return judge(label, 1e3 * free.processor_s, "ms", beside, MOST_EDITS_PER_FRAME)
 
 
 def _median(times_s: list[float]) -> float:
@@ -262,8 +262,8 @@ def main() -> int:
     options = parser.parse_args()
     make_application()
     print(f"{platform.platform()}, Python {platform.python_version()}, {os.cpu_count()} cores")
-    kept = [measure(options, seconds) for seconds in options.seconds]
-    return int(not all(kept))
+    holds = [measure(options, seconds) for seconds in options.seconds]
+    return int(not all(holds))
 
 
 if __name__ == "__main__":

@@ -31,7 +31,7 @@ def edit_ms(folder: Path, seconds: float) -> float:
     paths = os.pathsep.join(map(str, (folder / "core", folder)))
     environment = {**os.environ, "PYTHONPATH": paths, "QT_QPA_PLATFORM": "offscreen"}
     # What promises of its own it keeps is not asked here.
-    found = subprocess.run(  # noqa: S603  a script of the project
+    completed = subprocess.run(  # noqa: S603  a script of the project
         command,
         cwd=folder,
         env=environment,
@@ -40,9 +40,11 @@ def edit_ms(folder: Path, seconds: float) -> float:
         timeout=_LONGEST_S,
         check=False,
     )
-    totals = [line.split() for line in found.stdout.splitlines() if line.split()[:1] == ["total"]]
+    totals = [
+        line.split() for line in completed.stdout.splitlines() if line.split()[:1] == ["total"]
+    ]
     if len(totals) != 1:
-        raise SystemExit(f"{folder} did not measure: {found.stderr[-2000:]}")
+        raise SystemExit(f"{folder} did not measure: {completed.stderr[-2000:]}")
     return float(totals[0][1])
 
 
@@ -56,12 +58,12 @@ def measure(here: Path, other: Path, seconds: float, rounds: int) -> bool:
         ratios.append(took[here] / took[other])
         print(f"  here {took[here]:6.2f}, there {took[other]:6.2f}: {ratios[-1]:.2f} x", flush=True)
     middle = statistics.median(ratios)
-    kept = middle <= MOST
+    holds = middle <= MOST
     print(
         f"{middle:.2f} x, from {min(ratios):.2f} to {max(ratios):.2f} (promised: {MOST:g}): "
-        f"{'kept' if kept else 'BROKEN'}"
+        f"{'kept' if holds else 'BROKEN'}"
     )
-    return kept
+    return holds
 
 
 def main() -> int:
@@ -72,8 +74,8 @@ def main() -> int:
     parser.add_argument("--seconds", type=float, nargs="+", default=[1.0, 4.0])
     options = parser.parse_args()
     here, other = Path(__file__).resolve().parents[1], options.other.resolve()
-    kept = [measure(here, other, seconds, options.rounds) for seconds in options.seconds]
-    return int(not all(kept))
+    holds = [measure(here, other, seconds, options.rounds) for seconds in options.seconds]
+    return int(not all(holds))
 
 
 if __name__ == "__main__":

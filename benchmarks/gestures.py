@@ -67,7 +67,7 @@ def scene() -> Design:
         Clip(waveform=Tone(90.0, 0.0, 1.0)),
         Clip(waveform=Tone(220.0, 0.0, 1.0)),
     )
-    tracks = (Input(location=2 + 3 * k, colour=k, clips=(one,)) for k, one in enumerate(clips))
+    tracks = (Input(location=2 + 3 * k, colour=k, clips=(clip,)) for k, clip in enumerate(clips))
     return Design(limb=default_limb(), inputs=tuple(tracks))
 
 
@@ -155,17 +155,17 @@ def main() -> int:
         window.do("arrange_design")
         manage_garbage_collection(window)
         in_sight(window, "clip_editor")
-        seen = [panel.name for panel in window.panels if panel.isVisible()]
-        print("visible:", ", ".join(seen))
+        visible = [panel.name for panel in window.panels if panel.isVisible()]
+        print("visible:", ", ".join(visible))
         beside = Beside(computing_and_painting, "a fixed piece of work", process_time)
         for _ in range(STEPS):
             beside.once()
-        print(f"{beside.words} took {1e3 * beside.median_s:.1f} ms of processor time")
-        kept = [pen(window), clip(window), envelope(window)]
+        print(f"{beside.label} took {1e3 * beside.median_s:.1f} ms of processor time")
+        holds = [pen(window), clip(window), envelope(window)]
         # Nobody is there to be asked about unsaved work.
         window.document.mark_saved(Path(folder) / "saved")
         window.close()
-    return 0 if all(kept) else 1
+    return 0 if all(holds) else 1
 
 
 def pen(window: MainWindow) -> bool:
@@ -182,7 +182,7 @@ def clip(window: MainWindow) -> bool:
     """Drag a clip on its lane."""
     in_sight(window, "timeline")
     lanes = window.findChild(LanesView, "lanes")
-    box = next(one for one in lanes.content.boxes if one.clip.id == 3)
+    box = next(box for box in lanes.content.boxes if box.clip.id == 3)
     start = box.rect.center()
 
     def place(share: float) -> QPointF:
@@ -206,10 +206,10 @@ def envelope(window: MainWindow) -> bool:
     hand = Hand(window, editor.viewport())
     drag = hand.drag(place, _BARE)
     moved = window.document.design.clip(2).effects[0] != effect
-    kept = report(f"envelope of {POINTS} points", drag, PROMISED_ENVELOPE)
+    holds = report(f"envelope of {POINTS} points", drag, PROMISED_ENVELOPE)
     shown, followed = hand.drag_freely(place)
     print(f"moved {HAND_HZ:g} times a second: {shown:.1f} painted, {followed:.1f} computed")
-    return kept and moved
+    return holds and moved
 
 
 def in_sight(window: MainWindow, name: str) -> None:
@@ -232,15 +232,15 @@ def edited(window: MainWindow, clip_id: int, tool: str) -> EditorView:
     return panel.findChild(EditorView)
 
 
-def report(words: str, frames: tuple[float, float], promised: float) -> bool:
+def report(label: str, frames: tuple[float, float], promised: float) -> bool:
     """Print frames per second; whether the promise is kept."""
     processor, clock = frames
-    kept = processor >= promised
+    holds = processor >= promised
     print(
-        f"{words}: {processor:.0f} frames per second of processor time, {clock:.0f} by the clock, "
-        f"promised {promised:g}: {'kept' if kept else 'BROKEN'}"
+        f"{label}: {processor:.0f} frames per second of processor time, {clock:.0f} by the clock, "
+        f"promised {promised:g}: {'kept' if holds else 'BROKEN'}"
     )
-    return kept
+    return holds
 
 
 if __name__ == "__main__":

@@ -140,7 +140,7 @@ def all_points(limb: Limb, longest_s: float) -> list[Point]:
     for grows, length_s, inputs, outputs in cases:
         row = list(measured(limb, grows, length_s, inputs, outputs))
         print(f"{grows:>8} {length_s:9g} {inputs:6d} {outputs:7d}", end="")
-        print("".join(f"{one.fastest_ms:20.3g}" for one in row), flush=True)
+        print("".join(f"{cost.fastest_ms:20.3g}" for cost in row), flush=True)
         points += row
     return points
 

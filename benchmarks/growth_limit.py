@@ -89,13 +89,13 @@ def least_work(
     traces, n_block = N_AXES * outputs, n_fft or BLOCK_FFT
     if edit == "one amplitude":
         return 3 * traces * (8 * n_times + 16 * (n_times // 2 + 1)), 0.0
-    spectra, one = 16 * CHANNELS * (n_block // 2 + 1), operations_of(n_block)
+    spectra, operations = 16 * CHANNELS * (n_block // 2 + 1), operations_of(n_block)
     responses = inputs if edit == "everything" else 0
     moved = responses * CHANNELS * N_TAPS * 8
-    work = responses * CHANNELS * one + traces * operations_of(n_times)
+    work = responses * CHANNELS * operations + traces * operations_of(n_times)
     if n_fft is None:
         blocks = math.ceil(n_times / BLOCK_SAMPLES)
-        return moved + inputs * spectra, work + blocks * (inputs + CHANNELS) * one
+        return moved + inputs * spectra, work + blocks * (inputs + CHANNELS) * operations
     if edit == "everything":
-        return moved + inputs * spectra, work + (2 * inputs + traces) * one
-    return 2 * spectra, work + (2 + traces) * one
+        return moved + inputs * spectra, work + (2 * inputs + traces) * operations
+    return 2 * spectra, work + (2 + traces) * operations

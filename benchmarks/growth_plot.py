@@ -83,7 +83,7 @@ def draw(points: Sequence[Point], machine: Machine, limb: str) -> Figure:
 
 def draw_panel(panel: Axes, points: Sequence[Point], grows: str, machine: Machine) -> None:
     """Draw one panel."""
-    for edit, (words, colour, marker) in EDITS.items():
+    for edit, (label, colour, marker) in EDITS.items():
         mine = [point for point in points if point.edit == edit]
         x = [{"length": p.length_s, "inputs": p.inputs, "outputs": p.outputs}[grows] for p in mine]
         panel.plot(
@@ -92,7 +92,7 @@ def draw_panel(panel: Axes, points: Sequence[Point], grows: str, machine: Machin
             color=colour,
             marker=marker,
             markersize=5,
-            label=words,
+            label=label,
         )
         panel.plot(
             x,

@@ -23,13 +23,15 @@ def main() -> int:
         path = Path(folder) / "hour.wav"
         write_hour(path)
         choice = ImportChoice(series="0", start_s=2000.0, duration_s=PART_S)
-        taken = take(path, choice, process=process)
+        imported = take(path, choice, process=process)
     # Of the child it is known once it has ended.
     own, child = (
         resource.getrusage(who).ru_maxrss / 1024.0
         for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
     )
-    print(f"{taken.samples.duration_s:g} s taken: at most {own:.0f} MB here, {child:.0f} MB in the")
+    print(
+        f"{imported.samples.duration_s:g} s taken: at most {own:.0f} MB here, {child:.0f} MB in the"
+    )
     print(f"process that reads, {own + child:.0f} MB together; promised {MOST_MB:g} MB")
     return 0 if own + child <= MOST_MB else 1
 

@@ -92,19 +92,19 @@ def transforms_s() -> float:
     return process_time() - begin
 
 
-def measure(wanted: tuple[str, ...], duration_s: float) -> dict[str, float]:
+def measure(quantities: tuple[str, ...], duration_s: float) -> dict[str, float]:
     """Seconds, and MB above idle at the peak and at the end, of one evaluation.
 
     ``processor_s`` is the time of all its threads together.
     """
     graph = idle_graph()
     design = long_design(duration_s)
-    played = (round(one.clips[0].waveform.duration_s * 1300) for one in design.inputs)
+    played = (round(track.clips[0].waveform.duration_s * 1300) for track in design.inputs)
     played_mb = 8 * sum(played) / 1e6
     before_s = transforms_s()
     idle_mb = resident_mb()
     begin, begin_processor_s = perf_counter(), process_time()
-    result = graph.evaluate(wanted, sources(design, VIEW))
+    result = graph.evaluate(quantities, sources(design, VIEW))
     processor_s, time_s = process_time() - begin_processor_s, perf_counter() - begin
     return {
         "time_s": time_s,
@@ -155,7 +155,7 @@ def stops(duration_s: float, whole_s: float, tries: int) -> list[tuple[float, fl
     random = np.random.default_rng(SEED)
     given = sources(long_design(duration_s), VIEW)
     idle_graph()
-    found = []
+    stops = []
     # One moment in each part of the run, so that all of it is tried.
     for share in (np.arange(tries) + random.uniform(0, 1, tries)) / tries:
         begin = perf_counter()
@@ -165,8 +165,8 @@ def stops(duration_s: float, whole_s: float, tries: int) -> list[tuple[float, fl
             new_graph().evaluate(SHOWN, given, lambda moment=moment: perf_counter() >= moment)
         except Stopped:
             waited_ms = 1e3 * (perf_counter() - moment)
-        found.append((moment - begin, waited_ms))
-    return found
+        stops.append((moment - begin, waited_ms))
+    return stops
 
 
 def in_a_fresh_process(*arguments: object) -> object:
@@ -176,15 +176,15 @@ def in_a_fresh_process(*arguments: object) -> object:
     return json.loads(done.stdout.splitlines()[-1])
 
 
-def row(words: str, value: float, unit: str, share: tuple[float, str, float]) -> bool:
+def row(label: str, value: float, unit: str, share: tuple[float, str, float]) -> bool:
     """Print one figure and its ratio to what is beside it; whether that is kept."""
     beside, name, most = share
-    kept = value / beside <= most
+    holds = value / beside <= most
     print(
-        f"{words:>44} {value:8.1f} {unit:<2} {value / beside:7.3g} x {name} "
-        f"(promised {most:g}) {'kept' if kept else 'BROKEN'}"
+        f"{label:>44} {value:8.1f} {unit:<2} {value / beside:7.3g} x {name} "
+        f"(promised {most:g}) {'kept' if holds else 'BROKEN'}"
     )
-    return kept
+    return holds
 
 
 def part(options: argparse.Namespace) -> object:
@@ -211,32 +211,32 @@ def main() -> int:
     print(f"{platform.platform()}, Python {platform.python_version()}, numpy {np.__version__}")
     print(f"{default_limb()}, 20 inputs of {options.minutes:g} min; MB are 10⁶ bytes")
     common = "--minutes", options.minutes
-    kept, whole_s = True, WHOLE_S
-    for name, words in (
+    holds, whole_s = True, WHOLE_S
+    for name, label in (
         ("map", "map"),
         ("studio", "all that the panels of the studio show"),
         ("shown", "map, traces and spectra of 2 outputs"),
     ):
-        found = in_a_fresh_process(name, *common)
-        print(f"{words:>44} {found['time_s']:8.1f} s")
-        beside = found["transforms_s"], "1000 transforms", MOST_TRANSFORMS
-        kept &= row("of all processors together", found["processor_s"], "s", beside)
-        beside = found["held_mb_at_least"], "played and remembered", MOST_TIMES_HELD
-        kept &= row(f"above {found['idle_mb']:.0f} MB idle", found["peak_mb"], "MB", beside)
-        print(f"{'held afterwards':>44} {found['held_mb']:8.1f} MB")
-        whole_s = found["time_s"]
+        measured = in_a_fresh_process(name, *common)
+        print(f"{label:>44} {measured['time_s']:8.1f} s")
+        beside = measured["transforms_s"], "1000 transforms", MOST_TRANSFORMS
+        holds &= row("of all processors together", measured["processor_s"], "s", beside)
+        beside = measured["held_mb_at_least"], "played and remembered", MOST_TIMES_HELD
+        holds &= row(f"above {measured['idle_mb']:.0f} MB idle", measured["peak_mb"], "MB", beside)
+        print(f"{'held afterwards':>44} {measured['held_mb']:8.1f} MB")
+        whole_s = measured["time_s"]
     tried = in_a_fresh_process("stops", *common, "--tries", options.tries, "--whole", whole_s)
-    at_s, longest_ms = max(tried, key=lambda one: one[1])
+    at_s, longest_ms = max(tried, key=lambda stop: stop[1])
     stopped = sum(waited_ms > 0 for _, waited_ms in tried)
-    words = f"longest of {stopped} stops, at {at_s:.1f} of {whole_s:.1f} s"
+    label = f"longest of {stopped} stops, at {at_s:.1f} of {whole_s:.1f} s"
     beside = 1e3 * whole_s, "the whole", LONGEST_PART
-    kept &= row(words, longest_ms, "ms", beside)
+    holds &= row(label, longest_ms, "ms", beside)
     silences = in_a_fresh_process("silences", *common)
     # On a busy machine a single one may be anything.
-    kept &= row("third longest time without a question", silences[2][0], "ms", beside)
+    holds &= row("third longest time without a question", silences[2][0], "ms", beside)
     for gap_ms, where in silences:
         print(f"{gap_ms:53.1f} ms  {where}")
-    return int(not kept)
+    return int(not holds)
 
 
 if __name__ == "__main__":

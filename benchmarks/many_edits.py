@@ -87,14 +87,14 @@ def without_window(count: int) -> bool:
         edits.make_one()
         evaluate()
     growth_mb = watched(edits, evaluate, count, fill_caches)
-    kept = growth_mb < MOST_GROWTH_MB
+    holds = growth_mb < MOST_GROWTH_MB
     print(f"{document.undo_stack.count()} steps can be undone")
     print(
         f"held, from the first third to the last, after {FILLING} edits that filled the caches: "
         f"{growth_mb:+.1f} MB, "
-        f"promised less than {MOST_GROWTH_MB:.0f}: {'kept' if kept else 'BROKEN'}"
+        f"promised less than {MOST_GROWTH_MB:.0f}: {'kept' if holds else 'BROKEN'}"
     )
-    return kept
+    return holds
 
 
 def in_the_window(application: QApplication, count: int) -> bool:
@@ -119,12 +119,12 @@ def in_the_window(application: QApplication, count: int) -> bool:
         after = len(window.findChildren(QObject))
         window.document.mark_saved(window.document.path)
         window.close()
-    kept = after - before < MOST_MORE_OBJECTS
+    holds = after - before < MOST_MORE_OBJECTS
     print(
         f"widgets, timers and the like: {before} half way, {after} in the end, promised less than "
-        f"{MOST_MORE_OBJECTS} more: {'kept' if kept else 'BROKEN'}"
+        f"{MOST_MORE_OBJECTS} more: {'kept' if holds else 'BROKEN'}"
     )
-    return kept
+    return holds
 
 
 def full_design() -> Design:

@@ -55,12 +55,12 @@ def main() -> int:
         return 0
     with tempfile.TemporaryDirectory() as folder:
         card = start_card(Path(folder)) if asked.card else None
-        found = play(asked.seconds)
+        counts = play(asked.seconds)
         if card is not None:
-            found |= json.loads(card.communicate(timeout=60)[0])
-    for name, value in found.items():
+            counts |= json.loads(card.communicate(timeout=60)[0])
+    for name, value in counts.items():
         print(f"{name:>28}: {value}")
-    lost = found["underruns"] + found.get("card found nothing", 0)
+    lost = counts["underruns"] + counts.get("card found nothing", 0)
     return int(lost > 0)
 
 
@@ -87,7 +87,7 @@ def be_a_card(path: Path) -> dict[str, object]:
         os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(10))
     while _waiting(pipe) < _STEADY:
         sleep(0.001)
-    due_s, taken, missed, late, in_a_row = perf_counter(), 0, 0, 0, 0
+    due_s, n_read, missed, late, in_a_row = perf_counter(), 0, 0, 0, 0
     while in_a_row < 1000:
         due_s += _BLOCK_S
         sleep(max(due_s - perf_counter(), 0.0))
@@ -97,11 +97,11 @@ def be_a_card(path: Path) -> dict[str, object]:
             due_s = perf_counter()
         if _waiting(pipe) >= _BLOCK_BYTES:
             os.read(pipe, _BLOCK_BYTES)
-            taken, missed, in_a_row = taken + 1, missed + in_a_row, 0
+            n_read, missed, in_a_row = n_read + 1, missed + in_a_row, 0
         else:
             in_a_row += 1
     os.close(pipe)
-    return {"card took blocks": taken, "card found nothing": missed, "card was late": late}
+    return {"card took blocks": n_read, "card found nothing": missed, "card was late": late}
 
 
 def _waiting(pipe: int) -> int:
@@ -114,9 +114,9 @@ def play(seconds: float) -> dict[str, object]:
     """Loop, edit, and tell what happened."""
     took_s: list[float] = []
 
-    def timed(deck: object, out: object) -> None:
+    def timed(queue: object, out: object) -> None:
         begun_s = perf_counter()
-        block.next_block(deck, out)
+        block.next_block(queue, out)
         took_s.append(perf_counter() - begun_s)
 
     stream.next_block = timed
@@ -156,8 +156,8 @@ def play(seconds: float) -> dict[str, object]:
 
 
 def _spread(seconds: list[float]) -> str:
-    found = np.percentile(np.array(seconds) * 1e3, [50, 99, 100])
-    return ", ".join(f"{one:.3g}" for one in found)
+    spread_ms = np.percentile(np.array(seconds) * 1e3, [50, 99, 100])
+    return ", ".join(f"{value_ms:.3g}" for value_ms in spread_ms)
 
 
 if __name__ == "__main__":

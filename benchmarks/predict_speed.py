@@ -67,14 +67,14 @@ def main() -> int:
                 prediction._cached_gains.cache_clear()
                 first_s, _ = timed(ss.predict, limb, drives, places)
                 ss.predict(limb, drives, places)
-                later_s, found = timed(ss.predict, limb, drives, places)
+                later_s, response = timed(ss.predict, limb, drives, places)
                 if k % 2:
                     plain_s, expected = timed(plain, limb, drives)
-                np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
+                np.testing.assert_allclose(response, expected, rtol=0, atol=1e-12)
                 times.append((plain_s, first_s, later_s))
             plain_s, first_s, later_s = np.median(times, axis=0)[:, 0]
             print(f"{n_inputs:6}  {length_s:4.2f} s", end="")
-            print("".join(f"{1e3 * one:10.1f}" for one in (plain_s, first_s, later_s)))
+            print("".join(f"{1e3 * time_s:10.1f}" for time_s in (plain_s, first_s, later_s)))
             spent = np.array(times)
             first, later = np.median(spent[:, :1] / spent[:, 1:], axis=0)
             broken += not verdict("first calls", first, PROMISED_FIRST)
@@ -82,15 +82,15 @@ def main() -> int:
     return int(broken > 0)
 
 
-def verdict(words: str, times: np.ndarray, least: float) -> bool:
+def verdict(label: str, times: np.ndarray, least: float) -> bool:
     """Print how many times quicker than the plain way, on the wall and of processors; if kept."""
-    kept = times.max() >= least
+    holds = times.max() >= least
     wall, processors = times
     print(
-        f"{words:>16} {wall:.2f} times as quick, {processors:.2f} by processor time, promised "
-        f"{least:g}: {'kept' if kept else 'BROKEN'}"
+        f"{label:>16} {wall:.2f} times as quick, {processors:.2f} by processor time, promised "
+        f"{least:g}: {'kept' if holds else 'BROKEN'}"
     )
-    return kept
+    return holds
 
 
 if __name__ == "__main__":

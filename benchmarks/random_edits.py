@@ -70,8 +70,8 @@ class RandomEdits:
         self._change_clip("Change onset", onset_s=float(self._random.uniform(0, 0.3)))
 
     def _change_frequency(self) -> None:
-        one = self._one()
-        waveform = None if one is None else one.clips[0].waveform
+        track = self._selected_track()
+        waveform = None if track is None else track.clips[0].waveform
         if isinstance(waveform, Tone):
             frequency_hz = float(self._random.uniform(25, 600))
             self._change_clip("Change", waveform=replace(waveform, frequency_hz=frequency_hz))
@@ -101,12 +101,12 @@ class RandomEdits:
             self._edit("Remove", design.without_input(design.index_of(selected)))
 
     def _mute(self) -> None:
-        one = self._one()
-        self._change("Mute", muted=one is not None and not one.muted)
+        track = self._selected_track()
+        self._change("Mute", muted=track is not None and not track.muted)
 
     def _solo(self) -> None:
-        one = self._one()
-        self._change("Solo", solo=one is not None and not one.solo)
+        track = self._selected_track()
+        self._change("Solo", solo=track is not None and not track.solo)
 
     def _select_input(self) -> None:
         ids = self._document.design.ids
@@ -146,7 +146,7 @@ class RandomEdits:
     def _place(self) -> int:
         return int(self._random.integers(N_INPUTS)) + 1
 
-    def _one(self) -> Input | None:
+    def _selected_track(self) -> Input | None:
         selected = self._document.view.selected_input
         return None if selected is None else self._document.design.input(selected)
 
@@ -157,9 +157,9 @@ class RandomEdits:
             self._edit(label, design.with_input(design.index_of(selected), **changes))
 
     def _change_clip(self, label: str, **changes: object) -> None:
-        one = self._one()
-        if one is not None:
-            self._edit(label, self._document.design.with_clip(one.clips[0].id, **changes))
+        track = self._selected_track()
+        if track is not None:
+            self._edit(label, self._document.design.with_clip(track.clips[0].id, **changes))
 
     def _edit(self, label: str, design: Design) -> None:
         self._document.edit(label, design)

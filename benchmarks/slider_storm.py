@@ -31,9 +31,9 @@ class Storm:
     """Sends changes on a timer and notes what comes back."""
 
     def __init__(self) -> None:
-        self.seen: list[int] = []
+        self.evaluated: list[int] = []
         self.computed_s: list[float] = []
-        self.seen_at_s = self.last_sent_s = 0.0
+        self.evaluated_at_s = self.last_sent_s = 0.0
         self.beats_s: list[float] = []
         self._sent = 0
         self.engine = Engine(lambda: Graph(self._evaluate))
@@ -68,10 +68,10 @@ class Storm:
             self._timer.stop()
 
     def _note(self, outcome: Outcome) -> None:
-        self.seen.append(outcome.values["_evaluate"])
+        self.evaluated.append(outcome.values["_evaluate"])
         self.computed_s.append(outcome.compute_s)
-        self.seen_at_s = perf_counter()
-        if self.seen[-1] == CHANGES:
+        self.evaluated_at_s = perf_counter()
+        if self.evaluated[-1] == CHANGES:
             self.loop.quit()
 
     def _note_beat(self) -> None:
@@ -84,10 +84,10 @@ def main() -> int:
     storm = Storm()
     storm.run()
     gaps_ms = sorted((b - a) * 1e3 for a, b in zip(storm.beats_s, storm.beats_s[1:], strict=False))
-    late_ms = (storm.seen_at_s - storm.last_sent_s) * 1e3
+    late_ms = (storm.evaluated_at_s - storm.last_sent_s) * 1e3
     p99_ms = gaps_ms[int(0.99 * (len(gaps_ms) - 1))]
-    ordered = storm.seen == sorted(storm.seen)
-    print(f"{CHANGES} changes at {1000 // PERIOD_MS} Hz, {len(storm.seen)} evaluations")
+    ordered = storm.evaluated == sorted(storm.evaluated)
+    print(f"{CHANGES} changes at {1000 // PERIOD_MS} Hz, {len(storm.evaluated)} evaluations")
     print(f"order never reversed: {ordered}")
     print(f"longest time in which the GUI answered nothing {gaps_ms[-1]:.1f} ms")
     # On a busy machine an evaluation takes longer than it means to.

@@ -44,14 +44,14 @@ def twenty_inputs(limb: str, first_hz: float) -> Design:
 def main() -> int:
     """Print a row for each pair and edit; 1 if a promise is broken."""
     keep_freed_memory()
-    one = twenty_inputs("synthetic-1", 60.0)
+    design = twenty_inputs("synthetic-1", 60.0)
     pairs = {
-        "two limbs": (one, replace(one, limb="synthetic-2")),
-        "two designs": (one, twenty_inputs("synthetic-1", 63.0)),
+        "two limbs": (design, replace(design, limb="synthetic-2")),
+        "two designs": (design, twenty_inputs("synthetic-1", 63.0)),
     }
     print(f"{'':>12} {'edit':>10} {'alone, ms':>10} {'in turn, ms':>12} {'ratio':>6}  promised")
-    kept = [row(pair, edit, *pairs[pair]) for pair in pairs for edit in EDITS]
-    return 0 if all(kept) else 1
+    holds = [row(pair, edit, *pairs[pair]) for pair in pairs for edit in EDITS]
+    return 0 if all(holds) else 1
 
 
 def row(pair: str, edit: str, left: Design, right: Design) -> bool:

@@ -53,15 +53,17 @@ def main() -> int:
         written = {"PYTHONDONTWRITEBYTECODE": "", "PYTHONPYCACHEPREFIX": f"{folder}/bytecode"}
         usual = {"SKINSOURCE_CACHE": folder, **written}
         run(IMPORTS, usual), run(STUDIO, usual)  # fill the system's cache, and the studio's own
-        kept = report("usual", [usual] * (2 * options.rounds), MOST_TIMES)
+        holds = report("usual", [usual] * (2 * options.rounds), MOST_TIMES)
         few = range(2 * max(2, options.rounds // 4))
         bare = [usual | {"PYTHONPYCACHEPREFIX": f"{folder}/{k}"} for k in few]
         report("without bytecode", bare, {})
         first = [usual | {"SKINSOURCE_CACHE": f"{folder}/{k}"} for k in few]
         report("no operator on disk", first, {})
-        bare_mb, idle_mb = (run((*one, "--rest"), usual)["idle_mb"] for one in (IMPORTS, STUDIO))
+        bare_mb, idle_mb = (
+            run((*command, "--rest"), usual)["idle_mb"] for command in (IMPORTS, STUDIO)
+        )
     print(f"at rest with one limb: {idle_mb:.0f} MB")
-    return int(not (verdict("memory at rest", idle_mb / bare_mb, MOST_TIMES["idle_mb"]) and kept))
+    return int(not (verdict("memory at rest", idle_mb / bare_mb, MOST_TIMES["idle_mb"]) and holds))
 
 
 def report(title: str, environments: list[dict[str, str]], promises: dict[str, float]) -> bool:
@@ -70,26 +72,26 @@ def report(title: str, environments: list[dict[str, str]], promises: dict[str, f
     Imports and studio take the environments in turn.
     """
     rounds = [
-        run(IMPORTS, one) | run(STUDIO, other)
-        for one, other in zip(environments[::2], environments[1::2], strict=True)
+        run(IMPORTS, environment) | run(STUDIO, other)
+        for environment, other in zip(environments[::2], environments[1::2], strict=True)
     ]
     print(f"{title}: medians (least) of {len(rounds)} fresh processes each, in turn, in ms")
-    kept = True
-    for name, words in WORDS.items():
-        times_ms = [1e3 * one[name] for one in rounds]
-        ratio = statistics.median(one[name] / one["imported"] for one in rounds)
+    holds = True
+    for name, label in WORDS.items():
+        times_ms = [1e3 * times[name] for times in rounds]
+        ratio = statistics.median(times[name] / times["imported"] for times in rounds)
         print(
-            f"{words:>22} {statistics.median(times_ms):6.0f} ({min(times_ms):.0f}) {ratio:5.2f} x"
+            f"{label:>22} {statistics.median(times_ms):6.0f} ({min(times_ms):.0f}) {ratio:5.2f} x"
         )
         if name in promises:
-            kept &= verdict(words, ratio, promises[name])
-    return kept
+            holds &= verdict(label, ratio, promises[name])
+    return holds
 
 
-def verdict(words: str, ratio: float, most: float) -> bool:
+def verdict(label: str, ratio: float, most: float) -> bool:
     """Print a ratio to the bare imports; whether it is kept."""
     word = "kept" if ratio <= most else "BROKEN"
-    print(f"{words:>22}: {ratio:.2f} x the bare imports, promised {most}: {word}")
+    print(f"{label:>22}: {ratio:.2f} x the bare imports, promised {most}: {word}")
     return ratio <= most
 
 

@@ -45,15 +45,15 @@ def main() -> int:
     print(
         f"{'inputs of':>10} {'shown':>10} {'frame, ms':>10} {'fps clock':>10} {'fps cpu':>8}  more"
     )
-    kept = [measure(length_s, name) for length_s in LENGTHS_S for name in QUANTITIES]
+    holds = [measure(length_s, name) for length_s in LENGTHS_S for name in QUANTITIES]
     with tempfile.TemporaryDirectory() as folder:
         os.environ["SKINSOURCE_DATA"] = folder
         install_large()
         print("own limb of 64 places and 128 outputs, 4 kHz")
-        kept += [
+        holds += [
             measure(length_s, name, "large") for length_s in (1.0, 60.0) for name in QUANTITIES
         ]
-    return 0 if all(kept) else 1
+    return 0 if all(holds) else 1
 
 
 def install_large() -> None:
@@ -111,9 +111,9 @@ def play(window: MainWindow, length_s: float, name: str) -> bool:
 
     def timed(*given: object) -> object:
         begun_s = perf_counter()
-        found = changes(*given)
+        result = changes(*given)
         computed_s.append(perf_counter() - begun_s)
-        return found
+        return result
 
     time.changes = timed
     before_mb = psutil.Process().memory_info().rss / 1e6
@@ -130,15 +130,15 @@ def play(window: MainWindow, length_s: float, name: str) -> bool:
     grown_mb = psutil.Process().memory_info().rss / 1e6 - before_mb
     frame_ms = 1e3 * median(computed_s)
     clock, cpu = 1.0 / median(taken_s), 1.0 / median(used_s)
-    kept = frame_ms <= PROMISED_MS and max(clock, cpu) >= PROMISED_FRAMES
+    holds = frame_ms <= PROMISED_MS and max(clock, cpu) >= PROMISED_FRAMES
     # One second is transformed once, before it plays; of ten minutes one more part is.
-    kept = kept and len(asked) <= (0 if length_s < 10.0 else 2)
+    holds = holds and len(asked) <= (0 if length_s < 10.0 else 2)
     more = f"{len(asked)} evaluations ({sum(asked)} transforms), {grown_mb:+.0f} MB"
     print(
         f"{length_s:9g}s {name:>10} {frame_ms:10.2f} {clock:10.0f} {cpu:8.0f}  {more}"
-        f"{'' if kept else '  BROKEN'}"
+        f"{'' if holds else '  BROKEN'}"
     )
-    return kept
+    return holds
 
 
 def settle(window: MainWindow) -> None:

@@ -78,8 +78,8 @@ def seconds_after_start(plan: Plan, processes: int) -> float:
     """How long the stimuli after the first few take, in as many processes."""
     start = 0.0
     numbers = range(1, len(plan) + 1)
-    for seen, _ in enumerate(measured(plan, numbers, processes), start=1):
-        if seen == _WARM * processes:
+    for n_measured, _ in enumerate(measured(plan, numbers, processes), start=1):
+        if n_measured == _WARM * processes:
             start = perf_counter()
     return (perf_counter() - start) / (len(plan) - _WARM * processes)
 
@@ -90,16 +90,16 @@ def main() -> int:
     parser.add_argument("--stimuli", type=int, default=400)
     count = parser.parse_args().stimuli
     keep_freed_memory()
-    found = {}
+    ratios = {}
     print("stimuli       plain ms  sweep ms  ratio  promised")
     for which in ("all new", "one varies"):
-        slow, quick, found[which] = ratio_to_plain(which, count)
-        print(f"{which:12}  {slow:8.1f}  {quick:8.2f}  {found[which]:5.1f}  {PROMISED[which]:8g}")
+        slow, quick, ratios[which] = ratio_to_plain(which, count)
+        print(f"{which:12}  {slow:8.1f}  {quick:8.2f}  {ratios[which]:5.1f}  {PROMISED[which]:8g}")
     plan = plan_of("all new", max(count, 200))
-    one, two = (seconds_after_start(plan, processes) for processes in (1, 2))
-    found["two processes"] = one / two
-    print(f"two processes: {one / two:.2f} times one (promised {PROMISED['two processes']:g})")
-    return int(any(found[name] < promised for name, promised in PROMISED.items()))
+    single_s, two = (seconds_after_start(plan, processes) for processes in (1, 2))
+    ratios["two processes"] = single_s / two
+    print(f"two processes: {single_s / two:.2f} times one (promised {PROMISED['two processes']:g})")
+    return int(any(ratios[name] < promised for name, promised in PROMISED.items()))
 
 
 if __name__ == "__main__":

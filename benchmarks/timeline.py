@@ -72,25 +72,25 @@ def main() -> int:
         # Nobody is there to be asked about unsaved work.
         window.document.mark_saved(Path(folder) / "saved")
         window.close()
-    kept = report("drag of one clip of 1000, all panels", drag, PROMISED_DRAG)
-    return 0 if report("scrolling the lanes", scroll, PROMISED_SCROLL) and kept else 1
+    holds = report("drag of one clip of 1000, all panels", drag, PROMISED_DRAG)
+    return 0 if report("scrolling the lanes", scroll, PROMISED_SCROLL) and holds else 1
 
 
-def report(words: str, frames: tuple[float, float], promised: float) -> bool:
+def report(label: str, frames: tuple[float, float], promised: float) -> bool:
     """Print frames per second; whether the promise is kept."""
-    kept = max(frames) >= promised
+    holds = max(frames) >= promised
     clock, processor = frames
     print(
-        f"{words}: {clock:.0f} frames per second, {processor:.0f} by processor time, promised "
-        f"{promised:g}: {'kept' if kept else 'BROKEN'}"
+        f"{label}: {clock:.0f} frames per second, {processor:.0f} by processor time, promised "
+        f"{promised:g}: {'kept' if holds else 'BROKEN'}"
     )
-    return kept
+    return holds
 
 
 def frames_per_s(began: list[tuple[float, float]], ended: list[tuple[float, float]]) -> Frames:
     """By the clock and by processor time, in the median."""
     spent = [(b[0] - a[0], b[1] - a[1]) for a, b in zip(began, ended, strict=True)]
-    clock_s, processor_s = (median(one) for one in zip(*spent, strict=True))
+    clock_s, processor_s = (median(times_s) for times_s in zip(*spent, strict=True))
     return 1 / clock_s, 1 / processor_s
 
 
@@ -101,7 +101,7 @@ def now() -> tuple[float, float]:
 
 def dragged(window: MainWindow, lanes: LanesView) -> Frames:
     """Frames per second while one clip is dragged, each painted with its results."""
-    box = next(one for one in lanes.content.boxes if one.clip.id == 3)
+    box = next(box for box in lanes.content.boxes if box.clip.id == 3)
     at = box.rect.center()
     held = Qt.KeyboardModifier.AltModifier
     lanes.mouse.press(at, Qt.MouseButton.LeftButton, held, lanes.sample_rate_hz)

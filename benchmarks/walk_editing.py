@@ -19,7 +19,7 @@ def place_inputs(you: Driver, _: Path) -> None:
     you.click(hand, hand.site_centre(18))
     you.picture("two more by click")
     you.expect(
-        [one.location for one in document.design.inputs] == [7, 3, 18], "clicks place inputs"
+        [track.location for track in document.design.inputs] == [7, 3, 18], "clicks place inputs"
     )
     you.drag(hand, hand.site_centre(18), hand.site_centre(16), "while dragging")
     you.expect(document.design.inputs[-1].location == 16, "a drag moves the input")

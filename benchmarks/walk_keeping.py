@@ -68,7 +68,7 @@ def export_field(you: Driver, folder: Path) -> None:
         rate_hz = float(archive["sample_rate_hz"])
     you.expect(field.shape[:2] == (72, 3), f"it holds 72 outputs on 3 axes, not {field.shape}")
     you.expect(bool(np.isfinite(field).all() and field.any()), "it holds finite numbers")
-    longest_s = max(one.onset_s for one in document.design.clips)
+    longest_s = max(clip.onset_s for clip in document.design.clips)
     you.expect(field.shape[2] > longest_s * rate_hz, "it reaches to the end of the design")
     long = track(document.design.inputs[0].location, Tone(duration_s=300.0))
     document.edit("Add a long input", document.design.adding(long))
@@ -89,9 +89,9 @@ def export_field(you: Driver, folder: Path) -> None:
 def arrange(you: Driver, _: Path) -> None:
     """Arrangements, themes, docks, palette, pages, full screen."""
     window = you.window
-    for digit, words in ((KEY.Key_2, "analysis"), (KEY.Key_3, "presenting")):
+    for digit, label in ((KEY.Key_2, "analysis"), (KEY.Key_3, "presenting")):
         you.key(digit, CONTROL)
-        you.picture(f"arranged for {words}")
+        you.picture(f"arranged for {label}")
     you.key(KEY.Key_1, CONTROL)
     window.docks["spectra"].setFloating(True)
     window.docks["inspector"].close()
@@ -100,7 +100,7 @@ def arrange(you: Driver, _: Path) -> None:
     you.key(KEY.Key_1, CONTROL)
     you.picture("arranged again")
     you.key(KEY.Key_K, CONTROL)
-    palette = next(one for one in window.findChildren(Palette) if one.isVisible())
+    palette = next(palette for palette in window.findChildren(Palette) if palette.isVisible())
     you.picture("palette", palette)
     you.type("theme")
     you.picture("palette with theme typed", palette)
@@ -109,13 +109,15 @@ def arrange(you: Driver, _: Path) -> None:
     for page in ("show_keys", "show_dataset", "show_about", "show_accuracy"):
         window.do(page)
         QApplication.processEvents()
-        dialog = next(one for one in window.findChildren(QDialog) if one.isVisible())
+        dialog = next(dialog for dialog in window.findChildren(QDialog) if dialog.isVisible())
         dialog.activateWindow()
         title = dialog.windowTitle()
         you.picture(f"page {title}", dialog)
         you.key(KEY.Key_Escape)
         # The dialog itself may be gone by now.
-        visible = [one.windowTitle() for one in window.findChildren(QDialog) if one.isVisible()]
+        visible = [
+            dialog.windowTitle() for dialog in window.findChildren(QDialog) if dialog.isVisible()
+        ]
         you.expect(title not in visible, f"Esc closes {title}")
     window.activateWindow()
     you.settle()

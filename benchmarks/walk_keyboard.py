@@ -16,7 +16,7 @@ def go_by_keyboard(you: Driver, _: Path) -> None:
     """Tab and Shift+Tab through all panels; F6 from one to the next."""
     window = you.window
     you.focus(window.panel("hand"))
-    for words, modifiers, order in (("Tab", NONE, _ORDER), ("Shift Tab", SHIFT, _ORDER[::-1])):
+    for label, modifiers, order in (("Tab", NONE, _ORDER), ("Shift Tab", SHIFT, _ORDER[::-1])):
         start = QApplication.focusWidget()
         went = [_panel_with_keyboard(you)]
         stops = 0
@@ -26,13 +26,13 @@ def go_by_keyboard(you: Driver, _: Path) -> None:
             here = _panel_with_keyboard(you)
             if here != went[-1]:
                 went.append(here)
-                you.picture(f"{words} reaches {here or 'the bars'}")
+                you.picture(f"{label} reaches {here or 'the bars'}")
             if QApplication.focusWidget() is start:
                 break
-        you.expect(stops < _MOST_STOPS, f"{words} comes round")
+        you.expect(stops < _MOST_STOPS, f"{label} comes round")
         panels = [name for name in went if name]
         around = order if modifiers == NONE else [order[-1], *order[:-1]]
-        you.expect(panels == [*around, "hand"], f"{words} reaches all panels in turn, not {panels}")
+        you.expect(panels == [*around, "hand"], f"{label} reaches all panels in turn, not {panels}")
     jumps = []
     for _step in _ORDER:
         you.key(KEY.Key_F6)
@@ -42,5 +42,5 @@ def go_by_keyboard(you: Driver, _: Path) -> None:
 
 def _panel_with_keyboard(you: Driver) -> str:
     focused = QApplication.focusWidget()
-    inside = (one.name for one in you.window.panels if focused and one.isAncestorOf(focused))
+    inside = (panel.name for panel in you.window.panels if focused and panel.isAncestorOf(focused))
     return next(inside, "")

@@ -14,7 +14,7 @@ import scipy.fft
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPolygonF
 
-_SHARE = "{words} {value:.1f} {unit}: {ratio:.2f} x {beside} of {reference:.1f} {unit} beside it "
+_SHARE = "{label} {value:.1f} {unit}: {ratio:.2f} x {beside} of {reference:.1f} {unit} beside it "
 
 
 @cache
@@ -73,10 +73,10 @@ class Beside:
     def __init__(
         self,
         work: Callable[[], object],
-        words: str,
+        label: str,
         clock: Callable[[], float] = perf_counter,
     ) -> None:
-        self._time, self.words = partial(timed, work, clock), words
+        self._time, self.label = partial(timed, work, clock), label
         self._time()  # what is made once
         self.times_s: list[float] = []
 
@@ -89,18 +89,18 @@ class Beside:
         """Median of the times so far."""
         return statistics.median(self.times_s)
 
-    def judge(self, words: str, seconds: float, most: float) -> bool:
+    def judge(self, label: str, seconds: float, most: float) -> bool:
         """Print a time and its ratio; whether the ratio is kept."""
-        return judge(words, 1e3 * seconds, "ms", (self.words, 1e3 * self.median_s), most)
+        return judge(label, 1e3 * seconds, "ms", (self.label, 1e3 * self.median_s), most)
 
 
-def judge(words: str, value: float, unit: str, beside: tuple[str, float], most: float) -> bool:
+def judge(label: str, value: float, unit: str, beside: tuple[str, float], most: float) -> bool:
     """Print a figure and its ratio to one ``beside`` it; whether that is at most ``most``."""
     name, reference = beside
     ratio = value / reference
-    kept = ratio <= most
+    holds = ratio <= most
     line = _SHARE.format(
-        words=words, value=value, unit=unit, ratio=ratio, beside=name, reference=reference
+        label=label, value=value, unit=unit, ratio=ratio, beside=name, reference=reference
     )
-    print(f"{line}(promised: {most:g}): {'kept' if kept else 'BROKEN'}")
-    return kept
+    print(f"{line}(promised: {most:g}): {'kept' if holds else 'BROKEN'}")
+    return holds

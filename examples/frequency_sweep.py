@@ -15,8 +15,8 @@ levels_db = []
 for frequency_hz in frequencies_hz:
     # Only what follows from the changed input is computed again.
     step = design.with_clip(2, waveform=ss.waveforms.Tone(frequency_hz=float(frequency_hz)))
-    found = ss.evaluate(step, "output_levels_db", view=ss.View(span="loudest"))
-    levels_db.append(found["output_levels_db"][29 - 1])
+    values = ss.evaluate(step, "output_levels_db", view=ss.View(span="loudest"))
+    levels_db.append(values["output_levels_db"][29 - 1])
 
 for frequency_hz, level_db in zip(frequencies_hz, levels_db, strict=True):
     print(f"{limb}, output 29: {frequency_hz:3.0f} Hz {level_db:6.1f} dB re 1 m/s²")

@@ -129,7 +129,7 @@ def matlab_reference() -> Path:
     return folder
 
 
-def made_up_response(limb: int, place: int) -> np.ndarray:
+def synthetic_response(limb: int, place: int) -> np.ndarray:
     """Response (522 taps, 72 outputs, 3 axes) that differs between limbs, places and axes."""
     response = np.full((522, 72, 3), limb + place / 100)
     response[3, 5, 1] += 0.25
@@ -139,7 +139,7 @@ def made_up_response(limb: int, place: int) -> np.ndarray:
 @pytest.fixture(scope="session")
 def make_response() -> Callable[[int, int], np.ndarray]:
     """Give the made-up response of one limb to one place."""
-    return made_up_response
+    return synthetic_response
 
 
 @pytest.fixture(scope="session")
@@ -162,7 +162,7 @@ def write_table() -> Callable[..., None]:
 def complete_rows() -> list[tuple[np.ndarray, float, float]]:
     """All 80 rows of a made-up dataset.  Copy the list before changing it."""
     return [
-        (made_up_response(limb, place), float(limb), float(place))
+        (synthetic_response(limb, place), float(limb), float(place))
         for limb in range(1, 5)
         for place in range(1, 21)
     ]
@@ -183,13 +183,13 @@ def made_up_download(tmp_path_factory, write_table, complete_rows) -> Path:
     polyshape["Vertices"][0, 0] = random.uniform(-600, -40, (1505, 2))
     outputs = random.uniform(-600, -40, (72, 2))
     outputs[60:66] = np.nan
-    seen = random.uniform(0, 400, (1505, 72))
-    seen[:, 60:66] = np.nan
+    magnitudes = random.uniform(0, 400, (1505, 72))
+    magnitudes[:, 60:66] = np.nan
     content = {
         "surface": ("surface", MatlabOpaque({"any": polyshape}, "polyshape")),
         "outputLocations": ("outputLocations", outputs),
         "inputLocations": ("inputLocations", random.uniform(-600, -40, (20, 2))),
-        "adjacencyMatrix": ("adjacencyMatrix", seen),
+        "adjacencyMatrix": ("adjacencyMatrix", magnitudes),
     }
     shapes = ((464, 174), (437, 164), (490, 184), (437, 164))
     for k, shape in enumerate(shapes, start=1):

@@ -44,16 +44,16 @@ some_ids = st.lists(st.integers(1, 5), min_size=1, max_size=5, unique=True).map(
 def total(design: Design, place: int) -> np.ndarray:
     """What a track plays from time 0 on, without its curve."""
     first, chain = placed_chain(design.inputs[place].clips, (), RATE_HZ)
-    found = np.zeros(5000)
+    samples = np.zeros(5000)
     for part in chain.parts:
         piece = played(part.waveform, part.effects, RATE_HZ, part.shift_s)
-        found[first + part.start :][: piece.size] += part.gain * piece
-    return found
+        samples[first + part.start :][: piece.size] += part.gain * piece
+    return samples
 
 
 def onsets(design: Design) -> list[float]:
-    return [one.onset_s for one in design.clips]
+    return [clip.onset_s for clip in design.clips]
 
 
 def tracks(design: Design) -> list[list[int]]:
-    return [[one.id for one in track.clips] for track in design.inputs]
+    return [[clip.id for clip in track.clips] for track in design.inputs]

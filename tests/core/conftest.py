@@ -83,8 +83,8 @@ def pytest_sessionfinish(session) -> None:
     numbers, stated = session.config.stash[NUMBERS], stated_promises()
     missing = [key for key in stated if key not in numbers]
     if missing:
-        words = f"\nno table was written: not measured were {', '.join(missing)}"
-        session.config.get_terminal_writer().line(words)
+        message = f"\nno table was written: not measured were {', '.join(missing)}"
+        session.config.get_terminal_writer().line(message)
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
         return
     machine = (
@@ -148,9 +148,9 @@ def noted(request, documented) -> Callable[[str, float], None]:
         numbers[key] = max(known, numbers.get(key, 0.0))
         assert known <= promise, f"{key}, {what}: {known:.3g} is more than {promise:g}"
         if not making:
-            told = float(documented[key][3])
-            assert known <= MOST_TIMES_THE_TABLE * told, (
-                f"{key}, {what}: {known:.3g}, but docs/stability.md says {told:g}; make it again"
+            stated = float(documented[key][3])
+            assert known <= MOST_TIMES_THE_TABLE * stated, (
+                f"{key}, {what}: {known:.3g}, but docs/stability.md says {stated:g}; make it again"
             )
 
     return note
@@ -232,10 +232,10 @@ class Scene:
     def padded(self) -> np.ndarray:
         """Drives with silence before and after them, (n_inputs, n_times)."""
         starts = self.starts()
-        n_times = max(k + one.size for k, one in zip(starts, self.drives, strict=True))
+        n_times = max(k + drive.size for k, drive in zip(starts, self.drives, strict=True))
         padded = np.zeros((len(self.drives), n_times))
-        for row, start, one in zip(padded, starts, self.drives, strict=True):
-            row[start : start + one.size] = one
+        for row, start, drive in zip(padded, starts, self.drives, strict=True):
+            row[start : start + drive.size] = drive
         return padded
 
     def predicted(self) -> np.ndarray:
@@ -287,7 +287,7 @@ FINEST = 1074
 
 def whole(samples: np.ndarray) -> list[int]:
     """Samples as whole multiples of 2**-FINEST."""
-    ratios = (float(one).as_integer_ratio() for one in samples)
+    ratios = (float(sample).as_integer_ratio() for sample in samples)
     return [numerator * (2**FINEST // denominator) for numerator, denominator in ratios]
 
 

@@ -6,6 +6,6 @@ import numpy as np
 def spectrum(samples: np.ndarray) -> np.ndarray:
     """Amplitudes of the lines, the mean with its sign."""
     lines = np.fft.rfft(samples) / samples.size
-    found = 2 * np.abs(lines)
-    found[0] = lines[0].real
-    return found
+    amplitudes = 2 * np.abs(lines)
+    amplitudes[0] = lines[0].real
+    return amplitudes

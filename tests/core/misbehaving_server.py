@@ -30,20 +30,20 @@ class Handler(http.server.BaseHTTPRequestHandler):
     def do_GET(self):
         served = self.server.served
         name = self.path.partition("?")[0].rpartition("/")[2]
-        wanted = self.headers.get("Range")
-        served.asked.append((name, wanted))
+        range_header = self.headers.get("Range")
+        served.asked.append((name, range_header))
         if name not in served.content:
             self.send_error(404, served.regret, "")
             return
         body, first = served.content[name], 0
-        if wanted and served.ranges:
-            first = int(wanted.removeprefix("bytes=").partition("-")[0])
+        if range_header and served.ranges:
+            first = int(range_header.removeprefix("bytes=").partition("-")[0])
             if first >= len(body):
                 self.send_error(416)
                 return
             self.send_response(206)
-            told = first + 1 if served.false_ranges else first
-            self.send_header("Content-Range", f"bytes {told}-{len(body) - 1}/{len(body)}")
+            stated_first = first + 1 if served.false_ranges else first
+            self.send_header("Content-Range", f"bytes {stated_first}-{len(body) - 1}/{len(body)}")
         else:
             self.send_response(200)
         self.send_header("Content-Length", str(len(body) - first))

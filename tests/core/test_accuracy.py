@@ -46,14 +46,14 @@ def of_kind(kind):
 @pytest.mark.parametrize("case", of_kind(Convolution), ids=lambda case: case.name)
 def test_stored_convolutions_are_those_that_whole_numbers_give(case):
     # The stored ones are sums of mpmath, which rounds subnormal numbers twice.
-    found = exact_samples(case.problem, case.samples)
-    np.testing.assert_allclose(found, case.reference, rtol=0, atol=5e-324)
+    computed = exact_samples(case.problem, case.samples)
+    np.testing.assert_allclose(computed, case.reference, rtol=0, atol=5e-324)
 
 
 def test_stored_signals_are_those_of_the_formula_in_float64():
     for case in of_kind(Resampling):
-        wanted = tone_burst(case.problem.to_hz)[None, case.samples]
-        np.testing.assert_allclose(case.reference, wanted, rtol=0, atol=1e-11)
+        expected = tone_burst(case.problem.to_hz)[None, case.samples]
+        np.testing.assert_allclose(case.reference, expected, rtol=0, atol=1e-11)
 
 
 @pytest.mark.parametrize(
@@ -97,11 +97,11 @@ def test_a_wrong_way_has_a_large_error(fault, least):
 
 def test_errors_and_fastest_runs_are_measured_on_any_limb(user_data):
     installed()
-    found = cases_of(load_limb("lab-1"), quick=True)
-    assert {case.problem.limb.axes for case in found} == {"xz"}
-    assert "1 input, 60 s" not in {case.name for case in found}
-    rows = list(measure(found, repeats=2))
-    assert len(rows) == len(found) * sum(way.kind is Convolution for way in WAYS)
+    cases = cases_of(load_limb("lab-1"), quick=True)
+    assert {case.problem.limb.axes for case in cases} == {"xz"}
+    assert "1 input, 60 s" not in {case.name for case in cases}
+    rows = list(measure(cases, repeats=2))
+    assert len(rows) == len(cases) * sum(way.kind is Convolution for way in WAYS)
     assert all(row.time_s > 0.0 and row.runs >= 1 for row in rows)
     short = [row.error for row in rows if row.case in ("1 input, 0.5 s", "20 inputs, 2 s")]
     assert 0.0 < max(short) <= 1e-14
@@ -134,15 +134,18 @@ def test_what_would_not_fit_or_take_too_long_is_left_out(monkeypatch):
 
 
 def test_measuring_is_told_and_can_be_stopped():
-    told = []
+    progress = []
     cases = of_kind(Resampling)
     rows = measure(
-        cases, repeats=1, progress=lambda *step: told.append(step), stop=lambda: len(told) > 1
+        cases,
+        repeats=1,
+        progress=lambda *step: progress.append(step),
+        stop=lambda: len(progress) > 1,
     )
     assert next(rows).way == "SkinSource resample"
     with pytest.raises(Stopped):
         list(rows)
-    assert told[0] == (0, 9, "1300 to 48000 Hz: SkinSource resample")
+    assert progress[0] == (0, 9, "1300 to 48000 Hz: SkinSource resample")
 
 
 def test_tables_hold_every_row():

@@ -27,8 +27,8 @@ SEEN = View(outputs=(5, 20), axes="xyz")
 
 
 def actuation(model=COIL, equaliser=None, **changes):
-    one = ss.ActuatorAt(actuator="a coil", model=model)
-    return ss.Actuation(actuators=(one,), equaliser=equaliser, **changes)
+    actuator_at = ss.ActuatorAt(actuator="a coil", model=model)
+    return ss.Actuation(actuators=(actuator_at,), equaliser=equaliser, **changes)
 
 
 def design_of(*inputs, **changes):
@@ -56,12 +56,12 @@ def test_a_prediction_is_what_the_simulated_actuator_makes_of_the_exported_volts
     taps = scaled_taps(limb, 7, "probe")[[4, 19]]
     expected = scipy.signal.fftconvolve(taps, moved[np.newaxis, np.newaxis], axes=-1)
     through = replace(design, actuation=actuation(model, equaliser))
-    found = ss.evaluate(through, "axis_traces", "response_time_s", view=SEEN)
-    first = int(np.flatnonzero(found["response_time_s"] >= 0.0)[0])
-    traces = found["axis_traces"][..., first:]
+    values = ss.evaluate(through, "axis_traces", "response_time_s", view=SEEN)
+    first = int(np.flatnonzero(values["response_time_s"] >= 0.0)[0])
+    traces = values["axis_traces"][..., first:]
     n = min(traces.shape[-1], expected.shape[-1])
     error = np.abs(traces[..., :n] - expected[..., :n]).max() / np.abs(expected).max()
-    assert found["response_time_s"][first] == 0.0
+    assert values["response_time_s"][first] == 0.0
     # The actuator is simulated to 600 Hz, where straight lines between samples lose 0.005 dB.
     assert error < 1e-3
 
@@ -70,13 +70,13 @@ def test_without_an_actuator_nothing_changes_by_a_bit_and_no_work_is_added():
     design = design_of(tone(), tone(3, 60.0))
     off = replace(design, actuation=actuation(equaliser=INVERSE, on=False))
     quantities = ("output_rms", "axis_traces", "trace_error")
-    one, other = new_graph(), new_graph()
-    before = one.evaluate(quantities, sources(design, SEEN))
+    graph, other = new_graph(), new_graph()
+    before = graph.evaluate(quantities, sources(design, SEEN))
     after = other.evaluate(quantities, sources(off, SEEN))
     for name in quantities[:2]:
         np.testing.assert_array_equal(before[name], after[name])
-    assert one.work == other.work
-    assert one.runs == other.runs
+    assert graph.work == other.work
+    assert graph.runs == other.runs
 
 
 def test_an_amplitude_drag_through_an_actuator_transforms_nothing():
@@ -91,13 +91,13 @@ def test_an_amplitude_drag_through_an_actuator_transforms_nothing():
 
 def test_a_changed_drive_through_an_actuator_costs_the_transforms_of_one_without():
     counted = []
-    for one in (None, actuation(equaliser=INVERSE)):
-        design = replace(design_of(tone(), tone(3, 60.0)), actuation=one)
+    for through in (None, actuation(equaliser=INVERSE)):
+        design = replace(design_of(tone(), tone(3, 60.0)), actuation=through)
         view, graph = View(outputs=(5,), selected_inputs=(1,)), new_graph()
-        wanted = {"output_rms", "selected_traces", "selected_spectra"}
-        graph.evaluate(wanted, sources(design, view))
+        quantities = {"output_rms", "selected_traces", "selected_spectra"}
+        graph.evaluate(quantities, sources(design, view))
         edited = design.with_clip(design.clips[0].id, waveform=ss.waveforms.Tone(frequency_hz=90.0))
-        graph.evaluate(wanted, sources(edited, view))
+        graph.evaluate(quantities, sources(edited, view))
         counted.append((graph.work.forward_transforms, graph.work.inverse_transforms))
     assert counted[0] == counted[1]
 
@@ -107,8 +107,8 @@ def test_levels_of_the_record_are_over_the_record_and_not_over_what_rings():
     design = design_of(tone(frequency_hz=200.0))
     plain = ss.evaluate(design, "output_levels_db")["output_levels_db"]
     through = replace(design, actuation=actuation(equaliser=INVERSE))
-    found = ss.evaluate(through, "output_levels_db")["output_levels_db"]
-    assert np.abs(found - plain).max() < 0.1
+    output_levels_db = ss.evaluate(through, "output_levels_db")["output_levels_db"]
+    assert np.abs(output_levels_db - plain).max() < 0.1
 
 
 def test_a_long_design_through_an_actuator_is_the_sum_of_its_parts():
@@ -117,22 +117,22 @@ def test_a_long_design_through_an_actuator_is_the_sum_of_its_parts():
     through = actuation(equaliser=POLES)
     long = replace(design_of(tone(), late), actuation=through)
     short = replace(design_of(tone()), actuation=through)
-    found = ss.evaluate(long, "axis_traces", "streamed", view=SEEN)
+    values = ss.evaluate(long, "axis_traces", "streamed", view=SEEN)
     alone = ss.evaluate(short, "axis_traces", "streamed", view=SEEN)
-    assert found["streamed"]
+    assert values["streamed"]
     assert not alone["streamed"]
     n = alone["axis_traces"].shape[-1]
     peak = np.abs(alone["axis_traces"]).max()
-    assert np.abs(found["axis_traces"][..., :n] - alone["axis_traces"]).max() < 1e-12 * peak
+    assert np.abs(values["axis_traces"][..., :n] - alone["axis_traces"]).max() < 1e-12 * peak
 
 
 def test_predict_does_the_same_for_scripts():
     design = replace(design_of(tone()), actuation=actuation(equaliser=INVERSE))
-    found = ss.evaluate(design, "axis_traces", "response_time_s", view=SEEN)
+    values = ss.evaluate(design, "axis_traces", "response_time_s", view=SEEN)
     (drive,) = ss.stimulus_of(design).samples
     limb = ss.load_limb("synthetic-1")
     alone = ss.predict(limb, [drive], [7], scaling="probe", actuation=design.actuation)
-    from_0 = found["axis_traces"][..., found["response_time_s"] >= 0.0]
+    from_0 = values["axis_traces"][..., values["response_time_s"] >= 0.0]
     np.testing.assert_allclose(alone[[4, 19]], from_0, rtol=0.0, atol=1e-12 * np.abs(from_0).max())
 
 
@@ -144,14 +144,16 @@ def test_each_place_answers_through_its_own_actuator():
     for place, model in ((7, PIEZO), (3, COIL)):
         both = replace(design_of(tone(place)), actuation=ss.Actuation(actuators=own))
         alone = replace(design_of(tone(place)), actuation=actuation(model))
-        found = ss.evaluate(both, "output_rms")["output_rms"]
+        output_rms = ss.evaluate(both, "output_rms")["output_rms"]
         # What is left out of a response is as little as says nothing; how much, both decide.
-        np.testing.assert_allclose(found, ss.evaluate(alone, "output_rms")["output_rms"], 1e-5)
+        np.testing.assert_allclose(output_rms, ss.evaluate(alone, "output_rms")["output_rms"], 1e-5)
 
 
 def test_a_place_without_an_actuator_is_refused_and_named():
-    one = ss.ActuatorAt(place=3, actuator="a coil", model=COIL)
-    design = replace(design_of(tone(7)), actuation=ss.Actuation(actuators=(one,), rig="bench"))
+    actuator_at = ss.ActuatorAt(place=3, actuator="a coil", model=COIL)
+    design = replace(
+        design_of(tone(7)), actuation=ss.Actuation(actuators=(actuator_at,), rig="bench")
+    )
     with pytest.raises(InvalidInputError, match=r"Place 7 has no actuator among the rig bench"):
         ss.evaluate(design, "output_rms")
 
@@ -189,10 +191,10 @@ def test_an_actuator_that_rings_for_ever_is_refused():
 @pytest.mark.parametrize("name", ss.actuators.names())
 @pytest.mark.parametrize("equaliser", [None, INVERSE, replace(INVERSE, phase="minimum")])
 def test_all_shipped_actuators_can_be_predicted_through(name, equaliser):
-    found = transfers_of(actuation(ss.actuators.load(name), equaliser), 1300.0)[None]
-    assert 0 < found.lead <= 650
-    assert found.samples.size <= 1300
-    assert np.isfinite(found.samples).all()
+    transfer = transfers_of(actuation(ss.actuators.load(name), equaliser), 1300.0)[None]
+    assert 0 < transfer.lead <= 650
+    assert transfer.samples.size <= 1300
+    assert np.isfinite(transfer.samples).all()
 
 
 def test_all_places_share_one_beginning():
@@ -200,16 +202,16 @@ def test_all_places_share_one_beginning():
         ss.ActuatorAt(place=place, actuator=name, model=ss.actuators.load(name))
         for place, name in enumerate(ss.actuators.names(), 1)
     )
-    found = transfers_of(ss.Actuation(actuators=own), 1300.0)
-    assert len({one.lead for one in found.values()}) == 1
-    assert len({one.samples.size for one in found.values()}) == 1
+    transfers = transfers_of(ss.Actuation(actuators=own), 1300.0)
+    assert len({transfer.lead for transfer in transfers.values()}) == 1
+    assert len({transfer.samples.size for transfer in transfers.values()}) == 1
 
 
 def test_a_transfer_is_the_response_in_the_band():
-    found = transfers_of(actuation(COIL), 1300.0)[None]
+    transfer = transfers_of(actuation(COIL), 1300.0)[None]
     frequency_hz = np.linspace(25.0, 600.0, 200)
-    times_s = (np.arange(found.samples.size) - found.lead) / 1300.0
-    shown = np.exp(-2j * np.pi * frequency_hz[:, np.newaxis] * times_s) @ found.samples
+    times_s = (np.arange(transfer.samples.size) - transfer.lead) / 1300.0
+    shown = np.exp(-2j * np.pi * frequency_hz[:, np.newaxis] * times_s) @ transfer.samples
     response = COIL.response(frequency_hz)
     assert np.abs(shown - response).max() < 1e-4 * np.abs(response).max()
 
@@ -221,8 +223,8 @@ def test_a_transfer_lasts_as_long_at_a_high_rate():
     assert quick.samples.size / 48_000 == pytest.approx(1 / 3, rel=0.1)
     hz = ss.equalising.resonance_of(ringing)[0] * np.array([0.5, 1.0, 1.01, 2.0])
     turns = np.outer(hz, (np.arange(quick.samples.size) - quick.lead) / 48_000)
-    found = np.exp(-2j * np.pi * turns) @ quick.samples
-    np.testing.assert_allclose(found, ringing.response(hz), rtol=1e-3)
+    response = np.exp(-2j * np.pi * turns) @ quick.samples
+    np.testing.assert_allclose(response, ringing.response(hz), rtol=1e-3)
 
 
 def test_what_it_goes_through_is_saved_and_digests_tell_it_apart(tmp_path):
@@ -239,15 +241,15 @@ def test_what_it_goes_through_is_saved_and_digests_tell_it_apart(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("actuators", "words"),
+    ("actuators", "message"),
     [
         ((), "empty"),
         ((ss.ActuatorAt(model=COIL), ss.ActuatorAt(model=PIEZO)), "all other places twice"),
         ((ss.ActuatorAt(place=3, model=COIL), ss.ActuatorAt(place=3, model=COIL)), "place 3 twice"),
     ],
 )
-def test_actuators_that_cannot_be_are_refused(actuators, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_actuators_that_cannot_be_are_refused(actuators, message):
+    with pytest.raises(InvalidInputError, match=message):
         ss.Actuation(actuators=actuators)
 
 
@@ -276,12 +278,12 @@ def test_it_is_refused_under_other_scalings_and_so_are_they_through_it():
 def test_a_limb_behind_actuators_goes_with_its_graph():
     design, shared = design_of(tone(), actuation=actuation()), Shared()
     graph = new_graph(shared)
-    found = graph.evaluate({"driven_limb", "limb_data", "output_rms"}, sources(design, View()))
-    assert found["limb_data"].lead_samples == 0 < found["driven_limb"].lead_samples
+    values = graph.evaluate({"driven_limb", "limb_data", "output_rms"}, sources(design, View()))
+    assert values["limb_data"].lead_samples == 0 < values["driven_limb"].lead_samples
     other = new_graph(shared)
     again = other.evaluate({"driven_limb"}, sources(design, View()))
-    assert again["driven_limb"] is found["driven_limb"]
-    held = weakref.ref(found["driven_limb"])
-    del found, again, graph, other
+    assert again["driven_limb"] is values["driven_limb"]
+    held = weakref.ref(values["driven_limb"])
+    del values, again, graph, other
     gc.collect()
     assert held() is None

@@ -27,7 +27,7 @@ PARAMETERS = {
 
 
 @pytest.mark.parametrize(
-    ("actuator", "name"), [(one, name) for one, names in PARAMETERS.items() for name in names]
+    ("actuator", "name"), [(kind, name) for kind, names in PARAMETERS.items() for name in names]
 )
 def test_wrong_parameters_are_refused_by_name(actuator, name):
     zero_allowed = PARAMETERS[actuator][name]
@@ -67,7 +67,7 @@ def test_what_cannot_be_simulated_is_refused(voltage, rate_hz, hold, word):
 
 @pytest.mark.parametrize("value", [5e-324, 1e-150, 1e150, 1.7e308])
 @pytest.mark.parametrize(
-    ("actuator", "name"), [(one, name) for one, names in PARAMETERS.items() for name in names]
+    ("actuator", "name"), [(kind, name) for kind, names in PARAMETERS.items() for name in names]
 )
 def test_a_parameter_at_the_end_of_all_numbers_moves_it_or_is_refused(actuator, name, value):
     extreme = replace(actuator, **{name: value})
@@ -78,10 +78,10 @@ def test_a_parameter_at_the_end_of_all_numbers_moves_it_or_is_refused(actuator, 
         lambda: ss.equalising.resonance_of(extreme),
     ):
         try:
-            found = act()
+            result = act()
         except InvalidInputError:
             continue
-        assert np.isfinite(found).all()
+        assert np.isfinite(result).all()
 
 
 def test_no_voltage_at_all_is_no_motion():
@@ -95,8 +95,8 @@ def test_responses_beyond_all_numbers_are_refused():
 
 
 def test_a_limit_that_is_passed_is_called_as_in_the_panel_with_its_unit():
-    said = [str(Breach(one.name, 0.0123456, 0.002)) for one in fields(Limits)]
-    assert said[0] == "peak voltage: 0.01235 V, expected at most 0.002 V"
-    assert "RMS voltage: 0.01235 V, expected at most 0.002 V" in said
-    assert "slew: 0.01235 V/s, expected at most 0.002 V/s" in said
-    assert said[-1] == "duty: 0.01235, expected at most 0.002"
+    sentences = [str(Breach(field.name, 0.0123456, 0.002)) for field in fields(Limits)]
+    assert sentences[0] == "peak voltage: 0.01235 V, expected at most 0.002 V"
+    assert "RMS voltage: 0.01235 V, expected at most 0.002 V" in sentences
+    assert "slew: 0.01235 V/s, expected at most 0.002 V/s" in sentences
+    assert sentences[-1] == "duty: 0.01235, expected at most 0.002"

@@ -73,8 +73,8 @@ def test_a_fit_survives_noise():
     truth = ss.actuators.load("example-resonant")
     noise = np.random.default_rng(3).standard_normal((2, HZ.size))
     values = truth.response(HZ) * (1.0 + 0.02 * (noise[0] + 1j * noise[1]))
-    found = ss.actuators.fit(HZ, values)
-    assert ss.actuators.misfit_db(found, HZ, truth.response(HZ)) < 0.5
+    fitted = ss.actuators.fit(HZ, values)
+    assert ss.actuators.misfit_db(fitted, HZ, truth.response(HZ)) < 0.5
 
 
 @pytest.mark.parametrize(
@@ -100,11 +100,11 @@ def test_a_measured_response_moves_as_the_model_it_was_taken_from(hold):
     measured = ss.actuators.MeasuredResponse.of(hz[::-1], coil.response(hz[::-1]))
     tone = np.sin(2.0 * np.pi * 100.0 * np.arange(4800) / 48_000.0) * np.hanning(4800)
     voltage = np.concatenate((np.zeros(4800), tone, np.zeros(9600)))
-    found, exact = (one.simulate(voltage, 48_000.0, hold) for one in (measured, coil))
+    simulated, exact = (actuator.simulate(voltage, 48_000.0, hold) for actuator in (measured, coil))
     for name in ("acceleration", "velocity", "displacement"):
-        values, true = getattr(found, name), getattr(exact, name)
+        values, true = getattr(simulated, name), getattr(exact, name)
         assert np.abs(values - true).max() < 5e-4 * np.abs(true).max()
-    assert np.isnan(found.current).all()
+    assert np.isnan(simulated.current).all()
 
 
 def test_a_measured_response_is_as_measured_and_falls_beyond():
@@ -125,45 +125,45 @@ COIL = ss.actuators.load("example-voice-coil")
 def test_a_prediction_of_a_long_tone_follows_from_the_responses():
     tone = 0.5 * np.sin(2.0 * np.pi * 100.0 * np.arange(8000) / 4000.0)
     thermal = ss.actuators.Thermal(resistance_k_per_w=50.0, time_constant_s=0.5)
-    (found,) = ss.actuators.predicted(tone, 4000, COIL, thermal=thermal)
+    (load,) = ss.actuators.predicted(tone, 4000, COIL, thermal=thermal)
     gain, flow = abs(COIL.response(100.0)), COIL.admittance(100.0)
-    assert found.peak_voltage_v == pytest.approx(0.5, rel=0.1)
-    assert found.rms_voltage_v == pytest.approx(0.5 / np.sqrt(2.0), rel=1e-3)
-    assert found.rms_current_a == pytest.approx(0.5 * abs(flow) / np.sqrt(2.0), rel=1e-3)
-    assert found.mean_power_w == pytest.approx(0.125 * flow.real, rel=1e-2)
-    assert found.peak_acceleration_m_per_s2 == pytest.approx(0.5 * gain, rel=0.2)
-    assert found.linear_share == pytest.approx(found.peak_velocity_m_per_s / 0.04)
-    assert found.duty == 1.0
-    assert found.duration_s == 2.0
+    assert load.peak_voltage_v == pytest.approx(0.5, rel=0.1)
+    assert load.rms_voltage_v == pytest.approx(0.5 / np.sqrt(2.0), rel=1e-3)
+    assert load.rms_current_a == pytest.approx(0.5 * abs(flow) / np.sqrt(2.0), rel=1e-3)
+    assert load.mean_power_w == pytest.approx(0.125 * flow.real, rel=1e-2)
+    assert load.peak_acceleration_m_per_s2 == pytest.approx(0.5 * gain, rel=0.2)
+    assert load.linear_share == pytest.approx(load.peak_velocity_m_per_s / 0.04)
+    assert load.duty == 1.0
+    assert load.duration_s == 2.0
     heat = 4.0 * 0.125 * abs(flow) ** 2 * 50.0
-    assert found.temperature_rise_k == pytest.approx(heat * (1.0 - np.exp(-4.0)), rel=0.01)
+    assert load.temperature_rise_k == pytest.approx(heat * (1.0 - np.exp(-4.0)), rel=0.01)
 
 
 def test_what_is_not_known_is_not_a_number():
     measured = ss.actuators.MeasuredResponse.of([100.0, 200.0], [2.0, 2.0])
     tone = np.sin(0.5 * np.arange(1300)) * np.hanning(1300)
-    (found,) = ss.actuators.predicted(tone, 1300, measured)
-    assert np.isnan([found.peak_current_a, found.rms_current_a, found.mean_power_w]).all()
-    assert np.isnan(found.temperature_rise_k)
-    assert found.peak_velocity_m_per_s > 0.0
+    (load,) = ss.actuators.predicted(tone, 1300, measured)
+    assert np.isnan([load.peak_current_a, load.rms_current_a, load.mean_power_w]).all()
+    assert np.isnan(load.temperature_rise_k)
+    assert load.peak_velocity_m_per_s > 0.0
 
 
 def test_each_channel_has_its_own_actuator_and_duty():
     rows = np.zeros((2, 13_000))
     rows[0, :1300] = rows[1, :6500] = 1.0
-    found = ss.actuators.predicted(rows, 13_000, [COIL, ss.actuators.load("kastor-2023-air")])
-    assert [round(one.duty, 1) for one in found] == [0.1, 0.5]
-    assert found[0].peak_displacement_m != found[1].peak_displacement_m
+    loads = ss.actuators.predicted(rows, 13_000, [COIL, ss.actuators.load("kastor-2023-air")])
+    assert [round(load.duty, 1) for load in loads] == [0.1, 0.5]
+    assert loads[0].peak_displacement_m != loads[1].peak_displacement_m
     with pytest.raises(InvalidInputError, match="2 channels"):
         ss.actuators.predicted(rows, 13_000, [COIL])
 
 
 def test_limits_that_are_passed_are_named():
-    (found,) = ss.actuators.predicted(np.ones(4800), 48_000, COIL)
+    (load,) = ss.actuators.predicted(np.ones(4800), 48_000, COIL)
     limits = ss.actuators.Limits(peak_voltage_v=0.5, rms_voltage_v=2.0, displacement_m=1e-6)
-    passed = ss.actuators.breaches(found, limits)
-    assert [one.name for one in passed] == ["peak_voltage_v", "displacement_m"]
+    passed = ss.actuators.breaches(load, limits)
+    assert [breach.name for breach in passed] == ["peak_voltage_v", "displacement_m"]
     assert "0.5" in str(passed[0])
-    assert ss.actuators.breaches(found, ss.actuators.Limits()) == ()
+    assert ss.actuators.breaches(load, ss.actuators.Limits()) == ()
     with pytest.raises(InvalidInputError, match="duty"):
         ss.actuators.Limits(duty=1.5)

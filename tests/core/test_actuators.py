@@ -153,10 +153,10 @@ def test_a_recoiling_casing_keeps_the_momentum_where_it_hangs_free():
 
 
 def test_a_response_is_zero_where_nothing_oscillates_and_mirrored_below():
-    for one in (COIL, RECOIL, PIEZO, ss.actuators.VoiceCoil(8.0, 8e-4, 0.0, 1e-3, 0.0, 0.0)):
-        assert one.response(0.0) == 0.0
-        assert one.response([[-50.0, 50.0]]).shape == (1, 2)
-        assert one.response(-50.0) == one.response(50.0).conjugate()
+    for actuator in (COIL, RECOIL, PIEZO, ss.actuators.VoiceCoil(8.0, 8e-4, 0.0, 1e-3, 0.0, 0.0)):
+        assert actuator.response(0.0) == 0.0
+        assert actuator.response([[-50.0, 50.0]]).shape == (1, 2)
+        assert actuator.response(-50.0) == actuator.response(50.0).conjugate()
 
 
 def test_a_response_peaks_where_mass_and_spring_resonate():

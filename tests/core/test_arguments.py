@@ -134,7 +134,7 @@ FUNCTIONS = {
     ),
     "decibels": (ss.decibels, {"x": lambda: [1.0, 2.0], "reference": lambda: 1.0}),
     "interpolate": (
-        lambda **words: surface().interpolate(**words),
+        lambda **options: surface().interpolate(**options),
         {"values": lambda: np.ones(72)},
     ),
     "surface_operator": (ss.surface_operator, {"limb": limb, "spacing_mm": lambda: 20.0}),
@@ -166,11 +166,11 @@ FUNCTIONS = {
     "window": (ss.window, {"name": lambda: "hanning", "n": lambda: 5}),
     "load_limb": (ss.load_limb, {"name": lambda: "synthetic-2"}),
     "response_to": (
-        lambda **words: limb().response_to(**words),
+        lambda **options: limb().response_to(**options),
         {"location": lambda: 3},
     ),
 }
-ARGUMENTS = [(name, word) for name, (_, words) in FUNCTIONS.items() for word in words]
+ARGUMENTS = [(name, word) for name, (_, arguments) in FUNCTIONS.items() for word in arguments]
 # A fine map and a long signal are right, and take a while.
 COSTLY = {("surface_operator", "spacing_mm")}
 
@@ -179,9 +179,9 @@ COSTLY = {("surface_operator", "spacing_mm")}
 def test_whatever_is_handed_in_only_the_error_for_that_comes(name, word):
     function, right = FUNCTIONS[name]
     for value in NASTY:
-        words = {other: make() for other, make in right.items()} | {word: value}
+        arguments = {other: make() for other, make in right.items()} | {word: value}
         with suppress(InvalidInputError):
-            function(**words)
+            function(**arguments)
 
 
 @pytest.mark.parametrize(
@@ -191,16 +191,16 @@ def test_whatever_is_handed_in_only_the_error_for_that_comes(name, word):
 @given(value=values)
 def test_whatever_is_drawn_only_the_error_for_that_comes(name, word, value):
     function, right = FUNCTIONS[name]
-    words = {other: make() for other, make in right.items()} | {word: value}
+    arguments = {other: make() for other, make in right.items()} | {word: value}
     with suppress(InvalidInputError):
-        function(**words)
+        function(**arguments)
 
 
 @pytest.mark.parametrize(
     "name", ["predict", "project_axes", "magnitude_spectrum", "rms", "decibels"]
 )
 @pytest.mark.parametrize(
-    ("spoil", "said"),
+    ("spoil", "message"),
     [
         (lambda array: array * 1j, "complex"),
         (lambda array: np.ma.masked_array(array, array == array.flat[0]), "masked"),
@@ -210,14 +210,14 @@ def test_whatever_is_drawn_only_the_error_for_that_comes(name, word, value):
         (lambda array: np.full(array.shape, 10**400, object), "cannot be read"),
     ],
 )
-def test_what_would_lose_or_pass_on_something_is_refused(name, spoil, said):
+def test_what_would_lose_or_pass_on_something_is_refused(name, spoil, message):
     function, right = FUNCTIONS[name]
-    words = {word: make() for word, make in right.items()}
+    arguments = {word: make() for word, make in right.items()}
     arrays = {"predict": "drives", "project_axes": "acceleration"}
     word = arrays.get(name, "x")
-    words[word] = spoil(np.asarray(words[word], float))
-    with pytest.raises(InvalidInputError, match=said):
-        function(**words)
+    arguments[word] = spoil(np.asarray(arguments[word], float))
+    with pytest.raises(InvalidInputError, match=message):
+        function(**arguments)
 
 
 @pytest.mark.parametrize(

@@ -95,22 +95,24 @@ def test_a_limb_is_named_in_the_report(tmp_path, monkeypatch, user_data):
     )
     monkeypatch.setattr(bench_command, "write_plots", lambda rows, stem: None)
     assert main(["bench", "--limb", limb.name, "--quick", "--out", str(tmp_path)]) == 0
-    assert [one.name for one in asked] == [limb.name]
+    assert [computed.name for computed in asked] == [limb.name]
     assert "limb lab-1, SHA-256 " in (tmp_path / "report.md").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("arguments", "message"),
     [(["--out", "file/x"], "cannot be written"), (["--limb", "nowhere"], "nowhere")],
 )
-def test_what_cannot_be_done_is_told_before_the_work(tmp_path, monkeypatch, capsys, words, said):
+def test_what_cannot_be_done_is_told_before_the_work(
+    tmp_path, monkeypatch, capsys, arguments, message
+):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(
         bench_command, "measure", lambda *_, **__: pytest.fail("measured for nothing")
     )
     (tmp_path / "file").write_text("in the way")
-    assert main(["bench", *words]) == 1
-    assert said in capsys.readouterr().err
+    assert main(["bench", *arguments]) == 1
+    assert message in capsys.readouterr().err
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
 
 

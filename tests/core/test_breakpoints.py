@@ -29,27 +29,27 @@ GRID = np.linspace(-0.1, 1.3, 1401)
 
 
 @st.composite
-def drawn(draw, kinds=KINDS, apart=0.0):
+def drawn(draw, kinds=KINDS, gap_s=0.0):
     times = sorted(draw(st.lists(st.integers(0, 1000), min_size=1, max_size=8)))
     times = [time / 1000 for time in times]
-    assume(all(b - a >= apart for a, b in itertools.pairwise(times)))
+    assume(all(b - a >= gap_s for a, b in itertools.pairwise(times)))
     return tuple((time, draw(LEVELS), draw(kinds)) for time in times)
 
 
 @given(drawn())
 def test_a_curve_stays_within_the_levels_that_were_drawn(points):
     levels = [level for _, level, _ in points]
-    found = curve_at(points, GRID)
-    assert np.isfinite(found).all()
-    assert min(levels) <= found.min()
-    assert found.max() <= max(levels)
+    values = curve_at(points, GRID)
+    assert np.isfinite(values).all()
+    assert min(levels) <= values.min()
+    assert values.max() <= max(levels)
     # And so between each two of them.
     for (x0, y0, _), (x1, y1, _) in itertools.pairwise(points):
-        part = found[(x0 <= GRID) & (x1 > GRID)]
+        part = values[(x0 <= GRID) & (x1 > GRID)]
         assert ((part >= min(y0, y1)) & (part <= max(y0, y1))).all()
 
 
-@given(drawn(apart=0.001))
+@given(drawn(gap_s=0.001))
 def test_a_curve_goes_through_its_points(points):
     times = np.array([time for time, _, _ in points])
     assert curve_at(points, times) == pytest.approx([level for _, level, _ in points], abs=1e-12)
@@ -57,7 +57,7 @@ def test_a_curve_goes_through_its_points(points):
     assert ends.tolist() == [points[0][1], points[-1][1]]
 
 
-@given(drawn(st.just("smooth"), apart=0.001))
+@given(drawn(st.just("smooth"), gap_s=0.001))
 def test_a_smooth_curve_is_the_monotone_cubic(points):
     assume(len(points) > 1)
     times, levels = (np.array([point[k] for point in points]) for k in (0, 1))
@@ -69,8 +69,8 @@ def test_a_smooth_curve_is_the_monotone_cubic(points):
 def test_segments_are_straight_smooth_or_held():
     points = ((0.0, 0.0, "straight"), (1.0, 2.0, "held"), (2.0, 4.0, "smooth"), (3.0, 0.0))
     points = Envelope(points).points
-    found = curve_at(points, np.array([0.25, 1.0, 1.99, 2.0, 2.5, 3.0, 4.0]))
-    assert found == pytest.approx([0.5, 2.0, 2.0, 4.0, 2.0, 0.0, 0.0])
+    values = curve_at(points, np.array([0.25, 1.0, 1.99, 2.0, 2.5, 3.0, 4.0]))
+    assert values == pytest.approx([0.5, 2.0, 2.0, 4.0, 2.0, 0.0, 0.0])
 
 
 def test_one_point_is_one_level():
@@ -78,11 +78,11 @@ def test_one_point_is_one_level():
 
 
 @pytest.mark.parametrize("kind", SEGMENTS)
-@pytest.mark.parametrize("apart", [0.0, 1e-12, 5e-10])
-def test_two_points_at_one_time_are_a_jump(kind, apart):
-    points = ((0.0, 1.0, kind), (0.5, 1.0, kind), (0.5 + apart, 3.0, kind), (1.0, 3.0, kind))
-    found = curve_at(points, np.array([0.2, 0.499999, 0.5 + 2 * apart, 0.7]))
-    assert found == pytest.approx([1.0, 1.0, 3.0, 3.0])
+@pytest.mark.parametrize("gap_s", [0.0, 1e-12, 5e-10])
+def test_two_points_at_one_time_are_a_jump(kind, gap_s):
+    points = ((0.0, 1.0, kind), (0.5, 1.0, kind), (0.5 + gap_s, 3.0, kind), (1.0, 3.0, kind))
+    values = curve_at(points, np.array([0.2, 0.499999, 0.5 + 2 * gap_s, 0.7]))
+    assert values == pytest.approx([1.0, 1.0, 3.0, 3.0])
     # Of more than two, what lies between does not count.
     more = (*points[:2], (0.5, 9.0, kind), (0.5, 0.0, kind), *points[2:])
     assert np.array_equal(curve_at(more, GRID + 1e-6), curve_at(points, GRID + 1e-6))
@@ -106,12 +106,12 @@ def test_points_that_cannot_be_meant_are_refused(points):
 def test_ten_thousand_points_are_a_curve():
     times = np.linspace(0.0, 600.0, 10_000)
     points = tuple((time, abs(np.sin(time)), "smooth") for time in times.tolist())
-    found = Envelope(points).values_at(np.linspace(0.0, 600.0, 100_000))
-    assert found.max() <= 1.0
-    assert found == pytest.approx(np.abs(np.sin(np.linspace(0.0, 600.0, 100_000))), abs=4e-2)
+    values = Envelope(points).values_at(np.linspace(0.0, 600.0, 100_000))
+    assert values.max() <= 1.0
+    assert values == pytest.approx(np.abs(np.sin(np.linspace(0.0, 600.0, 100_000))), abs=4e-2)
 
 
-@given(drawn(apart=0.001), st.lists(st.floats(0.0, 1.2), min_size=1, max_size=4))
+@given(drawn(gap_s=0.001), st.lists(st.floats(0.0, 1.2), min_size=1, max_size=4))
 def test_points_are_added_without_changing_the_curve(points, times_s):
     after = points
     for time_s in times_s:
@@ -167,7 +167,7 @@ def test_beside_a_step_of_next_to_nothing_the_curve_is_level():
 
 
 @given(
-    drawn(st.just("smooth"), apart=0.05),
+    drawn(st.just("smooth"), gap_s=0.05),
     st.floats(0.0, 1.0),
     st.floats(-0.3, 0.3),
     st.floats(-2, 2),
@@ -178,7 +178,9 @@ def test_a_split_curve_that_is_moved_rises_or_falls_throughout_between_its_point
     added, place = with_point(points, time_s), place_of(points, time_s)
     assert moved(added, {place}, 0.0, 0.0) == added
     after = moved(added, {place}, by_s, by_value)
-    assert [slope_of(one) is None for one in after] == [slope_of(one) is None for one in added]
+    assert [slope_of(effect) is None for effect in after] == [
+        slope_of(effect) is None for effect in added
+    ]
     for (x0, y0, _), (x1, y1, _) in itertools.pairwise(after):
         course = np.diff(curve_at(after, np.linspace(x0, np.nextafter(x1, x0), 60)))
         steps = course * np.sign(y1 - y0)

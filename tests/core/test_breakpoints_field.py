@@ -45,10 +45,10 @@ def test_points_that_are_kept_as_they_are_stay_the_very_same():
     points = ((0.0, 0.5, "smooth"), (0.5, 1.0, "held"))
     assert spec.checked(points) is points
     others = ((np.float64(0.25), 0, "held"), points[1])
-    found = spec.checked(others)
-    assert found == ((0.25, 0.0, "held"), points[1])
-    assert [type(one) for one in found[0]] == [float, float, str]
-    assert found[1] is points[1]
+    checked = spec.checked(others)
+    assert checked == ((0.25, 0.0, "held"), points[1])
+    assert [type(value) for value in checked[0]] == [float, float, str]
+    assert checked[1] is points[1]
     assert spec.checked(((0.0, 0.5),)) == ((0.0, 0.5, "straight"),)
 
 

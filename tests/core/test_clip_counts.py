@@ -31,8 +31,8 @@ WANTED = ("output_rms", "clip_waveforms", "input_waveforms")
 def show():
     graph = new_graph()
 
-    def show(design=DESIGN, wanted=WANTED):
-        return graph.evaluate(wanted, sources(design, View())), graph.work
+    def show(design=DESIGN, quantities=WANTED):
+        return graph.evaluate(quantities, sources(design, View())), graph.work
 
     show()
     return show
@@ -68,8 +68,8 @@ def test_a_clip_between_samples_is_drawn_where_it_now_begins(show):
 
 
 def test_a_whole_track_moved_by_whole_samples_draws_and_transforms_nothing(show):
-    later = tuple(replace(one, onset_s=one.onset_s + 13 / RATE_HZ) for one in CLIPS)
-    ids = tuple(replace(one, id=k) for k, one in enumerate(later, start=1))
+    later = tuple(replace(clip, onset_s=clip.onset_s + 13 / RATE_HZ) for clip in CLIPS)
+    ids = tuple(replace(clip, id=k) for k, clip in enumerate(later, start=1))
     _, work = show(DESIGN.with_input(0, clips=ids))
     assert drawn_and_transformed(work) == (0, 0, 0)
 
@@ -96,8 +96,8 @@ def test_a_muted_clip_is_neither_drawn_nor_transformed():
     works = []
     for design in (DESIGN, more):
         graph = new_graph()
-        found = graph.evaluate({"output_rms", "input_waveforms"}, sources(design, View()))
-        works.append((graph.work, found["output_rms"]))
+        values = graph.evaluate({"output_rms", "input_waveforms"}, sources(design, View()))
+        works.append((graph.work, values["output_rms"]))
     assert works[0][0] == works[1][0]
     np.testing.assert_array_equal(works[0][1], works[1][1])
 
@@ -118,14 +118,14 @@ def test_the_same_waveform_is_drawn_once_however_often_it_stands():
 
 def test_what_clips_play_is_told_for_each_muted_or_not(show):
     muted = DESIGN.with_clip(4, muted=True).with_clip(5, gain=9.0)
-    found, _ = show(muted)
-    first, second = found["clip_waveforms"]
+    values, _ = show(muted)
+    first, second = values["clip_waveforms"]
     assert [len(first), len(second)] == [10, 1]
     # From the sample before its onset on, before its gain.
     own_s = np.arange(first[4].size) / RATE_HZ - (0.2503 - 325 / RATE_HZ)
     assert first[4] == pytest.approx(CLIPS[4].waveform.samples(RATE_HZ, 0.2503 - 325 / RATE_HZ))
     assert own_s[0] < 0
-    assert not any(one.flags.writeable for one in (*first, *second))
+    assert not any(samples.flags.writeable for samples in (*first, *second))
 
 
 def test_what_a_changed_clip_plays_is_told_anew_and_the_others_are_the_very_same(show):

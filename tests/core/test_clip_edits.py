@@ -22,19 +22,19 @@ def test_when_clips_go_the_next_one_of_the_track_is_selected():
     last = edits.remove_clips(DESIGN, VIEW, (5,))
     assert last.view.selected_clips == ()
     assert last.label == "Remove clip at 11 (I base)"
-    assert [one.location for one in last.design.inputs] == [7, 2, 11, 12]
+    assert [track.location for track in last.design.inputs] == [7, 2, 11, 12]
 
 
 def test_gain_label_and_silence_of_clips_are_set_by_name():
     design = edits.set_clips(DESIGN, VIEW, (1, 5), "gain", 3).design
-    assert [one.gain for one in design.clips] == [3.0, -0.5, 1.0, 1.0, 3.0]
+    assert [clip.gain for clip in design.clips] == [3.0, -0.5, 1.0, 1.0, 3.0]
     named = edits.set_clips(DESIGN, VIEW, (3,), "label", "here")
     assert named.design.clip(3).label == "here"
     assert named.label.startswith("Change label of clip at 2 (")
     once = edits.toggle_mute_clips(DESIGN, VIEW, (4, 5))
-    assert [once.design.clip(one).muted for one in (4, 5)] == [True, True]
+    assert [once.design.clip(clip_id).muted for clip_id in (4, 5)] == [True, True]
     again = edits.toggle_mute_clips(once.design, VIEW, (4, 5))
-    assert [again.design.clip(one).muted for one in (4, 5)] == [False, False]
+    assert [again.design.clip(clip_id).muted for clip_id in (4, 5)] == [False, False]
     assert [once.label, again.label] == ["Mute 2 clips", "Unmute 2 clips"]
 
 
@@ -55,7 +55,7 @@ def test_fields_of_the_selected_clips_are_edited_through_their_tracks():
     outcome = edits.change_field(DESIGN, VIEW, (1,), "onset_s", 0.35)
     assert onsets(outcome.design) == [0.1, 0.35, 0.0, 0.5, 0.3]
     both = edits.change_field(DESIGN, View(selected_clips=(1, 2)), (1,), "gain", 2.0)
-    assert [one.gain for one in both.design.inputs[0].clips] == [2.0, 2.0]
+    assert [clip.gain for clip in both.design.inputs[0].clips] == [2.0, 2.0]
     first = edits.change_kind(DESIGN, View(), (1, 4), "Tap")
-    assert [one.waveform.title for one in first.design.inputs[0].clips] == ["Tap", "Noise"]
-    assert [one.waveform for one in first.design.inputs[3].clips] == [Tap()]
+    assert [clip.waveform.title for clip in first.design.inputs[0].clips] == ["Tap", "Noise"]
+    assert [clip.waveform for clip in first.design.inputs[3].clips] == [Tap()]

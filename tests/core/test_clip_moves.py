@@ -19,19 +19,21 @@ from tests.core.clips_bench import DESIGN, VIEW, onsets, some_ids, times, tracks
 def test_clips_move_together_as_far_as_there_is_room(ids, by_s, by_tracks):
     outcome = edits.move_clips(DESIGN, VIEW, ids, by_s, by_tracks)
     before, after = DESIGN, outcome.design
-    steps = {round(after.clip(one).onset_s - before.clip(one).onset_s, 9) for one in ids}
+    steps = {
+        round(after.clip(clip_id).onset_s - before.clip(clip_id).onset_s, 9) for clip_id in ids
+    }
     assert len(steps) == 1
     assert abs(steps.pop()) <= abs(by_s) + 1e-9
     rows = {
-        after.index_of(after.track_of(one).id) - before.index_of(before.track_of(one).id)
-        for one in ids
+        after.index_of(after.track_of(clip_id).id) - before.index_of(before.track_of(clip_id).id)
+        for clip_id in ids
     }
     assert len(rows) == 1
     assert abs(rows.pop()) <= abs(by_tracks)
-    assert sorted(one.id for one in after.clips) == [1, 2, 3, 4, 5]
-    for one in before.clips:
-        if one.id not in ids:
-            assert after.clip(one.id) is one
+    assert sorted(clip.id for clip in after.clips) == [1, 2, 3, 4, 5]
+    for clip in before.clips:
+        if clip.id not in ids:
+            assert after.clip(clip.id) is clip
 
 
 def test_a_clip_dragged_to_another_track_comes_back_the_same():
@@ -48,7 +50,7 @@ def test_clips_stop_at_the_ends_of_time_and_at_the_outer_tracks():
     early = edits.move_clips(DESIGN, VIEW, (1, 2), -9.0, -9)
     assert onsets(early.design)[:2] == [0.0, 0.15]
     late = edits.move_clips(DESIGN, VIEW, (1, 2), 1e6, 9)
-    assert [late.design.clip(one).onset_s for one in (1, 2)] == [599.85, 600.0]
+    assert [late.design.clip(clip_id).onset_s for clip_id in (1, 2)] == [599.85, 600.0]
     assert tracks(late.design) == [[], [3, 4], [5], [1, 2]]
 
 
@@ -57,11 +59,11 @@ def test_clips_stop_at_the_ends_of_time_and_at_the_outer_tracks():
 def test_a_copy_is_equal_and_not_the_same(ids, by_s):
     outcome = edits.copy_clips(DESIGN, VIEW, ids, by_s)
     design = outcome.design
-    copies = [design.clip(one) for one in outcome.view.selected_clips]
+    copies = [design.clip(clip) for clip in outcome.view.selected_clips]
     assert len(copies) == len(ids)
-    originals = [one for one in DESIGN.clips if one.id in ids]
+    originals = [clip for clip in DESIGN.clips if clip.id in ids]
     for copy, original in zip(copies, originals, strict=True):
-        assert copy.id not in [one.id for one in DESIGN.clips]
+        assert copy.id not in [clip.id for clip in DESIGN.clips]
         assert copy.onset_s == pytest.approx(original.onset_s + by_s)
         assert replace(copy, id=original.id, onset_s=original.onset_s) == original
         assert design.clip(original.id) is original
@@ -72,10 +74,10 @@ def test_a_copy_is_equal_and_not_the_same(ids, by_s):
 def test_duplicates_come_right_after_and_repetitions_in_a_row():
     outcome = edits.duplicate_clips(DESIGN, VIEW, (1, 2))
     # Together they last from 0.1 s to 0.45 s.
-    assert [one.onset_s for one in outcome.design.inputs[0].clips] == [0.1, 0.25, 0.45, 0.6]
+    assert [clip.onset_s for clip in outcome.design.inputs[0].clips] == [0.1, 0.25, 0.45, 0.6]
     assert outcome.label == "Duplicate 2 clips"
     thrice = edits.repeat_clips(DESIGN, VIEW, (5,), 4)
-    assert [one.onset_s for one in thrice.design.inputs[2].clips] == [0.3, 0.7, 1.1, 1.5]
+    assert [clip.onset_s for clip in thrice.design.inputs[2].clips] == [0.3, 0.7, 1.1, 1.5]
     assert thrice.view.selected_clips == (6, 7, 8)
 
 
@@ -85,14 +87,14 @@ def test_a_fragment_lies_elsewhere_as_it_lay_here():
     outcome = edits.paste_fragment(DESIGN, View(selected_inputs=(2,)), fragment, 1.0)
     design = outcome.design
     assert tracks(design) == [[1, 2], [3, 4, 6], [5, 7], [8]]
-    assert [design.clip(one).onset_s for one in (6, 7, 8)] == [1.25, 1.0, 1.3]
+    assert [design.clip(clip_id).onset_s for clip_id in (6, 7, 8)] == [1.25, 1.0, 1.3]
     assert outcome.view.selected_clips == (6, 7, 8)
     assert outcome.label == "Paste 3 clips"
     below = edits.paste_fragment(DESIGN, View(selected_inputs=(4,)), fragment, 0.0).design
-    assert [one.location for one in below.inputs] == [7, 2, 11, 12, 2, 11]
+    assert [track.location for track in below.inputs] == [7, 2, 11, 12, 2, 11]
     assert below.inputs[5].amplitude == 0.25
     alone = edits.paste_fragment(Design(limb="synthetic-1"), View(), fragment, 0.0).design
-    assert [one.location for one in alone.inputs] == [7, 2, 11]
+    assert [track.location for track in alone.inputs] == [7, 2, 11]
 
 
 @pytest.mark.parametrize("order", [(1, 2, 3), (3, 1, 2)])
@@ -107,10 +109,10 @@ def test_what_was_copied_from_selected_tracks_is_pasted_onto_them(order):
 
 def test_a_fragment_travels_as_text():
     fragment = edits.fragment_of(DESIGN, (1, 4))
-    words = edits.fragment_text(fragment)
-    assert edits.fragment_from(words) == fragment
+    text = edits.fragment_text(fragment)
+    assert edits.fragment_from(text) == fragment
     with pytest.raises(FileFormatError, match="changed on its way"):
-        edits.fragment_from(words.replace("Tone", "Tune"))
+        edits.fragment_from(text.replace("Tone", "Tune"))
     with pytest.raises(FileFormatError, match="does not hold skinsource clips"):
         edits.fragment_from("{}")
     assert edits.fragment_of(DESIGN, (9,)) is None

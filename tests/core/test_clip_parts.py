@@ -18,16 +18,16 @@ def test_what_was_split_sounds_as_before_and_joins_to_what_it_was(at_s, onset_s)
     for cut_s in (at_s, onset_s):
         outcome = edits.split_clips(DESIGN, VIEW, (1, 2, 3, 4, 5), cut_s)
         if isinstance(outcome, Refusal):
-            playing = [one for one in DESIGN.clips if one.onset_s < cut_s < one.end_s]
+            playing = [clip for clip in DESIGN.clips if clip.onset_s < cut_s < clip.end_s]
             assert (
                 playing == []
-                or min(min(cut_s - one.onset_s, one.end_s - cut_s) for one in playing) < 1e-8
+                or min(min(cut_s - clip.onset_s, clip.end_s - cut_s) for clip in playing) < 1e-8
             )
             continue
         for place in range(4):
-            found, expected = total(outcome.design, place), total(DESIGN, place)
-            np.testing.assert_allclose(found, expected, rtol=0, atol=1e-9)
-        ids = tuple(one.id for one in outcome.design.clips)
+            after, expected = total(outcome.design, place), total(DESIGN, place)
+            np.testing.assert_allclose(after, expected, rtol=0, atol=1e-9)
+        ids = tuple(clip.id for clip in outcome.design.clips)
         again = edits.join_clips(outcome.design, outcome.view, ids)
         assert again.design == DESIGN
 
@@ -35,13 +35,15 @@ def test_what_was_split_sounds_as_before_and_joins_to_what_it_was(at_s, onset_s)
 def test_parts_of_parts_join_to_what_they_were_in_one_go():
     design = DESIGN
     for at_s in (0.17, 0.2, 0.1503):
-        design = edits.split_clips(design, VIEW, tuple(one.id for one in design.clips), at_s).design
+        design = edits.split_clips(
+            design, VIEW, tuple(clip.id for clip in design.clips), at_s
+        ).design
     assert len(design.inputs[0].clips) == 5
     part = edits.split_clips(DESIGN, VIEW, (1,), 0.2)
-    assert [one.id for one in part.design.inputs[0].clips] == [1, 6, 2]
+    assert [clip.id for clip in part.design.inputs[0].clips] == [1, 6, 2]
     assert part.view.selected_clips == (6,)
     assert part.design.clip(6).effects == (Trim(start_s=0.1, duration_s=0.1),)
-    whole = edits.join_clips(design, VIEW, tuple(one.id for one in design.clips))
+    whole = edits.join_clips(design, VIEW, tuple(clip.id for clip in design.clips))
     assert whole.design == DESIGN
     assert whole.view.selected_clips == (2,)
 
@@ -64,19 +66,19 @@ def test_parts_that_differ_or_lie_apart_do_not_join(change):
 )
 def test_ends_that_are_dragged_trim_and_come_back(ends, onset_s, effects):
     outcome = edits.trim_clip(DESIGN, VIEW, 1, *ends)
-    one = outcome.design.clip(1)
-    assert (one.onset_s, one.effects) == (onset_s, effects)
+    clip = outcome.design.clip(1)
+    assert (clip.onset_s, clip.effects) == (onset_s, effects)
     assert edits.trim_clip(outcome.design, VIEW, 1, 0.1, 0.3).design == DESIGN
 
 
 def test_what_is_trimmed_stands_still():
     trimmed = edits.trim_clip(DESIGN, VIEW, 1, 0.1503, 0.2207).design
-    found, before = (
+    after, before = (
         total(trimmed, 0),
         total(DESIGN, 0) - total(edits.set_clips(DESIGN, VIEW, (1,), "muted", True).design, 0),
     )
     muted = edits.set_clips(trimmed, VIEW, (2,), "muted", True).design
-    found = total(muted, 0)
+    after = total(muted, 0)
     inside = np.zeros(5000, bool)
     inside[int(np.ceil(0.1503 * RATE_HZ)) : int(np.ceil(0.2207 * RATE_HZ))] = True
-    np.testing.assert_allclose(found, np.where(inside, before, 0.0), rtol=0, atol=1e-9)
+    np.testing.assert_allclose(after, np.where(inside, before, 0.0), rtol=0, atol=1e-9)

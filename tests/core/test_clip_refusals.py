@@ -72,18 +72,18 @@ def test_edits_lead_to_edits():
 
 
 @pytest.mark.parametrize(
-    ("at_s", "said"),
+    ("at_s", "message"),
     [
         (0.2, "The selected clip begins at 0.2 s: there is nothing to split; put the"),
         (0.3, "The selected clip ends at 0.3 s: there is nothing to split; put the"),
         (0.1, "None of the selected clips plays at 0.1 s; put the playhead inside"),
     ],
 )
-def test_a_split_where_a_clip_begins_or_ends_says_so(at_s, said):
+def test_a_split_where_a_clip_begins_or_ends_says_so(at_s, message):
     clip = Clip(onset_s=0.2, waveform=Tone(frequency_hz=100.0, duration_s=0.1))
     design = Design(limb="synthetic-1", inputs=(Input(location=1, clips=(clip,)),))
-    found = edits.split_clips(design, View(), (design.clips[0].id,), at_s)
-    assert found.sentence.startswith(said)
+    outcome = edits.split_clips(design, View(), (design.clips[0].id,), at_s)
+    assert outcome.sentence.startswith(message)
     two = design.with_input(0, clips=(clip, Clip(onset_s=0.2, waveform=Tap())))
-    ids = tuple(one.id for one in two.clips)
+    ids = tuple(clip.id for clip in two.clips)
     assert edits.split_clips(two, View(), ids, 0.2).sentence.startswith("A selected clip begins")

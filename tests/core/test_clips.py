@@ -32,8 +32,8 @@ CLIPS = (
 
 def played(*clips: Clip, gain_curve=()) -> np.ndarray:
     """What a track plays from its first clip on."""
-    one = Input(location=7, clips=clips, gain_curve=gain_curve)
-    design = Design(limb="synthetic-1", inputs=(one,))
+    track = Input(location=7, clips=clips, gain_curve=gain_curve)
+    design = Design(limb="synthetic-1", inputs=(track,))
     return ss.evaluate(design, "input_waveforms")["input_waveforms"][0]
 
 
@@ -43,11 +43,11 @@ def levels(*inputs: Input, **changes) -> np.ndarray:
 
 
 def test_a_track_plays_the_sum_of_its_clips_at_their_own_instants():
-    found = played(*CLIPS)
+    samples = played(*CLIPS)
     # By the formulas: each recipe at its own time, from the sample before its onset on.
     first = int(np.floor(0.1003 * RATE_HZ))
-    time_s = (first + np.arange(found.size)) / RATE_HZ
-    expected = np.zeros(found.size)
+    time_s = (first + np.arange(samples.size)) / RATE_HZ
+    expected = np.zeros(samples.size)
     own = time_s - 0.1003
     expected += np.where((own >= 0) & (own < 0.1), np.sin(2 * np.pi * 90.0 * own), 0.0)
     begin = int(np.floor(0.1501 * RATE_HZ)) - first
@@ -57,17 +57,17 @@ def test_a_track_plays_the_sum_of_its_clips_at_their_own_instants():
     begin = int(np.floor(0.4009 * RATE_HZ)) - first
     part = Tap().samples(RATE_HZ, 0.4009 - np.floor(0.4009 * RATE_HZ) / RATE_HZ)
     expected[begin : begin + part.size] += 2.5 * part
-    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-9)
+    np.testing.assert_allclose(samples, expected, rtol=0, atol=1e-9)
 
 
 def test_one_clip_is_sampled_at_the_instants_of_the_limb():
     onset_s = 0.0123456
-    found = played(Clip(waveform=TONE, onset_s=onset_s))
+    samples = played(Clip(waveform=TONE, onset_s=onset_s))
     first = int(onset_s * RATE_HZ)
-    own = (first + np.arange(found.size)) / RATE_HZ - onset_s
+    own = (first + np.arange(samples.size)) / RATE_HZ - onset_s
     inside = (own >= 0) & (own < 0.1)
-    np.testing.assert_allclose(found[inside], np.sin(2 * np.pi * 90.0 * own[inside]), atol=1e-9)
-    assert not found[~inside].any()
+    np.testing.assert_allclose(samples[inside], np.sin(2 * np.pi * 90.0 * own[inside]), atol=1e-9)
+    assert not samples[~inside].any()
 
 
 @pytest.mark.parametrize("k", [0, 1, 130, 779_999])
@@ -99,45 +99,45 @@ ALONE = levels(Input(location=7, clips=CLIPS))
 @settings(max_examples=20, deadline=None, derandomize=True)
 @given(st.integers(0, 400))
 def test_all_clips_moved_by_whole_samples_play_the_same_so_much_later(k):
-    later = tuple(replace(one, onset_s=one.onset_s + k / RATE_HZ) for one in CLIPS)
+    later = tuple(replace(clip, onset_s=clip.onset_s + k / RATE_HZ) for clip in CLIPS)
     np.testing.assert_allclose(played(*later), played(*CLIPS), rtol=0, atol=2e-9)
 
 
 @settings(max_examples=50, deadline=None, derandomize=True)
 @given(st.floats(0.0, 0.5))
 def test_all_clips_moved_by_any_time_play_so_much_later(t_s):
-    found = played(*(replace(one, onset_s=one.onset_s + t_s) for one in CLIPS))
+    samples = played(*(replace(clip, onset_s=clip.onset_s + t_s) for clip in CLIPS))
     first = np.floor((CLIPS[0].onset_s + t_s) * RATE_HZ + 1e-6)
     # Each recipe drawn at instants that are so much earlier in its own time.
-    expected = np.zeros(found.size + 2)
-    for one in CLIPS:
-        position = (one.onset_s + t_s) * RATE_HZ
+    expected = np.zeros(samples.size + 2)
+    for clip in CLIPS:
+        position = (clip.onset_s + t_s) * RATE_HZ
         begin = int(np.floor(position + 1e-6))
         late = position - begin
-        part = one.waveform.samples(RATE_HZ, late / RATE_HZ if late > 1e-6 else 0.0)
-        if not one.muted:
+        part = clip.waveform.samples(RATE_HZ, late / RATE_HZ if late > 1e-6 else 0.0)
+        if not clip.muted:
             at = begin - int(first)
-            expected[at : at + part.size] += one.gain * part
-    np.testing.assert_allclose(found, expected[: found.size], rtol=0, atol=2e-9)
+            expected[at : at + part.size] += clip.gain * part
+    np.testing.assert_allclose(samples, expected[: samples.size], rtol=0, atol=2e-9)
 
 
 def test_clips_on_one_track_are_those_on_several_tracks_of_one_place():
-    several = tuple(Input(location=7, clips=(one,)) for one in CLIPS)
+    several = tuple(Input(location=7, clips=(clip,)) for clip in CLIPS)
     np.testing.assert_allclose(levels(*several), ALONE, rtol=1e-12)
 
 
 def test_a_gain_of_a_clip_is_a_factor_beside_the_others():
-    louder = tuple(replace(one, gain=3.0 * one.gain) for one in CLIPS)
+    louder = tuple(replace(clip, gain=3.0 * clip.gain) for clip in CLIPS)
     np.testing.assert_allclose(levels(Input(location=7, clips=louder)), 3.0 * ALONE, rtol=1e-12)
 
 
 def test_a_gain_curve_lies_over_the_time_of_the_design():
     curve = ((0.12, 1.0), (0.2, 3.0), (0.2, 0.5))
-    found, plain = played(*CLIPS, gain_curve=curve), played(*CLIPS)
+    samples, plain = played(*CLIPS, gain_curve=curve), played(*CLIPS)
     time_s = (int(0.1003 * RATE_HZ) + np.arange(plain.size)) / RATE_HZ
     factor = np.interp(time_s, (0.12, 0.2), (1.0, 3.0))
     factor[time_s >= 0.2] = 0.5
-    np.testing.assert_allclose(found, factor * plain, rtol=1e-12)
+    np.testing.assert_allclose(samples, factor * plain, rtol=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -173,9 +173,9 @@ def test_clips_get_the_smallest_free_ids_and_keep_them():
         limb="synthetic-1",
         inputs=(Input(location=1, clips=(Clip(id=2), Clip())), track(2), Input(location=3)),
     )
-    assert [one.id for one in design.clips] == [2, 1, 3]
+    assert [clip.id for clip in design.clips] == [2, 1, 3]
     more = design.adding(design.inputs[0])
-    assert [one.id for one in more.clips] == [2, 1, 3, 4, 5]
+    assert [clip.id for clip in more.clips] == [2, 1, 3, 4, 5]
     assert more.inputs[0] is design.inputs[0]
     assert more.clip(3) is design.inputs[1].clips[0]
     assert more.track_of(3) is design.inputs[1]
@@ -200,14 +200,14 @@ def test_a_change_of_one_clip_leaves_the_others_the_very_same():
 
 
 def test_a_clip_knows_when_it_ends():
-    one = Clip(waveform=Tone(duration_s=0.2), onset_s=0.1)
-    assert (one.duration_s, one.end_s) == (0.2, pytest.approx(0.3))
+    clip = Clip(waveform=Tone(duration_s=0.2), onset_s=0.1)
+    assert (clip.duration_s, clip.end_s) == (0.2, pytest.approx(0.3))
 
 
 def test_a_waveform_stands_on_a_track_by_one_call():
-    one = ss.track(7, Tap(), onset_s=0.1, amplitude=0.5)
+    made = ss.track(7, Tap(), onset_s=0.1, amplitude=0.5)
     clip = ss.Clip(waveform=Tap(), onset_s=0.1)
-    assert one == ss.Input(location=7, amplitude=0.5, clips=(clip,))
+    assert made == ss.Input(location=7, amplitude=0.5, clips=(clip,))
     assert ss.track(7) == ss.Input(location=7, clips=(ss.Clip(waveform=Tone()),))
 
 
@@ -241,10 +241,10 @@ def test_levels_do_not_depend_on_how_a_track_was_cut():
         whole = Design(
             limb="synthetic-1", inputs=(track(7, waveform, onset_s=float(rng.uniform(0, 1))),)
         )
-        cut, [one] = whole, whole.clips
+        cut, [uncut] = whole, whole.clips
         for part in rng.uniform(0.05, 0.95, 3):
             ids = tuple(clip.id for clip in cut.clips)
-            at_s = one.onset_s + float(part) * one.duration_s
+            at_s = uncut.onset_s + float(part) * uncut.duration_s
             cut = edits.split_clips(cut, View(), ids, at_s).design
         assert len(cut.clips) == 4
         np.testing.assert_allclose(levels(*cut.inputs), levels(*whole.inputs), rtol=1e-12)

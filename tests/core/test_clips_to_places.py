@@ -23,7 +23,7 @@ VIEW = View(selected_inputs=(1,), selected_clips=(2,))
 def test_a_clip_goes_to_the_track_that_is_at_the_place_and_keeps_its_onset_and_id():
     after = edits.move_clips_to_place(DESIGN, VIEW, (2,), 3)
     assert after.label == "Move clip at 7 (II pad) to 3 (III tip)"
-    assert [[clip.id for clip in one.clips] for one in after.design.inputs] == [[1], [3, 2]]
+    assert [[clip.id for clip in track.clips] for track in after.design.inputs] == [[1], [3, 2]]
     assert after.design.clip(2) is DESIGN.clip(2)
     assert after.view.selected_clips == (2,)
     assert after.view.selected_inputs == (2,)
@@ -31,10 +31,10 @@ def test_a_clip_goes_to_the_track_that_is_at_the_place_and_keeps_its_onset_and_i
 
 def test_onto_a_free_place_a_track_is_made_as_strong_as_the_one_it_leaves():
     after = edits.move_clips_to_place(DESIGN, VIEW, (2,), 15).design
-    assert [one.location for one in after.inputs] == [7, 3, 15]
+    assert [track.location for track in after.inputs] == [7, 3, 15]
     assert after.inputs[2].amplitude == 0.5
     assert after.inputs[2].clips == (DESIGN.clip(2),)
-    assert after.inputs[2].colour not in {one.colour for one in DESIGN.inputs}
+    assert after.inputs[2].colour not in {track.colour for track in DESIGN.inputs}
 
 
 def test_a_copy_leaves_the_first_where_it_was_and_is_selected():
@@ -46,16 +46,16 @@ def test_a_copy_leaves_the_first_where_it_was_and_is_selected():
 
 def test_clips_of_several_tracks_go_together():
     after = edits.move_clips_to_place(DESIGN, VIEW, (1, 3), 20).design
-    assert [[clip.id for clip in one.clips] for one in after.inputs] == [[2], [], [1, 3]]
+    assert [[clip.id for clip in track.clips] for track in after.inputs] == [[2], [], [1, 3]]
 
 
 def test_of_several_tracks_at_a_place_it_is_the_selected_one():
     twice = DESIGN.adding(Input(location=3))
     first = edits.move_clips_to_place(twice, VIEW, (2,), 3).design
-    assert [len(one.clips) for one in first.inputs] == [1, 2, 0]
+    assert [len(track.clips) for track in first.inputs] == [1, 2, 0]
     chosen = replace(VIEW, selected_inputs=(1, 3))
     other = edits.move_clips_to_place(twice, chosen, (2,), 3).design
-    assert [len(one.clips) for one in other.inputs] == [1, 1, 1]
+    assert [len(track.clips) for track in other.inputs] == [1, 1, 1]
 
 
 def test_a_clip_that_is_there_already_stays_as_it_is():
@@ -68,11 +68,11 @@ def test_what_cannot_be_is_refused_with_a_reason():
         inputs=(Input(location=3, clips=(Clip(),) * MAX_CLIPS), Input(location=7, clips=(Clip(),))),
     )
     many = Design(limb="synthetic-1", inputs=(Input(location=1, clips=(Clip(),)),) * MAX_INPUTS)
-    for outcome, words in (
+    for outcome, label in (
         (edits.move_clips_to_place(DESIGN, VIEW, (), 3), "No clip is selected"),
         (edits.move_clips_to_place(DESIGN, VIEW, (2,), 0), "location"),
         (edits.move_clips_to_place(full, VIEW, (MAX_CLIPS + 1,), 3), "at most 1000 clips"),
         (edits.move_clips_to_place(many, VIEW, (1,), 5), "at most 100 inputs"),
     ):
         assert isinstance(outcome, Refusal)
-        assert words in outcome.sentence
+        assert label in outcome.sentence

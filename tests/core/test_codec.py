@@ -22,7 +22,9 @@ from skinsource.specs.samples import Samples
 from skinsource.specs.spec import Address, TextSpec
 
 VERSION = 2
-to_image, from_image = (partial(one, version=VERSION) for one in (image.to_image, image.from_image))
+to_image, from_image = (
+    partial(convert, version=VERSION) for convert in (image.to_image, image.from_image)
+)
 
 SOUND = Samples(values=np.linspace(-1.0, 1.0, 50), sample_rate_hz=1300.0, unit="m/s²")
 OTHER = Samples(values=np.array([5e-324, -0.0]), sample_rate_hz=44100.0)
@@ -77,8 +79,8 @@ def test_samples_are_stored_once_however_often_they_are_used():
     assert len(often) - once < 10 * 100
     with h5py.File(io.BytesIO(often)) as file:
         assert set(file["samples"]) == {SOUND.digest, OTHER.digest}
-    found = from_image(often)
-    assert len({id(one) for one in found if one == SOUND}) == 1
+    decoded = from_image(often)
+    assert len({id(sounds) for sounds in decoded if sounds == SOUND}) == 1
 
 
 def test_every_flipped_bit_of_an_image_is_refused():
@@ -134,8 +136,8 @@ def signed(change, padding: bytes = b"") -> bytes:
         file.attrs["version"] = 2
         change(file)
     stored = memory.getvalue()[512:] + padding
-    words = f"SkinSource design, version 2\nSHA-256 {sha256(stored).hexdigest()}\n"
-    return words.encode().ljust(512, b"\n") + stored
+    header = f"SkinSource design, version 2\nSHA-256 {sha256(stored).hexdigest()}\n"
+    return header.encode().ljust(512, b"\n") + stored
 
 
 def holding(content: bytes, **options):

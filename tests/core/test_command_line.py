@@ -22,8 +22,8 @@ from skinsource.version import __version__
 def run(capsys):
     """Run a command; give the exit code and what it wrote to stdout and stderr."""
 
-    def run(*words):
-        code = main([str(word) for word in words])
+    def run(*arguments):
+        code = main([str(word) for word in arguments])
         written = capsys.readouterr()
         return code, written.out, written.err
 
@@ -38,11 +38,12 @@ def test_the_version_is_told(capsys):
 
 
 @pytest.mark.parametrize(
-    "words", [[], ["nonsense"], ["dataset"], ["dataset", "install"], ["dataset", "list", "more"]]
+    "arguments",
+    [[], ["nonsense"], ["dataset"], ["dataset", "install"], ["dataset", "list", "more"]],
 )
-def test_a_wrong_call_ends_with_code_2(words, capsys):
+def test_a_wrong_call_ends_with_code_2(arguments, capsys):
     with pytest.raises(SystemExit) as stop:
-        main(words)
+        main(arguments)
     assert stop.value.code == 2
     assert "usage: skinsource" in capsys.readouterr().err
 
@@ -213,14 +214,14 @@ WHERE_NOBODY_LOOKS = [
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has other limits")
 @pytest.mark.parametrize(("folder", "reason"), WHERE_NOBODY_LOOKS)
-@pytest.mark.parametrize("words", [("list",), ("remove", "--yes"), ("install", ".")])
+@pytest.mark.parametrize("message", [("list",), ("remove", "--yes"), ("install", ".")])
 def test_a_data_folder_that_cannot_be_looked_into_is_one_clear_line(
-    run, tmp_path, monkeypatch, folder, reason, words, closed
+    run, tmp_path, monkeypatch, folder, reason, message, closed
 ):
     monkeypatch.setenv("SKINSOURCE_DATA", str(tmp_path / folder))
-    code, _, err = run("dataset", *words)
+    code, _, err = run("dataset", *message)
     assert code == 1
-    assert reason in err or words[0] == "install"
+    assert reason in err or message[0] == "install"
     assert len(err.splitlines()) == 1
 
 

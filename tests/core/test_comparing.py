@@ -70,8 +70,8 @@ def test_a_louder_design_is_so_much_louder_everywhere(scaling):
 
 def test_a_matched_design_has_the_level_of_the_other_at_its_loudest_output():
     mine, theirs = (
-        loudest_db(ss.evaluate(one, "output_levels_db")["output_levels_db"])
-        for one in (DESIGN, OTHER)
+        loudest_db(ss.evaluate(design, "output_levels_db")["output_levels_db"])
+        for design in (DESIGN, OTHER)
     )
     matched = louder(OTHER, matching_gain(theirs, mine))
     level = loudest_db(ss.evaluate(matched, "output_levels_db")["output_levels_db"])
@@ -83,8 +83,8 @@ def test_a_gain_of_one_changes_nothing_and_too_large_ones_are_refused():
     assert matching_gain(-12.3, -12.3) == 1.0
     assert matching_gain(FLOOR_DB, -12.3) == matching_gain(-12.3, FLOOR_DB) == 1.0
     assert matching_gain(-20.0, 0.0) == pytest.approx(10.0, rel=1e-15)
-    said = [gain_text(one) for one in (10.0, 0.5, 1.004, 0.0)]
-    assert said == ["+20.0 dB", "\N{MINUS SIGN}6.0 dB", "", ""]
+    texts = [gain_text(gain) for gain in (10.0, 0.5, 1.004, 0.0)]
+    assert texts == ["+20.0 dB", "\N{MINUS SIGN}6.0 dB", "", ""]
     with pytest.raises(InvalidInputError):
         louder(DESIGN, 1e6)
     with pytest.raises(InvalidInputError):
@@ -105,17 +105,20 @@ def test_what_lies_far_below_the_loudest_makes_no_difference():
     expected = [6.0, -10.0, 0.0, -10.0, np.nan]
     np.testing.assert_array_equal(difference_db(mine, theirs), expected)
     # A tenth as loud: 6 dB below becomes 26.
-    found = difference_db(mine, theirs, gain=0.1)
-    np.testing.assert_allclose(found, [26.0, 10.0, 0.0, 0.0, np.nan], atol=1e-12)
+    difference = difference_db(mine, theirs, gain=0.1)
+    np.testing.assert_allclose(difference, [26.0, 10.0, 0.0, 0.0, np.nan], atol=1e-12)
     np.testing.assert_allclose(difference_db(mine, theirs, loudest_db=-40.0)[2], -30.0)
 
 
 def test_a_snapshot_takes_the_place_of_the_one_with_its_number_and_stands_last():
     view = View()
     for design, number in ((DESIGN, 1), (OTHER, 2), (THIRD, 1)):
-        found, view = store(design, view, number)
-        assert found is design
-    assert [(one.number, one.design) for one in view.snapshots] == [(2, OTHER), (1, THIRD)]
+        stored, view = store(design, view, number)
+        assert stored is design
+    assert [(snapshot.number, snapshot.design) for snapshot in view.snapshots] == [
+        (2, OTHER),
+        (1, THIRD),
+    ]
 
 
 @pytest.mark.parametrize("number", [0, 5, -1, None, "1"])
@@ -129,11 +132,11 @@ def test_one_key_goes_to_and_fro_between_the_last_two():
     design, view = store(DESIGN, View(), 1)
     design, view = store(OTHER, view, 2)
     design, view = store(THIRD, view, 3)
-    seen = []
+    shown = []
     for _ in range(4):
         design, view = toggle(design, view)
-        seen.append(design)
-    assert seen == [OTHER, THIRD, OTHER, THIRD]
+        shown.append(design)
+    assert shown == [OTHER, THIRD, OTHER, THIRD]
     design, view = apply(design, view, edits.show_snapshot(design, view, 1))
     assert toggle(design, view)[0] == THIRD
 
@@ -161,7 +164,7 @@ def test_what_was_edited_and_is_stored_then_is_not_compared_with_itself():
     design, view = store(design, view, 2)
     assert other_than(view.snapshots, design).number == 1
     view = replace(view, snapshots=view.snapshots[1:])
-    assert [one.number for one in view.snapshots] == [EDITED, 2]
+    assert [snapshot.number for snapshot in view.snapshots] == [EDITED, 2]
     assert other_than(view.snapshots, design) is None
 
 
@@ -190,7 +193,7 @@ def test_with_levels_matched_the_way_back_leads_to_the_same_numbers():
     assert there.view.match_gain(there.design) == 1.0
     assert shown(back.view.snapshots, back.design).number == 2
     assert other_than(back.view.snapshots, back.design).number == 1
-    assert [one.design for one in back.view.snapshots] == [DESIGN, OTHER]
+    assert [snapshot.design for snapshot in back.view.snapshots] == [DESIGN, OTHER]
     assert isinstance(edits.show_snapshot(DESIGN, view, 2, 1e7), Refusal)
 
 
@@ -216,11 +219,11 @@ def test_only_the_snapshot_that_is_shown_has_its_gain_and_what_is_edited_has_non
 def test_to_keep_a_gain_is_an_edit_of_all_amplitudes():
     _, view = store(OTHER, MATCHED, 1)
     view = edits.show_snapshot(OTHER, view, 1, 0.5).view
-    kept = edits.keep_match_gain(OTHER, view)
-    assert kept.label == "Keep \N{MINUS SIGN}6.0 dB"
-    assert kept.design == louder(OTHER, 0.5)
-    assert kept.view.match_gain(kept.design) == 1.0
-    assert isinstance(edits.keep_match_gain(kept.design, kept.view), Refusal)
+    outcome = edits.keep_match_gain(OTHER, view)
+    assert outcome.label == "Keep \N{MINUS SIGN}6.0 dB"
+    assert outcome.design == louder(OTHER, 0.5)
+    assert outcome.view.match_gain(outcome.design) == 1.0
+    assert isinstance(edits.keep_match_gain(outcome.design, outcome.view), Refusal)
 
 
 def test_designs_are_alike_where_amplitudes_differ_by_rounding_alone():
@@ -272,7 +275,7 @@ def test_whatever_is_done_two_turns_of_the_key_lead_back(actions):
             amplitude += 1.0
             design = design.with_input(0, amplitude=amplitude)
         elif what == "toggle" and other_than(view.snapshots, design):
-            before, differs = design, any(one.played != design for one in view.snapshots)
+            before, differs = design, any(snapshot.played != design for snapshot in view.snapshots)
             design, view = toggle(design, view)
             assert (design != before) == differs
             assert toggle(design, view)[0] == before
@@ -281,7 +284,9 @@ def test_whatever_is_done_two_turns_of_the_key_lead_back(actions):
 
 
 def test_a_change_of_snapshots_is_taken_back_and_what_was_stored_since_stays():
-    old, new = (Snapshot(number=1, design=one) for one in (DESIGN, Design(limb="synthetic-2")))
+    old, new = (
+        Snapshot(number=1, design=design) for design in (DESIGN, Design(limb="synthetic-2"))
+    )
     later, anew = Snapshot(number=2, design=DESIGN), Snapshot(number=1, design=DESIGN, gain=2.0)
     assert brought_back((old,), (new,), (new, later)) == (old, later)
     assert brought_back((), (old,), (old, later)) == (later,)

@@ -6,10 +6,10 @@ from skinsource.base.work import counted
 
 
 @pytest.mark.parametrize(
-    ("count", "words"), [(0, "0 clips"), (1, "1 clip"), (2, "2 clips"), (31, "31 clips")]
+    ("count", "text"), [(0, "0 clips"), (1, "1 clip"), (2, "2 clips"), (31, "31 clips")]
 )
-def test_only_one_is_called_as_one(count, words):
-    assert counted(count, "clip") == words
+def test_only_one_is_called_as_one(count, text):
+    assert counted(count, "clip") == text
 
 
 def test_words_before_a_noun_stay_as_they_are():

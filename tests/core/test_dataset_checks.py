@@ -91,7 +91,7 @@ def test_a_missing_row_is_named(refused_rows, complete_rows):
 
 
 @pytest.mark.parametrize(
-    ("column", "value", "said"),
+    ("column", "value", "message"),
     [
         (1, 5.0, "row 8 has Model 5.0, expected a whole number 1 to 4"),
         (1, 1.5, "row 8 has Model 1.5"),
@@ -100,13 +100,13 @@ def test_a_missing_row_is_named(refused_rows, complete_rows):
     ],
 )
 def test_a_model_or_location_that_does_not_exist_is_refused(
-    refused_rows, complete_rows, column, value, said
+    refused_rows, complete_rows, column, value, message
 ):
     rows = list(complete_rows)
     row = list(rows[7])
     row[column] = value
     rows[7] = tuple(row)
-    assert said in refused_rows(rows)
+    assert message in refused_rows(rows)
 
 
 def test_a_table_without_the_columns_is_refused(download, refused):
@@ -149,7 +149,7 @@ def test_a_file_that_was_cut_off_is_refused(
 
 
 @pytest.mark.parametrize(
-    ("name", "variable", "value", "said"),
+    ("name", "variable", "value", "text"),
     [
         ("outputLocations", "outputLocations", np.zeros((71, 2)), r"shape \(71, 2\)"),
         ("outputLocations", "outputLocations", np.zeros((72, 2)), "expected NaN"),
@@ -165,13 +165,13 @@ def test_a_file_that_was_cut_off_is_refused(
         ("mask3", "mask", np.full((490, 184), 0.5), "zeros and ones"),
     ],
 )
-def test_a_map_file_with_other_content_is_refused(download, refused, name, variable, value, said):
+def test_a_map_file_with_other_content_is_refused(download, refused, name, variable, value, text):
     matio = pytest.importorskip("matio")
     path = download / "visualization" / f"{name}.mat"
     matio.save_to_mat(str(path), {variable: value}, version="v7")
     message = refused()
     assert message.startswith(f"{name}.mat: ")
-    assert re.search(said, message)
+    assert re.search(text, message)
 
 
 def test_missing_map_files_are_named(download, refused):

@@ -65,12 +65,12 @@ with path.open("r+b", buffering=0) as opened:
         opened.seek(place)
         opened.write(damaged(old))
         try:
-            found = everything()
+            content = everything()
         except DatasetError as error:
             assert "Install it again" in str(error), error
             outcome["refused"] += 1
         else:
-            outcome["the same" if found == expected else f"another, attempt {attempt}"] += 1
+            outcome["the same" if content == expected else f"another, attempt {attempt}"] += 1
         opened.seek(place)
         opened.write(old)
 print(json.dumps(outcome))
@@ -82,11 +82,11 @@ def used_gaps(path: Path) -> list[tuple[int, int]]:
     arrays = []
     with h5py.File(path) as opened:
         for name in published.WHOLE_SHAPES:
-            found = opened[name].id
-            arrays.append((found.get_offset(), found.get_storage_size()))
+            dataset_id = opened[name].id
+            arrays.append((dataset_id.get_offset(), dataset_id.get_storage_size()))
         for limb in published.LIMBS:
-            found = opened[published.responses_name(limb)].id
-            chunks = [found.get_chunk_info(k) for k in range(found.get_num_chunks())]
+            dataset_id = opened[published.responses_name(limb)].id
+            chunks = [dataset_id.get_chunk_info(k) for k in range(dataset_id.get_num_chunks())]
             arrays += [(chunk.byte_offset, chunk.size) for chunk in chunks]
     is_free = np.ones(path.stat().st_size, bool)
     for start, size in arrays:

@@ -63,7 +63,7 @@ def part(user_data):
 
 
 def _asked_for_responses(served):
-    return [wanted for name, wanted in served.asked if name == RESPONSES]
+    return [requested for name, requested in served.asked if name == RESPONSES]
 
 
 def test_the_published_files_are_the_nine_of_the_published_record():
@@ -86,13 +86,13 @@ def test_the_sizes_and_checksums_of_the_map_files_are_those_of_the_real_files(da
 
 
 def test_a_complete_download_is_installed_and_not_downloaded_again(served, files, user_data):
-    seen = []
-    info = fetch(files=files, progress=lambda *report: seen.append(report))
+    progress = []
+    info = fetch(files=files, progress=lambda *report: progress.append(report))
     assert info.path == user_data / "measured.h5"
     assert load_measured_limb(2).response_to(3)[0, 0, 0] == 2.03
     assert len(served.asked) == 9
     total = sum(file.size_bytes for file in files)
-    downloading = [done for done, of, text in seen if text.startswith("Download")]
+    downloading = [done for done, of, text in progress if text.startswith("Download")]
     assert downloading == sorted(downloading)
     assert downloading[-1] == total
     left = {path.name for path in (user_data / "measured-download").rglob("*") if path.is_file()}

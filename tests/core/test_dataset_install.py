@@ -16,18 +16,18 @@ from skinsource.limbs.dataset.store import describe, is_installed, load_mask, lo
 
 def _everything(path):
     """Give all arrays of a store, by name."""
-    found = {}
+    arrays = {}
     with h5py.File(path) as store:
         store.visititems(
             lambda name, part: (
-                found.__setitem__(name, part[()]) if isinstance(part, h5py.Dataset) else None
+                arrays.__setitem__(name, part[()]) if isinstance(part, h5py.Dataset) else None
             )
         )
-    return found
+    return arrays
 
 
-def _assert_same_content(one, other):
-    first, second = _everything(one), _everything(other)
+def _assert_same_content(path, other):
+    first, second = _everything(path), _everything(other)
     assert list(first) == list(second)
     assert all(first[name].tobytes() == second[name].tobytes() for name in first)
 
@@ -98,12 +98,12 @@ def test_the_files_are_found_where_a_download_puts_them(
 
 
 def test_progress_ends_at_its_total_and_never_goes_back(made_up_download, user_data):
-    seen = []
-    install(made_up_download, unpublished=True, progress=lambda *report: seen.append(report))
-    done = [report[0] for report in seen]
+    progress = []
+    install(made_up_download, unpublished=True, progress=lambda *report: progress.append(report))
+    done = [report[0] for report in progress]
     assert done == sorted(done)
-    assert seen[-1][0] == seen[-1][1] == 160
-    assert all(text for _, _, text in seen)
+    assert progress[-1][0] == progress[-1][1] == 160
+    assert all(text for _, _, text in progress)
 
 
 @pytest.mark.parametrize("asked", [0, 1, 40, 81, 82, 90])

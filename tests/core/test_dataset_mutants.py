@@ -45,9 +45,9 @@ def everything():
     check_contiguous(path)
     with h5py.File(path) as file:
         arrays = [file[cell] for cell in file["cells"][()]] if "cells" in file else large_of(file)
-        digests = [hashlib.sha256(one[()].tobytes()).hexdigest() for one in arrays]
+        digests = [hashlib.sha256(array[()].tobytes()).hexdigest() for array in arrays]
         assert len(set(digests)) == len(digests)
-        return [(one.shape, str(one.dtype)) for one in arrays], digests
+        return [(array.shape, str(array.dtype)) for array in arrays], digests
 
 
 expected = everything()
@@ -59,11 +59,11 @@ with path.open("r+b", buffering=0) as opened:
         opened.seek(place)
         opened.write(bytes([old[0] ^ 1 << bit]))
         try:
-            found = everything()
+            content = everything()
         except Exception:  # HDF5 has many, and the installation explains each
             outcome["refused"] += 1
         else:
-            outcome["the same" if found == expected else f"another: {place}, {bit}"] += 1
+            outcome["the same" if content == expected else f"another: {place}, {bit}"] += 1
         opened.seek(place)
         opened.write(old)
 print(json.dumps(outcome))
@@ -86,10 +86,10 @@ def outcome_of(path: Path, flips: list[tuple[int, int]]) -> dict[str, int]:
 def places_of_nodes(content: bytes, length: int) -> list[int]:
     """Bytes of all index nodes, ``length`` from the beginning of each."""
     places: list[int] = []
-    found = content.find(NODE)
-    while found >= 0:
-        places += range(found, min(found + length, len(content)))
-        found = content.find(NODE, found + 1)
+    place = content.find(NODE)
+    while place >= 0:
+        places += range(place, min(place + length, len(content)))
+        place = content.find(NODE, place + 1)
     return places
 
 
@@ -103,19 +103,19 @@ def packed(tmp_path) -> Path:
         for k in range(3):
             values = random.standard_normal((3, 12, 30))
             group.create_dataset(f"c{k}", data=values, chunks=(1, 4, 16), compression="gzip")
-        cells = np.array([one.ref for one in group.values()], dtype=h5py.ref_dtype)
+        cells = np.array([dataset.ref for dataset in group.values()], dtype=h5py.ref_dtype)
         file.create_dataset("cells", data=cells, dtype=h5py.ref_dtype)
     return path
 
 
 def test_flips_anywhere_but_in_values_are_refused_or_make_no_difference(packed):
     with h5py.File(packed) as file:
-        taken = [
+        ranges = [
             file["#refs#"][name].id.get_chunk_info(k) for name in file["#refs#"] for k in range(18)
         ]
     free = np.ones(packed.stat().st_size, bool)
     free[:512] = False
-    for piece in taken:
+    for piece in ranges:
         free[512 + piece.byte_offset : 512 + piece.byte_offset + piece.size] = False
     content = np.fromfile(packed, np.uint8)
     used = np.flatnonzero(free & (content != 0))
@@ -159,12 +159,12 @@ def test_a_misplaced_piece_is_refused_by_the_installation(made_up_download, tmp_
     values = matio.load_from_mat(str(path))["adjacencyMatrix"]
     matio.save_to_mat(str(path), {"adjacencyMatrix": values}, version="v7.3")
     with h5py.File(path, "r+", libver="earliest") as file:
-        kept = dict(file["adjacencyMatrix"].attrs)
+        attributes = dict(file["adjacencyMatrix"].attrs)
         del file["adjacencyMatrix"]
         pieces = file.create_dataset(
             "adjacencyMatrix", data=values.T, chunks=(8, 500), compression="gzip"
         )
-        pieces.attrs.update(kept)
+        pieces.attrs.update(attributes)
     install(folder, unpublished=True)
 
     content = bytearray(path.read_bytes())

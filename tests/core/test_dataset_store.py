@@ -146,10 +146,10 @@ def test_one_flipped_bit_in_a_mask_is_noticed(made_up_installed):
 
 
 def test_verify_counts_every_checksum_and_finds_a_whole_store_whole(made_up_installed):
-    seen = []
-    assert upkeep.verify(progress=lambda *report: seen.append(report)) == ()
-    assert [done for done, _, _ in seen] == list(range(1, 89))
-    assert seen[-1][1] == 88
+    progress = []
+    assert upkeep.verify(progress=lambda *report: progress.append(report)) == ()
+    assert [done for done, _, _ in progress] == list(range(1, 89))
+    assert progress[-1][1] == 88
 
 
 def test_verify_can_be_stopped(made_up_installed):

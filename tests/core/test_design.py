@@ -21,7 +21,7 @@ THREE = Design(limb="synthetic-1", inputs=tuple(track(location=k, colour=k) for 
 
 
 def places(design: Design) -> list[int]:
-    return [one.location for one in design.inputs]
+    return [track.location for track in design.inputs]
 
 
 def test_a_change_of_one_input_leaves_the_others_the_very_same():
@@ -49,13 +49,13 @@ def test_an_input_that_is_not_there_is_an_error(index):
 def test_removing_an_input_keeps_the_order_and_the_colours_of_the_rest():
     rest = THREE.without_input(1)
     assert places(rest) == [1, 3]
-    assert [one.colour for one in rest.inputs] == [1, 3]
+    assert [track.colour for track in rest.inputs] == [1, 3]
 
 
 def test_a_new_input_goes_to_the_end_in_the_first_colour_that_is_free():
     design = THREE.adding(track(location=9, colour=1)).adding(track(location=9))
     assert places(design) == [1, 2, 3, 9, 9]
-    assert [one.colour for one in design.inputs] == [1, 2, 3, 0, 4]
+    assert [track.colour for track in design.inputs] == [1, 2, 3, 0, 4]
 
 
 def test_a_hundred_inputs_are_allowed_and_no_more():
@@ -79,7 +79,7 @@ def test_equal_designs_are_equal_and_can_be_keys():
 
 
 @pytest.mark.parametrize(
-    ("muted", "solo", "heard"),
+    ("muted", "solo", "audible"),
     [
         ((0, 0, 0), (0, 0, 0), [1, 2, 3]),
         ((0, 1, 0), (0, 0, 0), [1, 3]),
@@ -90,12 +90,12 @@ def test_equal_designs_are_equal_and_can_be_keys():
         ((1, 1, 1), (0, 0, 0), []),
     ],
 )
-def test_solo_inputs_are_heard_alone_and_muted_ones_never(muted, solo, heard):
+def test_solo_inputs_are_heard_alone_and_muted_ones_never(muted, solo, audible):
     inputs = tuple(
-        replace(one, muted=bool(is_muted), solo=bool(is_solo))
-        for one, is_muted, is_solo in zip(THREE.inputs, muted, solo, strict=True)
+        replace(track, muted=bool(is_muted), solo=bool(is_solo))
+        for track, is_muted, is_solo in zip(THREE.inputs, muted, solo, strict=True)
     )
-    assert [one.location for one in audible_inputs(inputs)] == heard
+    assert [track.location for track in audible_inputs(inputs)] == audible
 
 
 def scaled(scaling):
@@ -168,9 +168,9 @@ def test_inputs_without_an_id_get_the_smallest_that_is_free():
 
 def test_an_input_is_found_by_its_id_wherever_it_stands():
     turned = replace(THREE, inputs=THREE.inputs[::-1])
-    for one in THREE.inputs:
-        assert turned.input(one.id) is one
-    assert [turned.index_of(one) for one in THREE.ids] == [2, 1, 0]
+    for input_track in THREE.inputs:
+        assert turned.input(input_track.id) is input_track
+    assert [turned.index_of(id_) for id_ in THREE.ids] == [2, 1, 0]
     with pytest.raises(InvalidInputError, match="no input has the id 7; there are 1, 2, 3"):
         THREE.input(7)
 

@@ -48,8 +48,8 @@ def read_png(content: bytes) -> tuple[np.ndarray, str]:
 
 def test_show_says_the_gain_of_a_recording_and_the_peak_that_results(tmp_path, capsys):
     samples = Samples(values=[0.0, -4.88, 2.0], sample_rate_hz=1300.0, unit="m/s²")
-    one = ss.track(7, ss.waveforms.Recording(samples), amplitude=2.0)
-    ss.save_design(tmp_path / "a.skinsource", ss.Design(limb="synthetic-1", inputs=(one,)))
+    track = ss.track(7, ss.waveforms.Recording(samples), amplitude=2.0)
+    ss.save_design(tmp_path / "a.skinsource", ss.Design(limb="synthetic-1", inputs=(track,)))
     assert main(["show", str(tmp_path / "a.skinsource")]) == 0
     assert "place 7, Digit II, pad: gain 2, peak 9.76 m/s²\n" in capsys.readouterr().out
 
@@ -82,8 +82,8 @@ def test_render_writes_levels_traces_map_and_picture(saved, tmp_path, capsys):
         str(folder / name) for name in ("levels.csv", "map.csv", "map.png", "traces.csv")
     ]
     content = ss.open_design(saved)
-    wanted = ss.evaluate(content.design, "surface", "surface_levels_db", view=content.view)
-    expected, surface = wanted["surface_levels_db"], wanted["surface"]
+    values = ss.evaluate(content.design, "surface", "surface_levels_db", view=content.view)
+    expected, surface = values["surface_levels_db"], values["surface"]
     table = np.genfromtxt(
         folder / "map.csv",
         delimiter=",",
@@ -134,8 +134,12 @@ def test_a_picture_has_its_highest_row_first_and_white_where_there_is_no_skin(tm
 def test_a_file_that_is_no_design_is_one_line(tmp_path, capsys):
     path = tmp_path / "other.skinsource"
     path.write_bytes(b"nothing")
-    for words in (["show", str(path)], ["render", str(path)], ["show", str(tmp_path / "absent")]):
-        assert main(words) == 1
+    for arguments in (
+        ["show", str(path)],
+        ["render", str(path)],
+        ["show", str(tmp_path / "absent")],
+    ):
+        assert main(arguments) == 1
         assert len(capsys.readouterr().err.splitlines()) == 1
 
 
@@ -146,16 +150,16 @@ def test_both_commands_need_no_qt(saved, tmp_path):
         "from skinsource.cli.command_line import main\n"
         "sys.exit(main(sys.argv[1:]))\n"
     )
-    for words in (["show", saved], ["render", saved, "--out", tmp_path / "out"]):
-        command = [sys.executable, "-c", script, *map(str, words)]
+    for arguments in (["show", saved], ["render", saved, "--out", tmp_path / "out"]):
+        command = [sys.executable, "-c", script, *map(str, arguments)]
         done = subprocess.run(command, check=False, capture_output=True, text=True, timeout=60)
         assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_show_tells_the_conditions_that_are_not_kept_as_captions_do(saved, tmp_path, capsys):
     assert main(["show", str(saved)]) == 0
-    told = [one for one in capsys.readouterr().out.splitlines() if one.startswith("CAUTION")]
-    assert told == ["CAUTION   Responses are computed from a model, not measured."]
+    cautions = [line for line in capsys.readouterr().out.splitlines() if line.startswith("CAUTION")]
+    assert cautions == ["CAUTION   Responses are computed from a model, not measured."]
     fast = ss.track(7, ss.waveforms.Tone(frequency_hz=50.0), amplitude=20.0)
     path = tmp_path / "fast.skinsource"
     ss.save_design(path, ss.Design(limb="synthetic-1", inputs=(fast,)), ss.View())

@@ -86,16 +86,16 @@ def test_a_stroke_between_two_samples_moves_the_nearer_one():
 
 def test_zero_is_drawn_from_end_to_end_in_either_direction():
     for ends in ((3, 6), (6, 3)):
-        after = zeroed(np.ones(10), *(one / RATE_HZ for one in ends), RATE_HZ)
+        after = zeroed(np.ones(10), *(end / RATE_HZ for end in ends), RATE_HZ)
         assert np.flatnonzero(after == 0).tolist() == [3, 4, 5, 6]
 
 
 def test_what_lies_outside_the_band_is_taken_away_and_its_share_told():
     time_s = np.arange(1300) / RATE_HZ
     inside, outside = np.sin(2 * np.pi * 100 * time_s), 0.5 * np.sin(2 * np.pi * 10 * time_s)
-    found = bounded_to_band(inside + outside, RATE_HZ)
-    np.testing.assert_allclose(found.samples, inside, atol=1e-12)
-    assert found.removed == pytest.approx(0.2)
+    bounded = bounded_to_band(inside + outside, RATE_HZ)
+    np.testing.assert_allclose(bounded.samples, inside, atol=1e-12)
+    assert bounded.removed == pytest.approx(0.2)
 
 
 @given(st.integers(1, 200), st.integers(0, 1000))

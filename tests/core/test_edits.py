@@ -26,7 +26,7 @@ FULL = Design(limb="synthetic-1", inputs=(track(location=1),) * MAX_INPUTS)
 
 
 def places(outcome: Edit) -> list[int]:
-    return [one.location for one in outcome.design.inputs]
+    return [track.location for track in outcome.design.inputs]
 
 
 def test_a_new_input_is_selected_and_plays_what_the_selected_one_plays():
@@ -46,7 +46,7 @@ def test_noise_placed_anew_is_another_noise():
     for place in (5, 6, 8):
         outcome = edits.place_input(design, view, place)
         design, view = outcome.design, outcome.view
-    seeds = [one.waveform.seed for one in design.clips if isinstance(one.waveform, Noise)]
+    seeds = [clip.waveform.seed for clip in design.clips if isinstance(clip.waveform, Noise)]
     assert seeds == [4, 0, 1, 2]
 
 
@@ -54,9 +54,9 @@ def test_a_duplicate_is_the_same_but_for_id_and_colour():
     outcome = edits.duplicate_inputs(THREE, LAST, (2, 1))
     copies = outcome.design.inputs[3:]
     for copy, original in zip(copies, THREE.inputs[:2], strict=True):
-        clips = tuple(replace(one, id=original.clips[0].id) for one in copy.clips)
+        clips = tuple(replace(clip, id=original.clips[0].id) for clip in copy.clips)
         assert replace(copy, id=original.id, colour=original.colour, clips=clips) == original
-    assert [one.id for one in outcome.design.clips] == [1, 2, 3, 4, 5]
+    assert [clip.id for clip in outcome.design.clips] == [1, 2, 3, 4, 5]
     assert outcome.view.selected_inputs == (4, 5)
     assert outcome.label == "Duplicate 2 inputs"
 
@@ -84,16 +84,16 @@ def test_what_does_not_fit_is_refused_whole(number):
 )
 def test_when_the_selected_ones_go_a_neighbour_is_selected(gone, selected, then):
     outcome = edits.remove_inputs(THREE, View(selected_inputs=selected), gone)
-    assert outcome.design.ids == tuple(one for one in (1, 2, 3) if one not in gone)
+    assert outcome.design.ids == tuple(track_id for track_id in (1, 2, 3) if track_id not in gone)
     assert outcome.view.selected_inputs == then
 
 
 def test_several_inputs_are_muted_at_once_and_heard_again_only_together():
     once = edits.toggle_mute(THREE, LAST, (1,))
     both = edits.toggle_mute(once.design, LAST, (1, 2))
-    assert [one.muted for one in both.design.inputs] == [True, True, False]
+    assert [track.muted for track in both.design.inputs] == [True, True, False]
     again = edits.toggle_mute(both.design, LAST, (1, 2))
-    assert [one.muted for one in again.design.inputs] == [False, False, False]
+    assert [track.muted for track in again.design.inputs] == [False, False, False]
     assert [once.label, both.label, again.label] == [
         "Mute input at 7 (II pad)",
         "Mute 2 inputs",
@@ -112,7 +112,7 @@ def test_a_typed_value_sets_all_that_have_such_a_field():
 
 def test_a_dragged_value_moves_all_by_the_same_step_and_back():
     there = edits.drag_field(THREE, LAST, (1, 2, 3), "amplitude", -1.7, lead=3, start=THREE)
-    assert [one.amplitude for one in there.design.inputs] == [1.3, 0.8, -1.7]
+    assert [track.amplitude for track in there.design.inputs] == [1.3, 0.8, -1.7]
     back = edits.drag_field(there.design, LAST, (1, 2, 3), "amplitude", -2.0, lead=3, start=THREE)
     assert back.design == THREE
 
@@ -121,7 +121,7 @@ def test_a_dragged_frequency_moves_all_by_the_same_factor():
     two = THREE.with_clip(2, waveform=Tone(frequency_hz=30.0))
     view = View(selected_inputs=(2, 1))
     outcome = edits.drag_field(two, view, (1, 2), "frequency_hz", 110.0, lead=1, start=two)
-    assert [one.waveform.frequency_hz for one in outcome.design.clips[:2]] == [
+    assert [clip.waveform.frequency_hz for clip in outcome.design.clips[:2]] == [
         110.0,
         33.0,
     ]
@@ -130,7 +130,7 @@ def test_a_dragged_frequency_moves_all_by_the_same_factor():
 def test_a_dragged_value_stays_within_what_is_allowed_and_comes_back_from_there():
     view = View(selected_inputs=(2, 1))
     far = edits.drag_field(THREE, view, (1, 2), "onset_s", 599.95, lead=1, start=THREE)
-    assert [one.clips[0].onset_s for one in far.design.inputs] == [599.95, 600.0, 0.0]
+    assert [track.clips[0].onset_s for track in far.design.inputs] == [599.95, 600.0, 0.0]
     back = edits.drag_field(far.design, view, (1, 2), "onset_s", 0.0, lead=1, start=THREE)
     assert back.design == THREE
 
@@ -139,7 +139,10 @@ def test_a_choice_sets_all():
     outcome = edits.drag_field(
         THREE, View(selected_inputs=(1,)), (1, 2), "window", "none", lead=1, start=THREE
     )
-    assert [one.clips[0].waveform.window for one in outcome.design.inputs[:2]] == ["none", "none"]
+    assert [track.clips[0].waveform.window for track in outcome.design.inputs[:2]] == [
+        "none",
+        "none",
+    ]
 
 
 def test_another_kind_keeps_what_both_share():
@@ -232,13 +235,13 @@ def test_what_cannot_be_done_is_refused_with_one_sentence(outcome):
 
 
 def test_only_what_a_user_may_set_can_be_set_by_name():
-    for one in THREE.inputs:
-        settable = edits.fields_of(one)
+    for input_track in THREE.inputs:
+        settable = edits.fields_of(input_track)
         assert settable.keys() == {
             "amplitude",
             "gain_curve",
             "gain",
             "label",
             "onset_s",
-            *specs_of(one.clips[0].waveform),
+            *specs_of(input_track.clips[0].waveform),
         }

@@ -32,9 +32,9 @@ LATE = design(Clip(onset_s=500.0, waveform=Tone(duration_s=200.0)))
 @pytest.mark.parametrize(
     "edit",
     [
-        lambda one, at_s: edits.split_clips(one, VIEW, (1,), at_s),
-        lambda one, at_s: edits.insert_time(one, VIEW, at_s, 0.5),
-        lambda one, at_s: edits.remove_time(one, VIEW, at_s - 0.05, at_s),
+        lambda edited, at_s: edits.split_clips(edited, VIEW, (1,), at_s),
+        lambda edited, at_s: edits.insert_time(edited, VIEW, at_s, 0.5),
+        lambda edited, at_s: edits.remove_time(edited, VIEW, at_s - 0.05, at_s),
     ],
     ids=["split", "insert", "remove"],
 )
@@ -78,15 +78,15 @@ def test_a_start_that_is_stretched_before_time_0_stays_there():
 
 @pytest.mark.parametrize(("start_s", "length_s"), [(1.999, 0.01), (0.5, 1.5)])
 def test_the_end_stays_where_a_stretched_start_goes_no_farther(start_s, length_s):
-    one = design(Clip(onset_s=1.0, waveform=Tone(duration_s=1.0)))
-    [clip] = edits.stretch_clip(one, VIEW, 1, start_s, 2.0).design.clips
+    before = design(Clip(onset_s=1.0, waveform=Tone(duration_s=1.0)))
+    [clip] = edits.stretch_clip(before, VIEW, 1, start_s, 2.0).design.clips
     assert clip.end_s == pytest.approx(2.0, abs=1e-12)
     assert clip.duration_s == pytest.approx(length_s, abs=1e-12)
 
 
 def test_the_start_stays_where_a_stretched_end_goes_no_farther():
-    one = design(Clip(onset_s=1.0, waveform=Tone(duration_s=1.0)))
-    [clip] = edits.stretch_clip(one, VIEW, 1, 1.0, 1.001).design.clips
+    before = design(Clip(onset_s=1.0, waveform=Tone(duration_s=1.0)))
+    [clip] = edits.stretch_clip(before, VIEW, 1, 1.0, 1.001).design.clips
     assert (clip.onset_s, clip.duration_s) == (1.0, 0.01)
 
 
@@ -96,14 +96,14 @@ def test_levels_that_are_no_numbers_make_no_gains():
     assert isinstance(edits.equalise_on_skin(train, VIEW, 1, levels, "level"), Refusal)
 
 
-@pytest.mark.parametrize("one", ["clips of a track", "parts of layers"])
-def test_the_order_of_three_alike_clips_changes_no_bit(one):
+@pytest.mark.parametrize("kind", ["clips of a track", "parts of layers"])
+def test_the_order_of_three_alike_clips_changes_no_bit(kind):
     clips = [Clip(waveform=Tone(frequency_hz), gain=0.3) for frequency_hz in (50.0, 77.0, 131.0)]
     orders = [clips, clips[::-1], [clips[1], clips[0], clips[2]], [clips[2], clips[0], clips[1]]]
-    if one == "parts of layers":
-        found = [Layers(tuple(order)).samples(1300.0) for order in orders]
+    if kind == "parts of layers":
+        results = [Layers(tuple(order)).samples(1300.0) for order in orders]
     else:
-        found = [
+        results = [
             ss.evaluate(design(*order), "output_levels_db")["output_levels_db"] for order in orders
         ]
-    assert all(np.array_equal(each, found[0]) for each in found)
+    assert all(np.array_equal(each, results[0]) for each in results)

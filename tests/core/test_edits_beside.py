@@ -39,8 +39,8 @@ def test_a_clip_shorter_than_a_drag_leaves_is_trimmed_to_itself():
 
 
 def test_a_fade_out_has_only_the_room_that_the_fade_in_leaves():
-    one = design(Clip(waveform=Tone(duration_s=1.0)))
-    [clip] = edits.fade_clip(one, VIEW, 1, 0.7, 0.9).design.clips
+    before = design(Clip(waveform=Tone(duration_s=1.0)))
+    [clip] = edits.fade_clip(before, VIEW, 1, 0.7, 0.9).design.clips
     assert clip.effects == (Fade(0.7, 0.3),)
 
 
@@ -62,12 +62,12 @@ def test_a_loop_that_would_end_too_late_is_gone():
 def test_what_was_silent_as_a_group_stays_silent_apart():
     parts = (Clip(muted=True), Clip(onset_s=0.3))
     group = design(Clip(waveform=Layers(parts), muted=True))
-    assert [one.muted for one in edits.ungroup_clips(group, VIEW, (1,)).design.clips] == [
+    assert [clip.muted for clip in edits.ungroup_clips(group, VIEW, (1,)).design.clips] == [
         True,
         True,
     ]
-    heard = design(Clip(waveform=Layers(parts)))
-    assert [one.muted for one in edits.ungroup_clips(heard, VIEW, (1,)).design.clips] == [
+    layered = design(Clip(waveform=Layers(parts)))
+    assert [clip.muted for clip in edits.ungroup_clips(layered, VIEW, (1,)).design.clips] == [
         True,
         False,
     ]
@@ -79,4 +79,4 @@ def test_a_fragment_of_lower_tracks_begins_with_the_first_of_them():
     fragment = edits.fragment_of(four, (2, 4))
     assert [(lane.location, lane.offset) for lane in fragment.lanes] == [(9, 0), (13, 2)]
     pasted = edits.paste_fragment(four, View(selected_inputs=(1,)), fragment, 0.5)
-    assert [len(one.clips) for one in pasted.design.inputs] == [2, 1, 2, 1]
+    assert [len(track.clips) for track in pasted.design.inputs] == [2, 1, 2, 1]

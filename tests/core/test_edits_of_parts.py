@@ -63,7 +63,7 @@ def test_a_part_is_called_by_its_label_or_by_what_it_plays():
 
 
 @pytest.mark.parametrize(
-    ("after", "words"),
+    ("after", "label"),
     [
         ((A, B, C, A), "Add to parts of"),
         (without_part((A, B, C), 1), "Remove from parts of"),
@@ -72,11 +72,11 @@ def test_a_part_is_called_by_its_label_or_by_what_it_plays():
         (with_part((A, B, C), 1, replace(B, gain=0.5)), "Change parts of"),
     ],
 )
-def test_the_history_says_what_was_done_to_a_list(after, words):
+def test_the_history_says_what_was_done_to_a_list(after, label):
     design = Design(limb="synthetic-1").adding(track(location=7, waveform=Layers((A, B, C))))
-    (one,) = design.inputs
-    done = edits.change_field(design, View(), (one.id,), "parts", after)
-    assert done.label == f"{words} input at 7 (II pad)"
+    (only,) = design.inputs
+    done = edits.change_field(design, View(), (only.id,), "parts", after)
+    assert done.label == f"{label} input at 7 (II pad)"
     assert done.design.inputs[0].clips[0].waveform == Layers(after)
 
 

@@ -97,10 +97,10 @@ def test_each_effect_takes_samples_at_the_instants_that_it_needs(shift):
         return np.arange(n) / sample_rate_hz - shift_s  # the own time, as a signal
 
     chain = (From(start_s=10.5 / RATE_HZ), Doubled(), From(start_s=20.25 / RATE_HZ))
-    found = played(TONE, chain, RATE_HZ, shift / RATE_HZ, draw=draw)
+    samples = played(TONE, chain, RATE_HZ, shift / RATE_HZ, draw=draw)
     assert asked == [pytest.approx((shift - 30.75) % 1.0)]
-    own = np.arange(found.size) / RATE_HZ - shift / RATE_HZ
-    assert found == pytest.approx(2.0 * (own + 30.75 / RATE_HZ), abs=1e-12)
+    own = np.arange(samples.size) / RATE_HZ - shift / RATE_HZ
+    assert samples == pytest.approx(2.0 * (own + 30.75 / RATE_HZ), abs=1e-12)
 
 
 def test_how_long_samples_play_is_told_or_counted():
@@ -111,5 +111,5 @@ def test_how_long_samples_play_is_told_or_counted():
 
 
 def test_what_is_made_so_is_an_effect():
-    assert all(isinstance(one(), Effect) for one in (Raised, Doubled, From))
+    assert all(isinstance(kind(), Effect) for kind in (Raised, Doubled, From))
     assert not isinstance(TONE, Effect)

@@ -33,8 +33,8 @@ VIEW = View(selected_clips=(1,))
 
 def chain_of(outcome, id=1):
     assert not isinstance(outcome, Refusal), outcome
-    others = [one for one in outcome.design.clips if one.id != id]
-    assert all(any(one is before for before in DESIGN.clips) for one in others)
+    others = [clip for clip in outcome.design.clips if clip.id != id]
+    assert all(any(clip is before for before in DESIGN.clips) for clip in others)
     assert outcome.view == VIEW
     return outcome.design.clip(id).effects
 
@@ -43,9 +43,9 @@ def chain_of(outcome, id=1):
 def test_every_effect_is_added_at_the_end_or_at_a_place(kind):
     outcome = edits.add_effect(DESIGN, VIEW, (1,), kind.__name__)
     assert outcome.label == f"Add {kind.title.lower()} to clip at 7 (II pad)"
-    assert [type(one) for one in chain_of(outcome)] == [*map(type, CHAIN), kind]
+    assert [type(effect) for effect in chain_of(outcome)] == [*map(type, CHAIN), kind]
     first = edits.add_effect(DESIGN, VIEW, (1,), kind.__name__, 0)
-    assert [type(one) for one in chain_of(first)] == [kind, *map(type, CHAIN)]
+    assert [type(effect) for effect in chain_of(first)] == [kind, *map(type, CHAIN)]
 
 
 def test_a_new_effect_fits_the_clip():
@@ -102,7 +102,7 @@ def test_an_envelope_is_that_of_the_last_one_or_a_new_one():
 
 
 @pytest.mark.parametrize(
-    ("edit", "given", "words"),
+    ("edit", "given", "message"),
     [
         ("add_effect", ((9,), "Fade"), "No clip is selected"),
         ("add_effect", ((1,), "Echo"), "No effect is called 'Echo'; there are Envelope, Fade"),
@@ -116,10 +116,10 @@ def test_an_envelope_is_that_of_the_last_one_or_a_new_one():
         ("set_envelope", (9, ((0.0, 1.0),)), "No clip is selected"),
     ],
 )
-def test_what_cannot_be_done_is_refused_with_a_reason(edit, given, words):
+def test_what_cannot_be_done_is_refused_with_a_reason(edit, given, message):
     outcome = getattr(edits, edit)(DESIGN, VIEW, *given)
     assert isinstance(outcome, Refusal)
-    assert words in outcome.sentence
+    assert message in outcome.sentence
 
 
 def test_a_chain_has_an_end_in_number_and_in_time():

@@ -41,11 +41,11 @@ def test_backwards_twice_is_forwards(samples):
 
 @given(st.integers(2, 80), shifts)
 def test_backwards_plays_at_each_instant_what_was_as_far_from_the_end(n, shift):
-    found = played(ramp(n), (Reverse(),), RATE_HZ, shift / RATE_HZ)
-    times_s = (np.arange(found.size) - shift) / RATE_HZ
+    samples = played(ramp(n), (Reverse(),), RATE_HZ, shift / RATE_HZ)
+    times_s = (np.arange(samples.size) - shift) / RATE_HZ
     inside = (times_s > 1e-9) & (times_s < n / RATE_HZ)
     assert inside.sum() >= n - 1
-    assert found[inside] == pytest.approx(1 + n / RATE_HZ - times_s[inside], abs=1e-9)
+    assert samples[inside] == pytest.approx(1 + n / RATE_HZ - times_s[inside], abs=1e-9)
 
 
 @given(signals, shifts)
@@ -67,8 +67,8 @@ def test_two_parts_that_meet_sum_up_to_the_whole(cut_s, percent):
     for part, start_s in ((Trim(duration_s=cut_s), 0.0), (Trim(start_s=cut_s), cut_s)):
         place = onset + start_s * RATE_HZ
         first = int(np.floor(place))
-        found = played(RAMP, (part,), RATE_HZ, (place - first) / RATE_HZ)
-        track[first : first + found.size] += found
+        samples = played(RAMP, (part,), RATE_HZ, (place - first) / RATE_HZ)
+        track[first : first + samples.size] += samples
     whole = played(RAMP, (), RATE_HZ, onset / RATE_HZ)
     assert track[: whole.size] == pytest.approx(whole, abs=1e-8)
     assert not track[whole.size :].any()
@@ -76,10 +76,10 @@ def test_two_parts_that_meet_sum_up_to_the_whole(cut_s, percent):
 
 def test_a_part_is_cut_at_its_exact_times():
     part = Trim(start_s=10.5 / RATE_HZ, duration_s=3.25 / RATE_HZ)
-    found = played(RAMP, (part,), RATE_HZ)
-    assert found == pytest.approx((np.arange(4) + 10.5) / RATE_HZ, abs=1e-12)
-    found = played(RAMP, (part,), RATE_HZ, 0.5 / RATE_HZ)
-    assert found == pytest.approx([0.0, *((np.arange(3) + 11) / RATE_HZ)], abs=1e-12)
+    samples = played(RAMP, (part,), RATE_HZ)
+    assert samples == pytest.approx((np.arange(4) + 10.5) / RATE_HZ, abs=1e-12)
+    samples = played(RAMP, (part,), RATE_HZ, 0.5 / RATE_HZ)
+    assert samples == pytest.approx([0.0, *((np.arange(3) + 11) / RATE_HZ)], abs=1e-12)
     assert played_s(RAMP, (Trim(start_s=0.3),)) == 0.0
     assert not played(RAMP, (Trim(start_s=0.3),), RATE_HZ).any()
     assert played_s(RAMP, (Trim(start_s=0.04),)) == pytest.approx(0.06)
@@ -108,11 +108,11 @@ def test_fades_have_their_shapes_and_are_placed_exactly():
     # Crossed with one that ends there, the power stays.
     out = Fade(0.0, 0.1, "equal power").values_at(at + 0.9, 1.0) ** 2
     assert power + out == pytest.approx(np.ones(4))
-    one = Formula(text="1", duration_s=0.01)
-    found = played(one, (Fade(0.005, 0.002, "straight"),), RATE_HZ, 0.25 / RATE_HZ)
+    formula = Formula(text="1", duration_s=0.01)
+    samples = played(formula, (Fade(0.005, 0.002, "straight"),), RATE_HZ, 0.25 / RATE_HZ)
     t = (np.arange(14) - 0.25) / RATE_HZ
     expected = np.clip(t / 0.005, 0, 1) * np.clip((0.01 - t) / 0.002, 0, 1)
-    assert found == pytest.approx(expected, abs=1e-12)
+    assert samples == pytest.approx(expected, abs=1e-12)
 
 
 def test_fades_that_do_not_fit_are_shortened_alike_and_meet():
@@ -124,20 +124,20 @@ def test_fades_that_do_not_fit_are_shortened_alike_and_meet():
 
 def test_an_envelope_is_placed_exactly():
     drawn = Envelope(((0.0, 0.0), (0.05, 1.0)))
-    one = Formula(text="1", duration_s=0.1)
-    found = played(one, (drawn,), RATE_HZ, 0.5 / RATE_HZ)
+    formula = Formula(text="1", duration_s=0.1)
+    samples = played(formula, (drawn,), RATE_HZ, 0.5 / RATE_HZ)
     t = (np.arange(131) - 0.5) / RATE_HZ
-    assert found == pytest.approx(np.clip(t / 0.05, 0, 1), abs=1e-12)
+    assert samples == pytest.approx(np.clip(t / 0.05, 0, 1), abs=1e-12)
 
 
 @pytest.mark.parametrize("factor", [0.5, 0.8, 1.25, 2.0, 3.7])
 def test_a_tape_that_runs_slower_divides_frequencies(factor):
     tone = Formula(text="sin(2*pi*80*t) * hann()", duration_s=0.3)
-    found = played(tone, (Stretch(factor),), RATE_HZ, 0.3 / RATE_HZ)
-    t = (np.arange(found.size) - 0.3) / RATE_HZ / factor
+    samples = played(tone, (Stretch(factor),), RATE_HZ, 0.3 / RATE_HZ)
+    t = (np.arange(samples.size) - 0.3) / RATE_HZ / factor
     inside = (t >= 0) & (t < 0.3)
     expected = np.sin(2 * np.pi * 80 * t) * 0.5 * (1 - np.cos(2 * np.pi * t / 0.3)) * inside
-    assert np.abs(found - expected).max() < 5e-6
+    assert np.abs(samples - expected).max() < 5e-6
     assert played_s(tone, (Stretch(factor),)) == pytest.approx(0.3 * factor)
 
 
@@ -150,9 +150,9 @@ def test_a_fast_tape_folds_nothing():
 @pytest.mark.parametrize("frequency_hz", [25.0, 97.0, 400.0, 600.0])
 def test_frequencies_can_stay_whatever_the_length(factor, frequency_hz):
     tone = Tone(frequency_hz=frequency_hz, duration_s=0.6, window="none")
-    found = played(tone, (Stretch(factor, pitch="stays"),), RATE_HZ)
-    assert found.size == pytest.approx(0.6 * factor * RATE_HZ, abs=1)
-    inner = found[80:-80]
+    samples = played(tone, (Stretch(factor, pitch="stays"),), RATE_HZ)
+    assert samples.size == pytest.approx(0.6 * factor * RATE_HZ, abs=1)
+    inner = samples[80:-80]
     t = np.arange(inner.size) / RATE_HZ
     waves = np.stack([np.sin(2 * np.pi * frequency_hz * t), np.cos(2 * np.pi * frequency_hz * t)])
     fit, *_ = np.linalg.lstsq(waves.T, inner, rcond=None)
@@ -168,21 +168,21 @@ def test_a_length_can_be_given_instead_of_a_factor():
 
 
 def test_repeating_plays_again_after_the_gap():
-    found = played(TONE, (Repeat(3, 0.1),), RATE_HZ)
-    one = TONE.samples(RATE_HZ)
+    samples = played(TONE, (Repeat(3, 0.1),), RATE_HZ)
+    tone = TONE.samples(RATE_HZ)
     gap = np.zeros(130)
-    assert np.array_equal(found, np.concatenate((one, gap, one, gap, one)))
+    assert np.array_equal(samples, np.concatenate((tone, gap, tone, gap, tone)))
     assert played_s(TONE, (Repeat(3, 0.1),)) == pytest.approx(0.8)
 
 
 def test_what_repeats_between_samples_is_delayed_exactly():
     burst = Formula(text="gauss(0.05, 0.008) * sin(2*pi*200*t)", duration_s=0.1)
-    found = played(burst, (Repeat(3, 0.0104),), RATE_HZ, 0.2 / RATE_HZ)
+    samples = played(burst, (Repeat(3, 0.0104),), RATE_HZ, 0.2 / RATE_HZ)
     for number in range(3):
-        t = (np.arange(found.size) - 0.2) / RATE_HZ - number * 0.1104
+        t = (np.arange(samples.size) - 0.2) / RATE_HZ - number * 0.1104
         inside = (t >= 0) & (t < 0.1)
         expected = np.exp(-0.5 * ((t - 0.05) / 0.008) ** 2) * np.sin(400 * np.pi * t)
-        assert np.abs(found - expected)[inside].max() < 1e-5
+        assert np.abs(samples - expected)[inside].max() < 1e-5
 
 
 def test_more_than_can_be_held_is_refused_before_it_is_made():
@@ -197,16 +197,16 @@ def test_a_band_keeps_what_lies_in_it_and_removes_the_rest():
         Formula(text=f"sin(2*pi*{f}*t)*hann()", duration_s=1.0) for f in (10, 100, 500)
     )
     band = BandLimit(50.0, 200.0)
-    for one in (low, high):
-        taken = one.samples(RATE_HZ)
-        assert np.abs(band.applied(taken, RATE_HZ)).max() < 2e-4
-        assert band.share_removed(taken, RATE_HZ) > 0.999999
-    taken = inside.samples(RATE_HZ)
+    for effect in (low, high):
+        samples_in = effect.samples(RATE_HZ)
+        assert np.abs(band.applied(samples_in, RATE_HZ)).max() < 2e-4
+        assert band.share_removed(samples_in, RATE_HZ) > 0.999999
+    samples_in = inside.samples(RATE_HZ)
     # Without a delay, and without another shape.
-    assert np.abs(band.applied(taken, RATE_HZ) - taken).max() < 1e-4
-    assert band.share_removed(taken, RATE_HZ) < 1e-9
+    assert np.abs(band.applied(samples_in, RATE_HZ) - samples_in).max() < 1e-4
+    assert band.share_removed(samples_in, RATE_HZ) < 1e-9
     assert band.share_removed(np.zeros(10), RATE_HZ) == 0.0
-    both = low.samples(RATE_HZ) + taken
+    both = low.samples(RATE_HZ) + samples_in
     assert band.share_removed(both, RATE_HZ) == pytest.approx(0.5, abs=1e-6)
     noise = Noise(duration_s=1.0, low_hz=0.0, high_hz=650.0).samples(RATE_HZ)
     assert band.share_removed(noise, RATE_HZ) == pytest.approx(
@@ -231,11 +231,11 @@ def test_rectified_samples_are_their_magnitudes_or_what_is_above_nothing(samples
 
 @given(signals, st.floats(0.01, 1000.0), st.floats(1e-6, 1000.0))
 def test_soft_clipping_limits_and_keeps_order_and_sign(samples, drive, level):
-    found = SoftClip(drive, level).applied(samples, RATE_HZ)
-    assert np.abs(found).max() <= level
-    assert np.array_equal(found, -SoftClip(drive, level).applied(-samples, RATE_HZ))
+    clipped = SoftClip(drive, level).applied(samples, RATE_HZ)
+    assert np.abs(clipped).max() <= level
+    assert np.array_equal(clipped, -SoftClip(drive, level).applied(-samples, RATE_HZ))
     order = np.argsort(samples, kind="stable")
-    assert (np.diff(found[order]) >= 0).all()
+    assert (np.diff(clipped[order]) >= 0).all()
 
 
 def test_soft_clipping_drives_what_is_weak():
@@ -252,8 +252,8 @@ def test_values_between_samples_are_those_of_the_signal():
     places = np.sort(np.random.default_rng(1).uniform(0, samples.size - 1, 500))
     fine = chirp.samples(RATE_HZ * 64)
     nearest = np.rint(places * 64).astype(int)
-    found = values_between(samples, nearest / 64)
-    assert np.abs(found - fine[nearest]).max() < 2e-5
+    values = values_between(samples, nearest / 64)
+    assert np.abs(values - fine[nearest]).max() < 2e-5
     assert np.abs(values_between(samples, np.arange(samples.size * 1.0)) - samples).max() < 1e-12
     assert not values_between(samples, np.array([-200.0, samples.size + 200.0])).any()
     assert not values_between(np.zeros(0), places).any()

@@ -49,8 +49,8 @@ def test_the_contactor_moves_as_the_drive_says():
     motion = AIR.simulate(ss.resample(voltage, 1300, 48_000), 48_000, "first")
     moved = ss.resample(motion.acceleration, 48_000, 1300)
     assert np.abs(moved - drive).max() < 0.05
-    (found,) = ss.actuators.predicted(voltage, 1300, AIR)
-    assert found.peak_acceleration_m_per_s2 == pytest.approx(10.0, rel=0.01)
+    (load,) = ss.actuators.predicted(voltage, 1300, AIR)
+    assert load.peak_acceleration_m_per_s2 == pytest.approx(10.0, rel=0.01)
 
 
 @pytest.mark.parametrize(("finer", "band"), [(1, (25.0, 600.0)), (20, (25.0, 40_000.0))])
@@ -111,24 +111,24 @@ def test_what_returns_to_rest_is_equalised(waveform):
 
 def test_the_upstream_tap_is_refused_with_the_reason():
     tap = ss.waveforms.Tap().samples(1300.0)
-    found = ss.equalising.net_velocity(tap, 1300.0)
-    assert found.share_below_band == pytest.approx(0.52, abs=0.005)
-    assert found.left == pytest.approx(8.5e-3, abs=1e-4)
+    velocity = ss.equalising.net_velocity(tap, 1300.0)
+    assert velocity.share_below_band == pytest.approx(0.52, abs=0.005)
+    assert velocity.left == pytest.approx(8.5e-3, abs=1e-4)
     tone = 0.3 * np.sin(0.5 * np.arange(5200))
     hidden = tone + np.pad(tap, (1000, 5200 - 1000 - tap.size))
     for drive in (tap, -tap, hidden, [tone, hidden]):
-        for one in (RegularisedInverse(), PolePairReplacement()):
+        for method in (RegularisedInverse(), PolePairReplacement()):
             with pytest.raises(InvalidInputError, match="Centred tap"):
-                ss.equalising.equalised(drive, 1300, COIL, one)
+                ss.equalising.equalised(drive, 1300, COIL, method)
     with pytest.raises(InvalidInputError, match="52 % of its energy lies below 25 Hz"):
         ss.equalising.equalised(tap, 1300, COIL, RegularisedInverse())
 
 
 def test_curves_show_before_filter_and_after():
-    found = ss.equalising.curves(RegularisedInverse(), COIL, BAND)
-    assert found.before_db + found.filter_db == pytest.approx(found.after_db, abs=1e-9)
-    assert np.mean(found.before_db) == pytest.approx(0.0, abs=0.02)
-    assert np.ptp(found.after_db) < np.ptp(found.before_db)
+    load = ss.equalising.curves(RegularisedInverse(), COIL, BAND)
+    assert load.before_db + load.filter_db == pytest.approx(load.after_db, abs=1e-9)
+    assert np.mean(load.before_db) == pytest.approx(0.0, abs=0.02)
+    assert np.ptp(load.after_db) < np.ptp(load.before_db)
 
 
 def test_an_actuator_without_force_cannot_be_equalised():

@@ -34,12 +34,12 @@ def directly(design: ss.Design, view: ss.View = VIEW) -> dict:
     return new_graph().evaluate(QUANTITIES, sources(design, view))
 
 
-def assert_same(found: dict, expected: dict) -> None:
-    assert found.keys() == expected.keys()
-    levels = found["output_levels_db"] - expected["output_levels_db"]
+def assert_same(values: dict, expected: dict) -> None:
+    assert values.keys() == expected.keys()
+    levels = values["output_levels_db"] - expected["output_levels_db"]
     assert np.abs(levels).max() < 1e-9
     largest = np.abs(expected["selected_traces"]).max()
-    assert np.abs(found["selected_traces"] - expected["selected_traces"]).max() < 1e-12 * largest
+    assert np.abs(values["selected_traces"] - expected["selected_traces"]).max() < 1e-12 * largest
 
 
 def test_the_quantities_are_those_of_the_graph():
@@ -78,13 +78,13 @@ def test_the_same_again_costs_nothing_and_another_view_reads_nothing():
 
 def test_two_sweeps_in_turn_cost_what_each_costs_alone():
     alone, both = Evaluator(), Evaluator()
-    one, other = scene(), scene(4, "synthetic-2", first_hz=211.0)
+    first, other = scene(), scene(4, "synthetic-2", first_hz=211.0)
     for frequency_hz in (100.0, 110.0, 120.0):
-        one = with_frequency(one, 2, frequency_hz)
+        first = with_frequency(first, 2, frequency_hz)
         other = with_frequency(other, 0, frequency_hz + 3.0)
-        alone.evaluate(one, QUANTITIES, VIEW)
+        alone.evaluate(first, QUANTITIES, VIEW)
         both.evaluate(other, QUANTITIES, VIEW)
-        both.evaluate(one, QUANTITIES, VIEW)
+        both.evaluate(first, QUANTITIES, VIEW)
     assert both.work == alone.work
 
 
@@ -103,8 +103,10 @@ def test_threads_take_turns_and_each_gets_its_own():
     evaluator = Evaluator()
     designs = [scene(2, first_hz=60.0 + 7.0 * k) for k in range(8)]
     with ThreadPoolExecutor(4) as pool:
-        found = list(pool.map(lambda one: evaluator.evaluate(one, QUANTITIES, VIEW), designs))
-    for design, values in zip(designs, found, strict=True):
+        quantities = list(
+            pool.map(lambda design: evaluator.evaluate(design, QUANTITIES, VIEW), designs)
+        )
+    for design, values in zip(designs, quantities, strict=True):
         assert_same(values, directly(design))
 
 

@@ -36,7 +36,7 @@ MORE = {
     "Rectify": ({"wave": "half"},),
 }
 ALL = [kind(**fields_of) for kind in EFFECTS for fields_of in ({}, *MORE.get(kind.__name__, ()))]
-NAMES = [repr(one)[:60] for one in ALL]
+NAMES = [repr(effect)[:60] for effect in ALL]
 #: What has to be beside one for it to reach both ends.
 BESIDE = {("BandLimit", "low_hz"): {"high_hz": 24e3}, ("BandLimit", "high_hz"): {"low_hz": 0.0}}
 
@@ -59,92 +59,97 @@ def own_times(samples, shift):
 
 @pytest.mark.parametrize("kind", EFFECTS)
 def test_an_effect_is_a_recipe_with_a_switch_that_describes_its_fields(kind):
-    one = kind()
-    assert isinstance(one, Effect)
-    assert one.on
-    assert hash(one) == hash(kind())
+    effect = kind()
+    assert isinstance(effect, Effect)
+    assert effect.on
+    assert hash(effect) == hash(kind())
     assert set(fields.specs_of(kind)) == set(inspect.signature(kind).parameters)
     assert kind.title
     assert kind.__doc__
-    off = replace(one, on=False)
+    off = replace(effect, on=False)
     assert np.array_equal(played(BURST, (off,), RATE_HZ), BURST.samples(RATE_HZ))
 
 
-@pytest.mark.parametrize("one", ALL, ids=NAMES)
-def test_it_is_written_and_read_as_the_same(one):
-    assert decode(encode(one), EFFECTS, fields.Address()) == one
+@pytest.mark.parametrize("effect", ALL, ids=NAMES)
+def test_it_is_written_and_read_as_the_same(effect):
+    assert decode(encode(effect), EFFECTS, fields.Address()) == effect
 
 
-@pytest.mark.parametrize(("one", "shift"), list(product(ALL, SHIFTS)))
-def test_it_plays_as_long_as_it_says_and_is_silent_outside(one, shift):
-    found = played(BURST, (one,), RATE_HZ, shift / RATE_HZ)
-    length_s = played_s(BURST, (one,))
-    assert abs(found.size - (length_s * RATE_HZ + (shift > 0))) <= 1.5
-    assert found.dtype == np.float64
-    assert np.isfinite(found).all()
-    times = own_times(found, shift)
-    assert not found[(times < -1e-9) | (times > length_s + 1 / RATE_HZ)].any()
-    assert np.abs(found).max() > 0.01
+@pytest.mark.parametrize(("effect", "shift"), list(product(ALL, SHIFTS)))
+def test_it_plays_as_long_as_it_says_and_is_silent_outside(effect, shift):
+    samples = played(BURST, (effect,), RATE_HZ, shift / RATE_HZ)
+    length_s = played_s(BURST, (effect,))
+    assert abs(samples.size - (length_s * RATE_HZ + (shift > 0))) <= 1.5
+    assert samples.dtype == np.float64
+    assert np.isfinite(samples).all()
+    times = own_times(samples, shift)
+    assert not samples[(times < -1e-9) | (times > length_s + 1 / RATE_HZ)].any()
+    assert np.abs(samples).max() > 0.01
 
 
-@pytest.mark.parametrize("one", ALL, ids=NAMES)
-def test_it_leaves_what_it_takes_as_it_was_and_gives_the_same_again(one):
-    taken = BURST.samples(RATE_HZ)
-    before = taken.copy()
-    taken.flags.writeable = False
-    found = one.applied(taken, RATE_HZ)
-    assert np.array_equal(found, one.applied(before, RATE_HZ))
-    assert np.array_equal(taken, before)
+@pytest.mark.parametrize("effect", ALL, ids=NAMES)
+def test_it_leaves_what_it_takes_as_it_was_and_gives_the_same_again(effect):
+    samples_in = BURST.samples(RATE_HZ)
+    before = samples_in.copy()
+    samples_in.flags.writeable = False
+    samples = effect.applied(samples_in, RATE_HZ)
+    assert np.array_equal(samples, effect.applied(before, RATE_HZ))
+    assert np.array_equal(samples_in, before)
 
 
-@pytest.mark.parametrize(("one", "shift"), list(product(ALL, SHIFTS)))
-def test_of_nothing_it_makes_nothing(one, shift):
-    assert one.length(0.0) >= 0.0
-    assert one.applied(np.zeros(0), RATE_HZ, shift / RATE_HZ, 0.0).size <= 1
-    assert one.applied(np.zeros(0), RATE_HZ, shift / RATE_HZ).size <= 1
-    assert not one.applied(np.zeros(50), RATE_HZ, shift / RATE_HZ).any()
-    single = one.applied(np.ones(1), RATE_HZ)
+@pytest.mark.parametrize(("effect", "shift"), list(product(ALL, SHIFTS)))
+def test_of_nothing_it_makes_nothing(effect, shift):
+    assert effect.length(0.0) >= 0.0
+    assert effect.applied(np.zeros(0), RATE_HZ, shift / RATE_HZ, 0.0).size <= 1
+    assert effect.applied(np.zeros(0), RATE_HZ, shift / RATE_HZ).size <= 1
+    assert not effect.applied(np.zeros(50), RATE_HZ, shift / RATE_HZ).any()
+    single = effect.applied(np.ones(1), RATE_HZ)
     assert np.isfinite(single).all()
 
 
-@pytest.mark.parametrize(("one", "shift"), list(product(ALL, SHIFTS)))
-def test_it_is_applied_twice_and_reversed(one, shift):
-    for chain in ((one, one), (Reverse(), one), (one, Reverse()), (one, Reverse(), one)):
-        found = played(BURST, chain, RATE_HZ, shift / RATE_HZ)
-        assert np.isfinite(found).all()
+@pytest.mark.parametrize(("effect", "shift"), list(product(ALL, SHIFTS)))
+def test_it_is_applied_twice_and_reversed(effect, shift):
+    for chain in (
+        (effect, effect),
+        (Reverse(), effect),
+        (effect, Reverse()),
+        (effect, Reverse(), effect),
+    ):
+        samples = played(BURST, chain, RATE_HZ, shift / RATE_HZ)
+        assert np.isfinite(samples).all()
         length = played_s(BURST, chain) * RATE_HZ
-        assert abs(found.size - (length + (shift > 0))) <= 2.5
+        assert abs(samples.size - (length + (shift > 0))) <= 2.5
 
 
 @pytest.mark.parametrize("kind", EFFECTS)
 def test_at_its_limits_it_gives_finite_samples_as_long_as_it_says(kind):
-    for one in at_limits(kind):
+    for effect in at_limits(kind):
         for waveform, shift in ((BURST, 0.4), (Impulse(), 0.0), (CLICK, 0.4)):
-            found = played(waveform, (one,), RATE_HZ, shift / RATE_HZ)
-            length = played_s(waveform, (one,)) * RATE_HZ
-            assert np.isfinite(found).all(), one
-            assert abs(found.size - length) <= 2.5, (one, waveform)
+            samples = played(waveform, (effect,), RATE_HZ, shift / RATE_HZ)
+            length = played_s(waveform, (effect,)) * RATE_HZ
+            assert np.isfinite(samples).all(), effect
+            assert abs(samples.size - length) <= 2.5, (effect, waveform)
 
 
 #: How far a member may differ between rates, of a peak of 1.
 TOLERANCE = {"Repeat": 1e-5, "Stretch": 1e-5, "BandLimit": 2e-3}
 
 
-@pytest.mark.parametrize(("one", "shift"), list(product(ALL, (0.0, 0.37))))
-def test_it_does_the_same_at_every_rate(one, shift):
+@pytest.mark.parametrize(("effect", "shift"), list(product(ALL, (0.0, 0.37))))
+def test_it_does_the_same_at_every_rate(effect, shift):
     """A clip that starts a part of a sample of 1300 Hz late; the 48 kHz draw starts just there."""
     late_s = shift / RATE_HZ
-    slow = played(BURST, (one,), RATE_HZ, late_s)
+    slow = played(BURST, (effect,), RATE_HZ, late_s)
     whole, behind = divmod(late_s * 48000.0, 1.0)
     # Own time 0 lies at `whole + behind` samples: the part before the last sample is the shift.
-    fast = played(BURST, (one,), 48000.0, behind / 48000.0)
+    fast = played(BURST, (effect,), 48000.0, behind / 48000.0)
     fast = np.concatenate((np.zeros(int(whole)), fast))
     both = [(13 * k, 480 * k) for k in range(slow.size // 13) if 480 * k < fast.size]
     at_slow, at_fast = (np.array(index) for index in zip(*both, strict=True))
-    tolerance = TOLERANCE.get(type(one).__name__, 1e-9)
-    if getattr(one, "pitch", "") == "stays":
+    tolerance = TOLERANCE.get(type(effect).__name__, 1e-9)
+    if getattr(effect, "pitch", "") == "stays":
         tolerance = 0.05
-    if getattr(one, "factor", 1.0) < 1.0:
+    if getattr(effect, "factor", 1.0) < 1.0:
         tolerance = 1e-3
     assert np.abs(slow[at_slow] - fast[at_fast]).max() <= tolerance
     assert len(both) >= 2

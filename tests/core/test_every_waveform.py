@@ -63,7 +63,7 @@ def several(spec: ListSpec, rng: np.random.Generator) -> tuple[Any, ...]:
 
 def points(spec: PointsSpec, rng: np.random.Generator) -> tuple[tuple[float, ...], ...]:
     count = rng.integers(spec.fewest, spec.fewest + 6)
-    made = [tuple(number(one, rng) for one in spec.columns) for _ in range(count)]
+    made = [tuple(number(column, rng) for column in spec.columns) for _ in range(count)]
     return tuple(sorted(made))
 
 
@@ -118,25 +118,25 @@ def played(recipe: Waveform, rate_hz: float, shift_s: float = 0.0) -> np.ndarray
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_samples_are_finite_as_many_as_the_length_says_and_the_same_each_time(kind):
-    heard = 0
+    n_audible = 0
     for number_of, recipe in enumerate(any_recipes(kind)):
         rate_hz = RATES_HZ[number_of % len(RATES_HZ)]
-        found = played(recipe, rate_hz)
-        if found is None:
+        samples = played(recipe, rate_hz)
+        if samples is None:
             continue
-        heard += 1
+        n_audible += 1
         expected = 1 if kind.__name__ == "Impulse" else sample_count(recipe.duration_s, rate_hz)
-        assert found.shape == (expected,), recipe
-        assert found.dtype == np.float64
-        assert np.isfinite(found).all(), recipe
-        np.testing.assert_array_equal(found, replace(recipe).samples(rate_hz, 0.0))
+        assert samples.shape == (expected,), recipe
+        assert samples.dtype == np.float64
+        assert np.isfinite(samples).all(), recipe
+        np.testing.assert_array_equal(samples, replace(recipe).samples(rate_hz, 0.0))
         later = played(recipe, rate_hz, 0.4 / rate_hz)
         assert later is not None, recipe
         assert later.shape == (expected + 1,), recipe
         assert np.isfinite(later).all(), recipe
         if kind.__name__ not in BEYOND_ONE:
-            assert np.abs(found).max(initial=0.0) <= 1.0 + 1e-12, recipe
-    assert heard >= (5 if len(any_recipes(kind)) > 1 else 1)
+            assert np.abs(samples).max(initial=0.0) <= 1.0 + 1e-12, recipe
+    assert n_audible >= (5 if len(any_recipes(kind)) > 1 else 1)
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -157,8 +157,8 @@ def test_only_bad_input_is_refused_and_in_words(kind):
     )
     for name in specs_of(kind):
         for value in wrong:
-            words = refusal_of(lambda name=name, value=value: replace(kind(), **{name: value}))
-            assert "expected" in words or not words
+            message = refusal_of(lambda name=name, value=value: replace(kind(), **{name: value}))
+            assert "expected" in message or not message
     for rate_hz in (0.0, -1300.0, float("nan"), float("inf"), "fast", None):
         assert "expected" in refusal_of(lambda rate_hz=rate_hz: kind().samples(rate_hz))
 
@@ -182,9 +182,9 @@ def test_equal_recipes_are_equal_and_come_back_from_files_as_such(kind):
         tree = encode(recipe)
         bytes_ = image.to_image(tree, version=2)
         assert len(bytes_) < LARGEST
-        found = decode(image.from_image(bytes_, version=2), KINDS, Address())
-        assert found == recipe
-        assert repr(found) == repr(recipe)
+        decoded = decode(image.from_image(bytes_, version=2), KINDS, Address())
+        assert decoded == recipe
+        assert repr(decoded) == repr(recipe)
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -192,13 +192,13 @@ def test_equal_recipes_are_equal_and_come_back_from_files_as_such(kind):
 def test_a_shifted_waveform_is_the_same_one_a_little_later(kind, part):
     """As a band-limited delay of it is, where neither its edges nor half the rate matter."""
     rate_hz = 8000.0
-    plain, found = kind().samples(rate_hz), kind().samples(rate_hz, part / rate_hz)
+    plain, samples = kind().samples(rate_hz), kind().samples(rate_hz, part / rate_hz)
     if kind.__name__ == "Impulse":
-        assert found == pytest.approx(band_limited_delay(plain, part))
+        assert samples == pytest.approx(band_limited_delay(plain, part))
         return
     inside = slice(plain.size // 8, -plain.size // 8)
     later, sooner = (band_limited_delay(plain, delay)[inside] for delay in (part, 1 - part))
-    error = np.sqrt(np.mean((found[inside] - later) ** 2) / np.mean(later**2))
+    error = np.sqrt(np.mean((samples[inside] - later) ** 2) / np.mean(later**2))
     # Edges of squares hold all harmonics up to half the rate, where the delay ends.
     assert error < (0.05 if kind.__name__ in {"Square", "Saw", "PulseTrain"} else 2e-3)
     if part != 0.5:

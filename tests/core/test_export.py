@@ -30,12 +30,12 @@ VIEW = View(axes="xz", method="soc", outputs=(72, 1, 30))
 TEXTS = ("side", "place")
 
 
-def made_up_response(place: int) -> np.ndarray:
+def synthetic_response(place: int) -> np.ndarray:
     return np.random.default_rng(place).standard_normal((72, 3, 522))
 
 
 @pytest.fixture(autouse=True)
-def made_up_limbs(monkeypatch):
+def synthetic_limbs(monkeypatch):
     """Let every name stand for a made-up limb, measured ones included."""
 
     def load(name: str, digest: str = "") -> Limb:
@@ -50,7 +50,7 @@ def made_up_limbs(monkeypatch):
             hand_length_mm=175.0,
             synthetic=name.startswith("synthetic"),
             map=nowhere,
-            read_response=made_up_response,
+            read_response=synthetic_response,
         )
 
     monkeypatch.setattr(shared, "load_limb", load)
@@ -71,7 +71,7 @@ def signal(limb) -> np.ndarray:
     return project_axes(predict(limb, [drive], [7], [0.1]), "xz", "soc")
 
 
-def test_traces_read_back_exactly(tmp_path, made_up_limbs):
+def test_traces_read_back_exactly(tmp_path, synthetic_limbs):
     path = tmp_path / "traces.csv"
     design = MEASURED
     export_traces(path, design, VIEW)
@@ -80,16 +80,16 @@ def test_traces_read_back_exactly(tmp_path, made_up_limbs):
     np.testing.assert_array_equal(table[:, 0], np.arange(130 + 521) / 1300.0)
     computed = new_graph().evaluate({"selected_traces"}, sources(design, VIEW))
     np.testing.assert_array_equal(table[:, 1:].T, computed["selected_traces"])
-    expected = signal(made_up_limbs("x"))[[71, 0, 29]]
+    expected = signal(synthetic_limbs("x"))[[71, 0, 29]]
     np.testing.assert_allclose(table[:, 1:].T, expected, atol=1e-14 * np.abs(expected).max())
 
 
-def test_levels_read_back_exactly(tmp_path, made_up_limbs):
+def test_levels_read_back_exactly(tmp_path, synthetic_limbs):
     path = tmp_path / "levels.csv"
     export_levels(path, MEASURED, VIEW)
     _, names, table = read(path)
     assert names == ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2", *TEXTS]
-    expected = rms(signal(made_up_limbs("x")))
+    expected = rms(signal(synthetic_limbs("x")))
     np.testing.assert_array_equal(table[:, 0], np.arange(1, 73))
     np.testing.assert_allclose(table[:, 1], expected, rtol=1e-12)
     np.testing.assert_allclose(table[:, 2], 20 * np.log10(expected), rtol=0, atol=1e-12)
@@ -106,21 +106,21 @@ def test_pandas_reads_the_tables_without_help(tmp_path):
 
 def test_levels_name_the_places_and_say_what_they_are_the_rms_over(tmp_path):
     path = tmp_path / "levels.csv"
-    for span, words in (
+    for span, text in (
         ("record", "whole record (record)"),
         ("loudest", "loudest 100 ms (loudest)"),
     ):
         export_levels(path, MEASURED, View(span=span))
         lines = path.read_text("utf-8").splitlines()
-        assert f"# levels: RMS over the {words}" in lines
+        assert f"# levels: RMS over the {text}" in lines
         rows = list(csv.reader(line for line in lines if not line.startswith("#")))[1:]
         assert [row[4] for row in rows] == [place.name for place in OUTPUTS]
         assert [int(row[0]) for row in rows if row[3] == "palm"] == list(VOLAR_OUTPUTS)
         assert {row[3] for row in rows} == {"back", "palm"}
 
 
-@pytest.mark.parametrize(("span", "words"), [("record", "whole record"), ("loudest", "100 ms")])
-def test_files_without_levels_name_what_levels_are_the_rms_over_too(tmp_path, span, words):
+@pytest.mark.parametrize(("span", "text"), [("record", "whole record"), ("loudest", "100 ms")])
+def test_files_without_levels_name_what_levels_are_the_rms_over_too(tmp_path, span, text):
     design, view = Design(limb="synthetic-1", inputs=INPUTS, scaling="upstream"), View(span=span)
     export_traces(tmp_path / "traces.csv", design, view)
     export_field(tmp_path / "field.npz", design, view)
@@ -129,7 +129,7 @@ def test_files_without_levels_name_what_levels_are_the_rms_over_too(tmp_path, sp
     of_traces = [line.removeprefix("# ") for line in read(tmp_path / "traces.csv")[0]]
     for about in (of_traces, of_the_field):
         (line,) = [line for line in about if line.startswith("levels: RMS over the ")]
-        assert words in line
+        assert text in line
         assert line.endswith(f"({span})")
 
 
@@ -209,8 +209,8 @@ def test_a_failing_export_leaves_the_old_table(tmp_path):
 
 @pytest.mark.parametrize("place", [7, 2])
 def test_the_table_of_levels_names_the_loudest_output_that_was_checked(tmp_path, place):
-    path, one = tmp_path / "levels.csv", track(location=place, waveform=Tap())
-    export_levels(path, Design(limb="synthetic-1", inputs=(one,)), VIEW)
+    path, tap = tmp_path / "levels.csv", track(location=place, waveform=Tap())
+    export_levels(path, Design(limb="synthetic-1", inputs=(tap,)), VIEW)
     about, _, numbers = read(path)
     loudest = numbers[np.argmax(numbers[:, 1]), 0]
     checked = [line for line in about if "the loudest" in line]
@@ -218,9 +218,9 @@ def test_the_table_of_levels_names_the_loudest_output_that_was_checked(tmp_path,
     assert f"the traces of output {loudest:.0f}, the loudest" in checked[0]
 
 
-def test_what_is_noted_of_a_limb_stands_in_every_export(tmp_path, monkeypatch, made_up_limbs):
+def test_what_is_noted_of_a_limb_stands_in_every_export(tmp_path, monkeypatch, synthetic_limbs):
     def load(name: str, digest: str = "") -> Limb:
-        limb = made_up_limbs(name)
+        limb = synthetic_limbs(name)
         limb.note = "made from files that are not the published ones: impulseResponses.mat"
         return limb
 

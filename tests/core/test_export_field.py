@@ -43,35 +43,35 @@ def read(path: Path) -> dict[str, np.ndarray]:
 
 def test_the_field_of_a_short_design_is_what_the_library_predicts(tmp_path):
     export_field(tmp_path / "field.npz", SHORT, View(axes="z", outputs=()))
-    found = read(tmp_path / "field.npz")
+    arrays = read(tmp_path / "field.npz")
     drive = SHORT.inputs[0].clips[0].waveform.samples(1300.0)
     expected = predict(load_limb("synthetic-1"), [drive], [7], [0.1])
-    assert found["acceleration_m_per_s2"].dtype == np.float64
-    assert found["sample_rate_hz"] == 1300.0
+    assert arrays["acceleration_m_per_s2"].dtype == np.float64
+    assert arrays["sample_rate_hz"] == 1300.0
     np.testing.assert_allclose(
-        found["acceleration_m_per_s2"], expected, rtol=0, atol=1e-14 * np.abs(expected).max()
+        arrays["acceleration_m_per_s2"], expected, rtol=0, atol=1e-14 * np.abs(expected).max()
     )
 
 
 def test_the_field_of_a_long_design_is_the_streamed_one_and_silence_is_zero(tmp_path):
     export_field(tmp_path / "field.npz", LONG, View())
-    found = read(tmp_path / "field.npz")["acceleration_m_per_s2"]
+    field = read(tmp_path / "field.npz")["acceleration_m_per_s2"]
     streamed = new_graph().evaluate({"streamed_vibration"}, sources(LONG, View()))[
         "streamed_vibration"
     ]
-    np.testing.assert_array_equal(found, streamed.everything())
+    np.testing.assert_array_equal(field, streamed.everything())
     silent = slice(21 + 521, 16 * 1300)
-    assert not found[..., silent].any()
-    assert found[..., :542].any()
-    assert found[..., 16 * 1300 :].any()
+    assert not field[..., silent].any()
+    assert field[..., :542].any()
+    assert field[..., 16 * 1300 :].any()
 
 
 def test_a_design_without_inputs_is_silent(tmp_path):
     export_field(tmp_path / "field.npz", Design(limb="synthetic-1"), View())
-    found = read(tmp_path / "field.npz")
-    assert found["acceleration_m_per_s2"].shape == (72, 3, 522)
-    assert not found["acceleration_m_per_s2"].any()
-    assert "nothing to check" in str(found["about"])
+    arrays = read(tmp_path / "field.npz")
+    assert arrays["acceleration_m_per_s2"].shape == (72, 3, 522)
+    assert not arrays["acceleration_m_per_s2"].any()
+    assert "nothing to check" in str(arrays["about"])
 
 
 def test_the_archive_is_not_packed_and_tells_nothing_of_when_it_was_made(tmp_path):
@@ -115,9 +115,9 @@ def test_a_disk_with_too_little_room_is_one_clear_sentence_before_anything_is_wr
 
 
 def test_progress_only_grows_and_ends_at_the_end(tmp_path):
-    told = []
-    export_field(tmp_path / "field.npz", LONG, View(), progress=lambda *now: told.append(now))
-    done = [done for done, _, _ in told]
-    assert told[0] == (0, 0, "Computing")
+    progress = []
+    export_field(tmp_path / "field.npz", LONG, View(), progress=lambda *now: progress.append(now))
+    done = [done for done, _, _ in progress]
+    assert progress[0] == (0, 0, "Computing")
     assert done == sorted(done)
-    assert told[-1][0] == told[-1][1] == 16 * 1300 + 21 + 521
+    assert progress[-1][0] == progress[-1][1] == 16 * 1300 + 21 + 521

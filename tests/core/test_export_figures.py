@@ -47,9 +47,9 @@ def about(path) -> str:
 
 def figures(text: str) -> tuple[float, float]:
     """Estimate and bound."""
-    found = re.search(r"error of .*: about (\S+) \(.*\), at most (\S+) \(theory\)", text)
-    assert found, text
-    return float(found[1]), float(found[2])
+    match = re.search(r"error of .*: about (\S+) \(.*\), at most (\S+) \(theory\)", text)
+    assert match, text
+    return float(match[1]), float(match[2])
 
 
 @pytest.mark.parametrize("name", EXPORTS)

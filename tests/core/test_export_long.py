@@ -45,9 +45,9 @@ def test_traces_that_are_too_many_to_be_held_are_the_same(tmp_path, monkeypatch,
     export_traces(tmp_path / "held.csv", DESIGN, view)
     monkeypatch.setattr(exported_design, "_MOST_HELD_BYTES", 500_000)
     export_traces(tmp_path / "traces.csv", DESIGN, view)
-    held, found = read(tmp_path / "held.csv"), read(tmp_path / "traces.csv")
-    assert found.shape == held.shape
-    np.testing.assert_allclose(found, held, rtol=0, atol=1e-14 * np.abs(held[:, 1:]).max())
+    held, written = read(tmp_path / "held.csv"), read(tmp_path / "traces.csv")
+    assert written.shape == held.shape
+    np.testing.assert_allclose(written, held, rtol=0, atol=1e-14 * np.abs(held[:, 1:]).max())
     assert "error of the traces of outputs 29, rel" in (tmp_path / "traces.csv").read_text()
 
 
@@ -87,9 +87,9 @@ def test_a_folder_that_is_not_there_is_one_sentence(tmp_path, name):
 
 
 def test_a_table_is_written_in_small_pieces(tmp_path):
-    told = []
-    export_traces(tmp_path / "t.csv", DESIGN, VIEW, progress=lambda *now: told.append(now))
-    steps = np.diff([done for done, total, _ in told if total])
+    progress = []
+    export_traces(tmp_path / "t.csv", DESIGN, VIEW, progress=lambda *now: progress.append(now))
+    steps = np.diff([done for done, total, _ in progress if total])
     assert (steps > 0).all()
     assert steps.max() < 2100
-    assert told[-1][:2] == (16 * 1300 + 21 + 521,) * 2
+    assert progress[-1][:2] == (16 * 1300 + 21 + 521,) * 2

@@ -18,30 +18,30 @@ def distances_mm(limb, location):
 
 def test_each_figure_is_its_formula():
     rms = np.random.default_rng(3).uniform(0.01, 1.0, 72) ** 3
-    found = ss.extent(rms, LIMB, 7)
+    extent = ss.extent(rms, LIMB, 7)
     distance = distances_mm(LIMB, 7)
     shown = ~np.isnan(distance)
     assert shown.sum() == 66
     w = rms[shown] ** 2 / np.sum(rms[shown] ** 2)
     d = distance[shown]
     below_db = 20 * np.log10(rms[shown] / rms[shown].max())
-    assert found.mean_distance_mm == pytest.approx(np.sum(w * d), rel=1e-12)
-    assert found.share_above_12_db == np.mean(below_db > -12)
-    assert found.share_above_20_db == np.mean(below_db > -20)
-    assert found.participation == pytest.approx(1 / np.sum(w**2), rel=1e-12)
-    within = sorted(one for one in d if np.sum(w[d <= one]) >= 0.9)
-    assert found.d90_mm == within[0]
+    assert extent.mean_distance_mm == pytest.approx(np.sum(w * d), rel=1e-12)
+    assert extent.share_above_12_db == np.mean(below_db > -12)
+    assert extent.share_above_20_db == np.mean(below_db > -20)
+    assert extent.participation == pytest.approx(1 / np.sum(w**2), rel=1e-12)
+    within = sorted(distance for distance in d if np.sum(w[d <= distance]) >= 0.9)
+    assert extent.d90_mm == within[0]
 
 
 def test_a_single_loud_output_has_the_extent_of_its_place():
     rms = np.zeros(72)
     rms[18] = 2.5
-    found = ss.extent(rms, LIMB, 3)
+    extent = ss.extent(rms, LIMB, 3)
     here = distances_mm(LIMB, 3)[18]
-    assert found.mean_distance_mm == pytest.approx(here)
-    assert found.d90_mm == pytest.approx(here)
-    assert found.participation == pytest.approx(1.0)
-    assert found.share_above_12_db == pytest.approx(1 / 66)
+    assert extent.mean_distance_mm == pytest.approx(here)
+    assert extent.d90_mm == pytest.approx(here)
+    assert extent.participation == pytest.approx(1.0)
+    assert extent.share_above_12_db == pytest.approx(1 / 66)
 
 
 def test_the_unit_of_the_rms_does_not_matter_even_far_out():
@@ -62,7 +62,7 @@ def test_of_several_places_the_nearest_counts():
 
 
 @pytest.mark.parametrize(
-    ("rms", "location", "words"),
+    ("rms", "location", "message"),
     [
         (np.ones(71), 7, "shape"),
         (-np.ones(72), 7, "0 or more"),
@@ -72,8 +72,8 @@ def test_of_several_places_the_nearest_counts():
         (np.ones(72), (), "expected an input place"),
     ],
 )
-def test_what_has_no_extent_is_refused(rms, location, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_has_no_extent_is_refused(rms, location, message):
+    with pytest.raises(InvalidInputError, match=message):
         ss.extent(rms, LIMB, location)
 
 
@@ -86,11 +86,11 @@ def test_outputs_without_a_place_take_no_part():
 
 def test_windows_follow_each_other_and_the_rest_is_left_out():
     signals = np.random.default_rng(6).standard_normal((3, 2, 103))
-    found = ss.windowed_rms(signals, 20, first_sample=7)
-    assert found.shape == (4, 3, 2)
+    rms = ss.windowed_rms(signals, 20, first_sample=7)
+    assert rms.shape == (4, 3, 2)
     for j in range(4):
         piece = signals[..., 7 + 20 * j : 27 + 20 * j]
-        np.testing.assert_allclose(found[j], np.sqrt(np.mean(piece**2, axis=-1)), rtol=1e-14)
+        np.testing.assert_allclose(rms[j], np.sqrt(np.mean(piece**2, axis=-1)), rtol=1e-14)
 
 
 def test_one_window_over_all_is_the_rms_of_the_record():
@@ -122,5 +122,5 @@ def test_the_default_train_contracts_as_measured(installed_dataset, monkeypatch)
     field = ss.predict(limb, [train], [7])
     length = np.sqrt(np.sum(field**2, axis=1))
     windows = ss.windowed_rms(length, 156, first_sample=67)
-    found = [ss.extent(one, limb, 7).mean_distance_mm for one in windows[:5]]
-    np.testing.assert_allclose(found, [31.9, 27.9, 23.4, 18.8, 17.0], atol=0.1)
+    distances_mm = [ss.extent(window, limb, 7).mean_distance_mm for window in windows[:5]]
+    np.testing.assert_allclose(distances_mm, [31.9, 27.9, 23.4, 18.8, 17.0], atol=0.1)

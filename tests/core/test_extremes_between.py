@@ -17,8 +17,8 @@ RATE_HZ = 1300.0
 FILTER_ERROR = 0.003
 
 
-def of(found):
-    return found.low * found.sizes, found.high * found.sizes
+def of(extremes):
+    return extremes.low * extremes.sizes, extremes.high * extremes.sizes
 
 
 def band_limited(*shape, seed=1):
@@ -64,34 +64,36 @@ def test_a_sweep_has_no_notch_where_it_passes_a_quarter_and_a_third_of_the_rate(
 
 def test_they_are_those_of_the_wave_that_is_drawn_from_close_by():
     signals = band_limited(3, 1001)
-    found = extremes_between(signals)
+    extremes = extremes_between(signals)
     expected = dense_extremes(finer(np.arange(1001) / RATE_HZ, signals)[1])
     peak = np.abs(signals).max()
-    for got, wanted in zip(of(found), expected, strict=True):
-        np.testing.assert_allclose(got, wanted, rtol=0, atol=FILTER_ERROR * peak)
-    assert found.range == pytest.approx((expected[0].min(), expected[1].max()), abs=0.01 * peak)
+    for got, expected_values in zip(of(extremes), expected, strict=True):
+        np.testing.assert_allclose(got, expected_values, rtol=0, atol=FILTER_ERROR * peak)
+    assert extremes.range == pytest.approx((expected[0].min(), expected[1].max()), abs=0.01 * peak)
 
 
 def test_of_signals_along_several_axes_the_wave_is_the_length_of_the_vector():
     axes = band_limited(2, 3, 700)
     dense = finer(np.arange(700) / RATE_HZ, axes)[1]
     expected = dense_extremes(np.sqrt(np.square(dense).sum(axis=1)))
-    for got, wanted in zip(of(extremes_between(axes)), expected, strict=True):
-        np.testing.assert_allclose(got, wanted, rtol=0, atol=2 * FILTER_ERROR * np.abs(axes).max())
+    for got, expected_values in zip(of(extremes_between(axes)), expected, strict=True):
+        np.testing.assert_allclose(
+            got, expected_values, rtol=0, atol=2 * FILTER_ERROR * np.abs(axes).max()
+        )
 
 
 @pytest.mark.parametrize(("first", "end"), [(0, 9), (3, 120), (400, 432), (880, 900), (899, 900)])
 def test_a_stretch_has_the_extremes_that_it_has_in_the_whole(first, end):
     signals = band_limited(2, 900)
     whole, part = (extremes_between(signals, *ends) for ends in ((), (first, end)))
-    for got, wanted in zip(of(part), of(whole.part(first, end)), strict=True):
-        np.testing.assert_allclose(got, wanted, rtol=0, atol=1e-5 * np.abs(signals).max())
+    for got, expected_values in zip(of(part), of(whole.part(first, end)), strict=True):
+        np.testing.assert_allclose(got, expected_values, rtol=0, atol=1e-5 * np.abs(signals).max())
 
 
 @pytest.mark.parametrize("peak", [5e-324, 1e-300, 1e-12, 1e300])
 def test_no_signal_is_too_small_or_too_large(peak):
-    found = extremes_between(peak * np.sign(band_limited(1, 300)))
-    low, high = found.range
+    extremes = extremes_between(peak * np.sign(band_limited(1, 300)))
+    low, high = extremes.range
     assert low <= -peak < peak <= high
     assert np.isfinite((low, high)).all()
 
@@ -107,20 +109,20 @@ def test_silence_stays_silent_and_a_single_sample_stays_alone():
 
 
 def test_relative_to_a_size_they_are_so_many_times_smaller():
-    found = extremes_between(band_limited(2, 300))
+    extremes = extremes_between(band_limited(2, 300))
     sizes = np.array([[2.0], [0.5]])
-    for got, wanted in zip(of(found.relative_to(sizes)), of(found), strict=True):
-        np.testing.assert_allclose(got, wanted / sizes, rtol=1e-12)
+    for got, expected_values in zip(of(extremes.relative_to(sizes)), of(extremes), strict=True):
+        np.testing.assert_allclose(got, expected_values / sizes, rtol=1e-12)
 
 
 def test_however_long_signals_are_they_take_little_more_memory_than_the_result():
     signals = np.tile(band_limited(6, 2000), 50)
     extremes_between(signals[:, :100])
     tracemalloc.start()
-    found = extremes_between(signals)
+    extremes = extremes_between(signals)
     _, most = tracemalloc.get_traced_memory()
     tracemalloc.stop()
-    assert most <= found.low.nbytes + found.high.nbytes + 4e6
+    assert most <= extremes.low.nbytes + extremes.high.nbytes + 4e6
 
 
 def test_it_can_be_stopped_between_blocks():
@@ -139,10 +141,10 @@ def test_those_of_selected_outputs_belong_to_the_wave_of_their_projection(method
     tones = (track(location=3, waveform=Tone(frequency_hz=325.0, duration_s=0.4)),)
     design = Design(limb="synthetic-1", inputs=tones)
     view = View(axes="xyz", method=method, outputs=(29, 52))
-    wanted = "selected_extremes", "axis_traces", "selected_projection", "response_time_s"
-    found = evaluate(design, *wanted, view=view)
-    dense = finer(found["response_time_s"], found["axis_traces"])[1]
-    expected = dense_extremes(found["selected_projection"].signals(dense))
+    names = "selected_extremes", "axis_traces", "selected_projection", "response_time_s"
+    quantities = evaluate(design, *names, view=view)
+    dense = finer(quantities["response_time_s"], quantities["axis_traces"])[1]
+    expected = dense_extremes(quantities["selected_projection"].signals(dense))
     peak = np.abs(dense).max()
-    for got, values in zip(of(found["selected_extremes"]), expected, strict=True):
+    for got, values in zip(of(quantities["selected_extremes"]), expected, strict=True):
         np.testing.assert_allclose(got, values, rtol=0, atol=2 * FILTER_ERROR * peak)

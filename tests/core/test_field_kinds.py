@@ -119,9 +119,9 @@ FULL = Everything(
 
 @pytest.mark.parametrize("recipe", [Everything(), FULL], ids=["defaults", "full"])
 def test_every_kind_of_field_comes_back_from_its_tree(recipe):
-    found = decode(encode(recipe), (Everything,), Address())
-    assert found == recipe
-    assert repr(found) == repr(recipe)  # -0.0 and 0.0, 1 and 1.0 are different here
+    decoded = decode(encode(recipe), (Everything,), Address())
+    assert decoded == recipe
+    assert repr(decoded) == repr(recipe)  # -0.0 and 0.0, 1 and 1.0 are different here
 
 
 def test_the_sample_covers_every_kind_of_field():
@@ -187,17 +187,17 @@ def test_what_does_not_fit_is_refused_with_the_name_and_what_was_expected(name):
 
 
 def test_what_is_kept_has_one_form():
-    found = Everything(
+    recipe = Everything(
         size=np.float32(0.5), loud=np.True_, outputs=(np.int64(3), 2.0), ends=(0, np.float64(1))
     )
-    assert repr(found) == repr(Everything(size=0.5, loud=True, outputs=(3, 2), ends=(0.0, 1.0)))
+    assert repr(recipe) == repr(Everything(size=0.5, loud=True, outputs=(3, 2), ends=(0.0, 1.0)))
 
 
 def test_an_older_tree_lacks_new_fields_which_take_their_defaults():
     tree = encode(FULL)
     del tree["sound"], tree["inner"]
-    found = decode(tree, (Everything,), Address())
-    assert (found.sound, found.inner, found.outputs) == (None, Leaf(), (3, 1, 2))
+    decoded = decode(tree, (Everything,), Address())
+    assert (decoded.sound, decoded.inner, decoded.outputs) == (None, Leaf(), (3, 1, 2))
 
 
 def test_what_a_newer_version_wrote_is_refused():
@@ -223,13 +223,13 @@ def test_a_field_without_a_default_may_not_be_missing():
 @pytest.mark.parametrize("tree", [{}, [[]], [{}], "\x1b", -1e9, [None], [1, [2, "x"]], SOUND])
 def test_a_tree_of_another_form_is_refused_or_fits(name, tree):
     try:
-        found = decode({"kind": "Everything", name: tree}, (Everything,), Address())
+        decoded = decode({"kind": "Everything", name: tree}, (Everything,), Address())
     except FileFormatError as error:
-        found, words = None, str(error)
-    if found is None:
-        assert len(words) < 500
+        decoded, message = None, str(error)
+    if decoded is None:
+        assert len(message) < 500
     else:
-        assert encode(found)[name] == tree
+        assert encode(decoded)[name] == tree
 
 
 def test_recipes_may_be_nested_only_so_deep():

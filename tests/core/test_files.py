@@ -241,12 +241,12 @@ def test_a_link_to_nothing_makes_the_file_it_leads_to(target, link):
 
 
 def test_links_in_a_circle_are_explained(link):
-    one, other = link.with_name("one"), link.with_name("other")
-    one.symlink_to(other)
-    other.symlink_to(one)
+    first, other = link.with_name("one"), link.with_name("other")
+    first.symlink_to(other)
+    other.symlink_to(first)
     with pytest.raises(StorageError, match="cannot be written"):
-        write_bytes(one, NEW)
-    assert one.is_symlink()
+        write_bytes(first, NEW)
+    assert first.is_symlink()
     assert other.is_symlink()
 
 
@@ -295,4 +295,4 @@ def test_what_is_no_file_is_not_replaced_by_one(tmp_path):
     with pytest.raises(StorageError, match="a device or a pipe stands there"):
         write_bytes(pipe, b"1")
     assert stat.S_ISFIFO(pipe.stat().st_mode)
-    assert [one.name for one in tmp_path.iterdir()] == ["pipe"]
+    assert [entry.name for entry in tmp_path.iterdir()] == ["pipe"]

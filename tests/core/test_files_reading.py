@@ -73,7 +73,7 @@ def test_a_device_is_refused_unread(device):
 
 
 @pytest.mark.parametrize(
-    ("name", "words"),
+    ("name", "message"),
     [
         ("nowhere", "It was moved or deleted"),
         (".", "Check that it is a file|right to read"),
@@ -82,9 +82,9 @@ def test_a_device_is_refused_unread(device):
         ("file/below", "cannot be read"),
     ],
 )
-def test_what_cannot_be_read_is_explained_in_one_printable_sentence(tmp_path, name, words):
+def test_what_cannot_be_read_is_explained_in_one_printable_sentence(tmp_path, name, message):
     (tmp_path / "file").write_bytes(b"")
-    with pytest.raises(StorageError, match=words) as caught:
+    with pytest.raises(StorageError, match=message) as caught:
         read_bytes(tmp_path / name, most=100)
     assert str(caught.value).isprintable()
     assert not is_there(tmp_path / name) or name == "."
@@ -123,7 +123,7 @@ def old(path: Path, days: float) -> Path:
 
 def test_what_killed_writers_left_long_ago_is_deleted_at_the_next_writing(tmp_path):
     stale = [old(tmp_path / f".{name}.0123abcd.part", 1.1) for name in ("x.csv", "ä ö", ".y")]
-    kept = [
+    unchanged = [
         old(tmp_path / ".x.csv.89abcdef.part", 0.9),
         old(tmp_path / "x.csv.0123abcd.part", 9),
         old(tmp_path / ".x.csv.0123abcg.part", 9),
@@ -135,7 +135,7 @@ def test_what_killed_writers_left_long_ago_is_deleted_at_the_next_writing(tmp_pa
     os.utime(folder, times=(0, 0))
     write_bytes(tmp_path / "new", b"")
     assert not any(path.exists() for path in stale)
-    assert all(path.exists() for path in (*kept, folder))
+    assert all(path.exists() for path in (*unchanged, folder))
 
 
 @posix

@@ -8,16 +8,16 @@ from skinsource.base.files import replacing_folder
 
 @pytest.fixture
 def folder(tmp_path):
-    found = tmp_path / "out"
-    found.mkdir()
+    path = tmp_path / "out"
+    path.mkdir()
     for name in ("mark.json", "old.bin", "log.csv", "log-2.csv"):
-        (found / name).write_text(f"old {name}")
-    (found / "log-3.csv").mkdir()
-    return found
+        (path / name).write_text(f"old {name}")
+    (path / "log-3.csv").mkdir()
+    return path
 
 
 def content(folder):
-    return {one.name: one.read_text() for one in folder.iterdir() if one.is_file()}
+    return {file.name: file.read_text() for file in folder.iterdir() if file.is_file()}
 
 
 def test_what_others_wrote_goes_over_and_takes_the_place_of_nothing_new(folder):
@@ -29,7 +29,7 @@ def test_what_others_wrote_goes_over_and_takes_the_place_of_nothing_new(folder):
         "log-2.csv": "new log-2.csv",
         "log.csv": "old log.csv",
     }
-    assert {one.name for one in folder.iterdir()} == set(content(folder))
+    assert {file.name for file in folder.iterdir()} == set(content(folder))
     assert list(folder.parent.iterdir()) == [folder]
 
 

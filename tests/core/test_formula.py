@@ -35,10 +35,10 @@ def grid(first, count, rate_hz, shift_s=0.0):
 @pytest.mark.parametrize("row", ROWS, ids=[row["text"] for row in ROWS])
 def test_formulas_are_what_40_digits_say_up_to_an_hour(row):
     program, numbers = reading.read(row["text"]), row["numbers"]
-    expected = np.array([float.fromhex(one) for one in row["values"]])
+    expected = np.array([float.fromhex(digits) for digits in row["values"]])
     at = (row["sample_rate_hz"], row["shift_s"], row["duration_s"])
-    found = playing.played(program, numbers[-1] + 1, *at)[numbers]
-    assert np.abs(found - expected).max() <= 1e-12 * max(1.0, np.abs(expected).max())
+    samples = playing.played(program, numbers[-1] + 1, *at)[numbers]
+    assert np.abs(samples - expected).max() <= 1e-12 * max(1.0, np.abs(expected).max())
     assert len(numbers) >= 60
     assert np.ptp(expected) > 0.1
 
@@ -77,20 +77,20 @@ def test_long_rows_are_what_python_makes_of_them(operators, data):
         else:
             sums.append(number)
             signs.append(1 if operator == "+" else -1)
-    assert value_of(text) == sum(one * sign for one, sign in zip(sums, signs, strict=True))
+    assert value_of(text) == sum(term * sign for term, sign in zip(sums, signs, strict=True))
 
 
 @pytest.mark.parametrize("rate_hz", [1300.0, 44100.0])
 @pytest.mark.parametrize("shift", [0.0, 0.37])
 def test_a_sine_of_a_formula_is_the_tone(rate_hz, shift):
     text = "sin(2*pi*250.1*t + 0.25)"
-    found = Formula(text=text, duration_s=3.0).samples(rate_hz, shift / rate_hz)
-    t = np.arange(found.size) / rate_hz - shift / rate_hz
+    samples = Formula(text=text, duration_s=3.0).samples(rate_hz, shift / rate_hz)
+    t = np.arange(samples.size) / rate_hz - shift / rate_hz
     expected = np.where(t >= 0, np.sin(2 * np.pi * 250.1 * t + 0.25), 0.0)
-    assert np.abs(found - expected).max() < 1e-11
+    assert np.abs(samples - expected).max() < 1e-11
     if not shift:
         tone = Tone(frequency_hz=250.1, phase_rad=0.25, duration_s=3.0, window="none")
-        assert np.abs(found - tone.samples(rate_hz)).max() < 1e-13
+        assert np.abs(samples - tone.samples(rate_hz)).max() < 1e-13
 
 
 def test_a_formula_plays_as_written_from_its_start_to_its_end():
@@ -112,10 +112,10 @@ def test_what_lies_beyond_its_time_is_never_computed():
 
 def test_a_long_formula_is_played_in_pieces_that_fit_together():
     count = 2**16 + 500
-    found = played("sin(2*pi*97*t) + noise(4) + t", count, 60.0)
+    samples = played("sin(2*pi*97*t) + noise(4) + t", count, 60.0)
     t = np.arange(count) / 1300.0
     whole = band_noise(4, grid(0, count, 1300.0))
-    assert found == pytest.approx(np.sin(2 * np.pi * 97 * t) + whole + t, abs=1e-10)
+    assert samples == pytest.approx(np.sin(2 * np.pi * 97 * t) + whole + t, abs=1e-10)
 
 
 def test_noise_is_one_function_of_time_at_every_rate_and_shift():
@@ -129,13 +129,13 @@ def test_noise_is_one_function_of_time_at_every_rate_and_shift():
 
 
 def test_noise_is_gaussian_of_its_band_and_the_seed_decides():
-    one, other = (band_noise(seed, grid(0, 260_000, 2600.0)) for seed in (1, 2))
-    assert one.std() == pytest.approx(1 / 3, rel=0.01)
-    assert scipy.stats.kurtosis(one) == pytest.approx(0.0, abs=0.05)
-    assert abs(np.corrcoef(one, other)[0, 1]) < 0.02
-    window = np.sin(np.pi * np.arange(one.size) / one.size) ** 4
-    energy = np.abs(np.fft.rfft(one * window)) ** 2
-    frequency_hz = np.fft.rfftfreq(one.size, 1 / 2600.0)
+    first, other = (band_noise(seed, grid(0, 260_000, 2600.0)) for seed in (1, 2))
+    assert first.std() == pytest.approx(1 / 3, rel=0.01)
+    assert scipy.stats.kurtosis(first) == pytest.approx(0.0, abs=0.05)
+    assert abs(np.corrcoef(first, other)[0, 1]) < 0.02
+    window = np.sin(np.pi * np.arange(first.size) / first.size) ** 4
+    energy = np.abs(np.fft.rfft(first * window)) ** 2
+    frequency_hz = np.fft.rfftfreq(first.size, 1 / 2600.0)
     outside = (frequency_hz < 25) | (frequency_hz > 600)
     assert 0 < energy[outside].sum() < 1e-8 * energy.sum()
     halves = [energy[(frequency_hz > a) & (frequency_hz < a + 100)].sum() for a in (50, 250, 450)]
@@ -146,7 +146,7 @@ def test_noise_is_gaussian_of_its_band_and_the_seed_decides():
 
 
 @pytest.mark.parametrize(
-    ("text", "column", "words"),
+    ("text", "column", "message"),
     [
         ("", 1, "found nothing, expected a formula such as"),
         ("   ", 1, "found nothing"),
@@ -197,20 +197,22 @@ def test_noise_is_gaussian_of_its_band_and_the_seed_decides():
         ("(lambda: 1)()", 2, "found lambda"),
     ],
 )
-def test_a_mistake_is_refused_with_its_column(text, column, words):
-    with pytest.raises(FormulaError) as found:
+def test_a_mistake_is_refused_with_its_column(text, column, message):
+    with pytest.raises(FormulaError) as raised:
         Formula(text=text)
-    assert found.value.column == column
-    assert words in str(found.value)
-    assert f", column {column}: " in str(found.value) or text == ""
-    assert reading.column_of(str(found.value)) == column
-    assert len(str(found.value)) < 400
+    assert raised.value.column == column
+    assert message in str(raised.value)
+    assert f", column {column}: " in str(raised.value) or text == ""
+    assert reading.column_of(str(raised.value)) == column
+    assert len(str(raised.value)) < 400
 
 
 def test_a_text_that_is_too_long_is_not_read():
-    with pytest.raises(FormulaError, match="found 5000 characters, expected at most 1000") as found:
+    with pytest.raises(
+        FormulaError, match="found 5000 characters, expected at most 1000"
+    ) as raised:
         reading.read("(" * 5000)
-    assert found.value.column == 1001
+    assert raised.value.column == 1001
     with pytest.raises(InvalidInputError, match=r"Formula\.text .* at most 1000 characters"):
         Formula(text="(" * 5000)
 

@@ -109,7 +109,7 @@ def test_ten_thousand_texts_are_played_or_refused_with_a_column(capsys):
     for text in texts(rng):
         try:
             # A hundred samples say as much as a second.
-            found = playing.played(reading.read(text), 100, 1300.0, 0.0002, 0.1)
+            samples = playing.played(reading.read(text), 100, 1300.0, 0.0002, 0.1)
         except InvalidInputError as error:
             n_refused += 1
             column = getattr(error, "column", None)
@@ -118,8 +118,8 @@ def test_ten_thousand_texts_are_played_or_refused_with_a_column(capsys):
             longest = max(longest, len(str(error)))
         else:
             n_played += 1
-            assert found.shape == (100,), (SEED, text)
-            assert np.isfinite(found).all(), (SEED, text)
+            assert samples.shape == (100,), (SEED, text)
+            assert np.isfinite(samples).all(), (SEED, text)
     with capsys.disabled():
         print(f"\nseed {SEED}: {n_played} texts played, {n_refused} refused")  # noqa: T201
     assert n_played + n_refused == COUNT
@@ -129,14 +129,14 @@ def test_ten_thousand_texts_are_played_or_refused_with_a_column(capsys):
 
 @pytest.mark.parametrize("text", PYTHON)
 def test_a_waveform_of_a_hostile_text_is_refused_or_finite(text):
-    said = ""
+    message = ""
     try:
         samples = Formula(text=text, duration_s=0.01).samples(1300.0)
     except InvalidInputError as error:
-        said, samples = str(error), np.zeros(13)
+        message, samples = str(error), np.zeros(13)
     assert np.isfinite(samples).all()
-    assert len(said) < 400
-    assert said.isprintable()
+    assert len(message) < 400
+    assert message.isprintable()
 
 
 def test_the_deepest_formula_that_is_allowed_is_played_however_long_it_is():
@@ -149,7 +149,7 @@ def test_the_deepest_formula_that_is_allowed_is_played_however_long_it_is():
 
 def test_no_module_of_the_language_asks_python_to_run_a_text():
     folder = Path(formula.__file__).parent
-    words = json.dumps({path.name: path.read_text() for path in folder.glob("*.py")})
-    assert "reading.py" in words
+    sources = json.dumps({path.name: path.read_text() for path in folder.glob("*.py")})
+    assert "reading.py" in sources
     for forbidden in ("eval(", "exec(", "compile(text", "ast.", "__import__", "getattr("):
-        assert forbidden not in words
+        assert forbidden not in sources

@@ -12,7 +12,7 @@ VIEW = View()
 # On a grid, so that points often lie at one time, and where time is cut.
 tenths = st.integers(0, 12).map(lambda k: k / 10)
 curves = st.lists(st.tuples(tenths, st.sampled_from((0.0, 0.5, 1.0, 3.0))), max_size=6).map(
-    lambda points: tuple(sorted(points, key=lambda one: one[0]))
+    lambda points: tuple(sorted(points, key=lambda point: point[0]))
 )
 BESIDE_S = 1e-7
 STEP = ((0.0, 1.0), (0.5, 1.0), (0.5, 0.0), (1.0, 0.0))

@@ -17,8 +17,8 @@ QUIET = replace(SCALED, values=0.25 * SCALED.values)
 
 
 def design_of(*clips, scaling="probe", **changes):
-    one = ss.Input(location=7, clips=clips, **changes)
-    return ss.Design(limb="synthetic-1", inputs=(one,), scaling=scaling)
+    track = ss.Input(location=7, clips=clips, **changes)
+    return ss.Design(limb="synthetic-1", inputs=(track,), scaling=scaling)
 
 
 def clip(samples, **changes):

@@ -20,7 +20,7 @@ POINTS = ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0), (0.4, 240.0, 1.0), (0.5, 240.0, 0.
 #: Times on a grid, so that rounding moves none of them.
 TIMES = st.integers(0, 64).map(lambda k: k / 64)
 curves = st.lists(st.tuples(TIMES, st.integers(1, 640).map(float)), min_size=2, max_size=8).map(
-    lambda points: tuple(sorted(points, key=lambda one: one[0]))
+    lambda points: tuple(sorted(points, key=lambda point: point[0]))
 )
 
 
@@ -44,8 +44,8 @@ def test_a_step_is_two_points_and_a_point_said_twice_is_one():
 
 
 def test_another_frequency_keeps_the_amplitude_and_its_points():
-    found = with_curve(POINTS, "frequency", ((0.0, 100.0), (0.25, 50.0), (0.5, 100.0)))
-    assert found == (
+    glide = with_curve(POINTS, "frequency", ((0.0, 100.0), (0.25, 50.0), (0.5, 100.0)))
+    assert glide == (
         (0.0, 100.0, 0.0),
         (0.1, 80.0, 1.0),
         (0.25, 50.0, 1.0),
@@ -73,14 +73,18 @@ def test_each_curve_stays_what_it_was_when_the_other_is_drawn(frequency, amplitu
     times_s = np.array([time for time in times_s if time not in known])
     for column, curve in (("frequency", frequency), ("amplitude", amplitude)):
         if times_s.size:
-            found = value_at(curve_of(points, column), times_s)
-            np.testing.assert_allclose(found, value_at(curve, times_s), rtol=1e-9)
-    assert [one[0] for one in points] == sorted(one[0] for one in points)
+            values = value_at(curve_of(points, column), times_s)
+            np.testing.assert_allclose(values, value_at(curve, times_s), rtol=1e-9)
+    assert [point[0] for point in points] == sorted(point[0] for point in points)
 
 
 @given(curves)
 def test_a_curve_that_is_put_back_changes_nothing_that_is_heard(frequency):
-    points = ((0.0, *frequency[0][1:], 0.5), *((*one, 1.0) for one in frequency), (2.0, 50.0, 0.0))
+    points = (
+        (0.0, *frequency[0][1:], 0.5),
+        *((*knot, 1.0) for knot in frequency),
+        (2.0, 50.0, 0.0),
+    )
     glide = Glide(points)
     for column in ("frequency", "amplitude"):
         again = Glide(with_curve(points, column, curve_of(points, column)))
@@ -105,7 +109,7 @@ def test_drawing_a_curve_is_an_edit():
 
 
 @pytest.mark.parametrize(
-    ("clip_id", "column", "curve", "words"),
+    ("clip_id", "column", "curve", "message"),
     [
         (2, "frequency", ((0.0, 90.0), (0.5, 30.0)), "does not play a glide"),
         (9, "frequency", ((0.0, 90.0), (0.5, 30.0)), "no clip has the id 9"),
@@ -116,11 +120,11 @@ def test_drawing_a_curve_is_an_edit():
         (1, "phase", ((0.0, 1.0), (0.5, 1.0)), "does not play a glide"),
     ],
 )
-def test_a_curve_that_cannot_be_drawn_is_refused_in_words(clip_id, column, curve, words):
+def test_a_curve_that_cannot_be_drawn_is_refused_in_words(clip_id, column, curve, message):
     design = Design(limb="synthetic-1", inputs=(track(7, Glide(POINTS)), track(3, Tone())))
-    found = edits.set_glide_curve(design, View(), clip_id, column, curve)
-    assert isinstance(found, Refusal)
-    assert words in found.sentence
+    outcome = edits.set_glide_curve(design, View(), clip_id, column, curve)
+    assert isinstance(outcome, Refusal)
+    assert message in outcome.sentence
 
 
 def test_what_has_a_frequency_becomes_a_glide_of_it():

@@ -34,9 +34,9 @@ def test_two_inputs_interfere_as_in_figure_2f(measured, places, expected):
 
 
 def test_the_interference_is_destructive_at_output_19_and_constructive_at_21(measured):
-    together, apart = rms_along_x([8, 13]), rms_along_x([8]) + rms_along_x([13])
-    assert together[0] / apart[0] == pytest.approx(0.06, abs=0.005)
-    assert together[1] / apart[1] == pytest.approx(0.94, abs=0.005)
+    together, separate = rms_along_x([8, 13]), rms_along_x([8]) + rms_along_x([13])
+    assert together[0] / separate[0] == pytest.approx(0.06, abs=0.005)
+    assert together[1] / separate[1] == pytest.approx(0.94, abs=0.005)
 
 
 @pytest.mark.parametrize(

@@ -86,12 +86,12 @@ def test_arrays_are_compared_by_identity():
 
 def test_tuples_of_arrays_are_compared_part_by_part():
     graph = Graph(pair_total)
-    one, other = np.arange(3.0), np.ones(2)
-    graph.evaluate(["pair_total"], {"pair": (one, other)})
-    graph.evaluate(["pair_total"], {"pair": (one, other)})
+    first, other = np.arange(3.0), np.ones(2)
+    graph.evaluate(["pair_total"], {"pair": (first, other)})
+    graph.evaluate(["pair_total"], {"pair": (first, other)})
     assert graph.runs["pair_total"] == 1
-    graph.evaluate(["pair_total"], {"pair": (one, other.copy())})
-    graph.evaluate(["pair_total"], {"pair": (one,)})
+    graph.evaluate(["pair_total"], {"pair": (first, other.copy())})
+    graph.evaluate(["pair_total"], {"pair": (first,)})
     assert graph.runs["pair_total"] == 3
 
 

@@ -49,15 +49,15 @@ def test_every_rule_that_leads_to_what_is_shown_is_drawn():
         assert f"| `{name}` |" in text, name
 
 
-@pytest.mark.parametrize("wanted", ["surface_levels_db", "selected_spectra", "trace_error"])
-def test_what_is_drawn_is_what_runs(wanted):
+@pytest.mark.parametrize("quantities", ["surface_levels_db", "selected_spectra", "trace_error"])
+def test_what_is_drawn_is_what_runs(quantities):
     from skinsource.design.design import Design, track
     from skinsource.design.view import View
 
     graph = new_graph()
     design = Design(limb="synthetic-1", inputs=(track(7),))
-    graph.evaluate({wanted}, sources(design, View()))
-    assert set(graph.runs) == set(rules_of(graph, [wanted]))
+    graph.evaluate({quantities}, sources(design, View()))
+    assert set(graph.runs) == set(rules_of(graph, [quantities]))
 
 
 def test_a_changed_rule_changes_the_drawing():
@@ -65,6 +65,6 @@ def test_a_changed_rule_changes_the_drawing():
         """Level of the sum, another way."""
         return total + floor + span
 
-    found = drawing(Graph(level, total), ["total", "level"])
-    assert "span --> level" in found
-    assert found != drawing(Graph(globals()["level"], total), ["total", "level"])
+    drawn = drawing(Graph(level, total), ["total", "level"])
+    assert "span --> level" in drawn
+    assert drawn != drawing(Graph(globals()["level"], total), ["total", "level"])

@@ -38,13 +38,13 @@ AMPLITUDES = {
 @pytest.mark.parametrize("shape", SERIES)
 def test_a_series_holds_its_harmonics_below_half_the_rate_and_nothing_else(shape, rate_hz):
     for frequency_hz in FREQUENCIES_HZ:
-        found = spectrum(SERIES[shape](frequency_hz).samples(rate_hz))
-        expected = np.zeros_like(found)
+        lines = spectrum(SERIES[shape](frequency_hz).samples(rate_hz))
+        expected = np.zeros_like(lines)
         period = round(frequency_hz * PERIODS_S)
         for h in range(0, harmonics_below(rate_hz / 2, frequency_hz) + 1):
             expected[h * period] = AMPLITUDES[shape](h)
         assert expected[period] > 0.2
-        assert np.abs(found - expected).max() < 1e-11 < ALIASES
+        assert np.abs(lines - expected).max() < 1e-11 < ALIASES
 
 
 def test_a_harmonic_at_half_the_rate_is_left_out():
@@ -66,8 +66,8 @@ def test_a_sum_of_harmonics_is_the_sum(above, mean, turns):
     within = turns - np.rint(turns)
     waves = np.exp(2j * np.pi * np.outer(within, np.arange(coefficients.size)))
     largest = max(np.abs(coefficients).sum(), 1e-300)
-    found = sum_of_harmonics(coefficients, turns)
-    assert np.abs(found - (waves @ coefficients).real).max() < 3e-14 * largest * coefficients.size
+    samples = sum_of_harmonics(coefficients, turns)
+    assert np.abs(samples - (waves @ coefficients).real).max() < 3e-14 * largest * coefficients.size
 
 
 def test_a_sum_of_harmonics_takes_no_more_memory_than_a_few_of_its_results():

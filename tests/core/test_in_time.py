@@ -38,8 +38,8 @@ def moving(signals, first=0, n_times=None):
 
 @pytest.fixture(scope="module")
 def short():
-    wanted = {"moving_z", "moving_vector", "moving_energy", "output_rms"}
-    return new_graph().evaluate(wanted, sources(SHORT, VIEW))
+    quantities = {"moving_z", "moving_vector", "moving_energy", "output_rms"}
+    return new_graph().evaluate(quantities, sources(SHORT, VIEW))
 
 
 @pytest.fixture(scope="module")
@@ -47,7 +47,7 @@ def expected():
     """Acceleration as `skinsource.predict` has it."""
     limb = ss.load_limb("synthetic-1")
     drives = np.zeros((2, 260))
-    tone, tap = (one.clips[0].waveform.samples(RATE) for one in SHORT.inputs)
+    tone, tap = (track.clips[0].waveform.samples(RATE) for track in SHORT.inputs)
     drives[0, : tone.size] = tone
     drives[1, 65 : 65 + tap.size] = -2.0 * tap
     return ss.predict(limb, drives, locations=[7, 13], scaling="probe")
@@ -76,68 +76,70 @@ def test_the_largest_is_that_of_all_outputs_and_samples(short, expected):
 def test_between_samples_a_tone_is_the_tone(frequency_hz):
     times = np.arange(400) / RATE
     tone = np.sin(2 * np.pi * frequency_hz * times + 0.3)
-    kept = moving(tone[None, None, :])
+    moving_ = moving(tone[None, None, :])
     for at in (150.1, 200.5, 233.999, 180.0):
         exact = np.sin(2 * np.pi * frequency_hz * at / RATE + 0.3)
-        assert kept.acceleration(at / RATE)[0, 0] == pytest.approx(exact, abs=3e-6)
+        assert moving_.acceleration(at / RATE)[0, 0] == pytest.approx(exact, abs=3e-6)
 
 
 def test_a_vector_that_turns_keeps_its_length_between_samples():
     angle = 2 * np.pi * 300.0 * np.arange(300) / RATE
-    kept = moving(np.array([[np.cos(angle), np.sin(angle)]]))
+    moving_ = moving(np.array([[np.cos(angle), np.sin(angle)]]))
     for at in (120.25, 140.5, 150.75):
-        assert kept.magnitude(at / RATE)[0] == pytest.approx(1.0, abs=3e-6)
+        assert moving_.magnitude(at / RATE)[0] == pytest.approx(1.0, abs=3e-6)
 
 
 def test_outside_of_the_response_there_is_silence():
-    kept = moving(np.ones((2, 3, 50)))
+    moving_ = moving(np.ones((2, 3, 50)))
     for at in (-1.0, 50.0, 70.0, -64.5, 114.5):
-        found = kept.acceleration(at / RATE)
-        assert found.shape == (2, 3)
-        assert abs(found).max() < 1e-3 if at in (-64.5, 114.5) else (found == 0.0).all()
+        acceleration = moving_.acceleration(at / RATE)
+        assert acceleration.shape == (2, 3)
+        assert (
+            abs(acceleration).max() < 1e-3 if at in (-64.5, 114.5) else (acceleration == 0.0).all()
+        )
     assert (values_at(np.ones((2, 50)), 1e6) == 0.0).all()
 
 
 def test_a_part_is_read_where_it_begins():
     signals = np.arange(100.0)[None, None, :]
-    kept = moving(signals, first=500, n_times=10_000)
-    assert kept.acceleration(530 / RATE)[0, 0] == 30.0
-    assert kept.end == 600
+    moving_ = moving(signals, first=500, n_times=10_000)
+    assert moving_.acceleration(530 / RATE)[0, 0] == 30.0
+    assert moving_.end == 600
 
 
 def test_the_sliding_rms_is_that_of_the_samples_in_the_window():
     rng = np.random.default_rng(5)
     samples = rng.standard_normal((3, 200))
     sums = np.concatenate([np.zeros((3, 1)), np.cumsum(samples**2, axis=1)], axis=1)
-    kept = SlidingEnergy(
+    moving_ = SlidingEnergy(
         sums=sums, first=40, sample_rate_hz=RATE, response_samples=240, largest=3.0, delay_s=0.0
     )
     # An odd window lies around a sample.
-    found = kept.rms((40 + 100) / RATE, 21 / RATE)
-    assert found == pytest.approx(np.sqrt((samples[:, 90:111] ** 2).mean(axis=1)))
+    rms = moving_.rms((40 + 100) / RATE, 21 / RATE)
+    assert rms == pytest.approx(np.sqrt((samples[:, 90:111] ** 2).mean(axis=1)))
     # Half way to the next one, half of each mean square.
     later = np.sqrt(
         ((samples[:, 90:111] ** 2).mean(axis=1) + (samples[:, 91:112] ** 2).mean(axis=1)) / 2
     )
-    assert kept.rms((40 + 100.5) / RATE, 21 / RATE) == pytest.approx(later)
+    assert moving_.rms((40 + 100.5) / RATE, 21 / RATE) == pytest.approx(later)
     # An even one around the middle between two.
-    found = kept.rms((40 + 100.5) / RATE, 20 / RATE)
-    assert found == pytest.approx(np.sqrt((samples[:, 91:111] ** 2).mean(axis=1)))
+    rms = moving_.rms((40 + 100.5) / RATE, 20 / RATE)
+    assert rms == pytest.approx(np.sqrt((samples[:, 91:111] ** 2).mean(axis=1)))
     # What lies before is silence, and counts as much.
-    found = kept.rms(40 / RATE, 21 / RATE)
-    assert found == pytest.approx(np.sqrt((samples[:, :11] ** 2).sum(axis=1) / 21))
-    assert (kept.rms(10.0, 0.02) == 0.0).all()
+    rms = moving_.rms(40 / RATE, 21 / RATE)
+    assert rms == pytest.approx(np.sqrt((samples[:, :11] ** 2).sum(axis=1) / 21))
+    assert (moving_.rms(10.0, 0.02) == 0.0).all()
     with pytest.raises(InvalidInputError, match="window_s is 0"):
-        kept.rms(0.0, 0.0)
+        moving_.rms(0.0, 0.0)
 
 
 @pytest.mark.parametrize(("axes", "method"), [("xyz", "mag"), ("z", "mag"), ("xy", "pca")])
 def test_a_window_as_long_as_the_record_gives_the_level_of_the_map(axes, method):
     view = replace(VIEW, axes=axes, method=method)
-    found = new_graph().evaluate({"moving_energy", "output_rms"}, sources(SHORT, view))
-    n = found["moving_energy"].response_samples
-    rms = found["moving_energy"].rms((n - 1) / 2 / RATE, n / RATE)
-    assert rms == pytest.approx(found["output_rms"], rel=1e-9, abs=1e-12)
+    values = new_graph().evaluate({"moving_energy", "output_rms"}, sources(SHORT, view))
+    n = values["moving_energy"].response_samples
+    rms = values["moving_energy"].rms((n - 1) / 2 / RATE, n / RATE)
+    assert rms == pytest.approx(values["output_rms"], rel=1e-9, abs=1e-12)
 
 
 def test_frames_transform_nothing_and_run_no_rule(short):
@@ -150,30 +152,30 @@ def test_frames_transform_nothing_and_run_no_rule(short):
 
 
 def test_of_a_short_design_the_playhead_asks_for_nothing():
-    graph, wanted = new_graph(), {"moving_z", "moving_energy"}
-    first = graph.evaluate(wanted, sources(SHORT, VIEW))
-    later = graph.evaluate(wanted, sources(SHORT, replace(VIEW, playhead_s=3 * BLOCK_S)))
+    graph, quantities = new_graph(), {"moving_z", "moving_energy"}
+    first = graph.evaluate(quantities, sources(SHORT, VIEW))
+    later = graph.evaluate(quantities, sources(SHORT, replace(VIEW, playhead_s=3 * BLOCK_S)))
     assert graph.work.inverse_transforms == 0
-    assert all(first[name] is later[name] for name in wanted)
+    assert all(first[name] is later[name] for name in quantities)
 
 
 def test_of_a_long_design_two_blocks_are_kept_which_are_its_traces():
     graph = new_graph()
-    wanted = {"moving_z", "selected_traces"}
+    quantities = {"moving_z", "selected_traces"}
     view = replace(VIEW, axes="z")
     for playhead_s in (0.0, 20.0, 59.0):
         looked = replace(view, playhead_s=playhead_s)
-        found = graph.evaluate(wanted, sources(LONG, looked))
-        kept, traces = found["moving_z"], found["selected_traces"]
-        assert kept.signals[[28, 51], 0] == pytest.approx(
-            traces[:, kept.first : kept.end], abs=1e-12
+        values = graph.evaluate(quantities, sources(LONG, looked))
+        moving_, traces = values["moving_z"], values["selected_traces"]
+        assert moving_.signals[[28, 51], 0] == pytest.approx(
+            traces[:, moving_.first : moving_.end], abs=1e-12
         )
-        assert kept.first <= playhead_s * RATE < kept.end
-        assert kept.signals.shape[-1] <= (2 * BLOCK_S + 2.0) * RATE + 1
-    assert kept.largest >= np.abs(traces).max() * (1 - 1e-12)
+        assert moving_.first <= playhead_s * RATE < moving_.end
+        assert moving_.signals.shape[-1] <= (2 * BLOCK_S + 2.0) * RATE + 1
+    assert moving_.largest >= np.abs(traces).max() * (1 - 1e-12)
     every = replace(view, outputs=tuple(range(1, 73)))
     whole = graph.evaluate({"selected_traces"}, sources(LONG, every))["selected_traces"]
-    assert kept.largest == pytest.approx(np.abs(whole).max())
+    assert moving_.largest == pytest.approx(np.abs(whole).max())
 
 
 def test_the_next_block_is_all_that_is_transformed_when_the_playhead_comes_to_it():
@@ -199,9 +201,9 @@ def test_windows_overlap_by_a_block():
 
 def test_silence_is_silent():
     silent = replace(SHORT, inputs=())
-    found = new_graph().evaluate({"moving_z", "moving_energy"}, sources(silent, VIEW))
-    assert found["moving_z"].largest == 0.0
-    assert not found["moving_energy"].rms(0.1, 0.02).any()
+    values = new_graph().evaluate({"moving_z", "moving_energy"}, sources(silent, VIEW))
+    assert values["moving_z"].largest == 0.0
+    assert not values["moving_energy"].rms(0.1, 0.02).any()
 
 
 def test_a_limb_without_z_says_what_can_be_seen_of_it():

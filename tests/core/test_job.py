@@ -16,18 +16,18 @@ def count(limit: int, *, progress: Progress, stop: Stop) -> int:
 
 
 def test_a_job_tells_how_far_it_is_and_gives_its_result():
-    told: list[tuple[int, int, str]] = []
+    progress: list[tuple[int, int, str]] = []
     job = Job("Count to 3", partial(count, 3))
-    assert job.run(lambda *words: told.append(words)) == 3
-    assert told == [(1, 3, "Counting"), (2, 3, "Counting"), (3, 3, "Counting")]
+    assert job.run(lambda *report: progress.append(report)) == 3
+    assert progress == [(1, 3, "Counting"), (2, 3, "Counting"), (3, 3, "Counting")]
 
 
 def test_a_job_that_is_stopped_ends_with_the_one_error_for_that():
-    told: list[int] = []
+    progress: list[int] = []
     job = Job("Count to 9", partial(count, 9))
     with pytest.raises(Stopped, match="Counting was stopped") as caught:
-        job.run(lambda done, total, text: told.append(done), lambda: len(told) == 2)
-    assert told == [1, 2]
+        job.run(lambda done, total, text: progress.append(done), lambda: len(progress) == 2)
+    assert progress == [1, 2]
     assert isinstance(caught.value, SkinSourceError)
 
 
@@ -52,7 +52,7 @@ def test_nothing_is_estimated_from_nothing(done: int, total: int, elapsed_s: flo
 
 
 @pytest.mark.parametrize(
-    ("seconds", "words"),
+    ("seconds", "text"),
     [
         (None, ""),
         (0.0, "about 1 s left"),
@@ -66,5 +66,5 @@ def test_nothing_is_estimated_from_nothing(done: int, total: int, elapsed_s: flo
         (4000.0, "about 1.5 h left"),
     ],
 )
-def test_time_left_is_said_in_round_numbers(seconds: float | None, words: str):
-    assert time_left_text(seconds) == words
+def test_time_left_is_said_in_round_numbers(seconds: float | None, text: str):
+    assert time_left_text(seconds) == text

@@ -39,8 +39,8 @@ def built(limb):
 def fetched(limb, spacing_mm=SPACING_MM):
     """The operator, and how many were built."""
     with counting() as work:
-        found = cached_surface_operator(limb, spacing_mm)
-    return found, work.operators_built
+        operator = cached_surface_operator(limb, spacing_mm)
+    return operator, work.operators_built
 
 
 def like(limb, **changes):
@@ -53,17 +53,17 @@ def files():
     return sorted((cache_folder() / "surface").iterdir())
 
 
-def same(found, expected) -> bool:
+def same(operator, expected) -> bool:
     for name in ("data", "indices", "indptr"):
-        a, b = getattr(found.weights, name), getattr(expected.weights, name)
+        a, b = getattr(operator.weights, name), getattr(expected.weights, name)
         if a.dtype != b.dtype or a.tobytes() != b.tobytes():
             return False
     arrays = ("mask", "x_mm", "y_mm")
     rest = ("fallback_count", "blind_vertices", "single_vertices", "same_place", "warnings")
     return (
-        found.weights.shape == expected.weights.shape
-        and all(np.array_equal(getattr(found, name), getattr(expected, name)) for name in arrays)
-        and all(getattr(found, name) == getattr(expected, name) for name in rest)
+        operator.weights.shape == expected.weights.shape
+        and all(np.array_equal(getattr(operator, name), getattr(expected, name)) for name in arrays)
+        and all(getattr(operator, name) == getattr(expected, name) for name in rest)
     )
 
 
@@ -78,8 +78,8 @@ def test_an_operator_is_built_once_and_found_again_to_the_last_bit(limb, built):
 
 
 def test_what_an_operator_warns_of_is_kept(built):
-    told = replace(built, same_place=((3, 5), (60, 61)), warnings=("Thin.", "Über µ."))
-    assert same(decoded(encoded(told)), told)
+    with_notes = replace(built, same_place=((3, 5), (60, 61)), warnings=("Thin.", "Über µ."))
+    assert same(decoded(encoded(with_notes)), with_notes)
 
 
 def test_another_map_hand_or_spacing_is_another_operator(limb):
@@ -112,14 +112,14 @@ def test_of_any_damage_nothing_is_seen(limb, built):
         bent = bytearray(whole)
         bent[place] ^= 1 << int(random.integers(8))
         path.write_bytes(bent)
-        found, n_built = fetched(limb)
+        operator, n_built = fetched(limb)
         assert n_built == 1
-        assert same(found, built)
+        assert same(operator, built)
         assert path.read_bytes() == whole  # mended
     for cut in (0, 10, 60, len(whole) // 2, len(whole) - 1):
         path.write_bytes(whole[:cut])
-        found, n_built = fetched(limb)
-        assert (n_built, same(found, built)) == (1, True)
+        operator, n_built = fetched(limb)
+        assert (n_built, same(operator, built)) == (1, True)
 
 
 def test_rows_that_point_outside_are_refused_though_the_checksum_is_right(built):
@@ -135,8 +135,8 @@ def test_a_folder_that_cannot_be_written_costs_the_time_and_nothing_else(
     (user_data / "file").write_text("no folder")
     monkeypatch.setenv("SKINSOURCE_CACHE", str(user_data / "file"))
     for _ in range(2):
-        found, n_built = fetched(limb)
-        assert (n_built, same(found, built)) == (1, True)
+        operator, n_built = fetched(limb)
+        assert (n_built, same(operator, built)) == (1, True)
 
 
 def test_something_else_in_its_place_is_left_alone(limb, built):
@@ -144,8 +144,8 @@ def test_something_else_in_its_place_is_left_alone(limb, built):
     (path,) = files()
     path.unlink()
     path.mkdir()
-    found, n_built = fetched(limb)
-    assert (n_built, same(found, built)) == (1, True)
+    operator, n_built = fetched(limb)
+    assert (n_built, same(operator, built)) == (1, True)
     assert path.is_dir()
 
 

@@ -31,7 +31,7 @@ def design_of(train, location=7, scaling="relative", **more):
 
 def levels_by_hand(train: WaveletTrain, location: int, scaling="relative") -> list[float]:
     """Each wavelet as the only one of a train, predicted from its samples, without the engine."""
-    found = []
+    levels_db = []
     for j, frequency_hz in enumerate(train.frequencies_hz):
         gains_db = train.gains_db[j : j + 1]
         alone = WaveletTrain((frequency_hz,), train.cycles, family=train.family, gains_db=gains_db)
@@ -39,8 +39,8 @@ def levels_by_hand(train: WaveletTrain, location: int, scaling="relative") -> li
         drive = alone.samples(1300.0) * train.gains()[j] / alone.gains()[0]
         field = predict(load_limb(LIMB), [drive], [location], scaling=scaling)
         length = np.sqrt((field**2).sum(axis=1))
-        found.append(20 * math.log10(rms(length, "loudest", 1300.0).max()))
-    return found
+        levels_db.append(20 * math.log10(rms(length, "loudest", 1300.0).max()))
+    return levels_db
 
 
 @pytest.mark.parametrize("location", [7, 15])
@@ -74,21 +74,21 @@ def test_levels_do_not_depend_on_what_else_there_is():
     clips = (Clip(waveform=Tone(), muted=True), Clip(waveform=TRAIN, muted=True, gain=-0.01))
     other = Input(location=7, clips=clips, amplitude=7.0, muted=True)
     design = Design(limb=LIMB, inputs=(track(3, Tone(), solo=True), other), scaling="upstream")
-    train = next(one for one in design.clips if isinstance(one.waveform, WaveletTrain))
+    train = next(clip for clip in design.clips if isinstance(clip.waveform, WaveletTrain))
     assert wavelet_levels_db(design, train.id) == pytest.approx(plain, abs=1e-9)
 
 
 def test_effects_and_the_gain_curve_of_the_track_count():
     plain = wavelet_levels_db(design_of(TRAIN), 1)
     quieter = replace(design_of(TRAIN).inputs[0], gain_curve=((0.0, 1.0), (0.07, 1.0), (0.09, 0.1)))
-    found = wavelet_levels_db(replace(design_of(TRAIN), inputs=(quieter,)), 1)
-    assert found[0] == pytest.approx(plain[0], abs=1.0)
-    assert found[2] == pytest.approx(plain[2] - 20.0, abs=0.1)
+    levels_db = wavelet_levels_db(replace(design_of(TRAIN), inputs=(quieter,)), 1)
+    assert levels_db[0] == pytest.approx(plain[0], abs=1.0)
+    assert levels_db[2] == pytest.approx(plain[2] - 20.0, abs=0.1)
     reverse = next((kind for kind in EFFECTS if kind.__name__ == "Reverse"), None)
     if reverse is not None:
         turned = Input(location=7, clips=(Clip(waveform=TRAIN, effects=(reverse(),)),))
-        found = wavelet_levels_db(replace(design_of(TRAIN), inputs=(turned,)), 1)
-        assert found == pytest.approx(plain, abs=0.5)
+        levels_db = wavelet_levels_db(replace(design_of(TRAIN), inputs=(turned,)), 1)
+        assert levels_db == pytest.approx(plain, abs=0.5)
 
 
 def test_the_label_notes_what_was_measured_once_and_keeps_other_words():
@@ -117,7 +117,7 @@ def test_gains_take_off_what_is_above_the_softest():
 
 
 @pytest.mark.parametrize(
-    ("design", "clip_id", "levels_db", "words"),
+    ("design", "clip_id", "levels_db", "message"),
     [
         (design_of(TRAIN), 9, (0.0, 0.0, 0.0), "no clip has the id 9"),
         (design_of(Tone()), 1, (0.0,), "does not play that wavelet train"),
@@ -127,10 +127,10 @@ def test_gains_take_off_what_is_above_the_softest():
         (design_of(TRAIN), 1, (math.nan, 0.0, 0.0), "moves nothing"),
     ],
 )
-def test_what_cannot_be_equalised_is_refused_in_words(design, clip_id, levels_db, words):
-    found = edits.equalise_on_skin(design, View(), clip_id, levels_db, MEASURE)
-    assert isinstance(found, Refusal)
-    assert words in found.sentence
+def test_what_cannot_be_equalised_is_refused_in_words(design, clip_id, levels_db, message):
+    outcome = edits.equalise_on_skin(design, View(), clip_id, levels_db, MEASURE)
+    assert isinstance(outcome, Refusal)
+    assert message in outcome.sentence
 
 
 def test_only_trains_have_wavelets():
@@ -139,9 +139,9 @@ def test_only_trains_have_wavelets():
 
 
 def test_it_tells_how_far_it_is_and_can_be_stopped():
-    told = []
-    wavelet_levels_db(design_of(TRAIN), 1, progress=lambda *step: told.append(step))
-    assert [step[:2] for step in told] == [(1, 3), (2, 3), (3, 3)]
+    progress = []
+    wavelet_levels_db(design_of(TRAIN), 1, progress=lambda *step: progress.append(step))
+    assert [step[:2] for step in progress] == [(1, 3), (2, 3), (3, 3)]
     with pytest.raises(Stopped):
         wavelet_levels_db(design_of(TRAIN), 1, stop=lambda: True)
 
@@ -152,5 +152,5 @@ def test_wavelets_are_made_alike_in_the_scaling_of_the_design(scaling):
     done = edits.equalise_on_skin(design, View(), 1, wavelet_levels_db(design, 1), "")
     train = done.design.clips[0].waveform
     # All of a train is divided by one number, as with "upstream": alone, each would be by its own.
-    alike = levels_by_hand(train, 7, "relative" if scaling == "upstream" else scaling)
-    assert max(alike) - min(alike) < 0.05
+    by_hand = levels_by_hand(train, 7, "relative" if scaling == "upstream" else scaling)
+    assert max(by_hand) - min(by_hand) < 0.05

@@ -13,12 +13,12 @@ from skinsource.engine.quantities import new_graph, sources
 @pytest.mark.parametrize("scaling", ["upstream", "relative", "probe"])
 def test_a_limb_that_was_left_is_freed(scaling):
     graph = new_graph()
-    wanted = {"limb_data", "surface_levels_db", "selected_traces", "selected_spectra"}
+    quantities = {"limb_data", "surface_levels_db", "selected_traces", "selected_spectra"}
 
     def show(limb):
         design = Design(limb=limb, inputs=(track(7),))
         given = sources(design, View()) | {"scaling": scaling}
-        return ref(graph.evaluate(wanted, given)["limb_data"])
+        return ref(graph.evaluate(quantities, given)["limb_data"])
 
     left = show("synthetic-1")
     assert left() is not None

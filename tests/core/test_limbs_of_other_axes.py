@@ -63,22 +63,24 @@ def limb_along(axes: str, n_taps: int = N_TAPS, **more) -> Limb:
 
 def plainly(limb: Limb, design: Design) -> np.ndarray:
     """Acceleration, (31, n_axes, n_times), by direct convolution, channel by channel."""
-    played = [(round(one.onset_s * RATE_HZ), one.waveform.samples(RATE_HZ)) for one in design.clips]
+    played = [
+        (round(clip.onset_s * RATE_HZ), clip.waveform.samples(RATE_HZ)) for clip in design.clips
+    ]
     n_times = max(start + samples.size for start, samples in played) + limb.n_taps - 1
     total = np.zeros((N_OUTPUTS, limb.n_axes, n_times))
-    for one, (start, samples) in zip(design.inputs, played, strict=True):
+    for input_track, (start, samples) in zip(design.inputs, played, strict=True):
         alone = np.zeros_like(total)
         for channel in np.ndindex(N_OUTPUTS, limb.n_axes):
-            answer = np.convolve(samples, limb.response_to(one.location)[channel])
+            answer = np.convolve(samples, limb.response_to(input_track.location)[channel])
             alone[channel][start : start + answer.size] = answer
         largest = alone.max() if design.scaling == "upstream" else 1.0
-        total += alone * (one.amplitude / largest)
+        total += alone * (input_track.amplitude / largest)
     return total
 
 
-def shown(limb: Limb, design: Design, view: View, *wanted: str, graph=None) -> dict:
+def shown(limb: Limb, design: Design, view: View, *quantities: str, graph=None) -> dict:
     given = sources(design, view) | {"limb_data": limb}
-    return (graph or new_graph()).evaluate(wanted, given)
+    return (graph or new_graph()).evaluate(quantities, given)
 
 
 @pytest.mark.parametrize("measured", ["xz", "xy", "z", "xyz"])
@@ -89,7 +91,7 @@ def test_every_projection_of_the_axes_there_are_is_that_of_plain_convolution(mea
     there = [axes for axes in AXES if set(axes) <= set(measured)]
     for axes, method, span in product((*there, "xyz"), METHODS, ("record", "loudest")):
         view = View(axes=axes, method=method, outputs=OUTPUTS, span=span)
-        found = shown(
+        values = shown(
             limb,
             design,
             view,
@@ -100,14 +102,14 @@ def test_every_projection_of_the_axes_there_are_is_that_of_plain_convolution(mea
             graph=graph,
         )
         signals = project_axes(field, axes, method, measured)
-        np.testing.assert_allclose(found["output_rms"], rms(signals, span, RATE_HZ), rtol=1e-10)
+        np.testing.assert_allclose(values["output_rms"], rms(signals, span, RATE_HZ), rtol=1e-10)
         picked = signals[[output - 1 for output in OUTPUTS]]
         tolerance = 1e-12 * np.abs(signals).max()
-        np.testing.assert_allclose(found["selected_traces"], picked, atol=tolerance)
+        np.testing.assert_allclose(values["selected_traces"], picked, atol=tolerance)
         hz, magnitudes = magnitude_spectrum(picked, RATE_HZ)
-        np.testing.assert_array_equal(found["selected_spectra"][0], hz)
-        np.testing.assert_allclose(found["selected_spectra"][1], magnitudes, atol=tolerance)
-        assert found["trace_error"].estimate < 1e-13
+        np.testing.assert_array_equal(values["selected_spectra"][0], hz)
+        np.testing.assert_allclose(values["selected_spectra"][1], magnitudes, atol=tolerance)
+        assert values["trace_error"].estimate < 1e-13
 
 
 def test_each_input_that_stands_apart_gives_the_same_levels():
@@ -125,17 +127,17 @@ def test_each_input_that_stands_apart_gives_the_same_levels():
 def test_upstream_scaling_takes_the_largest_of_the_axes_there_are():
     limb, design = limb_along("xz"), replace(PLAYED, scaling="upstream")
     expected = rms(project_axes(plainly(limb, design), "xz", "mag", "xz"))
-    found = shown(limb, design, View(axes="xz", method="mag", outputs=()), "output_rms")
-    np.testing.assert_allclose(found["output_rms"], expected, rtol=1e-11)
+    values = shown(limb, design, View(axes="xz", method="mag", outputs=()), "output_rms")
+    np.testing.assert_allclose(values["output_rms"], expected, rtol=1e-11)
 
 
 @pytest.mark.parametrize(("measured", "axes"), [("xz", "y"), ("xz", "xy"), ("z", "x")])
 def test_an_axis_that_was_not_measured_is_refused_by_name(measured, axes):
     limb = limb_along(measured)
-    words = f"measures along {' and '.join(measured)} only. Choose '{measured}'"
-    with pytest.raises(InvalidInputError, match=words):
+    message = f"measures along {' and '.join(measured)} only. Choose '{measured}'"
+    with pytest.raises(InvalidInputError, match=message):
         shown(limb, PLAYED, View(axes=axes, outputs=OUTPUTS), "output_rms")
-    with pytest.raises(InvalidInputError, match=words):
+    with pytest.raises(InvalidInputError, match=message):
         project_axes(np.zeros((2, len(measured), 9)), axes, "mag", measured)
 
 
@@ -163,9 +165,9 @@ def test_a_limb_whose_axes_are_not_those_of_its_responses_is_refused(axes):
 @pytest.mark.parametrize("n_axes", [1, 2, 3])
 def test_moments_of_any_number_of_axes_are_sums_over_time(n_axes):
     signals = np.random.default_rng(1).standard_normal((5, n_axes, 64))
-    found = moments_of(np.fft.rfft(signals), 64, products=True)
-    np.testing.assert_allclose(found.second, signals @ signals.transpose(0, 2, 1), atol=1e-12)
-    np.testing.assert_allclose(found.first, signals.sum(axis=-1), atol=1e-12)
+    moments = moments_of(np.fft.rfft(signals), 64, products=True)
+    np.testing.assert_allclose(moments.second, signals @ signals.transpose(0, 2, 1), atol=1e-12)
+    np.testing.assert_allclose(moments.first, signals.sum(axis=-1), atol=1e-12)
     assert len(pairs(n_axes)) == n_axes * (n_axes - 1) // 2
 
 
@@ -176,9 +178,9 @@ def test_probe_scaling_divides_by_the_pulse_only_where_a_pulse_was_played():
     np.testing.assert_array_equal(predict(plain, [drive], [3], scaling="probe"), relative)
     taps = per_probe_acceleration(pulsed.response_to(3), RATE_HZ)
     expected = np.convolve(drive, taps[7, 1])
-    found = predict(pulsed, [drive], [3], scaling="probe")[7, 1]
-    np.testing.assert_allclose(found, expected, atol=1e-12 * np.abs(expected).max())
-    assert not np.allclose(found, relative[7, 1], atol=1e-3 * np.abs(expected).max())
+    response = predict(pulsed, [drive], [3], scaling="probe")[7, 1]
+    np.testing.assert_allclose(response, expected, atol=1e-12 * np.abs(expected).max())
+    assert not np.allclose(response, relative[7, 1], atol=1e-3 * np.abs(expected).max())
 
 
 def test_the_map_shows_the_outputs_that_have_a_place():
@@ -186,17 +188,17 @@ def test_the_map_shows_the_outputs_that_have_a_place():
     operator = surface_operator(limb)
     assert operator.weights.shape[1] == N_OUTPUTS
     assert not operator.weights[:, [4]].nnz
-    found = shown(limb, PLAYED, View(axes="xz", outputs=()), "output_levels_db")
-    levels = operator.interpolate(found["output_levels_db"])
+    values = shown(limb, PLAYED, View(axes="xz", outputs=()), "output_levels_db")
+    levels = operator.interpolate(values["output_levels_db"])
     inside = levels[np.isfinite(levels)]
-    placed = np.delete(found["output_levels_db"], 4)
+    placed = np.delete(values["output_levels_db"], 4)
     assert inside.size
     assert placed.min() - 1e-9 <= inside.min() <= inside.max() <= placed.max() + 1e-9
-    energy = 10 ** (found["output_levels_db"] / 20)
+    energy = 10 ** (values["output_levels_db"] / 20)
     assert 0.0 < extent(energy, limb, (7,)).mean_distance_mm < 100.0
 
 
 def test_times_are_shifted_by_the_delay_of_the_limb():
     limb = limb_along("z", pre_trigger_delay_s=0.01)
-    found = shown(limb, PLAYED, View(delay_removed=True, outputs=()), "response_time_s")
-    np.testing.assert_allclose(found["response_time_s"][:2], [-0.01, 1 / RATE_HZ - 0.01])
+    values = shown(limb, PLAYED, View(delay_removed=True, outputs=()), "response_time_s")
+    np.testing.assert_allclose(values["response_time_s"][:2], [-0.01, 1 / RATE_HZ - 0.01])

@@ -17,7 +17,7 @@ RATE_HZ = 1300.0
 
 
 def played(*places, amplitude=1.0, **others):
-    tracks = tuple(ss.track(one, TONE, amplitude=amplitude) for one in places)
+    tracks = tuple(ss.track(place, TONE, amplitude=amplitude) for place in places)
     return ss.Design(limb="synthetic-1", inputs=tracks, scaling="probe", **others)
 
 
@@ -97,31 +97,31 @@ def test_others_have_no_joint_one(designs):
 
 def test_a_linear_response_is_the_same_once_divided_and_a_line_through_zero():
     rng = np.random.default_rng(1)
-    one = rng.normal(size=(2, 400))
+    unit = rng.normal(size=(2, 400))
     x = np.array([2.0, 1.0, 5.0])
-    found = proportion(x, x[:, None, None] * one, RATE_HZ, None)
-    assert found.strengths.tolist() == [1.0, 2.0, 5.0]
-    assert found.apart < 1e-14
-    assert np.allclose(found.divided, one)
-    rms = np.sqrt(np.mean(one**2, axis=-1))
-    assert np.allclose(found.rms, found.strengths[:, None] * rms)
-    assert np.allclose(found.line, found.rms)
-    assert np.nanmin(found.adjusted_r2) > 1.0 - 1e-12
+    result = proportion(x, x[:, None, None] * unit, RATE_HZ, None)
+    assert result.strengths.tolist() == [1.0, 2.0, 5.0]
+    assert result.apart < 1e-14
+    assert np.allclose(result.divided, unit)
+    rms = np.sqrt(np.mean(unit**2, axis=-1))
+    assert np.allclose(result.rms, result.strengths[:, None] * rms)
+    assert np.allclose(result.line, result.rms)
+    assert np.nanmin(result.adjusted_r2) > 1.0 - 1e-12
 
 
 def test_a_response_that_saturates_is_told():
     rng = np.random.default_rng(2)
-    one = rng.normal(size=(1, 400))
+    unit = rng.normal(size=(1, 400))
     x = np.array([1.0, 2.0, 3.0, 4.0])
-    found = proportion(x, np.tanh(x[:, None, None] * one), RATE_HZ, None)
-    assert found.apart > 0.3
-    assert np.nanmin(found.adjusted_r2) < 0.9
-    assert np.abs(found.line - found.rms).max() > 0.005
-    through = np.polynomial.Polynomial.fit(x, found.rms[:, 0], 1)
-    np.testing.assert_allclose(found.line[:, 0], through(x))
-    band = found.band_rms[:, 0, 40]
+    result = proportion(x, np.tanh(x[:, None, None] * unit), RATE_HZ, None)
+    assert result.apart > 0.3
+    assert np.nanmin(result.adjusted_r2) < 0.9
+    assert np.abs(result.line - result.rms).max() > 0.005
+    through = np.polynomial.Polynomial.fit(x, result.rms[:, 0], 1)
+    np.testing.assert_allclose(result.line[:, 0], through(x))
+    band = result.band_rms[:, 0, 40]
     through = np.polynomial.Polynomial.fit(x, band, 1)
-    np.testing.assert_allclose(found.band_line[:, 0, 40], through(x))
+    np.testing.assert_allclose(result.band_line[:, 0, 40], through(x))
     assert abs(through(0.0)) > 0.05 * band.max()
 
 
@@ -130,10 +130,10 @@ def test_what_inputs_cause_together_is_held_against_their_sum():
     first, second = rng.normal(size=(2, 300)), rng.normal(size=(2, 200))
     joint = first.copy()
     joint[:, :200] += second
-    found = superposition([first, second], joint)
-    assert np.array_equal(found.separate, joint)
-    assert found.apart == 0.0
-    assert np.allclose(found.correlation, 1.0)
+    result = superposition([first, second], joint)
+    assert np.array_equal(result.separate, joint)
+    assert result.apart == 0.0
+    assert np.allclose(result.correlation, 1.0)
     bent = superposition([first, second], np.tanh(joint))
     assert bent.apart > 0.1
     assert (bent.correlation < 0.99).all()
@@ -143,8 +143,8 @@ def test_differences_are_a_part_of_the_peak_of_either_sign():
     down = np.array([[0.0, -4.0, 1.0]])
     other = np.array([[0.0, -4.0, 1.5]])
     assert superposition([down], other).apart == pytest.approx(0.5 / 4.0)
-    found = proportion([1.0, 2.0, 4.0], down * [[[1.0]], [[2.0]], [[4.2]]], RATE_HZ, None)
-    assert found.apart == pytest.approx(0.05 * 4.0 / (1.05 * 4.0))
+    result = proportion([1.0, 2.0, 4.0], down * [[[1.0]], [[2.0]], [[4.2]]], RATE_HZ, None)
+    assert result.apart == pytest.approx(0.05 * 4.0 / (1.05 * 4.0))
     assert math.isnan(superposition([0.0 * down], 0.0 * down).apart)
 
 

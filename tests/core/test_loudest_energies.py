@@ -43,21 +43,21 @@ def limb() -> Limb:
     return load_synthetic_limb(1)
 
 
-def shown(design: Design, view: View, *wanted: str, span: str = "loudest", graph=None, **stop):
+def shown(design: Design, view: View, *quantities: str, span: str = "loudest", graph=None, **stop):
     given = sources(design, replace(view, span=span))
-    found = (graph or new_graph()).evaluate(wanted, given, **stop)
-    return [found[name] for name in wanted]
+    values = (graph or new_graph()).evaluate(quantities, given, **stop)
+    return [values[name] for name in quantities]
 
 
 def acceleration(limb: Limb, design: Design) -> np.ndarray:
-    starts = [round(one.clips[0].onset_s * 1300) for one in design.inputs]
-    played = [one.clips[0].waveform.samples(1300.0) for one in design.inputs]
-    n_times = max(start + one.size for start, one in zip(starts, played, strict=True))
+    starts = [round(track.clips[0].onset_s * 1300) for track in design.inputs]
+    played = [track.clips[0].waveform.samples(1300.0) for track in design.inputs]
+    n_times = max(start + samples.size for start, samples in zip(starts, played, strict=True))
     drives = np.zeros((len(played), n_times))
-    for row, start, one in zip(drives, starts, played, strict=True):
-        row[start : start + one.size] = one
-    places = [one.location for one in design.inputs]
-    amplitudes = [one.amplitude for one in design.inputs]
+    for row, start, samples in zip(drives, starts, played, strict=True):
+        row[start : start + samples.size] = samples
+    places = [track.location for track in design.inputs]
+    amplitudes = [track.amplitude for track in design.inputs]
     return predict(limb, drives, places, amplitudes, design.scaling)
 
 
@@ -69,9 +69,9 @@ def test_loudest_levels_are_those_of_the_projected_signals(limb, design, selecte
     for axes in AXES:
         for method in METHODS:
             view = View(axes=axes, method=method, selected_inputs=selected)
-            (found,) = shown(design, view, "output_rms", graph=graph)
+            (levels,) = shown(design, view, "output_rms", graph=graph)
             expected = rms(project_axes(field, axes, method), "loudest", 1300.0)
-            np.testing.assert_allclose(found, expected, rtol=1e-11, err_msg=f"{axes} {method}")
+            np.testing.assert_allclose(levels, expected, rtol=1e-11, err_msg=f"{axes} {method}")
 
 
 def test_a_loud_burst_leaves_the_level_of_what_is_loud_elsewhere_alone(limb):
@@ -81,35 +81,35 @@ def test_a_loud_burst_leaves_the_level_of_what_is_loud_elsewhere_alone(limb):
     both = replace(SHORT, inputs=(loud, quiet))
     field = acceleration(limb, both)
     for axes, method in (("z", "soc"), ("xyz", "pca"), ("xyz", "mag")):
-        (found,) = shown(both, View(axes=axes, method=method), "output_rms")
+        (levels,) = shown(both, View(axes=axes, method=method), "output_rms")
         expected = rms(project_axes(field, axes, method), "loudest")
-        np.testing.assert_allclose(found, expected, rtol=1e-11)
+        np.testing.assert_allclose(levels, expected, rtol=1e-11)
 
 
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("waveform", [Tone(), Tap(), Impulse(), Noise(seed=3, duration_s=0.4)])
 def test_the_loudest_level_does_not_change_when_the_onset_moves(method, waveform):
-    graph, found = new_graph(), []
+    graph, levels_db = new_graph(), []
     for onset_s in (0.0, 0.05, 1.0, 9.0, 14.0):
         design = replace(SHORT, inputs=(track(location=7, waveform=waveform, onset_s=onset_s),))
-        found += shown(design, View(method=method), "output_levels_db", graph=graph)
+        levels_db += shown(design, View(method=method), "output_levels_db", graph=graph)
     # A main axis is that of data centred over the record, so that silence moves it a little.
     limit = 0.01 if method == "pca" else 1e-9
-    assert np.ptp(found, axis=0).max() < limit
+    assert np.ptp(levels_db, axis=0).max() < limit
 
 
 @pytest.mark.parametrize("frequency_hz", [60.0, 100.0, 250.0])
 @pytest.mark.parametrize("window", ["none", "tukey"])
 @pytest.mark.parametrize("scaling", ["upstream", "probe"])
 def test_the_loudest_level_of_a_tone_hardly_changes_with_its_length(frequency_hz, window, scaling):
-    graph, found = new_graph(), []
+    graph, levels_db = new_graph(), []
     for duration_s in (0.2, 0.3, 0.5, 1.0, 3.0):
         tone = Tone(frequency_hz=frequency_hz, duration_s=duration_s, window=window)
         design = replace(SHORT, scaling=scaling, inputs=(track(location=7, waveform=tone),))
-        found += shown(design, View(), "output_levels_db", graph=graph)
-    levels = np.array(found)
-    heard = levels[-1] > levels[-1].max() - 20.0
-    assert np.ptp(levels[:, heard], axis=0).max() < 0.5
+        levels_db += shown(design, View(), "output_levels_db", graph=graph)
+    levels = np.array(levels_db)
+    audible = levels[-1] > levels[-1].max() - 20.0
+    assert np.ptp(levels[:, audible], axis=0).max() < 0.5
 
 
 def test_the_level_of_the_whole_record_changes_with_the_onset():

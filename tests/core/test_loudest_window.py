@@ -26,14 +26,14 @@ def signals(n: int) -> dict[str, np.ndarray]:
     burst_then_silence = np.zeros(n)
     burst_then_silence[: n // 4] = 1e9 * rng.standard_normal(n // 4)
     quiet_after_loud = rng.standard_normal(n) * np.logspace(0, -12, n)
-    one = np.zeros(n)
-    one[n // 2] = -3.0
+    signal = np.zeros(n)
+    signal[n // 2] = -3.0
     return {
         "noise": rng.standard_normal(n),
         "burst, then silence": burst_then_silence,
         "fading": quiet_after_loud,
         "growing": quiet_after_loud[::-1].copy(),
-        "one sample": one,
+        "one sample": signal,
         "constant": np.ones(n),
         "silence": np.zeros(n),
     }
@@ -43,8 +43,8 @@ def signals(n: int) -> dict[str, np.ndarray]:
 @pytest.mark.parametrize("n", [1, 2, 129, 130, 131, 259, 260, 261, 1821])
 def test_the_loudest_window_is_that_of_sums_over_all(n, n_window):
     for what, x in signals(n).items():
-        found = loudest_energy(x, n_window)
-        assert found == pytest.approx(direct(x, n_window), rel=1e-13, abs=0), what
+        energy = loudest_energy(x, n_window)
+        assert energy == pytest.approx(direct(x, n_window), rel=1e-13, abs=0), what
 
 
 @pytest.mark.parametrize("n_window", [1, 13, 130])
@@ -96,10 +96,10 @@ def test_a_signal_shorter_than_the_window_is_averaged_over_the_window():
 
 
 def test_the_window_is_a_tenth_of_a_second_at_any_rate():
-    one = np.zeros(5000)
-    one[2500] = 1.0
+    signal = np.zeros(5000)
+    signal[2500] = 1.0
     for rate_hz, n_window in ((1300.0, 130), (2000.0, 200), (3.0, 1)):
-        assert rms(one, "loudest", rate_hz) == pytest.approx(n_window**-0.5, rel=1e-13)
+        assert rms(signal, "loudest", rate_hz) == pytest.approx(n_window**-0.5, rel=1e-13)
 
 
 def test_the_record_is_the_default():

@@ -25,7 +25,7 @@ SCALED = ("output_rms", "selected_traces", "axis_spectra", "axis_traces")
 NOT_SCALED = ("input_waveforms", "place_drives", "contact_weighted_rms", "validity")
 
 
-def found(names, gain=1.0, view=VIEW, graph=None):
+def values_of(names, gain=1.0, view=VIEW, graph=None):
     graph = graph or new_graph()
     return graph.evaluate(names, sources(DESIGN, view, match_gain=gain))
 
@@ -33,31 +33,31 @@ def found(names, gain=1.0, view=VIEW, graph=None):
 def flat(value):
     """All numbers in nested tuples of arrays, one after another."""
     if isinstance(value, tuple):
-        return np.concatenate([flat(one) for one in value])
+        return np.concatenate([flat(part) for part in value])
     return np.ravel(np.asarray(value, float))
 
 
 @pytest.mark.parametrize("selected", [(), (1,), (2,)])
 def test_all_that_the_skin_does_has_the_gain(selected):
     view = replace(VIEW, selected_inputs=selected)
-    as_stored, seen = found(SCALED, view=view), found(SCALED, GAIN, view=view)
+    as_stored, scaled = values_of(SCALED, view=view), values_of(SCALED, GAIN, view=view)
     for name in SCALED:
         expected = GAIN * as_stored[name]
         least = 1e-13 * np.abs(expected).max()
-        np.testing.assert_allclose(seen[name], expected, rtol=1e-12, atol=least)
+        np.testing.assert_allclose(scaled[name], expected, rtol=1e-12, atol=least)
 
 
 def test_no_drive_has_it_and_nothing_that_is_judged_by_drives():
-    as_stored, seen = found(NOT_SCALED), found(NOT_SCALED, GAIN)
+    as_stored, scaled = values_of(NOT_SCALED), values_of(NOT_SCALED, GAIN)
     for name in NOT_SCALED[:-1]:
-        np.testing.assert_array_equal(flat(seen[name]), flat(as_stored[name]))
-    assert seen["validity"] == as_stored["validity"]
+        np.testing.assert_array_equal(flat(scaled[name]), flat(as_stored[name]))
+    assert scaled["validity"] == as_stored["validity"]
 
 
 def test_a_gain_costs_what_an_edit_of_all_amplitudes_costs_and_draws_nothing():
     def work_of(design, gain):
         graph = new_graph()
-        found(SCALED, graph=graph)
+        values_of(SCALED, graph=graph)
         graph.evaluate(SCALED, sources(design, VIEW, match_gain=gain))
         return graph.work
 
@@ -69,28 +69,28 @@ def test_a_gain_costs_what_an_edit_of_all_amplitudes_costs_and_draws_nothing():
 
 
 def test_traces_with_a_gain_are_as_exact_as_others():
-    assert found(("trace_error",), GAIN)["trace_error"].estimate < 1e-12
+    assert values_of(("trace_error",), GAIN)["trace_error"].estimate < 1e-12
 
 
 def test_noise_has_it_too_so_that_nothing_comes_nearer_to_the_noise(measured):
     names = ("output_noise_rms", "above_noise_db", "noise_rms_of_windows")
     design = replace(DESIGN, limb="measured-1")
-    stored, seen = (
+    stored, scaled = (
         new_graph().evaluate(names, sources(design, VIEW, match_gain=gain)) for gain in (1.0, GAIN)
     )
     for name in ("output_noise_rms", "noise_rms_of_windows"):
-        np.testing.assert_allclose(seen[name], GAIN * stored[name], rtol=1e-9)
-    np.testing.assert_allclose(seen["above_noise_db"], stored["above_noise_db"], atol=1e-9)
+        np.testing.assert_allclose(scaled[name], GAIN * stored[name], rtol=1e-9)
+    np.testing.assert_allclose(scaled["above_noise_db"], stored["above_noise_db"], atol=1e-9)
 
 
 def test_what_is_too_long_to_be_transformed_at_once_has_it_too():
     late = replace(DESIGN.inputs[1], clips=(replace(DESIGN.inputs[1].clips[0], onset_s=60.0),))
     design = replace(DESIGN, inputs=(DESIGN.inputs[0], late))
     names = ("streamed", "output_rms", "selected_traces")
-    stored, seen = (
+    stored, scaled = (
         new_graph().evaluate(names, sources(design, VIEW, match_gain=gain)) for gain in (1.0, GAIN)
     )
     assert stored["streamed"]
     for name in names[1:]:
         least = 1e-12 * np.abs(stored[name]).max()
-        np.testing.assert_allclose(seen[name], GAIN * stored[name], rtol=1e-9, atol=least)
+        np.testing.assert_allclose(scaled[name], GAIN * stored[name], rtol=1e-9, atol=least)

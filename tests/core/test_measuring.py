@@ -23,32 +23,32 @@ def swept():
 
 def test_a_sweep_gives_the_response_of_what_was_swept(swept):
     hz = np.geomspace(25.0, 600.0, 50)
-    found = ss.measuring.response_from_sweep(*swept, RATE_HZ)
+    response = ss.measuring.response_from_sweep(*swept, RATE_HZ)
     # A voltage that goes evenly from sample to sample has lost sinc² of its upper end.
     exact = COIL.response(hz) * np.sinc(hz / RATE_HZ) ** 2
-    assert np.abs(found.response(hz) / exact - 1.0).max() < 0.02
+    assert np.abs(response.response(hz) / exact - 1.0).max() < 0.02
 
 
 def test_noise_of_the_accelerometer_averages_out(swept):
     voltage, acceleration = swept
     noise = np.random.default_rng(2).standard_normal(acceleration.size)
     noisy = acceleration + 0.3 * noise * np.sqrt(np.mean(acceleration**2))
-    found = ss.measuring.response_from_sweep(voltage, noisy, RATE_HZ)
-    assert ss.actuators.misfit_db(found, *_points(25.0, 600.0)) < 1.0
+    response = ss.measuring.response_from_sweep(voltage, noisy, RATE_HZ)
+    assert ss.actuators.misfit_db(response, *_points(25.0, 600.0)) < 1.0
 
 
 def test_a_sweep_of_half_the_band_tells_of_that_half(swept):
     voltage, acceleration = swept
     half = slice(0, int(2.5 * RATE_HZ))
-    found = ss.measuring.response_from_sweep(voltage[half], acceleration[half], RATE_HZ)
-    assert found.points[-1][0] < 300.0
+    response = ss.measuring.response_from_sweep(voltage[half], acceleration[half], RATE_HZ)
+    assert response.points[-1][0] < 300.0
 
 
 def test_a_fit_to_a_sweep_is_the_coil(swept):
     measured = ss.measuring.response_from_sweep(*swept, RATE_HZ, (25.0, 600.0))
     hz = np.array([point[0] for point in measured.points])
-    found = ss.actuators.fit(hz, measured.response(hz))
-    assert ss.actuators.misfit_db(found, *_points(25.0, 600.0)) < 0.3
+    fitted = ss.actuators.fit(hz, measured.response(hz))
+    assert ss.actuators.misfit_db(fitted, *_points(25.0, 600.0)) < 0.3
 
 
 def test_a_sound_file_holds_voltage_and_acceleration(swept, tmp_path):
@@ -56,10 +56,12 @@ def test_a_sound_file_holds_voltage_and_acceleration(swept, tmp_path):
     path = tmp_path / "sweep.wav"
     both = np.stack((voltage / 2.0, acceleration / 200.0), axis=1)
     soundfile.write(path, both, RATE_HZ, subtype="FLOAT")
-    found = ss.measuring.open_response(path, volts_at_full_scale=2.0, m_per_s2_at_full_scale=200.0)
+    response = ss.measuring.open_response(
+        path, volts_at_full_scale=2.0, m_per_s2_at_full_scale=200.0
+    )
     direct = ss.measuring.response_from_sweep(voltage, acceleration, RATE_HZ)
     hz = np.geomspace(25.0, 600.0, 50)
-    assert found.response(hz) == pytest.approx(direct.response(hz), rel=1e-4)
+    assert response.response(hz) == pytest.approx(direct.response(hz), rel=1e-4)
 
 
 TABLES = {
@@ -89,8 +91,8 @@ def test_a_table_holds_a_response(tmp_path, name):
 def test_a_table_without_phase_is_a_response_of_gain(tmp_path):
     path = tmp_path / "gain.csv"
     path.write_text("frequency_hz,gain\n20,1.5\n100,4\n900,2\n")
-    found = ss.measuring.open_response(path)
-    assert found.response([20.0, 100.0, 900.0]) == pytest.approx([1.5, 4.0, 2.0])
+    response = ss.measuring.open_response(path)
+    assert response.response([20.0, 100.0, 900.0]) == pytest.approx([1.5, 4.0, 2.0])
 
 
 @pytest.mark.parametrize(

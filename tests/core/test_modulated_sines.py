@@ -57,15 +57,15 @@ def test_a_chirp_passes_the_middle_of_its_law_in_the_middle():
 def test_a_chirp_that_stays_is_a_tone():
     tone = Tone(87.3, 0.4, 0.3, "none").samples(1300.0)
     for law in ("linear", "logarithmic"):
-        found = Chirp(87.3, 87.3, 0.3, law, 0.4, "none").samples(1300.0)
-        np.testing.assert_allclose(found, tone, rtol=0, atol=1e-13)
+        samples = Chirp(87.3, 87.3, 0.3, law, 0.4, "none").samples(1300.0)
+        np.testing.assert_allclose(samples, tone, rtol=0, atol=1e-13)
 
 
 def test_amplitude_modulation_is_three_lines():
-    found = spectrum(AmplitudeModulated(200.0, 20.0, 0.5, 1.0).samples(1300.0))
-    expected = np.zeros_like(found)
+    lines = spectrum(AmplitudeModulated(200.0, 20.0, 0.5, 1.0).samples(1300.0))
+    expected = np.zeros_like(lines)
     expected[200], expected[[180, 220]] = 1 / 1.5, 0.25 / 1.5
-    assert np.abs(found - expected).max() < 1e-12
+    assert np.abs(lines - expected).max() < 1e-12
     assert np.abs(AmplitudeModulated(201.0, 20.0, 0.5, 1.0).samples(48000.0)).max() <= 1.0
     plain = AmplitudeModulated(200.0, 20.0, 0.0, 0.2).samples(1300.0)
     np.testing.assert_allclose(
@@ -77,10 +77,10 @@ def test_amplitude_modulation_is_three_lines():
 
 def test_frequency_modulation_has_lines_of_bessel_functions():
     """Chowning 1973: line n beside the carrier has amplitude J_n of deviation / modulator."""
-    found = spectrum(FrequencyModulated(1000.0, 20.0, 60.0, 1.0).samples(8000.0))
+    lines = spectrum(FrequencyModulated(1000.0, 20.0, 60.0, 1.0).samples(8000.0))
     for n in range(-20, 21):
-        assert found[1000 + 20 * n] == pytest.approx(abs(jv(n, 3.0)), abs=1e-12)
-    assert found[1010] < 1e-12
+        assert lines[1000 + 20 * n] == pytest.approx(abs(jv(n, 3.0)), abs=1e-12)
+    assert lines[1010] < 1e-12
 
 
 def test_a_damped_sine_falls_to_37_percent_in_its_decay():

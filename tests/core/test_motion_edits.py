@@ -56,24 +56,24 @@ def test_what_no_motion_can_do_is_named(kind, changes):
 @pytest.mark.parametrize("kind", MOTIONS)
 def test_a_motion_is_added_beside_what_is_there_and_selected(kind):
     design = Design(limb="synthetic-1", inputs=(Input(location=7), Input(location=16)))
-    found = edits.add_motion(design, View(selected_inputs=(1,)), kind())
-    assert isinstance(found, Edit)
-    assert found.design.inputs[:2] == design.inputs
-    added = found.design.inputs[2:]
-    assert found.view.selected_inputs == tuple(one.id for one in added)
-    assert found.label == f"Add {kind.title.lower()} at {len(added)} places"
-    for one, written in zip(added, kind().tracks(), strict=True):
-        assert (one.location, one.amplitude) == (written.location, written.amplitude)
-        assert [replace(clip, id=0) for clip in one.clips] == list(written.clips)
-    assert len({clip.id for clip in found.design.clips}) == len(found.design.clips)
-    assert len({one.colour for one in added}) == len(added)
+    outcome = edits.add_motion(design, View(selected_inputs=(1,)), kind())
+    assert isinstance(outcome, Edit)
+    assert outcome.design.inputs[:2] == design.inputs
+    added = outcome.design.inputs[2:]
+    assert outcome.view.selected_inputs == tuple(track.id for track in added)
+    assert outcome.label == f"Add {kind.title.lower()} at {len(added)} places"
+    for track, written in zip(added, kind().tracks(), strict=True):
+        assert (track.location, track.amplitude) == (written.location, written.amplitude)
+        assert [replace(clip, id=0) for clip in track.clips] == list(written.clips)
+    assert len({clip.id for clip in outcome.design.clips}) == len(outcome.design.clips)
+    assert len({track.colour for track in added}) == len(added)
 
 
 def test_a_motion_that_does_not_fit_is_refused():
     full = Design(limb="synthetic-1", inputs=(Input(location=1),) * (MAX_INPUTS - 1))
-    found = edits.add_motion(full, View(), Phantom())
-    assert isinstance(found, Refusal)
-    assert "Phantom takes 2 inputs more" in found.sentence
+    outcome = edits.add_motion(full, View(), Phantom())
+    assert isinstance(outcome, Refusal)
+    assert "Phantom takes 2 inputs more" in outcome.sentence
     assert isinstance(edits.add_motion(full, View(), None), Refusal)
     late = edits.add_motion(Design(limb="synthetic-1"), View(), Alternation(onset_s=600.0))
     assert isinstance(late, Refusal)
@@ -83,13 +83,13 @@ def test_a_motion_that_does_not_fit_is_refused():
 @given(PATHS, st.sampled_from(MOTIONS))
 def test_a_motion_can_follow_the_path_of_another(path, kind):
     leader = ApparentMotion(path=path, amplitude=2.5, onset_s=1.5)
-    found = following(kind(), leader)
-    assert type(found) is kind
-    assert (found.amplitude, found.onset_s) == (2.5, 1.5)
+    followers = following(kind(), leader)
+    assert type(followers) is kind
+    assert (followers.amplitude, followers.onset_s) == (2.5, 1.5)
     moving = tuple(place for k, place in enumerate(path) if k == 0 or place != path[k - 1])
-    wanted = {Phantom: tuple(dict.fromkeys(path))[:2], Sweep: moving}.get(kind, path)
-    assert found.path == (wanted if len(wanted) > 1 else kind().path)
-    assert following(leader, found).path == found.path
+    expected_path = {Phantom: tuple(dict.fromkeys(path))[:2], Sweep: moving}.get(kind, path)
+    assert followers.path == (expected_path if len(expected_path) > 1 else kind().path)
+    assert following(leader, followers).path == followers.path
 
 
 @pytest.mark.parametrize(

@@ -36,16 +36,16 @@ DURATIONS = st.floats(0.02, 0.5)
 
 def clips_in_time(tracks):
     """Place and clip of all clips, by their number in the label."""
-    found = [(one.location, clip) for one in tracks for clip in one.clips]
-    return sorted(found, key=lambda pair: int(pair[1].label.split()[-1].split("/")[0]))
+    in_time = [(track.location, clip) for track in tracks for clip in track.clips]
+    return sorted(in_time, key=lambda pair: int(pair[1].label.split()[-1].split("/")[0]))
 
 
 @given(PATHS, DURATIONS, TIMES)
 def test_apparent_motion_keeps_its_onset_asynchrony(path, duration_s, onset_s):
     waveform = Tone(200.0, duration_s=duration_s)
-    found = clips_in_time(ApparentMotion(path=path, waveform=waveform, onset_s=onset_s).tracks())
-    assert tuple(place for place, _ in found) == path
-    for k, (_, clip) in enumerate(found):
+    in_time = clips_in_time(ApparentMotion(path=path, waveform=waveform, onset_s=onset_s).tracks())
+    assert tuple(place for place, _ in in_time) == path
+    for k, (_, clip) in enumerate(in_time):
         assert clip.onset_s == pytest.approx(onset_s + k * (0.32 * duration_s + 0.0473), abs=1e-12)
         assert clip.waveform == waveform
         assert clip.gain == 1.0
@@ -64,20 +64,20 @@ def test_apparent_motion_of_known_bursts():
 @given(PATHS, st.floats(0.01, 1.0), st.integers(1, 9), TIMES)
 def test_alternation_takes_turns(path, spacing_s, rounds, onset_s):
     motion = Alternation(path=path, spacing_s=spacing_s, rounds=rounds, onset_s=onset_s)
-    found = clips_in_time(motion.tracks())
-    assert tuple(place for place, _ in found) == path * rounds
-    onsets = [clip.onset_s for _, clip in found]
+    in_time = clips_in_time(motion.tracks())
+    assert tuple(place for place, _ in in_time) == path * rounds
+    onsets = [clip.onset_s for _, clip in in_time]
     np.testing.assert_allclose(onsets, onset_s + spacing_s * np.arange(len(onsets)), atol=1e-9)
 
 
 @given(PATHS, st.floats(0.01, 0.5), st.integers(1, 9))
 def test_taps_are_even_within_and_between_places(path, spacing_s, taps):
     motion = TapSequence(path=path, spacing_s=spacing_s, taps=taps)
-    found = clips_in_time(motion.tracks())
-    assert [place for place, _ in found] == [place for place in path for _ in range(taps)]
-    onsets = [clip.onset_s for _, clip in found]
+    in_time = clips_in_time(motion.tracks())
+    assert [place for place, _ in in_time] == [place for place in path for _ in range(taps)]
+    onsets = [clip.onset_s for _, clip in in_time]
     np.testing.assert_allclose(onsets, spacing_s * np.arange(len(onsets)), atol=1e-9)
-    assert all(clip.waveform == Tap() for _, clip in found)
+    assert all(clip.waveform == Tap() for _, clip in in_time)
 
 
 @given(
@@ -127,28 +127,28 @@ def test_the_energies_of_a_phantom_add_up_to_one(places, position, amplitude, on
     assert (first.location, second.location) == path
     assert first.amplitude**2 + second.amplitude**2 == pytest.approx(amplitude**2, rel=1e-12)
     assert second.amplitude == pytest.approx(math.sqrt(position) * amplitude)
-    (one,), (other,) = first.clips, second.clips
-    assert one.onset_s == other.onset_s == onset_s
-    assert one.waveform == other.waveform == motion.waveform
+    (clip,), (other,) = first.clips, second.clips
+    assert clip.onset_s == other.onset_s == onset_s
+    assert clip.waveform == other.waveform == motion.waveform
 
 
 def test_a_phantom_at_an_end_plays_there_alone():
-    assert [one.amplitude for one in Phantom(position=0.0).tracks()] == [1.0, 0.0]
-    assert [one.amplitude for one in Phantom(position=1.0).tracks()] == [0.0, 1.0]
+    assert [track.amplitude for track in Phantom(position=0.0).tracks()] == [1.0, 0.0]
+    assert [track.amplitude for track in Phantom(position=1.0).tracks()] == [0.0, 1.0]
 
 
 def mixed(motion: Motion, sample_rate_hz: float) -> dict[int, np.ndarray]:
     """What each place of a motion plays from its beginning."""
     tracks = motion.tracks()
-    n = round(max(clip.end_s for one in tracks for clip in one.clips) * sample_rate_hz) + 2
-    found = {}
-    for one in tracks:
-        total = found.setdefault(one.location, np.zeros(n))
-        for clip in one.clips:
+    n = round(max(clip.end_s for track in tracks for clip in track.clips) * sample_rate_hz) + 2
+    totals = {}
+    for track in tracks:
+        total = totals.setdefault(track.location, np.zeros(n))
+        for clip in track.clips:
             first, shift_s = placed(clip.waveform, clip.effects, clip.onset_s, sample_rate_hz)
             samples = played(clip.waveform, clip.effects, sample_rate_hz, shift_s)
             total[first : first + samples.size] += samples[: n - first]
-    return found
+    return totals
 
 
 @given(LEGS, st.floats(0.0, 1.0), st.integers(2, 20))
@@ -158,40 +158,40 @@ def test_the_energies_of_a_sweep_add_up_to_that_of_its_waveform_at_any_time(path
     plain = waveform.samples(RATE_HZ)
     places = mixed(motion, RATE_HZ)
     if len(set(path)) == len(path):
-        energy = sum(np.square(one[: plain.size]) for one in places.values())
+        energy = sum(np.square(place[: plain.size]) for place in places.values())
         np.testing.assert_allclose(energy, np.square(plain), rtol=0, atol=1e-6)
 
 
 def test_a_sweep_is_at_each_place_in_its_time():
     motion = Sweep(path=(1, 2, 3), waveform=Square(50.0, duration_s=0.8), overlap=0.5)
-    found = mixed(motion, RATE_HZ)
+    places = mixed(motion, RATE_HZ)
     plain = motion.waveform.samples(RATE_HZ)
     beta = np.clip((np.arange(plain.size) / RATE_HZ - 0.1) / 0.2, 0.0, 1.0)
     first = plain * np.cos(np.pi / 2 * beta)
-    np.testing.assert_allclose(found[1][: plain.size], first, rtol=0, atol=1e-9)
+    np.testing.assert_allclose(places[1][: plain.size], first, rtol=0, atol=1e-9)
     last = np.clip((np.arange(plain.size) / RATE_HZ - 0.5) / 0.2, 0.0, 1.0)
     np.testing.assert_allclose(
-        found[3][: plain.size], plain * np.sin(np.pi / 2 * last), rtol=0, atol=1e-9
+        places[3][: plain.size], plain * np.sin(np.pi / 2 * last), rtol=0, atol=1e-9
     )
     middle = plain * np.sin(np.pi / 2 * beta) * np.cos(np.pi / 2 * last)
-    np.testing.assert_allclose(found[2][: plain.size], middle, rtol=0, atol=1e-9)
+    np.testing.assert_allclose(places[2][: plain.size], middle, rtol=0, atol=1e-9)
 
 
 def test_a_sweep_takes_any_waveform_and_no_place_twice_in_a_row():
     noise = Noise(3, 0.5, window="none")
-    found = mixed(Sweep(path=(1, 2), waveform=noise, overlap=0.0), 1300.0)
+    places = mixed(Sweep(path=(1, 2), waveform=noise, overlap=0.0), 1300.0)
     whole = noise.samples(1300.0)
-    np.testing.assert_allclose(found[1][:650] + found[2][:650], whole, rtol=0, atol=1e-9)
-    assert not found[2][:325].any()
-    assert not found[1][325:].any()
+    np.testing.assert_allclose(places[1][:650] + places[2][:650], whole, rtol=0, atol=1e-9)
+    assert not places[2][:325].any()
+    assert not places[1][325:].any()
     with pytest.raises(InvalidInputError, match=r"Sweep\.path goes from place 4 to 4"):
         Sweep(path=(3, 4, 4))
 
 
 @pytest.mark.parametrize("kind", MOTIONS)
 def test_a_motion_says_what_it_does_and_by_whose_law(kind):
-    for words in (kind.title, kind.law, kind.source, kind.limits, kind().summary):
-        assert len(words) >= 5
+    for text in (kind.title, kind.law, kind.source, kind.limits, kind().summary):
+        assert len(text) >= 5
     assert kind.law.endswith(".")
     assert "palm" in kind.limits or "hand" in kind.limits
     assert isinstance(kind(), Motion)
@@ -201,9 +201,9 @@ def test_a_motion_says_what_it_does_and_by_whose_law(kind):
 @pytest.mark.parametrize("kind", MOTIONS)
 def test_a_motion_later_is_the_same_later(kind):
     early, late = kind().tracks(), kind(onset_s=7.25).tracks()
-    assert [one.location for one in early] == [one.location for one in late]
-    for one, other in zip(early, late, strict=True):
-        for clip, later in zip(one.clips, other.clips, strict=True):
+    assert [track.location for track in early] == [track.location for track in late]
+    for track, other in zip(early, late, strict=True):
+        for clip, later in zip(track.clips, other.clips, strict=True):
             assert later.onset_s == pytest.approx(clip.onset_s + 7.25, abs=1e-12)
             assert replace(later, onset_s=clip.onset_s) == clip
 
@@ -212,4 +212,4 @@ def test_a_motion_later_is_the_same_later(kind):
 def test_a_place_has_one_track(kind):
     path = (3, 5) if kind is Phantom else (3, 5, 3, 5, 7)
     tracks = kind(path=path).tracks()
-    assert [one.location for one in tracks] == list(dict.fromkeys(path))
+    assert [track.location for track in tracks] == list(dict.fromkeys(path))

@@ -61,14 +61,14 @@ def exact_weights(sites, point):
     cell = [(-far, -far), (far, -far), (far, far), (-far, far)]
     for site in exact:
         cell = clipped(cell, q, site)
-    taken = []
+    chosen = []
     for site in exact:
         part = cell
         for other in exact:
             if part and other != site:
                 part = clipped(part, site, other)
-        taken.append(exact_area(part) if len(part) > 2 else Fraction(0))
-    return np.array([float(area / sum(taken)) for area in taken])
+        chosen.append(exact_area(part) if len(part) > 2 else Fraction(0))
+    return np.array([float(area / sum(chosen)) for area in chosen])
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -76,8 +76,8 @@ def test_weights_equal_the_areas_of_exactly_clipped_voronoi_cells(seed):
     random = np.random.default_rng(seed)
     sites = np.unique(random.integers(0, 40, (12, 2)), axis=0).astype(float)
     points = np.round(points_within(sites, 12, seed) * 64) / 64
-    found = natural_neighbour_weights(triangulate(sites), points)
-    weights, fallback = found.weights, found.fallback
+    result = natural_neighbour_weights(triangulate(sites), points)
+    weights, fallback = result.weights, result.fallback
     expected = [exact_weights(sites, point) for point in points]
     assert not fallback.any()
     np.testing.assert_allclose(weights.toarray(), expected, atol=1e-13, err_msg=f"seed {seed}")
@@ -94,8 +94,8 @@ def test_many_sites_on_one_circle_give_the_exact_weights(point):
 def test_any_sites_give_weights_that_are_shares_and_reproduce_the_point(kind):
     sites = SITES[kind]
     points = points_within(sites, 500, 3)
-    found = natural_neighbour_weights(triangulate(sites), points)
-    weights, fallback = found.weights, found.fallback
+    result = natural_neighbour_weights(triangulate(sites), points)
+    weights, fallback = result.weights, result.fallback
     assert not fallback.any()
     assert weights.data.min() >= -1e-12
     np.testing.assert_allclose(weights.sum(axis=1), 1.0, atol=1e-13)
@@ -105,8 +105,8 @@ def test_any_sites_give_weights_that_are_shares_and_reproduce_the_point(kind):
 @pytest.mark.parametrize("kind", SITES)
 def test_at_a_site_the_value_is_the_site_s_own(kind):
     sites = SITES[kind]
-    found = natural_neighbour_weights(triangulate(sites), sites)
-    weights, fallback = found.weights, found.fallback
+    result = natural_neighbour_weights(triangulate(sites), sites)
+    weights, fallback = result.weights, result.fallback
     assert not fallback.any()
     np.testing.assert_array_equal(weights.toarray(), np.eye(len(sites)))
 
@@ -125,8 +125,8 @@ def test_near_a_site_the_weights_stay_sound(distance):
 def test_on_an_edge_of_the_hull_interpolation_is_linear_between_its_ends():
     sites = np.array([[0, 0], [8, 0], [12, 3], [8, 10], [0, 10], [3, 4], [7, 6]], dtype=float)
     points = np.array([[2, 0], [7.5, 0], [0, 2.5], [10, 1.5], [4, 10]])
-    found = natural_neighbour_weights(triangulate(sites), points)
-    weights, fallback = found.weights, found.fallback
+    result = natural_neighbour_weights(triangulate(sites), points)
+    weights, fallback = result.weights, result.fallback
     expected = np.zeros((5, 7))
     expected[0, [0, 1]] = 0.75, 0.25
     expected[1, [0, 1]] = 0.0625, 0.9375
@@ -139,11 +139,11 @@ def test_on_an_edge_of_the_hull_interpolation_is_linear_between_its_ends():
 
 def test_outside_the_hull_the_nearest_place_on_it_counts():
     sites = np.array([[0, 0], [8, 0], [8, 8], [0, 8], [3, 4]], dtype=float)
-    found = natural_neighbour_weights(triangulate(sites), np.array([[2, -3], [9, 9], [8.5, 2]]))
-    assert not found.fallback.any()
-    assert found.outside.all()
+    weights = natural_neighbour_weights(triangulate(sites), np.array([[2, -3], [9, 9], [8.5, 2]]))
+    assert not weights.fallback.any()
+    assert weights.outside.all()
     np.testing.assert_allclose(
-        found.weights.toarray(), [[0.75, 0.25, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0.75, 0.25, 0, 0]]
+        weights.weights.toarray(), [[0.75, 0.25, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0.75, 0.25, 0, 0]]
     )
 
 
@@ -154,8 +154,8 @@ def test_rotated_and_split_straight_edges_need_no_fallback_on_the_lattice(angle_
     sites = rotated(np.concatenate([densified(rectangle, 4.0), inner]), angle_rad)
     sites = np.unique(snapped_to_lattice(sites), axis=0)
     points = rotated(np.random.default_rng(6).uniform(1, 299, (2000, 2)), angle_rad)
-    found = natural_neighbour_weights(triangulate(sites), points)
-    weights, fallback = found.weights, found.fallback
+    result = natural_neighbour_weights(triangulate(sites), points)
+    weights, fallback = result.weights, result.fallback
     assert not fallback.any()
     assert weights.data.min() >= 0
     np.testing.assert_allclose(weights @ sites, points, atol=1e-8)
@@ -178,8 +178,8 @@ def test_a_cavity_that_runs_in_a_ring_is_cut_and_interpolated_linearly():
     everything_inside[:, 0] = sound.circles[:, 0]
     everything_inside[:, 3] = -1e12
     points = points_within(RANDOM, 50, 2)
-    found = natural_neighbour_weights(replace(sound, circles=everything_inside), points)
-    weights, fallback = found.weights, found.fallback
+    result = natural_neighbour_weights(replace(sound, circles=everything_inside), points)
+    weights, fallback = result.weights, result.fallback
     assert fallback.all()
     assert np.diff(weights.indptr).max() <= 3
     np.testing.assert_allclose(weights.sum(axis=1), 1.0, atol=1e-13)
@@ -195,7 +195,7 @@ def test_the_lattice_keeps_half_pixels_of_the_published_size_and_is_fine_elsewhe
 
 
 def test_no_points_give_no_rows():
-    found = natural_neighbour_weights(triangulate(LATTICE), np.zeros((0, 2)))
-    weights, fallback = found.weights, found.fallback
+    result = natural_neighbour_weights(triangulate(LATTICE), np.zeros((0, 2)))
+    weights, fallback = result.weights, result.fallback
     assert weights.shape == (0, len(LATTICE))
     assert fallback.shape == (0,)

@@ -47,13 +47,13 @@ def test_each_runs_on_the_synthetic_limbs_and_shows_designs_and_pictures(path, t
     cells = run(path, tmp_path)
     shown = set().union(*map(kinds_of, cells))
     assert "text/plain" in shown
-    words = "".join(
+    text = "".join(
         output.get("text", "") for cell in cells for output in cell.outputs if "text" in output
     )
     if path.stem == "sweep":
         assert (tmp_path / "reach.png").read_bytes().startswith(b"\x89PNG")
-        assert "reaches farthest" in words
+        assert "reaches farthest" in text
     else:
         assert {"text/html", "image/png"} <= shown
     if path.stem == "figure_2":
-        assert "SYNTHETIC" in words
+        assert "SYNTHETIC" in text

@@ -45,7 +45,7 @@ WANTED = (
 )
 
 
-def made_up_limb(n_taps: int = N_TAPS) -> Limb:
+def synthetic_limb(n_taps: int = N_TAPS) -> Limb:
     rng = np.random.default_rng(4)
     around = np.linspace(0, 2 * np.pi, 24, endpoint=False)
     return Limb(
@@ -68,16 +68,18 @@ def made_up_limb(n_taps: int = N_TAPS) -> Limb:
 
 def plainly(limb: Limb, design: Design) -> np.ndarray:
     """Acceleration, (10, 3, n_times), by direct convolution, channel by channel."""
-    played = [(round(one.onset_s * RATE_HZ), one.waveform.samples(RATE_HZ)) for one in design.clips]
+    played = [
+        (round(clip.onset_s * RATE_HZ), clip.waveform.samples(RATE_HZ)) for clip in design.clips
+    ]
     n_times = max(start + samples.size for start, samples in played) + limb.n_taps - 1
     total = np.zeros((N_OUTPUTS, 3, n_times))
-    for one, (start, samples) in zip(design.inputs, played, strict=True):
+    for input_track, (start, samples) in zip(design.inputs, played, strict=True):
         alone = np.zeros_like(total)
         for channel in np.ndindex(N_OUTPUTS, 3):
-            answer = np.convolve(samples, limb.response_to(one.location)[channel])
+            answer = np.convolve(samples, limb.response_to(input_track.location)[channel])
             alone[channel][start : start + answer.size] = answer
         largest = alone.max() if design.scaling == "upstream" else 1.0
-        total += alone * (one.amplitude / largest)
+        total += alone * (input_track.amplitude / largest)
     return total
 
 
@@ -89,65 +91,65 @@ def shown(limb: Limb, design: Design, view: View, span: str, graph=None) -> dict
 @pytest.mark.parametrize("design", [SHORT, LONG], ids=["at once", "streamed"])
 @pytest.mark.parametrize("scaling", ["upstream", "relative"])
 def test_every_quantity_is_that_of_plain_convolution(design, scaling):
-    limb, graph = made_up_limb(), new_graph()
+    limb, graph = synthetic_limb(), new_graph()
     design = replace(design, scaling=scaling)
     field = plainly(limb, design)
     for axes in AXES:
         for method in METHODS:
             for span in ("record", "loudest"):
                 view = View(axes=axes, method=method, outputs=OUTPUTS)
-                found = shown(limb, design, view, span, graph)
+                values = shown(limb, design, view, span, graph)
                 signals = project_axes(field, axes, method)
                 peak = np.abs(signals).max()
                 expected = rms(signals, span, RATE_HZ)
-                np.testing.assert_allclose(found["output_rms"], expected, rtol=1e-11)
+                np.testing.assert_allclose(values["output_rms"], expected, rtol=1e-11)
                 picked = signals[[output - 1 for output in OUTPUTS]]
-                np.testing.assert_allclose(found["selected_traces"], picked, atol=1e-13 * peak)
+                np.testing.assert_allclose(values["selected_traces"], picked, atol=1e-13 * peak)
                 hz, magnitudes = magnitude_spectrum(picked, RATE_HZ)
-                np.testing.assert_array_equal(found["selected_spectra"][0], hz)
+                np.testing.assert_array_equal(values["selected_spectra"][0], hz)
                 np.testing.assert_allclose(
-                    found["selected_spectra"][1], magnitudes, atol=1e-13 * peak
+                    values["selected_spectra"][1], magnitudes, atol=1e-13 * peak
                 )
-    assert found["trace_error"].estimate < 1e-14
-    assert found["response_time_s"][1] == 1 / RATE_HZ
-    levels = found["surface_levels_db"]
+    assert values["trace_error"].estimate < 1e-14
+    assert values["response_time_s"][1] == 1 / RATE_HZ
+    levels = values["surface_levels_db"]
     inside = np.isfinite(levels)
     assert inside.any()
-    assert levels[inside].max() <= found["output_levels_db"].max() + 1e-9
+    assert levels[inside].max() <= values["output_levels_db"].max() + 1e-9
 
 
 @pytest.mark.parametrize("n_taps", [1, 31, 1024, 1025, 3000])
 def test_responses_of_any_length_are_streamed_right(n_taps):
-    limb = made_up_limb(n_taps)
+    limb = synthetic_limb(n_taps)
     design = replace(LONG, scaling="upstream")
-    found = shown(limb, design, View(outputs=OUTPUTS, axes="z"), "record")
+    values = shown(limb, design, View(outputs=OUTPUTS, axes="z"), "record")
     signals = plainly(limb, design)[:, 2]
     peak = np.abs(signals).max()
     np.testing.assert_allclose(
-        found["selected_traces"], signals[[output - 1 for output in OUTPUTS]], atol=1e-13 * peak
+        values["selected_traces"], signals[[output - 1 for output in OUTPUTS]], atol=1e-13 * peak
     )
 
 
 def test_prediction_takes_the_limb_as_it_is():
-    limb = made_up_limb()
+    limb = synthetic_limb()
     drive = Noise(seed=1).samples(RATE_HZ)
-    found = predict(limb, [drive], [7], scaling="relative")
+    response = predict(limb, [drive], [7], scaling="relative")
     expected = np.convolve(drive, limb.response_to(7)[9, 2])
-    assert found.shape == (N_OUTPUTS, 3, drive.size + N_TAPS - 1)
-    np.testing.assert_allclose(found[9, 2], expected, atol=1e-12)
+    assert response.shape == (N_OUTPUTS, 3, drive.size + N_TAPS - 1)
+    np.testing.assert_allclose(response[9, 2], expected, atol=1e-12)
     with pytest.raises(InvalidInputError, match="the whole numbers 1 to 7"):
         predict(limb, [drive], [8])
 
 
 def test_a_response_of_another_shape_than_the_limb_says_is_refused():
-    limb = made_up_limb()
+    limb = synthetic_limb()
     limb.n_taps = 199
     with pytest.raises(InvalidInputError, match=r"shape \(10, 3, 200\), expected \(10, 3, 199\)"):
         limb.response_to(1)
 
 
 def test_outputs_and_places_that_the_limb_does_not_have_are_refused_by_name():
-    limb = made_up_limb()
+    limb = synthetic_limb()
     with pytest.raises(InvalidInputError, match=r"made-up has the outputs 1 to 10; .* \[29, 52\]"):
         shown(limb, SHORT, View(outputs=(29, 3, 52)), "record")
     elsewhere = SHORT.with_input(0, location=8)
@@ -156,21 +158,21 @@ def test_outputs_and_places_that_the_limb_does_not_have_are_refused_by_name():
 
 
 def test_tones_above_half_the_rate_of_the_limb_are_refused():
-    slow = made_up_limb()
+    slow = synthetic_limb()
     slow.sample_rate_hz = 1000.0
     with pytest.raises(InvalidInputError, match="half the sample rate of 1000 Hz"):
         shown(slow, SHORT, View(outputs=OUTPUTS), "record")
 
 
 def test_values_leave_to_the_limb_what_it_has():
-    rate = made_up_limb()
+    rate = synthetic_limb()
     rate.sample_rate_hz = 10_000.0
     high = SHORT.with_clip(1, waveform=Tone(frequency_hz=4000.0))
-    found = shown(rate, high, View(outputs=OUTPUTS), "record")
-    assert np.isfinite(found["output_levels_db"]).all()
+    values = shown(rate, high, View(outputs=OUTPUTS), "record")
+    assert np.isfinite(values["output_levels_db"]).all()
     low = SHORT.with_clip(1, waveform=Tone(frequency_hz=0.01))
     assert np.isfinite(
-        shown(made_up_limb(), low, View(outputs=OUTPUTS), "record")["output_rms"]
+        shown(synthetic_limb(), low, View(outputs=OUTPUTS), "record")["output_rms"]
     ).all()
     assert Design(limb="foot-1", inputs=(track(location=9000),)).inputs[0].location == 9000
 

@@ -56,8 +56,8 @@ def crossings(polygon):
     p, q, r, s = a[:, None], b[:, None], a[None], b[None]
     meets = (turn(p, q, r) * turn(p, q, s) <= 0) & (turn(r, s, p) * turn(r, s, q) <= 0)
     count = len(polygon)
-    apart = (np.arange(count)[:, None] - np.arange(count)) % count
-    return int(np.sum(meets & (apart > 1) & (apart < count - 1))) // 2
+    steps = (np.arange(count)[:, None] - np.arange(count)) % count
+    return int(np.sum(meets & (steps > 1) & (steps < count - 1))) // 2
 
 
 def position(shape, number):
@@ -105,8 +105,8 @@ def test_distances_down_the_middle_match_the_description():
     model = synthetic_model(1)
     tip = model.shape.digit_axes[2][-1]
     mm_per_px = model.hand_length_mm / model.shape.hand_length_px
-    found = np.array([tip[1] - position(model.shape, n)[1] for n in MIDDLE_PATH]) * mm_per_px
-    assert np.abs(found - DISTANCES_MM).max() < 5, found.round()
+    lengths_mm = np.array([tip[1] - position(model.shape, n)[1] for n in MIDDLE_PATH]) * mm_per_px
+    assert np.abs(lengths_mm - DISTANCES_MM).max() < 5, lengths_mm.round()
 
 
 def test_digits_stand_in_order_with_the_thumb_on_the_left(shape):
@@ -184,8 +184,8 @@ def test_a_longer_forearm_moves_the_elbow_and_nothing_on_the_hand():
 def test_wider_digits_make_wider_fingers():
     wide = hand_shape(replace(PROPORTIONS, digit_widths=(0.12, 0.107, 0.12, 0.105, 0.092)))
     normal = hand_shape(PROPORTIONS)
-    apart = [np.linalg.norm(position(s, 19) - position(s, 20)) for s in (normal, wide)]
-    assert apart[1] / apart[0] == pytest.approx(0.12 / 0.108)
+    distances_px = [np.linalg.norm(position(s, 19) - position(s, 20)) for s in (normal, wide)]
+    assert distances_px[1] / distances_px[0] == pytest.approx(0.12 / 0.108)
 
 
 @pytest.mark.parametrize(

@@ -28,7 +28,9 @@ def links_of(page: Path) -> list[Path]:
 def anchors_of(page: Path) -> set[str]:
     """Names of its headings in links."""
     headings = re.findall(r"^#+ (.*)$", text_of(page), re.MULTILINE)
-    return {re.sub(r"[^\w\- ]", "", one.lower()).strip().replace(" ", "-") for one in headings}
+    return {
+        re.sub(r"[^\w\- ]", "", heading.lower()).strip().replace(" ", "-") for heading in headings
+    }
 
 
 @every

@@ -17,7 +17,7 @@ class Settings:
     style: str = fields.choice("round", ChoiceSpec(label="", options=(("round", ""), ("flat", ""))))
     shown: bool = fields.switch(True, SwitchSpec(label=""))
     zoom: Range | None = fields.interval(None, RangeSpec(label=""))
-    words: str = fields.text("", TextSpec(label="", longest=5))
+    note: str = fields.text("", TextSpec(label="", longest=5))
 
     def __post_init__(self):
         fields.check(self)
@@ -28,7 +28,7 @@ def test_a_view_that_holds_nothing_gives_the_defaults():
 
 
 def test_settings_come_back_and_each_panel_has_its_own():
-    chosen = Settings(style="flat", shown=False, zoom=(1, 2.5), words="hello")
+    chosen = Settings(style="flat", shown=False, zoom=(1, 2.5), note="hello")
     view = with_settings(View(axes="z"), "dial", chosen)
     assert settings_of(view, "dial", Settings) == chosen
     assert settings_of(view, "clock", Settings) == Settings()
@@ -50,7 +50,7 @@ def test_a_field_that_this_version_does_not_know_is_kept():
 
 @pytest.mark.parametrize(
     "field",
-    [("style", "square"), ("style", 1), ("shown", 1), ("zoom", (2.0, 1.0)), ("words", "longer")],
+    [("style", "square"), ("style", 1), ("shown", 1), ("zoom", (2.0, 1.0)), ("note", "longer")],
 )
 def test_a_value_that_does_not_fit_gives_way_to_the_default(field):
     view = View(panels=(("dial", (field,)),))

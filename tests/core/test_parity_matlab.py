@@ -24,10 +24,10 @@ def acceleration(measured) -> np.ndarray:
     return predict(load_limb("measured-1"), [sinusoid(100.0, 0.1)], [7])
 
 
-def assert_agrees(found: np.ndarray, reference: np.ndarray) -> None:
-    assert found.shape == reference.shape
+def assert_agrees(values: np.ndarray, reference: np.ndarray) -> None:
+    assert values.shape == reference.shape
     limit = 1e-7 * np.abs(reference).max()
-    np.testing.assert_allclose(found, reference, rtol=0, atol=limit)
+    np.testing.assert_allclose(values, reference, rtol=0, atol=limit)
 
 
 def test_the_response_to_a_sine_is_that_of_matlab(acceleration, matlab_reference):
@@ -43,5 +43,5 @@ def test_projections_of_the_response_are_those_of_matlab(
     acceleration, matlab_reference, what, axes, method
 ):
     reference = read(matlab_reference, what, 651, 3)
-    found = project_axes(acceleration, axes, method)[[output - 1 for output in OUTPUTS]]
-    assert_agrees(found, reference.T)
+    projected = project_axes(acceleration, axes, method)[[output - 1 for output in OUTPUTS]]
+    assert_agrees(projected, reference.T)

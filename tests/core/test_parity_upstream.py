@@ -63,7 +63,7 @@ def upstream(case: str) -> np.ndarray:
     return total.reshape(72, 3, -1)
 
 
-def found(case: str) -> np.ndarray:
+def predicted(case: str) -> np.ndarray:
     model, drives, places, amplitudes = CASES[case]
     return predict(load_limb(f"measured-{model}"), drives, places, amplitudes)
 
@@ -97,13 +97,13 @@ def assert_agrees(value: np.ndarray, expected: np.ndarray, relative: float = 1e-
 
 @pytest.mark.parametrize("case", CASES)
 def test_responses_agree_with_direct_convolutions(measured, case):
-    assert_agrees(found(case), upstream(case))
+    assert_agrees(predicted(case), upstream(case))
 
 
 @pytest.mark.parametrize("axes", AXES)
 @pytest.mark.parametrize("case", ["two tones", "noise, odd"])
 def test_projections_agree_with_those_of_the_direct_response(measured, case, axes):
-    expected, acceleration = upstream(case), found(case)
+    expected, acceleration = upstream(case), predicted(case)
     for method in METHODS:
         signal = project_axes(acceleration, axes, method)
         assert_agrees(signal, projected(expected, axes, method))
@@ -119,13 +119,13 @@ def test_spectra_are_taken_over_all_samples_of_odd_and_even_responses(measured, 
         size = np.abs(np.exp(-2j * np.pi * turns) @ signal) / n
         inner = (bins > 0) & (2 * bins != n)
         size[inner] *= 2
-        frequency_hz, magnitude = magnitude_spectrum(found(case)[output - 1, 2], RATE_HZ)
+        frequency_hz, magnitude = magnitude_spectrum(predicted(case)[output - 1, 2], RATE_HZ)
         assert_agrees(magnitude, size)
         assert_agrees(frequency_hz, bins * RATE_HZ / n)
 
 
 def test_odd_and_even_lengths_are_both_among_the_cases(measured):
-    assert {found(case).shape[-1] % 2 for case in CASES} == {0, 1}
+    assert {predicted(case).shape[-1] % 2 for case in CASES} == {0, 1}
 
 
 @pytest.mark.parametrize("method", METHODS)

@@ -59,10 +59,10 @@ def test_what_lies_clear_of_the_edge_is_lost_or_is_not(signal, to_hz):
 def test_it_is_the_energy_that_resampling_leaves(signal):
     # Room at both ends: what rings there counts.
     room = np.pad(signal, 1300)
-    kept = energy(ss.resample(room, RATE_HZ, 1000), 1000)
+    passed_energy = energy(ss.resample(room, RATE_HZ, 1000), 1000)
     # What folds back beside the edge adds a little.
     assert loss_db(signal, 1000) == pytest.approx(
-        10.0 * np.log10(energy(room, RATE_HZ) / kept), abs=0.12
+        10.0 * np.log10(energy(room, RATE_HZ) / passed_energy), abs=0.12
     )
 
 

@@ -32,15 +32,15 @@ NONE = {"P": np.zeros(1), "NP I": np.zeros(1)}
     ],
 )
 def test_the_threshold_has_the_known_figures(frequency_hz, peak_um, rms):
-    found = float(threshold_rms(frequency_hz))
-    assert found == pytest.approx(rms, rel=0.03)
-    displacement_um = 1e6 * found * np.sqrt(2) / (2 * np.pi * frequency_hz) ** 2
+    threshold = float(threshold_rms(frequency_hz))
+    assert threshold == pytest.approx(rms, rel=0.03)
+    displacement_um = 1e6 * threshold * np.sqrt(2) / (2 * np.pi * frequency_hz) ** 2
     assert displacement_um == pytest.approx(peak_um, rel=0.03)
 
 
 def test_between_60_and_250_hz_the_threshold_is_one_acceleration():
-    found = threshold_rms(np.linspace(63.0, 250.0, 50))
-    assert found.max() / found.min() < 1.02
+    threshold = threshold_rms(np.linspace(63.0, 250.0, 50))
+    assert threshold.max() / threshold.min() < 1.02
 
 
 def test_below_40_hz_the_other_channel_is_the_more_sensitive_one():
@@ -61,15 +61,17 @@ def test_a_tone_at_threshold_is_0_db_above_it(frequency_hz):
     for channel in ("P", "NP I"):
         rms = float(threshold_rms(frequency_hz, channel))
         tone = np.sqrt(2) * rms * np.sin(2 * np.pi * frequency_hz * time_s)
-        found = sensation_levels_db(tone[None, None], 1300.0, NONE)
-        assert found[channel][0] == pytest.approx(0.0, abs=1e-9)
+        levels_db = sensation_levels_db(tone[None, None], 1300.0, NONE)
+        assert levels_db[channel][0] == pytest.approx(0.0, abs=1e-9)
 
 
 def test_axes_and_frequencies_add_up_as_energies():
     time_s = np.arange(1300) / 1300.0
     low, high = (np.sin(2 * np.pi * f * time_s) for f in (50.0, 200.0))
-    apart = [sensation_levels_db(one[None, None], 1300.0, NONE)["P"][0] for one in (low, high)]
-    together_db = 10 * np.log10(sum(10 ** (one / 10) for one in apart))
+    levels_db = [
+        sensation_levels_db(tone[None, None], 1300.0, NONE)["P"][0] for tone in (low, high)
+    ]
+    together_db = 10 * np.log10(sum(10 ** (level_db / 10) for level_db in levels_db))
     added = sensation_levels_db((low + high)[None, None], 1300.0, NONE)["P"][0]
     on_two_axes = sensation_levels_db(np.array([[low, high]]), 1300.0, NONE)["P"][0]
     assert added == pytest.approx(together_db)
@@ -97,9 +99,9 @@ def test_hairy_skin_and_the_arm_are_less_sensitive():
     assert offsets["NP I"][55] == 15.0
     assert np.isinf(offsets["P"][55])
     signal = np.tile(np.random.default_rng(2).standard_normal((1, 3, 500)), (72, 1, 1))
-    found = sensation_levels_db(signal, 1300.0)
-    assert found["NP I"][28] - found["NP I"][55] == pytest.approx(5.0)
-    assert found["P"][55] == -300.0
+    levels_db = sensation_levels_db(signal, 1300.0)
+    assert levels_db["NP I"][28] - levels_db["NP I"][55] == pytest.approx(5.0)
+    assert levels_db["P"][55] == -300.0
 
 
 def test_both_channels_together_are_the_larger_and_half_of_the_smaller():
@@ -109,7 +111,7 @@ def test_both_channels_together_are_the_larger_and_half_of_the_smaller():
 
 
 @pytest.mark.parametrize(
-    ("call", "words"),
+    ("call", "message"),
     [
         (lambda: threshold_rms(0.0), "frequency_hz"),
         (lambda: threshold_rms(50.0, "SA"), "channel"),
@@ -120,6 +122,6 @@ def test_both_channels_together_are_the_larger_and_half_of_the_smaller():
         (lambda: sensation_levels_db(np.full((1, 1, 5), np.nan), 1300.0, NONE), "acceleration"),
     ],
 )
-def test_what_cannot_be_is_refused(call, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_cannot_be_is_refused(call, message):
+    with pytest.raises(InvalidInputError, match=message):
         call()

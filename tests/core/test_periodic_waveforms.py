@@ -37,14 +37,14 @@ def test_each_is_its_formula_to_1e_12_at_any_time_rate_and_shift(references):
         recipe = getattr(waveforms, case["kind"])(*case["fields"])
         if "window" in recipe.__slots__:
             assert recipe.window == "none"
-        found = recipe.samples(case["rate_hz"], case["shift_s"])
-        assert found.size == places[-1] + 1, case
-        np.testing.assert_allclose(found[places], expected, rtol=0, atol=1e-12, err_msg=str(case))
+        samples = recipe.samples(case["rate_hz"], case["shift_s"])
+        assert samples.size == places[-1] + 1, case
+        np.testing.assert_allclose(samples[places], expected, rtol=0, atol=1e-12, err_msg=str(case))
         kinds.add(case["kind"])
-    assert kinds == {type(one).__name__ for one in ONE_OF_EACH}
+    assert kinds == {type(recipe).__name__ for recipe in ONE_OF_EACH}
 
 
-@pytest.mark.parametrize("recipe", ONE_OF_EACH, ids=lambda one: type(one).__name__)
+@pytest.mark.parametrize("recipe", ONE_OF_EACH, ids=lambda recipe: type(recipe).__name__)
 @pytest.mark.parametrize("window_name", ["tukey", "hanning"])
 def test_a_window_fades_the_burst(recipe, window_name):
     made = {name: getattr(recipe, name) for name in recipe.__slots__} | {"window": window_name}
@@ -93,8 +93,12 @@ def test_frequencies_just_below_half_the_rate_are_played():
 @pytest.mark.parametrize(
     ("kind", "changes"),
     [
-        *((type(one), {"duration_s": bad}) for one in ONE_OF_EACH for bad in (0.0, -1.0, 601.0)),
-        *((type(one), {"window": "hann"}) for one in ONE_OF_EACH),
+        *(
+            (type(recipe), {"duration_s": bad})
+            for recipe in ONE_OF_EACH
+            for bad in (0.0, -1.0, 601.0)
+        ),
+        *((type(recipe), {"window": "hann"}) for recipe in ONE_OF_EACH),
         *((kind, {"frequency_hz": 0.0}) for kind in (DampedSine, Square, Saw, Triangle)),
         (Chirp, {"start_hz": 0.0}),
         (Chirp, {"end_hz": -25.0}),
@@ -120,11 +124,11 @@ def test_a_degenerate_parameter_is_named(kind, changes):
         kind(**changes)
 
 
-@pytest.mark.parametrize("kind", [type(one) for one in ONE_OF_EACH])
+@pytest.mark.parametrize("kind", [type(recipe) for recipe in ONE_OF_EACH])
 def test_the_shortest_burst_is_finite(kind):
     shortest = kind(duration_s=0.001)
     for rate_hz, n in ((1300.0, 1), (48000.0, 48)):
         for shift in (0.0, 0.5):
-            found = shortest.samples(rate_hz, shift / rate_hz)
-            assert found.shape == (n + (shift > 0),)
-            assert np.isfinite(found).all()
+            samples = shortest.samples(rate_hz, shift / rate_hz)
+            assert samples.shape == (n + (shift > 0),)
+            assert np.isfinite(samples).all()

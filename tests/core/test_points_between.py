@@ -29,9 +29,9 @@ def test_a_stretch_has_the_points_that_it_has_in_the_whole(first, end):
     signals = np.random.default_rng(1).standard_normal((2, 900))
     whole_s, whole = finer(time_s, signals)
     part_s, part = finer(time_s, signals, first, end)
-    seen = slice(first * FINER, (end - 1) * FINER + 1)
-    np.testing.assert_allclose(part_s, whole_s[seen], rtol=0, atol=1e-12)
-    np.testing.assert_allclose(part, whole[:, seen], rtol=0, atol=1e-12)
+    visible_part = slice(first * FINER, (end - 1) * FINER + 1)
+    np.testing.assert_allclose(part_s, whole_s[visible_part], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(part, whole[:, visible_part], rtol=0, atol=1e-12)
     np.testing.assert_allclose(part[:, ::FINER], signals[:, first:end], rtol=0, atol=1e-12)
 
 

@@ -17,7 +17,7 @@ PLACES = range(1, 21)
 
 
 @pytest.fixture(autouse=True)
-def nothing_remembered():
+def nothing_cached_spectra():
     prediction._cached_spectra.cache_clear()
     prediction._cached_gains.cache_clear()
     yield
@@ -35,21 +35,21 @@ def test_the_second_prediction_transforms_no_response_and_gives_the_same_bits(li
     with counting() as first:
         expected = ss.predict(limb, DRIVES, PLACES, scaling=scaling)
     with counting() as second:
-        found = ss.predict(limb, DRIVES, PLACES, scaling=scaling)
+        response = ss.predict(limb, DRIVES, PLACES, scaling=scaling)
     assert first.forward_transforms == 20 * (216 + 1)
     assert second.forward_transforms == 20
-    assert found.tobytes() == expected.tobytes()
+    assert response.tobytes() == expected.tobytes()
 
 
 @pytest.mark.parametrize("scaling", ["relative", "upstream", "probe"])
 def test_of_a_place_that_is_used_alone_spectra_are_kept_from_the_second_time_on(limb, scaling):
-    found, work = [], []
+    responses, work = [], []
     for _ in range(3):
         with counting() as counted:
-            found.append(ss.predict(limb, DRIVES[:1], [7], [-0.5], scaling=scaling).tobytes())
+            responses.append(ss.predict(limb, DRIVES[:1], [7], [-0.5], scaling=scaling).tobytes())
         work.append((counted.forward_transforms, prediction._cached_spectra().held_bytes > 0))
     assert work == [(217, False), (217, True), (1, True)]
-    assert found[0] == found[1] == found[2]
+    assert responses[0] == responses[1] == responses[2]
 
 
 def test_a_place_that_was_used_beside_others_is_known_alone(limb):
@@ -66,20 +66,20 @@ def test_where_one_drive_of_several_changed_only_its_maximum_is_searched_for(lim
     with counting() as again:
         ss.predict(limb, DRIVES, PLACES)
     with counting() as step:
-        found = ss.predict(limb, changed, PLACES)
+        response = ss.predict(limb, changed, PLACES)
     assert again.search_transforms == 0
     assert 0 < step.search_transforms <= 216
     prediction._cached_gains.cache_clear()
-    assert found.tobytes() == ss.predict(limb, changed, PLACES).tobytes()
+    assert response.tobytes() == ss.predict(limb, changed, PLACES).tobytes()
 
 
 def test_the_same_drive_elsewhere_or_on_another_limb_has_a_gain_of_its_own(limb):
     drives = np.vstack((DRIVES[0], DRIVES[0]))
     other = ss.load_limb("synthetic-2")
-    for one, places in ((limb, (7, 3)), (other, (7, 3)), (limb, (3, 7))):
-        found = ss.predict(one, drives, places)
+    for used_limb, places in ((limb, (7, 3)), (other, (7, 3)), (limb, (3, 7))):
+        response = ss.predict(used_limb, drives, places)
         prediction._cached_gains.cache_clear()
-        assert found.tobytes() == ss.predict(one, drives, places).tobytes()
+        assert response.tobytes() == ss.predict(used_limb, drives, places).tobytes()
 
 
 def test_one_input_alone_is_transformed_back_once(limb):
@@ -94,8 +94,8 @@ def test_one_input_alone_is_the_convolution_however_it_is_cut_into_parts(limb, n
     expected = fftconvolve(limb.response_to(7), drive[None, None], axes=-1)
     # Transformed and forgotten, transformed and kept, remembered.
     for _ in range(3):
-        found = ss.predict(limb, drive, 7, scaling="relative")
-        np.testing.assert_allclose(found, expected, rtol=0, atol=1e-13 * np.abs(expected).max())
+        response = ss.predict(limb, drive, 7, scaling="relative")
+        np.testing.assert_allclose(response, expected, rtol=0, atol=1e-13 * np.abs(expected).max())
 
 
 def test_one_input_alone_asks_for_no_second_thread(limb, monkeypatch):
@@ -120,17 +120,17 @@ def test_one_input_alone_has_its_amplitude_as_beside_a_silent_one(limb):
 def test_before_anything_sounds_and_after_it_has_faded_there_is_exactly_nothing(limb, n_inputs):
     drives = np.zeros((n_inputs, 2000))
     drives[:, 100:200] = DRIVES[:n_inputs, :100]
-    found = ss.predict(limb, drives, PLACES[:n_inputs])
-    assert not found[..., :100].any()
-    assert found[..., 100:721].any()
-    assert not found[..., 721:].any()
+    response = ss.predict(limb, drives, PLACES[:n_inputs])
+    assert not response[..., :100].any()
+    assert response[..., 100:721].any()
+    assert not response[..., 721:].any()
 
 
 def test_what_is_predicted_may_be_written_to_without_effect_on_the_next(limb):
     first = ss.predict(limb, DRIVES[:1], [7])
-    kept = first.copy()
+    copy = first.copy()
     first[...] = 0.0
-    assert (ss.predict(limb, DRIVES[:1], [7]) == kept).all()
+    assert (ss.predict(limb, DRIVES[:1], [7]) == copy).all()
 
 
 def test_twenty_places_of_one_second_take_half_of_the_budget(limb):
@@ -165,12 +165,12 @@ def test_what_is_larger_than_the_budget_is_given_and_kept_as_far_as_it_fits(limb
     spectra = SpectraOfLimbs(budget_bytes=fitting * ONE)
     for counted in (4, 4 - fitting):
         with counting() as work:
-            found = spectra.of(limb, [3, 3, 4, 5, 6], "relative", 576)
+            used = spectra.of(limb, [3, 3, 4, 5, 6], "relative", 576)
         assert work.forward_transforms == counted * 216
         assert spectra.held_bytes == fitting * ONE
-        for one, place in zip(found, (3, 3, 4, 5, 6), strict=True):
+        for spectrum, place in zip(used, (3, 3, 4, 5, 6), strict=True):
             expected = np.fft.rfft(limb.response_to(place), 576)
-            np.testing.assert_allclose(one.values, expected, rtol=0, atol=1e-12)
+            np.testing.assert_allclose(spectrum.values, expected, rtol=0, atol=1e-12)
 
 
 def test_a_limb_that_is_freed_frees_its_spectra():
@@ -186,5 +186,5 @@ def test_threads_predict_the_same(limb):
     expected = ss.predict(limb, DRIVES, PLACES)
     prediction._cached_spectra.cache_clear()
     with ThreadPoolExecutor(4) as pool:
-        found = list(pool.map(lambda _: ss.predict(limb, DRIVES, PLACES), range(8)))
-    assert all(one.tobytes() == expected.tobytes() for one in found)
+        responses = list(pool.map(lambda _: ss.predict(limb, DRIVES, PLACES), range(8)))
+    assert all(response.tobytes() == expected.tobytes() for response in responses)

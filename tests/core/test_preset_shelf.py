@@ -33,9 +33,9 @@ def test_a_preset_comes_back_from_its_file(tmp_path_factory, recipe):
 @given(name=names)
 def test_files_are_called_so_that_every_system_can_have_them(tmp_path_factory, name):
     folder = tmp_path_factory.mktemp("shelf")
-    one, other = (presets.save_preset(folder, named(name)) for _ in range(2))
-    assert one != other
-    for path in (one, other):
+    first, other = (presets.save_preset(folder, named(name)) for _ in range(2))
+    assert first != other
+    for path in (first, other):
         assert re.fullmatch(r"[a-z0-9-]{1,66}\.skinpreset", path.name)
         assert path.name.split(".")[0] not in ("con", "nul", "aux", "prn", "com1")
 

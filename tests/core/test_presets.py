@@ -23,9 +23,9 @@ from tests.core.presets_bench import named, recipes, text
 @settings(max_examples=40)
 @given(preset=recipes)
 def test_a_preset_comes_back_from_its_text_bit_by_bit(preset):
-    words = presets.preset_text(preset)
-    assert presets.preset_from(words) == preset
-    assert presets.preset_text(presets.preset_from(words)) == words
+    text = presets.preset_text(preset)
+    assert presets.preset_from(text) == preset
+    assert presets.preset_text(presets.preset_from(text)) == text
 
 
 @pytest.mark.parametrize("name", ["", "  ", "two\nlines", "x" * 101, None])
@@ -36,7 +36,7 @@ def test_a_preset_has_a_name_of_one_line(name):
 
 def entries_of(*all_of_them: Preset) -> tuple[Entry, ...]:
     folder = presets.users_folder()
-    return tuple(Entry(path=folder / f"{k}", preset=one) for k, one in enumerate(all_of_them))
+    return tuple(Entry(path=folder / f"{k}", preset=preset) for k, preset in enumerate(all_of_them))
 
 
 def test_every_word_must_be_found_and_names_come_first():
@@ -47,32 +47,32 @@ def test_every_word_must_be_found_and_names_come_first():
         named("Tone"),
     )
 
-    def found(words, tag=""):
-        return [one.preset.name for one in presets.matching(entries, words, tag)]
+    def names_of_matches(text, tag=""):
+        return [entry.preset.name for entry in presets.matching(entries, text, tag)]
 
-    assert found("") == ["Heartbeat", "Double TAP", "Noise", "Tone"]
-    assert found("tap") == ["Double TAP", "Heartbeat", "Noise"]
-    assert found("Tap SIGNAL") == ["Double TAP"]
-    assert found("tap thuds") == ["Heartbeat"]
-    assert found("tap", "signal") == ["Double TAP"]
-    assert found("", "tap") == ["Heartbeat"]
-    assert found("absent") == []
+    assert names_of_matches("") == ["Heartbeat", "Double TAP", "Noise", "Tone"]
+    assert names_of_matches("tap") == ["Double TAP", "Heartbeat", "Noise"]
+    assert names_of_matches("Tap SIGNAL") == ["Double TAP"]
+    assert names_of_matches("tap thuds") == ["Heartbeat"]
+    assert names_of_matches("tap", "signal") == ["Double TAP"]
+    assert names_of_matches("", "tap") == ["Heartbeat"]
+    assert names_of_matches("absent") == []
 
 
 @settings(max_examples=40)
-@given(kept=st.lists(recipes, max_size=4), words=text, more=text)
-def test_another_word_never_finds_more(kept, words, more):
-    entries = entries_of(*kept)
-    found = presets.matching(entries, words)
-    assert set(map(id, presets.matching(entries, f"{words} {more}"))) <= set(map(id, found))
+@given(tags=st.lists(recipes, max_size=4), query=text, more=text)
+def test_another_word_never_finds_more(tags, query, more):
+    entries = entries_of(*tags)
+    matches = presets.matching(entries, query)
+    assert set(map(id, presets.matching(entries, f"{query} {more}"))) <= set(map(id, matches))
     assert len(presets.matching(entries, "")) == len(entries)
     for entry in entries:
         assert entry in presets.matching(entries, entry.preset.name)
 
 
-@given(words=st.text(max_size=40))
-def test_typed_tags_are_a_presets_tags(words):
-    tags = presets.tags_of(words)
+@given(typed=st.text(max_size=40))
+def test_typed_tags_are_a_presets_tags(typed):
+    tags = presets.tags_of(typed)
     assert presets.tags_of(", ".join(tags)) == tags
     assert all(tag and tag.strip() == tag and "," not in tag for tag in tags)
 
@@ -116,11 +116,11 @@ def test_a_design_without_clips_makes_no_preset():
 
 
 def test_what_a_preset_plays_is_the_sum_of_its_clips():
-    one = Clip(waveform=Tone(100.0, duration_s=0.1), onset_s=0.1, gain=0.5)
+    clip = Clip(waveform=Tone(100.0, duration_s=0.1), onset_s=0.1, gain=0.5)
     late = Clip(waveform=Tap(), onset_s=0.15, gain=2.0)
     fragment = Fragment(
         lanes=(
-            Lane(location=1, amplitude=-2.0, clips=(one, replace(one, muted=True))),
+            Lane(location=1, amplitude=-2.0, clips=(clip, replace(clip, muted=True))),
             Lane(location=2, clips=(late,), offset=1),
         )
     )

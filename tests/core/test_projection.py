@@ -57,19 +57,19 @@ def direct(data: np.ndarray, axes: str, method: str) -> np.ndarray:
 def test_projections_agree_with_a_direct_computation(axes, method, n_outputs, n_times):
     data = moving(n_outputs, n_times)
     expected = direct(data, axes, method)
-    found = project_axes(data, axes, method)
-    assert found.shape == (n_outputs, n_times)
+    projected = project_axes(data, axes, method)
+    assert projected.shape == (n_outputs, n_times)
     limit = 1e-12 * np.abs(expected).max()
-    np.testing.assert_allclose(found, expected, rtol=0, atol=limit, err_msg=f"{SEED=}")
+    np.testing.assert_allclose(projected, expected, rtol=0, atol=limit, err_msg=f"{SEED=}")
 
 
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("axis", "xyz")
 def test_a_single_axis_is_itself_whatever_the_method(axis, method):
     data = moving(4, 30)
-    found = project_axes(data, axis, method)
-    np.testing.assert_array_equal(found, data[:, "xyz".index(axis)])
-    assert not np.shares_memory(found, data)
+    projected = project_axes(data, axis, method)
+    np.testing.assert_array_equal(projected, data[:, "xyz".index(axis)])
+    assert not np.shares_memory(projected, data)
 
 
 def test_the_main_axis_is_found_in_centred_data_and_applied_to_the_data_as_they_are():
@@ -77,8 +77,8 @@ def test_the_main_axis_is_found_in_centred_data_and_applied_to_the_data_as_they_
     along_x = np.zeros((1, 3, 500))
     along_x[0, 0] = random.standard_normal(500)
     along_x[0, 1] = 1000.0
-    found = project_axes(along_x, "xyz", "pca")
-    np.testing.assert_allclose(found[0], along_x[0, 0], rtol=0, atol=1e-10)
+    projected = project_axes(along_x, "xyz", "pca")
+    np.testing.assert_allclose(projected[0], along_x[0, 0], rtol=0, atol=1e-10)
 
 
 def test_a_circle_has_no_main_axis_but_a_plane():
@@ -145,19 +145,19 @@ def test_the_largest_coefficient_is_positive():
 def test_a_silent_output_stays_silent_beside_others(axes, method):
     data = moving(3, 100)
     data[1] = 0.0
-    found = project_axes(data, axes, method)
-    assert not found[1].any()
-    assert found[0].any()
-    assert found[2].any()
+    projected = project_axes(data, axes, method)
+    assert not projected[1].any()
+    assert projected[0].any()
+    assert projected[2].any()
     assert not project_axes(np.zeros((1, 3, 50)), axes, method).any()
 
 
 @pytest.mark.parametrize("method", METHODS)
 def test_one_sample_is_enough(method):
     data = np.array([[[3.0], [4.0], [12.0]], [[0.0], [0.0], [0.0]]])
-    found = project_axes(data, "xyz", method)
+    projected = project_axes(data, "xyz", method)
     expected = {"mag": 13.0, "soc": 19.0, "rms": 13.0, "pca": 3.0}
-    np.testing.assert_allclose(found, [[expected[method]], [0.0]], rtol=1e-15)
+    np.testing.assert_allclose(projected, [[expected[method]], [0.0]], rtol=1e-15)
 
 
 @pytest.mark.parametrize("n_times", [1, 2, 3])
@@ -170,8 +170,8 @@ def test_fewer_samples_than_axes_have_a_main_axis(n_times):
 @pytest.mark.parametrize("exponent", [-900, -500, 500, 900])
 def test_doubling_doubles_bit_for_bit_far_beyond_where_squares_exist(method, exponent):
     data = moving(6, 80)
-    found = project_axes(np.ldexp(data, exponent), "xyz", method)
-    np.testing.assert_array_equal(found, np.ldexp(project_axes(data, "xyz", method), exponent))
+    projected = project_axes(np.ldexp(data, exponent), "xyz", method)
+    np.testing.assert_array_equal(projected, np.ldexp(project_axes(data, "xyz", method), exponent))
 
 
 def test_turning_the_axes_keeps_the_magnitude():

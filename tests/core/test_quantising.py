@@ -24,37 +24,37 @@ from skinsource.signals.quantising import KINDS, quantised
     ],
 )
 def test_full_scale_is_as_far_from_zero_on_both_sides(kind, low, zero, high):
-    found = quantised([[-1.0, 0.0, 1.0]], kind)
-    assert found.values.tolist() == [[low, zero, high]]
-    assert found.clipped.tolist() == [0]
+    result = quantised([[-1.0, 0.0, 1.0]], kind)
+    assert result.values.tolist() == [[low, zero, high]]
+    assert result.clipped.tolist() == [0]
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_nothing_wraps_and_what_is_cut_off_is_counted(kind):
     loud = [[1.5, -1.5, 1e300, 1.0 + 1e-15, 1.0], [0.0, -1e9, 0.5, -0.5, -1.0]]
-    found = quantised(loud, kind)
-    signed = found.values.astype(np.int64) - found.kind.zero
-    most = found.kind.most
+    result = quantised(loud, kind)
+    signed = result.values.astype(np.int64) - result.kind.zero
+    most = result.kind.most
     assert signed[0].tolist() == [most, -most, most, most, most]
     assert signed[1, 1] == -most
-    assert found.clipped.tolist() == [4, 1]
+    assert result.clipped.tolist() == [4, 1]
 
 
 @given(st.lists(st.floats(-1.0, 1.0), min_size=1, max_size=30), st.sampled_from(sorted(KINDS)))
 def test_every_sample_is_rounded_to_the_nearest(samples, kind):
-    found = quantised([samples], kind)
-    for sample, value in zip(samples, found.values[0].tolist(), strict=True):
+    result = quantised([samples], kind)
+    for sample, value in zip(samples, result.values[0].tolist(), strict=True):
         # In exact arithmetic; the product may round by half a step of a float, no more.
-        off = Fraction(sample) * found.full_scale - (value - found.kind.zero)
+        off = Fraction(sample) * result.full_scale - (value - result.kind.zero)
         assert abs(off) <= Fraction(1, 2) + Fraction(1, 2**20)
-    assert found.largest_error <= 0.5 / found.full_scale * (1 + 1e-6)
+    assert result.largest_error <= 0.5 / result.full_scale * (1 + 1e-6)
 
 
 def test_dither_is_triangular_and_makes_the_error_independent_of_the_signal():
     # A signal of a quarter of a step is lost without dither, and is there on average with it.
     level = 0.25 / 32766
-    found = quantised(np.full((1, 200_000), level), "int16", dither_seed=3)
-    steps = found.values[0] - 0.25
+    result = quantised(np.full((1, 200_000), level), "int16", dither_seed=3)
+    steps = result.values[0] - 0.25
     assert abs(steps.mean()) < 0.01
     # Of a triangle of two steps, 1/6, and of rounding, 1/12.
     assert np.var(steps) == pytest.approx(1 / 4, rel=0.02)
@@ -62,30 +62,30 @@ def test_dither_is_triangular_and_makes_the_error_independent_of_the_signal():
 
 
 def test_dither_never_clips_a_signal_of_full_scale():
-    found = quantised(np.ones((2, 100_000)), "int16", dither_seed=0)
-    assert found.clipped.tolist() == [0, 0]
-    assert found.full_scale == 32766
-    assert found.values.max() == 32767
-    assert found.values.min() == 32765
+    result = quantised(np.ones((2, 100_000)), "int16", dither_seed=0)
+    assert result.clipped.tolist() == [0, 0]
+    assert result.full_scale == 32766
+    assert result.values.max() == 32767
+    assert result.values.min() == 32765
 
 
 def test_dither_is_that_of_its_seed_other_in_each_channel_and_without_seams(monkeypatch):
     samples = np.zeros((2, 5000))
-    found = quantised(samples, "int16", dither_seed=7).values
-    assert np.any(found[0] != found[1])
-    assert np.any(found != quantised(samples, "int16", dither_seed=8).values)
+    result = quantised(samples, "int16", dither_seed=7).values
+    assert np.any(result[0] != result[1])
+    assert np.any(result != quantised(samples, "int16", dither_seed=8).values)
     monkeypatch.setattr(quantising, "_BLOCK", 333)
-    np.testing.assert_array_equal(quantised(samples, "int16", dither_seed=7).values, found)
+    np.testing.assert_array_equal(quantised(samples, "int16", dither_seed=7).values, result)
 
 
 @pytest.mark.parametrize(
-    ("call", "words"),
+    ("call", "message"),
     [
         (lambda: quantised([[0.0, np.nan]], "int16"), r"nan at index \(0, 1\)"),
         (lambda: quantised([[0.0]], "int17"), "choose from int8"),
         (lambda: quantised([[0.0]], "int16", dither_seed=-1), "dither_seed"),
     ],
 )
-def test_what_cannot_be_rounded_is_refused(call, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_cannot_be_rounded_is_refused(call, message):
+    with pytest.raises(InvalidInputError, match=message):
         call()

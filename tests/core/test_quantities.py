@@ -32,7 +32,7 @@ FOUR = Design(
 )
 
 
-def made_up_response(place: int) -> np.ndarray:
+def synthetic_response(place: int) -> np.ndarray:
     return np.random.default_rng(place).standard_normal((72, 3, 522))
 
 
@@ -43,27 +43,27 @@ class Studio:
         self.limb = limb
         self.graph = new_graph()
 
-    def show(self, design: Design, *wanted: str, view: View | None = None) -> list:
+    def show(self, design: Design, *quantities: str, view: View | None = None) -> list:
         given = sources(design, view or View()) | {"limb_data": self.limb}
-        results = self.graph.evaluate(wanted, given)
-        return [results[name] for name in wanted]
+        results = self.graph.evaluate(quantities, given)
+        return [results[name] for name in quantities]
 
 
 @pytest.fixture
 def studio(limb_of) -> Studio:
-    return Studio(limb_of(made_up_response))
+    return Studio(limb_of(synthetic_response))
 
 
-def predicted(studio: Studio, design: Design, heard: list[int]) -> np.ndarray:
+def predicted(studio: Studio, design: Design, audible: list[int]) -> np.ndarray:
     """Prediction from drives that are laid out by hand at 1300 Hz."""
     starts = {0: 0, 1: 0, 2: 65, 3: 130}
-    played = {k: design.inputs[k].clips[0].waveform.samples(1300.0) for k in heard}
+    played = {k: design.inputs[k].clips[0].waveform.samples(1300.0) for k in audible}
     n_times = max(starts[k] + samples.size for k, samples in played.items())
-    drives = np.zeros((len(heard), n_times))
+    drives = np.zeros((len(audible), n_times))
     for row, (k, samples) in zip(drives, played.items(), strict=True):
         row[starts[k] : starts[k] + samples.size] = samples
-    chosen = [design.inputs[k] for k in heard]
-    places, amplitudes = [one.location for one in chosen], [one.amplitude for one in chosen]
+    chosen = [design.inputs[k] for k in audible]
+    places, amplitudes = [track.location for track in chosen], [track.amplitude for track in chosen]
     return predict(studio.limb, drives, places, amplitudes, design.scaling)
 
 
@@ -78,10 +78,10 @@ def test_traces_are_those_of_the_prediction_through_all_edits(studio, scaling):
         (design.with_input(3, solo=True).with_input(1, solo=True), [1, 3]),
         (design, [0, 1, 2, 3]),
     ]
-    for edited, heard in edits:
-        (found,) = studio.show(edited, "axis_traces")
-        expected = predicted(studio, edited, heard)[[28, 51]]
-        np.testing.assert_allclose(found, expected, atol=1e-14 * np.abs(expected).max())
+    for edited, audible in edits:
+        (traces,) = studio.show(edited, "axis_traces")
+        expected = predicted(studio, edited, audible)[[28, 51]]
+        np.testing.assert_allclose(traces, expected, atol=1e-14 * np.abs(expected).max())
 
 
 def test_only_the_places_that_are_heard_are_read(studio):
@@ -156,13 +156,13 @@ def test_the_graph_of_the_studio_knows_every_field_of_design_and_view():
     given = sources(FOUR, View())
     assert {"limb", "inputs", "scaling", "axes", "method", "outputs"} <= set(given)
     results = new_graph().evaluate(["voices", "other_voices"], given)
-    assert [one.location for one in results["voices"]] == [7, 8, 7, 16]
+    assert [voice.location for voice in results["voices"]] == [7, 8, 7, 16]
     assert results["other_voices"] == results["voices"][1:]
 
 
 def test_results_cannot_be_written_to(studio):
-    wanted = ("others_spectrum", "axis_traces", "output_rms", "selected_traces")
-    for array in studio.show(FOUR, *wanted):
+    quantities = ("others_spectrum", "axis_traces", "output_rms", "selected_traces")
+    for array in studio.show(FOUR, *quantities):
         with pytest.raises(ValueError, match="read-only"):
             array[...] = 0.0
 
@@ -170,8 +170,8 @@ def test_results_cannot_be_written_to(studio):
 def test_evaluation_starts_from_what_quantities_depend_on_and_from_nothing_else():
     given = sources(FOUR, View())
     looked = View(time_range_s=(0.0, 0.1), panels=(("skin", (("map_style", "sensors"),)),))
-    words = dict.fromkeys(("title", "author", "notes", "licence"), "words")
-    assert sources(replace(FOUR, **words), looked) == given
+    texts = dict.fromkeys(("title", "author", "notes", "licence"), "words")
+    assert sources(replace(FOUR, **texts), looked) == given
     rules = (*RULES, *Shared().rules())
     needed = {name for rule in rules for name in signature(rule).parameters}
     assert given.keys() - {"span"} <= needed

@@ -55,12 +55,12 @@ def test_a_sentence_ends_in_one_full_stop():
 
 def test_every_message_of_the_library_quotes_in_this_way():
     """Python's own way of quoting in a text (``!r``) has no limit."""
-    found = []
+    places = []
     for path in sorted(Path(skinsource.__file__).parent.rglob("*.py")):
-        raised = [one for one in ast.walk(ast.parse(path.read_text("utf-8"))) if _is_raise(one)]
-        quotes = [one for node in raised for one in ast.walk(node) if _is_quote(one)]
-        found += [f"{path.name}:{one.lineno}" for one in quotes]
-    assert found == []
+        raised = [node for node in ast.walk(ast.parse(path.read_text("utf-8"))) if _is_raise(node)]
+        quotes = [quote for node in raised for quote in ast.walk(node) if _is_quote(quote)]
+        places += [f"{path.name}:{quote.lineno}" for quote in quotes]
+    assert places == []
 
 
 def _is_raise(node: ast.AST) -> bool:

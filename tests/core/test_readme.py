@@ -27,11 +27,11 @@ def test_the_export_in_the_readme_is_written(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     ss.save_design("scene.skinsource", ss.Design(limb="synthetic-1", inputs=(ss.track(7),)))
     assert main(call.split()) == 0
-    path, *words = capsys.readouterr().out.splitlines()
+    path, *lines = capsys.readouterr().out.splitlines()
     assert path == "drive.wav"
     # What has to be known of it stands below, indented.
-    assert words
-    assert all(line.startswith("  ") for line in words)
+    assert lines
+    assert all(line.startswith("  ") for line in lines)
     assert (tmp_path / "drive.wav.json").exists()
 
 

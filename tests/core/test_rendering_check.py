@@ -45,20 +45,20 @@ def test_an_exact_sample_is_that_of_plain_convolution():
     drive = drive_of(Noise(seed=5).samples(1300.0))
     taps = load_synthetic_limb(1).response_to(9)
     response = ResponseSpectrum(taps, forward(taps, 1152), 1152)
-    one = ExactVoice(drive=drive, delay_samples=40, weight=2.0, response=response)
+    voice = ExactVoice(drive=drive, delay_samples=40, weight=2.0, response=response)
     plain = np.concatenate((np.zeros(40), 2.0 * np.convolve(drive.samples, taps[28, 1])))
     for time in (0, 39, 40, 41, 200, 299, 300, 700, 820):
-        assert float(one.exact(29, 1, time)) == pytest.approx(plain[time], abs=1e-15)
+        assert float(voice.exact(29, 1, time)) == pytest.approx(plain[time], abs=1e-15)
 
 
 def test_a_wrong_trace_is_noticed():
     drive = drive_of(Tone().samples(1300.0))
     taps = load_synthetic_limb(1).response_to(7)
     response = ResponseSpectrum(taps, forward(taps, 1152), 1152)
-    one = ExactVoice(drive=drive, delay_samples=0, weight=1.0, response=response)
+    voice = ExactVoice(drive=drive, delay_samples=0, weight=1.0, response=response)
     trace = np.convolve(drive.samples, taps[28, 2])[None, None]
-    right = trace_error_of(trace, (29,), (2,), [one])
-    wrong = trace_error_of(trace * (1 + 1e-6), (29,), (2,), [one])
+    right = trace_error_of(trace, (29,), (2,), [voice])
+    wrong = trace_error_of(trace * (1 + 1e-6), (29,), (2,), [voice])
     assert right.estimate < 1e-14 < 1e-8 < wrong.estimate
 
 
@@ -66,12 +66,12 @@ def test_an_error_in_a_short_sound_within_a_long_silence_is_noticed():
     drive = drive_of(Tap().samples(1300.0))
     taps = load_synthetic_limb(1).response_to(7)
     response = ResponseSpectrum(taps, forward(taps, 1152), 1152)
-    one = ExactVoice(drive=drive, delay_samples=60_000, weight=1.0, response=response)
+    voice = ExactVoice(drive=drive, delay_samples=60_000, weight=1.0, response=response)
     trace = np.zeros((1, 1, 78_000))
-    felt = np.convolve(drive.samples, taps[28, 2])
-    trace[0, 0, 60_000 : 60_000 + felt.size] = felt
-    assert trace_error_of(trace, (29,), (2,), [one]).estimate < 1e-14
-    assert trace_error_of(trace * (1 + 1e-6), (29,), (2,), [one]).estimate > 1e-8
+    field = np.convolve(drive.samples, taps[28, 2])
+    trace[0, 0, 60_000 : 60_000 + field.size] = field
+    assert trace_error_of(trace, (29,), (2,), [voice]).estimate < 1e-14
+    assert trace_error_of(trace * (1 + 1e-6), (29,), (2,), [voice]).estimate > 1e-8
 
 
 @pytest.mark.parametrize("wrong", [1e-9, -3e-6])
@@ -79,10 +79,10 @@ def test_the_estimate_is_four_times_the_largest_error_found(wrong):
     drive = drive_of(Tone().samples(1300.0))
     taps = load_synthetic_limb(1).response_to(7)
     response = ResponseSpectrum(taps, forward(taps, 1152), 1152)
-    one = ExactVoice(drive=drive, delay_samples=0, weight=1.0, response=response)
+    voice = ExactVoice(drive=drive, delay_samples=0, weight=1.0, response=response)
     trace = np.convolve(drive.samples, taps[28, 2])[None, None] + wrong
-    found = trace_error_of(trace, (29,), (2,), [one])
-    assert found.estimate == pytest.approx(4 * abs(wrong) / np.abs(trace).max(), rel=1e-5)
+    error = trace_error_of(trace, (29,), (2,), [voice])
+    assert error.estimate == pytest.approx(4 * abs(wrong) / np.abs(trace).max(), rel=1e-5)
 
 
 def test_the_bound_grows_with_the_number_of_butterflies_of_a_transform():
@@ -92,8 +92,8 @@ def test_the_bound_grows_with_the_number_of_butterflies_of_a_transform():
     bounds = {}
     for n_fft in (1024, 2**15):
         response = ResponseSpectrum(taps, forward(taps, n_fft), n_fft)
-        one = ExactVoice(drive=drive, delay_samples=0, weight=1.0, response=response)
-        bounds[n_fft] = trace_error_of(trace, (29,), (2,), [one]).bound
+        voice = ExactVoice(drive=drive, delay_samples=0, weight=1.0, response=response)
+        bounds[n_fft] = trace_error_of(trace, (29,), (2,), [voice]).bound
     # A few units in the last place of drive times response, for each of so many stages.
     norms = np.linalg.norm(drive.samples) * np.linalg.norm(taps[28, 2])
     unit = np.finfo(np.float64).eps * norms / np.abs(trace).max()

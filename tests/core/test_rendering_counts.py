@@ -30,8 +30,8 @@ ALL = ("output_rms", "selected_traces", "selected_spectra")
 def show():
     graph = new_graph()
 
-    def show(design=DESIGN, view=VIEW, wanted=ALL):
-        return graph.evaluate(wanted, sources(design, view)), graph.work
+    def show(design=DESIGN, view=VIEW, quantities=ALL):
+        return graph.evaluate(quantities, sources(design, view)), graph.work
 
     show()
     return show
@@ -69,30 +69,30 @@ def test_a_map_alone_is_made_without_inverse_transforms_of_outputs():
 
 
 def test_a_waveform_edit_transforms_only_that_waveform(show):
-    _, work = show(DESIGN.with_clip(2, waveform=Noise(seed=3)), wanted=("output_rms",))
+    _, work = show(DESIGN.with_clip(2, waveform=Noise(seed=3)), quantities=("output_rms",))
     assert work.forward_transforms == 1
     assert work.samples_drawn == 260
 
 
 def test_spectra_of_an_edited_waveform_take_one_transform_more_however_many_outputs(show):
     edited = DESIGN.with_clip(2, waveform=Noise(seed=3))
-    _, work = show(edited, wanted=("axis_spectra",))
+    _, work = show(edited, quantities=("axis_spectra",))
     assert work.forward_transforms == 2
 
 
 def test_the_search_for_the_maximum_transforms_few_channels_and_counts_them(show):
-    _, work = show(DESIGN.with_clip(2, waveform=Noise(seed=3)), wanted=("output_rms",))
+    _, work = show(DESIGN.with_clip(2, waveform=Noise(seed=3)), quantities=("output_rms",))
     assert 0 < work.search_transforms == work.inverse_transforms < 216 / 4
 
 
 def test_an_onset_edit_draws_nothing_and_transforms_no_drive(show):
-    _, work = show(DESIGN.with_clip(2, onset_s=0.05), wanted=("output_rms",))
+    _, work = show(DESIGN.with_clip(2, onset_s=0.05), quantities=("output_rms",))
     assert work.samples_drawn == 0
     assert work.forward_transforms == work.inverse_transforms == 0
 
 
 def test_only_selected_outputs_are_brought_back_to_time(show):
-    _, work = show(view=replace(VIEW, outputs=(29, 52, 61)), wanted=("selected_traces",))
+    _, work = show(view=replace(VIEW, outputs=(29, 52, 61)), quantities=("selected_traces",))
     # Two parts (the selected input and the others) of three axes of the one new output.
     assert work.inverse_transforms == 6
 

@@ -38,15 +38,15 @@ ALL = ("output_rms", "selected_traces", "selected_spectra", "axis_spectra")
 def convolved() -> np.ndarray:
     """Projected signals (72 outputs, n_times) of the long scene, by convolution with numpy."""
     limb = load_synthetic_limb(1)
-    played = [(round(one.onset_s * 1300), one.waveform.samples(1300.0)) for one in LONG.clips]
+    played = [(round(clip.onset_s * 1300), clip.waveform.samples(1300.0)) for clip in LONG.clips]
     n_times = max(start + samples.size for start, samples in played) + 521
     total = np.zeros((72, 3, n_times))
-    for one, (start, samples) in zip(LONG.inputs, played, strict=True):
+    for input_track, (start, samples) in zip(LONG.inputs, played, strict=True):
         field = np.zeros((72, 3, samples.size + 521))
         for channel in np.ndindex(72, 3):
-            field[channel] = np.convolve(samples, limb.response_to(one.location)[channel])
+            field[channel] = np.convolve(samples, limb.response_to(input_track.location)[channel])
         # As upstream scales: by the largest value of the field, not of its magnitude.
-        total[..., start : start + field.shape[-1]] += field * (one.amplitude / field.max())
+        total[..., start : start + field.shape[-1]] += field * (input_track.amplitude / field.max())
     return np.array([along_main_axis(output) for output in total])
 
 
@@ -71,17 +71,17 @@ class Countdown:
 @pytest.mark.parametrize("scaling", ["upstream", "relative", "probe"])
 def test_traces_of_a_long_scene_are_checked_too(scaling):
     design = Design(limb=LONG.limb, inputs=LONG.inputs, scaling=scaling)
-    found = new_graph().evaluate({"trace_error", "n_fft"}, sources(design, VIEW))
-    assert found["n_fft"] is None
-    assert 0.0 < found["trace_error"].estimate < 1e-14
-    assert found["trace_error"].estimate < found["trace_error"].bound
+    values = new_graph().evaluate({"trace_error", "n_fft"}, sources(design, VIEW))
+    assert values["n_fft"] is None
+    assert 0.0 < values["trace_error"].estimate < 1e-14
+    assert values["trace_error"].estimate < values["trace_error"].bound
 
 
 def test_a_long_silence_has_no_error_and_no_levels():
     silent = LONG.with_input(0, amplitude=0.0).with_input(1, muted=True).with_input(2, muted=True)
-    found = new_graph().evaluate(("trace_error", "output_rms"), sources(silent, VIEW))
-    assert found["trace_error"] is None
-    assert not found["output_rms"].any()
+    values = new_graph().evaluate(("trace_error", "output_rms"), sources(silent, VIEW))
+    assert values["trace_error"] is None
+    assert not values["output_rms"].any()
 
 
 @pytest.mark.parametrize("times", [1, 5, 10, 20, 30, 40])
@@ -90,17 +90,17 @@ def test_a_long_scene_stops_wherever_it_is_asked_to_and_is_right_afterwards(time
     with pytest.raises(Stopped):
         graph.evaluate(ALL, sources(LONG, VIEW), Countdown(times))
     # The old request to stop is of no concern any more.
-    found = graph.evaluate(ALL, sources(LONG, VIEW))
+    values = graph.evaluate(ALL, sources(LONG, VIEW))
     levels = np.sqrt(np.mean(np.square(convolved), axis=-1))
-    np.testing.assert_allclose(found["output_rms"], levels, rtol=1e-12)
+    np.testing.assert_allclose(values["output_rms"], levels, rtol=1e-12)
     expected = convolved[[number - 1 for number in VIEW.outputs]]
     peak = np.abs(expected).max()
-    np.testing.assert_allclose(found["selected_traces"], expected, rtol=0, atol=1e-13 * peak)
+    np.testing.assert_allclose(values["selected_traces"], expected, rtol=0, atol=1e-13 * peak)
     # Amplitudes of the parts of a signal; there is no highest one where the samples are odd.
     spectra = 2 / expected.shape[1] * np.abs(np.fft.rfft(expected))
     assert expected.shape[1] % 2 == 1
     spectra[:, 0] /= 2
-    found_spectra = found["selected_spectra"][1]
+    found_spectra = values["selected_spectra"][1]
     np.testing.assert_allclose(found_spectra, spectra, rtol=0, atol=1e-12 * spectra.max())
 
 
@@ -109,8 +109,8 @@ def test_a_request_to_stop_does_not_outlive_its_question():
     wants_to_stop = False
     graph.evaluate(["output_rms"], sources(LONG, VIEW), lambda: wants_to_stop)
     wants_to_stop = True
-    found = graph.evaluate(["selected_traces"], sources(LONG, VIEW))
-    assert found["selected_traces"].any()
+    values = graph.evaluate(["selected_traces"], sources(LONG, VIEW))
+    assert values["selected_traces"].any()
 
 
 def test_no_more_than_some_blocks_lie_between_two_chances_to_stop():
@@ -145,13 +145,13 @@ def test_responses_to_all_outputs_are_not_copied(monkeypatch):
 
 def test_a_drive_that_is_in_use_is_not_drawn_again_however_small_the_memory():
     drives = Drives(budget_bytes=0, clips_bytes=0)
-    one = UnitVoice(Chain((Part(Noise(seed=5)),)), location=1)
-    first = drives.drawn(one, 1300.0)
-    assert drives.drawn(one, 1300.0) is first
+    voice = UnitVoice(Chain((Part(Noise(seed=5)),)), location=1)
+    first = drives.drawn(voice, 1300.0)
+    assert drives.drawn(voice, 1300.0) is first
     samples = first.samples.copy()
     del first
     gc.collect()
-    np.testing.assert_array_equal(drives.drawn(one, 1300.0).samples, samples)
+    np.testing.assert_array_equal(drives.drawn(voice, 1300.0).samples, samples)
 
 
 def test_each_long_waveform_is_drawn_once_whatever_is_asked_first(monkeypatch):
@@ -160,7 +160,7 @@ def test_each_long_waveform_is_drawn_once_whatever_is_asked_first(monkeypatch):
     )
     graph = new_graph()
     graph.evaluate((*ALL, "input_waveforms", "trace_error"), sources(LONG, VIEW))
-    drawn = sum(one.clips[0].waveform.samples(1300.0).size for one in LONG.inputs)
+    drawn = sum(track.clips[0].waveform.samples(1300.0).size for track in LONG.inputs)
     assert graph.work.samples_drawn == drawn
 
 
@@ -170,9 +170,9 @@ class Broken(Tone):
     __slots__ = ()
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> np.ndarray:
-        found = Tone.samples(self, sample_rate_hz, shift_s).copy()
-        found[17] = np.nan
-        return found
+        values = Tone.samples(self, sample_rate_hz, shift_s).copy()
+        values[17] = np.nan
+        return values
 
 
 @pytest.mark.parametrize("duration_s", [0.5, 14.0])
@@ -209,15 +209,15 @@ def test_however_long_the_scene_no_output_need_be_selected(duration_s, span):
     for k, axes in enumerate(AXES):
         for method in (METHODS[k % len(METHODS)],) if fewer else METHODS:
             view = View(axes=axes, method=method, outputs=(), span=span, selected_inputs=(1,))
-            found = graph.evaluate(PANELS_NEED, sources(design, view))
-            n_times = found["response_time_s"].size
+            values = graph.evaluate(PANELS_NEED, sources(design, view))
+            n_times = values["response_time_s"].size
             assert n_times == round(duration_s * 1300) + 521
-            assert found["selected_traces"].shape == (0, n_times)
+            assert values["selected_traces"].shape == (0, n_times)
             for spectra in ("selected_spectra", "selected_peak_spectra"):
-                frequency_hz, magnitudes = found[spectra]
+                frequency_hz, magnitudes = values[spectra]
                 assert magnitudes.shape == (0, frequency_hz.size)
-            assert found["trace_error"] is None
-            assert found["output_levels_db"].max() > -100.0
+            assert values["trace_error"] is None
+            assert values["output_levels_db"].max() > -100.0
 
 
 def test_traces_of_no_output_of_a_long_scene_transform_nothing():

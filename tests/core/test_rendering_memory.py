@@ -65,10 +65,10 @@ def test_many_small_values_do_not_exceed_the_budget_by_their_keys():
         for k in range(5000):
             tone = Tone(frequency_hz=100 + k / 100, duration_s=0.1)
             memory.add((UnitVoice(Chain((Part(tone),)), 7), 1920), k / 7)
-        taken, _ = tracemalloc.get_traced_memory()
+        held_bytes, _ = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()
-    assert taken < 10**6
+    assert held_bytes < 10**6
 
 
 def test_spectra_of_lengths_not_in_use_go_before_the_budget_is_exceeded():

@@ -41,30 +41,32 @@ def limb() -> Limb:
 
 def plainly(limb: Limb, design: Design) -> np.ndarray:
     """Field (72, 3, n_times) by direct convolution, channel by channel."""
-    heard = audible_inputs(design.inputs)
+    audible = audible_inputs(design.inputs)
     played = [
         (round(clip.onset_s * RATE_HZ), clip.waveform.samples(RATE_HZ))
-        for one in heard
-        for clip in one.clips
+        for track in audible
+        for clip in track.clips
     ]
     n_times = max(start + samples.size for start, samples in played) + 521
     total = np.zeros((72, 3, n_times))
-    for one, (start, samples) in zip(heard, played, strict=True):
+    for input_track, (start, samples) in zip(audible, played, strict=True):
         field = np.zeros_like(total)
         for channel in np.ndindex(72, 3):
-            answer = np.convolve(samples, limb.response_to(one.location)[channel])
+            answer = np.convolve(samples, limb.response_to(input_track.location)[channel])
             field[channel][start : start + answer.size] = answer
         largest = field.max() if design.scaling == "upstream" else 1.0
-        total += field * (one.amplitude / largest)
+        total += field * (input_track.amplitude / largest)
     return total
 
 
-def shown(design: Design, view: View, wanted=ALL, graph=None) -> dict:
-    return (graph or new_graph()).evaluate(wanted, sources(design, view))
+def shown(design: Design, view: View, quantities=ALL, graph=None) -> dict:
+    return (graph or new_graph()).evaluate(quantities, sources(design, view))
 
 
-def same_bits(found, expected, what: str) -> None:
-    pairs = zip(found, expected, strict=True) if isinstance(found, tuple) else [(found, expected)]
+def same_bits(values, expected, what: str) -> None:
+    pairs = (
+        zip(values, expected, strict=True) if isinstance(values, tuple) else [(values, expected)]
+    )
     for a, b in pairs:
         np.testing.assert_array_equal(a, b, err_msg=what)
 
@@ -77,18 +79,18 @@ def test_levels_traces_and_spectra_are_those_of_plain_convolution(limb, scaling,
     for axes in AXES:
         for method in METHODS:
             view = View(axes=axes, method=method, outputs=OUTPUTS, selected_inputs=selected)
-            found = shown(design, view)
+            values = shown(design, view)
             signals = project_axes(field, axes, method)
             peak = np.abs(signals).max()
             expected_rms = np.sqrt(np.mean(signals**2, axis=1))
             # Each output against itself, however quiet, and however its axes cancel.
-            np.testing.assert_allclose(found["output_rms"], expected_rms, rtol=1e-12)
+            np.testing.assert_allclose(values["output_rms"], expected_rms, rtol=1e-12)
             chosen = signals[[output - 1 for output in OUTPUTS]]
-            np.testing.assert_allclose(found["selected_traces"], chosen, atol=1e-13 * peak)
+            np.testing.assert_allclose(values["selected_traces"], chosen, atol=1e-13 * peak)
             magnitude = np.abs(np.fft.rfft(chosen)) / chosen.shape[-1]
             magnitude[:, 1 : (chosen.shape[-1] + 1) // 2] *= 2
             np.testing.assert_allclose(
-                found["selected_spectra"][1], magnitude, atol=1e-13 * peak, rtol=0
+                values["selected_spectra"][1], magnitude, atol=1e-13 * peak, rtol=0
             )
 
 
@@ -109,9 +111,9 @@ def test_results_do_not_depend_on_what_was_asked_before():
             outputs=tuple(int(k) for k in rng.permutation(72)[:3] + 1),
             method=str(rng.choice(METHODS)),
         )
-        found, anew = shown(design, view, graph=graph), shown(design, view)
+        values, anew = shown(design, view, graph=graph), shown(design, view)
         for name in ALL:
-            same_bits(found[name], anew[name], f"seed 5, {name}")
+            same_bits(values[name], anew[name], f"seed 5, {name}")
 
 
 def test_two_inputs_that_cancel_keep_their_digits(limb):
@@ -147,7 +149,8 @@ def test_onset_and_amplitude_by_powers_of_two_are_exact():
     view = View(outputs=OUTPUTS, selected_inputs=(1,), axes="z")
     once = shown(DESIGN.with_input(0, amplitude=1.0), view, ("axis_traces",))["axis_traces"]
     scaled = replace(
-        DESIGN, inputs=tuple(replace(one, amplitude=one.amplitude * 8) for one in DESIGN.inputs)
+        DESIGN,
+        inputs=tuple(replace(track, amplitude=track.amplitude * 8) for track in DESIGN.inputs),
     )
     eight = shown(scaled, view, ("axis_traces",))["axis_traces"]
     np.testing.assert_array_equal(eight, 8 * once)
@@ -200,15 +203,15 @@ def test_a_long_scene_is_streamed_to_the_same_numbers(limb, scaling):
     )
     field = plainly(limb, design)
     view = View(outputs=OUTPUTS, axes="xyz", method="soc", selected_inputs=(1,))
-    found = shown(design, view)
+    values = shown(design, view)
     signals = field.sum(axis=1)
     np.testing.assert_allclose(
-        found["output_rms"], np.sqrt(np.mean(signals**2, axis=1)), rtol=1e-11
+        values["output_rms"], np.sqrt(np.mean(signals**2, axis=1)), rtol=1e-11
     )
     chosen = signals[[output - 1 for output in OUTPUTS]]
     peak = np.abs(chosen).max()
-    np.testing.assert_allclose(found["selected_traces"], chosen, atol=1e-13 * peak)
-    assert not found["selected_traces"][:, 390 + 521 : 16_900].any()
+    np.testing.assert_allclose(values["selected_traces"], chosen, atol=1e-13 * peak)
+    assert not values["selected_traces"][:, 390 + 521 : 16_900].any()
 
 
 def test_the_maximum_of_a_long_drive_is_found_block_by_block(limb):
@@ -235,8 +238,8 @@ def test_outputs_that_move_alike_in_all_directions_are_named(limb_of):
     for method, expected in (("pca", (1, 29)), ("rms", ())):
         view = View(axes="xyz", method=method, outputs=(1, 10, 29))
         given = sources(design, view) | {"limb_data": limb}
-        found = new_graph().evaluate({"selected_without_main_axis"}, given)
-        assert found["selected_without_main_axis"] == expected
+        values = new_graph().evaluate({"selected_without_main_axis"}, given)
+        assert values["selected_without_main_axis"] == expected
 
 
 @pytest.mark.parametrize("onset_s", [0.0, 0.1])
@@ -244,13 +247,13 @@ def test_outputs_that_move_alike_in_all_directions_are_named(limb_of):
 def test_no_selected_outputs_give_empty_traces_and_spectra_also_after_some(onset_s, axes):
     design = DESIGN.with_clip(1, onset_s=onset_s)
     graph = new_graph()
-    wanted = ("axis_traces", "axis_spectra", "selected_traces", "selected_spectra")
+    quantities = ("axis_traces", "axis_spectra", "selected_traces", "selected_spectra")
     for outputs in ((), OUTPUTS, ()):
         view = View(outputs=outputs, axes=axes, method="pca", selected_inputs=(1,))
-        found = graph.evaluate(wanted, sources(design, view))
-        n_times = found["selected_traces"].shape[-1]
-        assert found["selected_traces"].shape == (len(outputs), n_times)
-        assert found["axis_traces"].shape == (len(outputs), len(axes), n_times)
-        assert found["axis_spectra"].shape == (len(outputs), len(axes), n_times // 2 + 1)
-        assert found["axis_spectra"].dtype == np.complex128
-        assert found["selected_spectra"][1].shape == (len(outputs), n_times // 2 + 1)
+        values = graph.evaluate(quantities, sources(design, view))
+        n_times = values["selected_traces"].shape[-1]
+        assert values["selected_traces"].shape == (len(outputs), n_times)
+        assert values["axis_traces"].shape == (len(outputs), len(axes), n_times)
+        assert values["axis_spectra"].shape == (len(outputs), len(axes), n_times // 2 + 1)
+        assert values["axis_spectra"].dtype == np.complex128
+        assert values["selected_spectra"][1].shape == (len(outputs), n_times // 2 + 1)

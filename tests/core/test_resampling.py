@@ -43,9 +43,9 @@ def converted_tone(frequency_hz, from_hz, to_hz):
     """A tone at another rate: its instants in the middle, and its samples there."""
     margin_s = STEEP_MARGIN_S if min(from_hz, to_hz) < 1300 else MARGIN_S
     n = int((0.1 + 2.0 * margin_s) * from_hz)
-    found = ss.resample(tone(frequency_hz, from_hz, n), from_hz, to_hz)
+    resampled = ss.resample(tone(frequency_hz, from_hz, n), from_hz, to_hz)
     start, end = int(margin_s * to_hz), int((0.1 + margin_s) * to_hz)
-    return np.arange(start, end), found[start:end]
+    return np.arange(start, end), resampled[start:end]
 
 
 def exact(frequency_hz, rate_hz, places):
@@ -62,15 +62,15 @@ def decibels(ratio):
 @pytest.mark.parametrize(("from_hz", "to_hz"), PAIRS)
 def test_tones_of_the_band_keep_size_and_phase(from_hz, to_hz):
     for frequency in (25, 250, 500, 600):
-        places, found = converted_tone(frequency, from_hz, to_hz)
+        places, samples = converted_tone(frequency, from_hz, to_hz)
         some = np.linspace(0, len(places) - 1, 60).astype(int)
         expected = exact(frequency, to_hz, places[some])
-        error = found[some] - expected
+        error = samples[some] - expected
         assert decibels(np.sqrt(2.0 * np.mean(error**2))) < -130.0
         # Least squares with a sine and a cosine: gain, and phase.
         turn = 2.0 * np.pi * ((places * frequency) % to_hz) / to_hz + PHASE
         basis = np.stack((np.sin(turn), np.cos(turn)), axis=1)
-        (in_phase, across), *_ = np.linalg.lstsq(basis, found, rcond=None)
+        (in_phase, across), *_ = np.linalg.lstsq(basis, samples, rcond=None)
         assert abs(decibels(np.hypot(in_phase, across))) < 1e-5
         assert abs(np.arctan2(across, in_phase)) < 1e-6
 
@@ -78,9 +78,9 @@ def test_tones_of_the_band_keep_size_and_phase(from_hz, to_hz):
 @pytest.mark.parametrize(("from_hz", "to_hz"), OTHER_PAIRS)
 def test_any_two_rates_keep_the_ends_of_the_band(from_hz, to_hz):
     for frequency in (25, 600):
-        places, found = converted_tone(frequency, from_hz, to_hz)
+        places, samples = converted_tone(frequency, from_hz, to_hz)
         some = np.linspace(0, len(places) - 1, 40).astype(int)
-        error = found[some] - exact(frequency, to_hz, places[some])
+        error = samples[some] - exact(frequency, to_hz, places[some])
         # 1 gain, no phase: an error of a millionth holds both promises at once.
         assert np.abs(error).max() < 1e-6
 
@@ -89,15 +89,15 @@ def test_any_two_rates_keep_the_ends_of_the_band(from_hz, to_hz):
 def test_what_lies_above_the_band_does_not_fold_into_it(from_hz):
     for frequency in (700, 900, 2500, 3900):
         if frequency < from_hz / 2:
-            _, found = converted_tone(frequency, from_hz, 1300)
-            assert decibels(np.sqrt(2.0 * np.mean(found**2))) < -130.0
+            _, samples = converted_tone(frequency, from_hz, 1300)
+            assert decibels(np.sqrt(2.0 * np.mean(samples**2))) < -130.0
 
 
 def test_what_lies_in_the_transition_folds_only_above_the_band():
     for frequency in (630, 660, 690):
-        found = ss.resample(tone(frequency, 48_000, 48_000), 48_000, 1300)[100:1200]
-        window = np.blackman(len(found))
-        spectrum = 2.0 * np.abs(np.fft.rfft(found * window, 13_000)) / window.sum()
+        resampled = ss.resample(tone(frequency, 48_000, 48_000), 48_000, 1300)[100:1200]
+        window = np.blackman(len(resampled))
+        spectrum = 2.0 * np.abs(np.fft.rfft(resampled * window, 13_000)) / window.sum()
         at_hz = np.arange(len(spectrum)) * 0.1
         assert spectrum[at_hz > 600].max() > 1e-4
         assert decibels(spectrum[(at_hz >= 25) & (at_hz <= 595)].max()) < -80.0
@@ -110,9 +110,9 @@ def test_a_burst_is_the_burst_at_the_other_instants(from_hz, to_hz):
         time = np.arange(n) / rate_hz - 0.25
         return np.exp(-0.5 * (time / 0.02) ** 2) * np.cos(2.0 * np.pi * 250.0 * time)
 
-    found = ss.resample(burst(from_hz, from_hz // 2), from_hz, to_hz)
-    assert np.abs(found - burst(to_hz, len(found))).max() < 1e-7
-    assert np.argmax(found) == to_hz // 4
+    resampled = ss.resample(burst(from_hz, from_hz // 2), from_hz, to_hz)
+    assert np.abs(resampled - burst(to_hz, len(resampled))).max() < 1e-7
+    assert np.argmax(resampled) == to_hz // 4
 
 
 @pytest.mark.parametrize("rate_hz", [2000, 8000, 44_100, 48_000, 96_000, 192_000, 1777])
@@ -138,9 +138,9 @@ def test_there_and_back_is_where_it_began(rate_hz):
 def test_the_length_is_that_of_the_time_rounded_up(n, from_hz, to_hz):
     if n * to_hz > 1e6 * from_hz:
         n = 1
-    found = ss.resample(np.ones(n), from_hz, to_hz)
-    assert len(found) == -(-n * to_hz // from_hz)
-    assert np.isfinite(found).all()
+    resampled = ss.resample(np.ones(n), from_hz, to_hz)
+    assert len(resampled) == -(-n * to_hz // from_hz)
+    assert np.isfinite(resampled).all()
 
 
 @pytest.mark.parametrize("n", [1, 12, 13, 522])
@@ -158,27 +158,27 @@ def test_a_single_sample_peaks_at_its_own_time(from_hz, to_hz):
     for place in (0, n - 1, 260):  # they lie on samples of all these rates
         signal = np.zeros(n)
         signal[place] = 1.0
-        found = ss.resample(signal, from_hz, to_hz)
-        assert np.argmax(found) == round(place * to_hz / from_hz)
-        assert found.max() == pytest.approx(min(1.0, to_hz / from_hz), rel=1e-4)
+        resampled = ss.resample(signal, from_hz, to_hz)
+        assert np.argmax(resampled) == round(place * to_hz / from_hz)
+        assert resampled.max() == pytest.approx(min(1.0, to_hz / from_hz), rel=1e-4)
         # Symmetric about that time, as far as both sides last.
-        at = np.argmax(found)
-        reach = min(at, len(found) - 1 - at, 50)
+        at = np.argmax(resampled)
+        reach = min(at, len(resampled) - 1 - at, 50)
         np.testing.assert_allclose(
-            found[at : at + reach + 1], found[at - reach : at + 1][::-1], rtol=0, atol=1e-12
+            resampled[at : at + reach + 1], resampled[at - reach : at + 1][::-1], rtol=0, atol=1e-12
         )
 
 
 def test_a_step_settles_at_one():
-    found = ss.resample(np.ones(2600), 1300, 48_000)
-    assert np.abs(found[10_000:-10_000] - 1.0).max() < 1e-7
+    resampled = ss.resample(np.ones(2600), 1300, 48_000)
+    assert np.abs(resampled[10_000:-10_000] - 1.0).max() < 1e-7
 
 
 def test_equal_rates_give_the_same_bits():
     signal = np.random.default_rng(0).standard_normal((2, 3000))
-    found = ss.resample(signal, 48_000, 48_000)
-    np.testing.assert_array_equal(found, signal)
-    assert found is not signal
+    resampled = ss.resample(signal, 48_000, 48_000)
+    np.testing.assert_array_equal(resampled, signal)
+    assert resampled is not signal
 
 
 @pytest.mark.parametrize(("from_hz", "to_hz"), [(1300, 48_000), (44_100, 1300), (48_000, 44_100)])
@@ -200,9 +200,11 @@ def test_weights_computed_one_by_one_are_those_of_the_filter(from_hz, to_hz, mon
 
 def test_signals_side_by_side_are_converted_one_by_one():
     signals = np.random.default_rng(2).standard_normal((2, 3, 400))
-    found = ss.resample(signals, 1300, 44_100)
-    assert found.shape == (2, 3, -(-400 * 44_100 // 1300))
-    np.testing.assert_allclose(found[1, 2], ss.resample(signals[1, 2], 1300, 44_100), atol=1e-14)
+    resampled = ss.resample(signals, 1300, 44_100)
+    assert resampled.shape == (2, 3, -(-400 * 44_100 // 1300))
+    np.testing.assert_allclose(
+        resampled[1, 2], ss.resample(signals[1, 2], 1300, 44_100), atol=1e-14
+    )
 
 
 def test_float32_counts_as_the_numbers_it_holds():
@@ -215,14 +217,14 @@ def test_float32_counts_as_the_numbers_it_holds():
 def test_a_ratio_need_not_be_one_of_whole_hertz():
     n, rate = 2000, 1333.5
     signal = np.sin(2.0 * np.pi * 100.0 * np.arange(n) / rate)
-    found = resampling.by_ratio(signal, Fraction(13_000, 13_335), 1300)
-    time = np.arange(len(found)) / 1300.0
+    resampled = resampling.by_ratio(signal, Fraction(13_000, 13_335), 1300)
+    time = np.arange(len(resampled)) / 1300.0
     middle = (time > 0.5) & (time < 1.0)
-    assert np.abs(found - np.sin(2.0 * np.pi * 100.0 * time))[middle].max() < 1e-6
+    assert np.abs(resampled - np.sin(2.0 * np.pi * 100.0 * time))[middle].max() < 1e-6
 
 
 @pytest.mark.parametrize(
-    ("samples", "rates", "words"),
+    ("samples", "rates", "message"),
     [
         ([0.0, np.nan, 1.0], (1300, 48_000), r"nan at index \(1,\)"),
         ([0.0, np.inf], (1300, 1300), "index"),
@@ -233,8 +235,8 @@ def test_a_ratio_need_not_be_one_of_whole_hertz():
         (np.ones(1000), (1, 10_000_000), "take a part"),
     ],
 )
-def test_what_cannot_be_converted_is_refused(samples, rates, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_cannot_be_converted_is_refused(samples, rates, message):
+    with pytest.raises(InvalidInputError, match=message):
         ss.resample(samples, *rates)
 
 
@@ -253,11 +255,11 @@ def test_the_place_of_a_bad_sample_is_told_in_any_block(monkeypatch):
 def test_a_matrix_of_weights_gives_what_the_filter_gives(from_hz, to_hz, monkeypatch):
     signals = np.random.default_rng(3).standard_normal((2, 3001))
     signals[:, 1000:1700] = 0.0
-    found = ss.resample(signals, from_hz, to_hz)
+    resampled = ss.resample(signals, from_hz, to_hz)
     monkeypatch.setattr(Kernel, "is_small", False)
     filtered = ss.resample(signals, from_hz, to_hz)
-    np.testing.assert_allclose(found, filtered, rtol=0, atol=2e-14)
-    assert not np.array_equal(found, filtered)
+    np.testing.assert_allclose(resampled, filtered, rtol=0, atol=2e-14)
+    assert not np.array_equal(resampled, filtered)
 
 
 @pytest.mark.parametrize(("from_hz", "to_hz"), [(1300, 48_000), (48_000, 1300), (1300, 1000)])

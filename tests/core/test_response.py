@@ -15,17 +15,17 @@ SEED = 1300
 BYTES_PER_PLACE = 72 * 3 * 522 * 8
 
 
-def made_up_response(place: int) -> np.ndarray:
+def synthetic_response(place: int) -> np.ndarray:
     return np.random.default_rng(place).standard_normal((72, 3, 522))
 
 
 @pytest.fixture
 def limb(limb_of) -> Limb:
-    return limb_of(made_up_response)
+    return limb_of(synthetic_response)
 
 
 def direct_field(place: int, drive: np.ndarray) -> np.ndarray:
-    response = made_up_response(place).reshape(216, 522)
+    response = synthetic_response(place).reshape(216, 522)
     field = [np.convolve(channel, drive) for channel in response]
     return np.array(field).reshape(72, 3, drive.size + 521)
 
@@ -40,19 +40,19 @@ def direct_sum(places, drives, amplitudes, scaling) -> np.ndarray:
     return total
 
 
-def assert_close(found, expected, relative) -> None:
+def assert_close(values, expected, relative) -> None:
     limit = relative * np.abs(expected).max()
-    np.testing.assert_allclose(found, expected, rtol=0, atol=limit, err_msg=f"{SEED=}")
+    np.testing.assert_allclose(values, expected, rtol=0, atol=limit, err_msg=f"{SEED=}")
 
 
 @pytest.mark.parametrize("scaling", ["upstream", "relative"])
 @pytest.mark.parametrize("n_times", [1, 2, 521, 522, 523, 1300])
 def test_a_response_is_the_full_linear_convolution(limb, n_times, scaling):
     drive = np.random.default_rng(SEED).standard_normal(n_times)
-    found = predict(limb, [drive], [7], [1.7], scaling)
-    assert found.shape == (72, 3, n_times + 521)
-    assert found.dtype == np.float64
-    assert_close(found, direct_sum([7], [drive], [1.7], scaling), 1e-14)
+    response = predict(limb, [drive], [7], [1.7], scaling)
+    assert response.shape == (72, 3, n_times + 521)
+    assert response.dtype == np.float64
+    assert_close(response, direct_sum([7], [drive], [1.7], scaling), 1e-14)
 
 
 @pytest.mark.parametrize("scaling", ["upstream", "relative"])
@@ -60,8 +60,8 @@ def test_inputs_add_up_also_at_the_same_place_and_in_opposite_polarity(limb, sca
     drives = np.random.default_rng(SEED).standard_normal((4, 130))
     drives[2] = 0.0
     places, amplitudes = [8, 13, 3, 8], [0.5, -2.0, 1.0, 1.25]
-    found = predict(limb, drives, places, amplitudes, scaling)
-    assert_close(found, direct_sum(places, drives, amplitudes, scaling), 1e-14)
+    response = predict(limb, drives, places, amplitudes, scaling)
+    assert_close(response, direct_sum(places, drives, amplitudes, scaling), 1e-14)
 
 
 @pytest.mark.parametrize("scaling", SCALINGS)
@@ -69,25 +69,25 @@ def test_an_amplitude_of_zero_and_a_silent_drive_contribute_nothing(limb, scalin
     drives = np.random.default_rng(SEED).standard_normal((3, 65))
     drives[2] = 0.0
     alone = predict(limb, drives[:1], [5], [2.0], scaling)
-    found = predict(limb, drives, [5, 6, 7], [2.0, 0.0, 9.0], scaling)
-    np.testing.assert_array_equal(found, alone)
+    response = predict(limb, drives, [5, 6, 7], [2.0, 0.0, 9.0], scaling)
+    np.testing.assert_array_equal(response, alone)
     silent = predict(limb, np.zeros((1, 65)), [5], scaling=scaling)
     assert silent.shape == (72, 3, 586)
     assert not silent.any()
 
 
 def test_a_single_sample_returns_the_impulse_response(limb):
-    found = predict(limb, [[1.0]], [9], scaling="relative")
-    assert_close(found, made_up_response(9), 1e-15)
+    response = predict(limb, [[1.0]], [9], scaling="relative")
+    assert_close(response, synthetic_response(9), 1e-15)
     scaled = predict(limb, [[1.0]], [9])
-    assert_close(scaled, made_up_response(9) / made_up_response(9).max(), 1e-15)
+    assert_close(scaled, synthetic_response(9) / synthetic_response(9).max(), 1e-15)
     assert scaled.max() == pytest.approx(1.0, rel=1e-15)
 
 
 def test_a_later_sample_returns_the_response_later(limb):
-    found = predict(limb, [[0.0] * 40 + [1.0, 0.0]], [9], scaling="relative")
-    assert_close(found[:, :, 40:562], made_up_response(9), 1e-14)
-    assert np.abs(found[:, :, :40]).max() < 1e-14
+    response = predict(limb, [[0.0] * 40 + [1.0, 0.0]], [9], scaling="relative")
+    assert_close(response[:, :, 40:562], synthetic_response(9), 1e-14)
+    assert np.abs(response[:, :, :40]).max() < 1e-14
 
 
 def test_upstream_amplitude_is_the_signed_maximum_of_each_input(limb):
@@ -95,8 +95,8 @@ def test_upstream_amplitude_is_the_signed_maximum_of_each_input(limb):
     assert predict(limb, drives[:1], [1], [2.5]).max() == pytest.approx(2.5, rel=1e-14)
     assert predict(limb, drives[:1], [1], [-2.5]).min() == pytest.approx(-2.5, rel=1e-14)
     both = predict(limb, drives, [1, 2], [2.5, 1.5])
-    apart = predict(limb, drives[:1], [1], [2.5]) + predict(limb, drives[1:], [2], [1.5])
-    assert_close(both, apart, 1e-14)
+    separate = predict(limb, drives[:1], [1], [2.5]) + predict(limb, drives[1:], [2], [1.5])
+    assert_close(both, separate, 1e-14)
 
 
 @pytest.mark.parametrize("scaling", ["relative", "probe"])
@@ -121,16 +121,16 @@ def test_the_order_of_the_inputs_does_not_matter(limb, scaling):
     random = np.random.default_rng(SEED)
     drives, places = random.standard_normal((6, 130)), np.array([3, 3, 20, 1, 8, 13])
     amplitudes, order = random.standard_normal(6), random.permutation(6)
-    found = predict(limb, drives[order], places[order], amplitudes[order], scaling)
-    assert_close(found, predict(limb, drives, places, amplitudes, scaling), 1e-14)
+    response = predict(limb, drives[order], places[order], amplitudes[order], scaling)
+    assert_close(response, predict(limb, drives, places, amplitudes, scaling), 1e-14)
 
 
 @pytest.mark.parametrize("exponent", [-300, -60, 60, 90])
 def test_a_drive_doubled_is_predicted_doubled_bit_for_bit(limb, exponent):
     drive = np.random.default_rng(SEED).standard_normal((1, 130))
     once = predict(limb, drive, [2], scaling="relative")
-    found = predict(limb, np.ldexp(drive, exponent), [2], scaling="relative")
-    np.testing.assert_array_equal(found, np.ldexp(once, exponent))
+    response = predict(limb, np.ldexp(drive, exponent), [2], scaling="relative")
+    np.testing.assert_array_equal(response, np.ldexp(once, exponent))
     assert_close(predict(limb, np.ldexp(drive, exponent), [2]), predict(limb, drive, [2]), 1e-15)
 
 
@@ -160,7 +160,7 @@ def test_what_is_handed_over_is_not_changed(limb):
     drives.flags.writeable = False
     for scaling in SCALINGS:
         predict(limb, drives, [7, 8], [2.0, 3.0], scaling)
-    np.testing.assert_array_equal(limb.response_to(7), made_up_response(7))
+    np.testing.assert_array_equal(limb.response_to(7), synthetic_response(7))
 
 
 @pytest.mark.parametrize("place", [0, 21, -1, True, 2.5, 7.0, "7", None, np.nan, np.True_])

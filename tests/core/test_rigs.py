@@ -134,27 +134,27 @@ def test_volts_carry_gain_and_polarity_both_ways():
 
 
 def test_what_is_not_calibrated_says_so():
-    words = ss.rigs.calibration_words
-    assert words(None, [7]).startswith("uncalibrated")
-    assert words(RIG, [7]) == "calibrated, measured on 2026-11-20"
-    assert words(RIG, [7, 8]) == "uncalibrated: place 8 has no volts at full scale"
-    assert words(RIG, [5]) == "uncalibrated: place 5 is not wired"
+    text_of = ss.rigs.calibration_words
+    assert text_of(None, [7]).startswith("uncalibrated")
+    assert text_of(RIG, [7]) == "calibrated, measured on 2026-11-20"
+    assert text_of(RIG, [7, 8]) == "uncalibrated: place 8 has no volts at full scale"
+    assert text_of(RIG, [5]) == "uncalibrated: place 5 is not wired"
     unmeasured = Rig(channels=(replace(WHOLE, measured=None),))
-    assert words(unmeasured, [7]) == "uncalibrated: place 7 has no measured response"
+    assert text_of(unmeasured, [7]) == "uncalibrated: place 7 has no measured response"
 
 
 TONE = np.sin(2.0 * np.pi * 100.0 * np.arange(1300) / 1300.0)[None]
 
 
 def test_limits_of_the_rig_hold_at_the_actuator():
-    found = ss.rigs.rig_breaches(RIG, [7], TONE, 1300)
+    breaches = ss.rigs.rig_breaches(RIG, [7], TONE, 1300)
     # 2.8 V through 4 ohms at most: both the peak and the current are beyond.
-    assert [(one.place, one.breach.name) for one in found] == [
+    assert [(rig_breach.place, rig_breach.breach.name) for rig_breach in breaches] == [
         (7, "peak_voltage_v"),
         (7, "rms_current_a"),
     ]
-    assert found[0].breach.found == pytest.approx(2.8, rel=0.1)
-    assert "place 7" in str(found[0])
+    assert breaches[0].breach.found == pytest.approx(2.8, rel=0.1)
+    assert "place 7" in str(breaches[0])
     assert ss.rigs.rig_breaches(RIG, [7], 0.2 * TONE, 1300) == ()
 
 
@@ -169,19 +169,23 @@ def test_each_kind_of_limit_is_looked_at():
         "rms_current_a": 1e-3,
         "duty": 0.5,
     }
-    assert set(tight) == {one.name for one in fields(Limits)}
+    assert set(tight) == {field.name for field in fields(Limits)}
     for name, value in tight.items():
         rig = Rig(channels=(replace(WHOLE, limits=Limits(**{name: value})),))
-        assert [one.breach.name for one in ss.rigs.rig_breaches(rig, [7], TONE, 1300)] == [name]
+        assert [
+            rig_breach.breach.name for rig_breach in ss.rigs.rig_breaches(rig, [7], TONE, 1300)
+        ] == [name]
 
 
 def test_what_is_not_known_of_a_channel_is_not_claimed():
     limits = Limits(peak_voltage_v=1e-6, displacement_m=1e-12, duration_s=0.5)
     rig = Rig(channels=(replace(BARE, limits=limits),))
-    assert [one.breach.name for one in ss.rigs.rig_breaches(rig, [8], TONE, 1300)] == ["duration_s"]
+    assert [
+        rig_breach.breach.name for rig_breach in ss.rigs.rig_breaches(rig, [8], TONE, 1300)
+    ] == ["duration_s"]
     unmoved = replace(BARE, limits=limits, full_scale_v=1.0)
-    found = ss.rigs.rig_breaches(Rig(channels=(unmoved,)), [8], TONE, 1300)
-    assert [one.breach.name for one in found] == ["peak_voltage_v", "duration_s"]
+    breaches = ss.rigs.rig_breaches(Rig(channels=(unmoved,)), [8], TONE, 1300)
+    assert [rig_breach.breach.name for rig_breach in breaches] == ["peak_voltage_v", "duration_s"]
 
 
 def test_the_displacement_is_that_of_the_measured_response():
@@ -194,14 +198,17 @@ def test_the_displacement_is_that_of_the_measured_response():
 
 
 def test_the_strictest_limit_counts():
-    found = ss.rigs.strictest(
+    limits = ss.rigs.strictest(
         Limits(peak_voltage_v=2.0, duty=0.5), Limits(peak_voltage_v=1.0), Limits()
     )
-    assert found == Limits(peak_voltage_v=1.0, duty=0.5)
+    assert limits == Limits(peak_voltage_v=1.0, duty=0.5)
     # A channel that names an actuator of the library cannot loosen what its maker allows.
     loose = Limits(peak_current_a=5.0, duty=0.05)
     rig = Rig(channels=(replace(WHOLE, actuator="eai-c-mf", limits=loose),))
-    passed = {one.breach.name: one.breach for one in ss.rigs.rig_breaches(rig, [7], TONE, 1300)}
+    passed = {
+        rig_breach.breach.name: rig_breach.breach
+        for rig_breach in ss.rigs.rig_breaches(rig, [7], TONE, 1300)
+    }
     assert passed["peak_current_a"].limit == 0.5
     assert passed["duty"].limit == 0.05
 
@@ -216,6 +223,6 @@ def test_samples_and_places_have_to_fit():
 
 
 def test_no_design_holds_a_limit():
-    names = {one.name for one in fields(Limits)} - {"duration_s"}
+    names = {field.name for field in fields(Limits)} - {"duration_s"}
     for kind in (ss.Design, ss.Input, ss.Clip, ss.View):
-        assert not names & {one.name for one in fields(kind)}
+        assert not names & {field.name for field in fields(kind)}

@@ -25,8 +25,8 @@ def test_two_samples_have_a_cosine_for_a_spectrum(second, low_hz, high_hz):
     low, high = (2 * math.pi * edge / RATE_HZ for edge in (low_hz, high_hz))
     energy = (1 + second**2) * (high - low) + 2 * second * (math.sin(high) - math.sin(low))
     expected = 1 - energy / (math.pi * (1 + second**2))
-    found = share_outside_band([1.0, second], RATE_HZ, (low_hz, high_hz))
-    assert found == pytest.approx(expected, abs=1e-14)
+    share = share_outside_band([1.0, second], RATE_HZ, (low_hz, high_hz))
+    assert share == pytest.approx(expected, abs=1e-14)
 
 
 def test_any_signal_agrees_with_the_integral_of_its_spectrum():

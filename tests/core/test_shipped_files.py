@@ -24,8 +24,8 @@ def described(folder: Path) -> dict:
 
 def test_the_list_describes_every_shipped_data_file():
     listed = json.loads((data_folder() / NAME).read_text(encoding="utf-8"))
-    found = described(data_folder())
-    assert listed == found, (
+    digests = described(data_folder())
+    assert listed == digests, (
         f"data/{NAME} is out of date; write it anew with 'python tests/core/test_shipped_files.py'"
     )
 

@@ -16,11 +16,11 @@ every = pytest.mark.parametrize("preset", SHIPPED, ids=lambda preset: preset.nam
 
 
 def test_the_files_are_what_the_script_makes():
-    found = {path: path.read_text("utf-8") for path in presets.shipped_folder().iterdir()}
-    assert set(found.values()) == set(map(presets.preset_text, SHIPPED)), (
+    texts = {path: path.read_text("utf-8") for path in presets.shipped_folder().iterdir()}
+    assert set(texts.values()) == set(map(presets.preset_text, SHIPPED)), (
         "data/presets is out of date; write it anew with 'python -m skinsource.design.presets'"
     )
-    assert len(found) == len(SHIPPED) >= 40
+    assert len(texts) == len(SHIPPED) >= 40
 
 
 def test_no_two_are_called_alike_and_none_is_left_out():

@@ -48,11 +48,11 @@ def edits(design: Design, count: int) -> list[Design]:
 
 
 def costs(graph, designs: list[Design]) -> list[dict]:
-    found = []
+    counts = []
     for design in designs:
         graph.evaluate(SHOWN, sources(design, VIEW))
-        found.append(asdict(graph.work))
-    return found
+        counts.append(asdict(graph.work))
+    return counts
 
 
 @pytest.mark.parametrize("other", [OTHER, SAME_LIMB], ids=["two limbs", "two designs"])
@@ -69,8 +69,8 @@ def test_alternating_costs_what_each_costs_alone(other):
     for k in range(12):
         for graph, designs, least in ((left, one_edits, alone[0]), (right, other_edits, alone[1])):
             # What the one has drawn or searched already, the other need not.
-            [found] = costs(graph, [designs[k]])
-            assert all(found[name] <= most for name, most in least[k].items()), k
+            [cost] = costs(graph, [designs[k]])
+            assert all(cost[name] <= most for name, most in least[k].items()), k
 
 
 def test_flipping_between_two_designs_without_an_edit_costs_nothing():
@@ -94,18 +94,18 @@ def test_two_designs_on_one_limb_read_transform_and_map_it_once():
     assert work["operators_built"] == 0
     given = sources(ONE, VIEW)
     for name in ("limb_data", "surface"):
-        found = [graph.evaluate({name}, given)[name] for graph in (left, right)]
-        assert found[0] is found[1]
+        values = [graph.evaluate({name}, given)[name] for graph in (left, right)]
+        assert values[0] is values[1]
 
 
 def test_results_are_the_same_bits_shared_or_not():
     make = graphs_that_share()
     left, right = make(), make()
-    for one, other in zip(edits(ONE, 6), edits(SAME_LIMB, 6), strict=True):
-        for graph, design in ((left, one), (right, other)):
-            found = graph.evaluate(("output_rms", "selected_traces"), sources(design, VIEW))
+    for edited, other in zip(edits(ONE, 6), edits(SAME_LIMB, 6), strict=True):
+        for graph, design in ((left, edited), (right, other)):
+            quantities = graph.evaluate(("output_rms", "selected_traces"), sources(design, VIEW))
             anew = new_graph().evaluate(("output_rms", "selected_traces"), sources(design, VIEW))
-            for name, values in found.items():
+            for name, values in quantities.items():
                 assert (values == anew[name]).all()
 
 

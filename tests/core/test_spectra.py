@@ -27,10 +27,10 @@ def direct_spectrum(x: np.ndarray, rate_hz: float) -> tuple[list[float], list[fl
 def test_spectra_of_odd_and_even_lengths_are_those_of_the_sum(n):
     x = np.random.default_rng(SEED).standard_normal(n)
     frequency, magnitude = direct_spectrum(x, 1300.0)
-    found_hz, found = magnitude_spectrum(x, 1300.0)
+    found_hz, amplitudes = magnitude_spectrum(x, 1300.0)
     np.testing.assert_allclose(found_hz, frequency, rtol=1e-15)
     limit = 1e-12 * max(magnitude)
-    np.testing.assert_allclose(found, magnitude, rtol=0, atol=limit, err_msg=f"{SEED=}")
+    np.testing.assert_allclose(amplitudes, magnitude, rtol=0, atol=limit, err_msg=f"{SEED=}")
 
 
 @pytest.mark.parametrize("n", [1300, 1301])

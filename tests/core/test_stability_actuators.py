@@ -45,12 +45,12 @@ with np.load(REFERENCES / "actuators.npz") as _stored:
 
 def error(motion, exact, at=slice(None)):
     """Largest error of any output over its peak."""
-    found = []
+    errors = []
     for name, expected in zip(OUTPUTS, exact, strict=True):
         values = getattr(motion, name)
         peak = max(np.abs(values).max(), np.abs(expected).max(), 1e-300)
-        found.append(np.abs(values[at] - expected).max() / peak)
-    return max(found)
+        errors.append(np.abs(values[at] - expected).max() / peak)
+    return max(errors)
 
 
 def most_of(coil, n_steps):
@@ -137,11 +137,11 @@ def test_what_swings_between_samples_takes_the_digits_that_its_speed_costs(noted
 
 @runs("minute")
 def test_a_minute_is_exact(noted, key):
-    found = run_error(key)
+    error = run_error(key)
     if UNDAMPED in key:
-        noted("j undamped", found)
+        noted("j undamped", error)
     else:
-        noted("j minute", found)
+        noted("j minute", error)
 
 
 def million_error(name):

@@ -71,30 +71,30 @@ def exact_traces(scene, outputs=OUTPUTS) -> np.ndarray:
     for drive, start, place, amplitude in zip(*columns, strict=True):
         taps = scene.limb.response_to(place)
         for index in np.ndindex(len(outputs), 3):
-            heard = np.convolve(drive, taps[outputs[index[0]] - 1, index[1]])
-            total[index][start : start + heard.size] += amplitude * heard
+            signal = np.convolve(drive, taps[outputs[index[0]] - 1, index[1]])
+            total[index][start : start + signal.size] += amplitude * signal
         largest += abs(amplitude) * np.abs(drive).max() * np.abs(taps).sum(axis=-1).max()
     assert largest < 2**53
     return total
 
 
-def error(found: np.ndarray, exact: np.ndarray) -> float:
+def error(values: np.ndarray, exact: np.ndarray) -> float:
     """Largest difference, relative to the peak of the channel."""
-    difference = np.abs(found - exact).max(axis=-1)
+    difference = np.abs(values - exact).max(axis=-1)
     return float((difference / np.abs(exact).max(axis=-1)).max())
 
 
-def window_error(found: np.ndarray, exact: np.ndarray) -> float:
+def window_error(values: np.ndarray, exact: np.ndarray) -> float:
     """Largest difference, relative to the peak of the window of 100 ms that it lies in."""
     n = exact.shape[-1] // WINDOW_SAMPLES * WINDOW_SAMPLES
     shape = (*exact.shape[:-1], -1, WINDOW_SAMPLES)
     peaks = np.abs(exact[..., :n]).reshape(shape).max(axis=-1)
-    differences = np.abs(found - exact)[..., :n].reshape(shape).max(axis=-1)
-    heard = peaks > FAINTEST * np.abs(exact).max(axis=-1, keepdims=True)
-    return float((differences[heard] / peaks[heard]).max())
+    differences = np.abs(values - exact)[..., :n].reshape(shape).max(axis=-1)
+    audible = peaks > FAINTEST * np.abs(exact).max(axis=-1, keepdims=True)
+    return float((differences[audible] / peaks[audible]).max())
 
 
-def ratio(found: np.ndarray, exact: np.ndarray, scene) -> float:
+def ratio(values: np.ndarray, exact: np.ndarray, scene) -> float:
     """Largest error over eps log2(N) Σ‖drive‖ ‖response‖."""
     n = exact.shape[-1]
     n_fft = length_at_once(n, len(set(scene.places)), 216) or BLOCK_FFT
@@ -103,7 +103,7 @@ def ratio(found: np.ndarray, exact: np.ndarray, scene) -> float:
     for drive, place in zip(scene.drives, scene.places, strict=True):
         taps = scene.limb.response_to(place)[rows]
         bound += np.linalg.norm(drive) * np.linalg.norm(taps, axis=-1)
-    return float((np.abs(found - exact).max(axis=-1) / (EPS * np.log2(n_fft) * bound)).max())
+    return float((np.abs(values - exact).max(axis=-1) / (EPS * np.log2(n_fft) * bound)).max())
 
 
 def level_error(rms: np.ndarray, exact: np.ndarray, share: float = 1.0) -> float:
@@ -130,10 +130,10 @@ def test_many_inputs_of_any_length_are_summed_to_the_last_digits(
     )
     exact = exact_traces(shown)
     for selected in (0, None):
-        found = shown.by_engine(OUTPUTS, selected, method="mag")
-        noted("a1 error", error(found["axis_traces"], exact))
-        noted("a1 ratio", ratio(found["axis_traces"], exact, shown))
-        noted("a1 levels", level_error(found["output_rms"], exact))
+        values = shown.by_engine(OUTPUTS, selected, method="mag")
+        noted("a1 error", error(values["axis_traces"], exact))
+        noted("a1 ratio", ratio(values["axis_traces"], exact, shown))
+        noted("a1 levels", level_error(values["output_rms"], exact))
     traces = chosen(shown.predicted())
     noted("a1 error", error(traces, exact))
     noted("a1 ratio", ratio(traces, exact, shown))
@@ -152,10 +152,10 @@ def test_levels_of_inputs_that_cancel_keep_all_digits(scene, limb, limb_of, note
     )
     alone = exact_traces(scene(limb=limb, drives=(drive,), places=(5,)))
     for selected in (0, 1, None):
-        found = same.by_engine(OUTPUTS, selected, method="mag")["output_rms"]
-        noted("a1 cancelled", level_error(found, alone, left))
-        found = other.by_engine(OUTPUTS, selected, axes="x")["output_rms"]
-        noted("a1 one axis", level_error(found, alone[:, :1], left))
+        levels = same.by_engine(OUTPUTS, selected, method="mag")["output_rms"]
+        noted("a1 cancelled", level_error(levels, alone, left))
+        levels = other.by_engine(OUTPUTS, selected, axes="x")["output_rms"]
+        noted("a1 one axis", level_error(levels, alone[:, :1], left))
 
 
 @pytest.fixture(scope="module")
@@ -176,13 +176,13 @@ def ringing(references, limb_of):
 def test_vectors_of_fifty_digits_are_met(scene, ringing, noted, number):
     shown = scene(limb=ringing["limb"], drives=(ringing["drives"][number],), places=(3,))
     exact = ringing["fields"][number][[0, 1, 0]] * ringing["weaker"]
-    for found in shown.both_ways():
-        noted("a1 mpmath", error(found, exact))
+    for field in shown.both_ways():
+        noted("a1 mpmath", error(field, exact))
         if number == 2:
             quiet = np.abs(exact[..., 900:1030]).max(axis=-1) / np.abs(exact).max(axis=-1)
             assert (quiet > FAINTEST).all()
             assert (quiet < 1e-5).all()
-            noted("a3 mpmath", window_error(found, exact))
+            noted("a3 mpmath", window_error(field, exact))
 
 
 def test_the_stored_vectors_are_those_of_rational_arithmetic(scene, ringing):
@@ -200,16 +200,16 @@ def test_the_synthetic_limb_s_own_scenes_are_met(scene, noted, streamed):
     recipes = (Tone(frequency_hz=100.0), Noise(seed=4, duration_s=1.0), Tap())
     shown = scene(
         limb=limb,
-        drives=tuple(one.samples(1300.0) for one in recipes),
+        drives=tuple(recipe.samples(1300.0) for recipe in recipes),
         places=(7, 3, 16),
         amplitudes=(1.0, -0.3, 2.5),
         onsets=(0, 16_000 if streamed else 40, 260),
     )
     random = np.random.default_rng(SEED)
-    for found in shown.both_ways():
+    for field in shown.both_ways():
         for _ in range(60):
             output, axis = int(random.choice(OUTPUTS)), int(random.integers(3))
-            trace = found[output - 1, axis]
+            trace = field[output - 1, axis]
             time = int(random.choice(np.flatnonzero(trace)))
             exact = float(shown.exact_sample(output, axis, time))
             noted("a1 synthetic", abs(trace[time] - exact) / np.abs(trace).max())
@@ -221,13 +221,13 @@ def test_upstream_s_scaling_divides_by_the_exact_maximum(scene, noted, n_times):
     drive = Noise(seed=5, duration_s=n_times / 1300).samples(1300.0)
     plain = scene(limb=limb, drives=(drive,), places=(7,))
     shown = scene(limb=limb, drives=(drive,), places=(7,), amplitudes=(1.7,), scaling="upstream")
-    for found in shown.both_ways():
-        output, axis, time = (int(k) for k in np.unravel_index(found.argmax(), found.shape))
+    for field in shown.both_ways():
+        output, axis, time = (int(k) for k in np.unravel_index(field.argmax(), field.shape))
         largest = plain.exact_sample(output + 1, axis, time)
         for _ in range(40):
-            time = int(random.integers(found.shape[-1]))
+            time = int(random.integers(field.shape[-1]))
             exact = 1.7 * float(plain.exact_sample(output + 1, axis, time) / largest)
-            noted("a1 upstream", abs(found[output, axis, time] - exact) / 1.7)
+            noted("a1 upstream", abs(field[output, axis, time] - exact) / 1.7)
 
 
 @pytest.mark.parametrize("n_times", LENGTHS)
@@ -235,17 +235,17 @@ def test_any_length_is_met(scene, limb, noted, n_times):
     shown = scene(limb=limb, drives=(whole_numbers(n_times, 1),), places=(11,))
     exact = exact_traces(shown)
     noted("a2 predict", error(chosen(shown.predicted()), exact))
-    found = shown.by_engine(OUTPUTS, method="mag")
-    noted("a2 engine", error(found["axis_traces"], exact))
-    noted("a2 levels", level_error(found["output_rms"], exact))
+    values = shown.by_engine(OUTPUTS, method="mag")
+    noted("a2 engine", error(values["axis_traces"], exact))
+    noted("a2 levels", level_error(values["output_rms"], exact))
 
 
 def test_ten_minutes_are_met(scene, limb, noted):
     shown = scene(limb=limb, drives=(whole_numbers(780_000, 2),), places=(11,))
     exact = exact_traces(shown)
-    found = shown.by_engine(OUTPUTS, method="mag")
-    noted("a2 engine", error(found["axis_traces"], exact))
-    noted("a2 levels", level_error(found["output_rms"], exact))
+    values = shown.by_engine(OUTPUTS, method="mag")
+    noted("a2 engine", error(values["axis_traces"], exact))
+    noted("a2 levels", level_error(values["output_rms"], exact))
 
 
 @pytest.fixture(scope="module")
@@ -280,13 +280,13 @@ def test_a_quiet_burst_after_a_loud_one_keeps_its_digits(
         onsets=(0, later),
     )
     exact = exact_traces(shown, tuple(range(1, 73)))
-    for found in shown.both_ways():
-        noted("a3 window", window_error(found, exact))
+    for field in shown.both_ways():
+        noted("a3 window", window_error(field, exact))
 
 
 @pytest.mark.parametrize("n_times", [30, 1300, 9000])
 def test_the_tails_of_responses_keep_their_digits(scene, quantised, noted, n_times):
     shown = scene(limb=quantised, drives=(whole_numbers(n_times, 3),), places=(15,))
     exact = exact_traces(shown)
-    for found in shown.both_ways():
-        noted("a3 tails", window_error(chosen(found), exact))
+    for field in shown.both_ways():
+        noted("a3 tails", window_error(chosen(field), exact))

@@ -47,14 +47,14 @@ def noise(n: int, *seed: int) -> np.ndarray:
     return np.random.default_rng((SEED, *seed)).uniform(-1, 1, n)
 
 
-def made_up_response(place: int) -> np.ndarray:
+def synthetic_response(place: int) -> np.ndarray:
     decay = 0.5 ** (np.arange(522) / 60)
     return np.random.default_rng((SEED, place)).uniform(-1, 1, (72, 3, 522)) * decay
 
 
 @pytest.fixture(scope="module")
 def limb(limb_of):
-    return limb_of(made_up_response)
+    return limb_of(synthetic_response)
 
 
 @pytest.mark.parametrize("gap", [700, 6000])
@@ -64,12 +64,12 @@ def test_where_nothing_can_arrive_there_is_exactly_nothing(scene, limb, noted, g
         limb=limb, drives=(hesitant, noise(100, 3)), places=(2, 9), onsets=(300, gap + 2000)
     )
     spans = [(340, 400), (400 + gap, 460 + gap), (gap + 2000, gap + 2100)]
-    felt = np.zeros(gap + 2100 + 521, bool)
+    affected = np.zeros(gap + 2100 + 521, bool)
     for start, end in spans:
-        felt[start : end + 521] = True
-    for found in shown.both_ways():
-        noted("a4 silence", np.count_nonzero(found[..., ~felt]))
-        assert found[..., felt].any(axis=(0, 1)).all()
+        affected[start : end + 521] = True
+    for field in shown.both_ways():
+        noted("a4 silence", np.count_nonzero(field[..., ~affected]))
+        assert field[..., affected].any(axis=(0, 1)).all()
 
 
 @pytest.mark.parametrize("n_times", LENGTHS)
@@ -77,19 +77,19 @@ def test_outputs_without_a_response_and_silent_scenes_are_exactly_still(
     scene, limb_of, noted, n_times
 ):
     def deaf(place: int) -> np.ndarray:
-        response = made_up_response(place)
+        response = synthetic_response(place)
         response[10:20] = 0.0
         response[30, 1] = 0.0
         return response
 
     shown = scene(limb=limb_of(deaf), drives=(noise(n_times, 1), noise(n_times, 2)), places=(4, 5))
-    for found in shown.both_ways():
-        noted("a4 still", np.count_nonzero(found[10:20]) + np.count_nonzero(found[30, 1]))
+    for field in shown.both_ways():
+        noted("a4 still", np.count_nonzero(field[10:20]) + np.count_nonzero(field[30, 1]))
     levels = shown.by_engine(OUTPUTS)["output_rms"]
     noted("a4 still", np.count_nonzero(levels[10:20]))
     silent = replace(shown, drives=(np.zeros(n_times), noise(n_times, 2)), amplitudes=(1.0, 0.0))
-    for found in silent.both_ways():
-        noted("a4 still", np.count_nonzero(found))
+    for field in silent.both_ways():
+        noted("a4 still", np.count_nonzero(field))
     noted("a4 still", np.count_nonzero(silent.by_engine(OUTPUTS)["output_rms"]))
 
 
@@ -103,16 +103,16 @@ def test_inputs_that_are_not_heard_change_no_bit(scene, limb, noted, n_times):
         places=(4, 5, 6, 7),
         amplitudes=(1.0, 1.0, 0.0, 3.0),
     )
-    for found, expected in zip(beside.both_ways(), alone.both_ways(), strict=True):
-        noted("a4 muted", np.count_nonzero(found != expected))
+    for field, expected in zip(beside.both_ways(), alone.both_ways(), strict=True):
+        noted("a4 muted", np.count_nonzero(field != expected))
 
 
-def refused(action, *words: str) -> int:
+def refused(action, *texts: str) -> int:
     """0 if ``action`` is refused with all ``words``, else 1."""
     try:
         action()
     except InvalidInputError as error:
-        return int(not all(word in str(error) for word in words))
+        return int(not all(word in str(error) for word in texts))
     return 1
 
 
@@ -138,14 +138,14 @@ def test_a_tap_that_is_no_usable_number_is_refused_at_the_door(
     scene, limb_of, noted, value, n_times
 ):
     def broken(place: int) -> np.ndarray:
-        response = made_up_response(place)
+        response = synthetic_response(place)
         response[11, 2, 345] = value
         return response
 
     shown = scene(limb=limb_of(broken), drives=(noise(n_times, 1),), places=(4,))
-    words = "made-up", "location 4", "output 12", "axis z", "tap 345 ", str(value)
-    noted("a5 response", refused(shown.predicted, *words))
-    noted("a5 response", refused(lambda: shown.by_engine(OUTPUTS), *words))
+    texts = "made-up", "location 4", "output 12", "axis z", "tap 345 ", str(value)
+    noted("a5 response", refused(shown.predicted, *texts))
+    noted("a5 response", refused(lambda: shown.by_engine(OUTPUTS), *texts))
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
@@ -163,33 +163,33 @@ def test_peaks_of_any_size_keep_all_digits(
     scene, limb, limb_of, noted, n_times, of_drive, of_response
 ):
     def sized(place: int) -> np.ndarray:
-        response = made_up_response(place)
+        response = synthetic_response(place)
         return response * (of_response / np.abs(response).max())
 
     drive = noise(n_times, 1)
     drive /= np.abs(drive).max()
     shown = scene(limb=limb_of(sized), drives=(drive * of_drive,), places=(4,))
     random = np.random.default_rng(SEED)
-    for found in shown.both_ways():
+    for field in shown.both_ways():
         for _ in range(6):
             output, axis = int(random.choice(OUTPUTS)), int(random.integers(3))
             time = int(random.integers(n_times + 521))
             exact = float(shown.exact_sample(output, axis, time))
-            trace = found[output - 1, axis]
+            trace = field[output - 1, axis]
             noted("a6 error", abs(trace[time] - exact) / np.abs(trace).max())
     plain = scene(limb=limb, drives=(drive,), places=(4,))
-    size = of_drive * of_response / np.abs(made_up_response(4)).max()
+    size = of_drive * of_response / np.abs(synthetic_response(4)).max()
     for method in ("mag", "pca", "rms", "soc"):
-        found, expected = (
-            one.by_engine(OUTPUTS, method=method)["output_rms"] for one in (shown, plain)
+        field, expected = (
+            either.by_engine(OUTPUTS, method=method)["output_rms"] for either in (shown, plain)
         )
-        noted("a6 levels", np.abs(found / size / expected - 1).max())
+        noted("a6 levels", np.abs(field / size / expected - 1).max())
 
 
 @pytest.mark.parametrize("n_times", LENGTHS)
 def test_subnormal_numbers_are_numbers_like_others(scene, limb, limb_of, noted, n_times):
     def fading(place: int) -> np.ndarray:
-        return made_up_response(place) * 0.5 ** (np.arange(522) * 2.2)
+        return synthetic_response(place) * 0.5 ** (np.arange(522) * 2.2)
 
     drive = noise(n_times, 1) * np.maximum(0.5 ** np.minimum(np.arange(n_times) * 2.0, 1070.0), 0)
     tails = scene(limb=limb_of(fading), drives=(drive,), places=(4,))
@@ -197,7 +197,7 @@ def test_subnormal_numbers_are_numbers_like_others(scene, limb, limb_of, noted, 
     assert (np.abs(drive[600:]) < 1e-308).all()
     assert (np.abs(tails.limb.response_to(4)[..., 500:]) < 1e-308).all()
     # Predicted once: processors are slow with numbers this small.
-    by_tails = [found[19, 1] for found in tails.both_ways()]
+    by_tails = [field[19, 1] for field in tails.both_ways()]
     by_small = small.predicted()[19, 1]
     for time in (0, 1, 60, 200, 521):
         exact = float(tails.exact_sample(20, 1, time))
@@ -210,7 +210,7 @@ def test_subnormal_numbers_are_numbers_like_others(scene, limb, limb_of, noted, 
 @pytest.mark.parametrize("n_times", [2600, 16_000])
 def test_a_huge_offset_costs_no_more_than_its_own_digits(scene, limb_of, noted, n_times):
     def without_offset(place: int) -> np.ndarray:
-        response = np.round(made_up_response(place) * 2**20)
+        response = np.round(synthetic_response(place) * 2**20)
         response[..., 0] -= response.sum(axis=-1)
         return response
 
@@ -218,15 +218,15 @@ def test_a_huge_offset_costs_no_more_than_its_own_digits(scene, limb_of, noted, 
     shown = scene(limb=limb_of(without_offset), drives=(drive,), places=(4,))
     random = np.random.default_rng(SEED)
     n_fft = transform_length(n_times + 521) if n_times < 5000 else BLOCK_FFT
-    for found in shown.both_ways():
+    for field in shown.both_ways():
         for _ in range(20):
             output, axis = int(random.choice(OUTPUTS)), int(random.integers(3))
             time = int(random.integers(521, n_times))
             exact = float(shown.exact_sample(output, axis, time))
-            steady = np.abs(found[output - 1, axis, 521:n_times]).max()
+            steady = np.abs(field[output - 1, axis, 521:n_times]).max()
             norms = np.linalg.norm(drive) * np.linalg.norm(
                 shown.limb.response_to(4)[output - 1, axis]
             )
-            wrong = abs(found[output - 1, axis, time] - exact)
+            wrong = abs(field[output - 1, axis, time] - exact)
             noted("a8 offset", wrong / steady)
             noted("a8 ratio", wrong / (np.finfo(float).eps * np.log2(n_fft) * norms))

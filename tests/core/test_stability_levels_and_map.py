@@ -47,8 +47,8 @@ SITES = {
 
 def weights_at(sites: np.ndarray, points: np.ndarray) -> tuple[np.ndarray, int]:
     """Weights, (n_points, n_sites), and how many points went by the way out."""
-    found = scattered_sites(sites).weights_at(points)
-    return found.weights.toarray(), int(found.fallback.sum())
+    interpolation = scattered_sites(sites).weights_at(points)
+    return interpolation.weights.toarray(), int(interpolation.fallback.sum())
 
 
 def points_within(sites: np.ndarray, count: int) -> np.ndarray:
@@ -60,8 +60,8 @@ def test_levels_of_fifty_digits_are_met(references, noted):
     rows = json.loads((references / "levels.json").read_text(encoding="utf-8"))
     for row in rows:
         amplitude, reference, level_db = map(float.fromhex, row.values())
-        found = float(decibels(amplitude, reference, floor_db=-1e4))
-        noted("g accuracy", abs(found - level_db) / max(1.0, abs(level_db)))
+        levels_db = float(decibels(amplitude, reference, floor_db=-1e4))
+        noted("g accuracy", abs(levels_db - level_db) / max(1.0, abs(level_db)))
 
 
 def test_a_level_turned_into_an_amplitude_comes_back(noted):
@@ -74,8 +74,8 @@ def test_a_level_turned_into_an_amplitude_comes_back(noted):
 def test_nothing_lies_below_the_floor(noted, reference, floor_db):
     low = 10 ** (floor_db / 20) * reference
     faint = np.array([0.0, -0.0, 5e-324, 1e-320, 1e-308, 1e-30, low / 2, low * 0.9999])
-    found = decibels(faint, reference, floor_db=floor_db)
-    noted("g floor", np.count_nonzero(found != floor_db))
+    level_db = decibels(faint, reference, floor_db=floor_db)
+    noted("g floor", np.count_nonzero(level_db != floor_db))
     assert decibels(np.zeros((3, 0)), reference).shape == (3, 0)
     assert decibels(low * 1.001, reference, floor_db=floor_db) > floor_db
 
@@ -100,11 +100,11 @@ def test_what_has_no_level_is_refused_by_index(noted, value):
 @pytest.mark.parametrize("inputs", [(), (track(location=7, muted=True),)])
 def test_a_silent_design_has_levels_and_a_map_at_the_floor(noted, inputs):
     design = Design(limb="synthetic-1", inputs=inputs)
-    wanted = {"output_levels_db", "surface_levels_db"}
-    found = new_graph().evaluate(wanted, sources(design, View()))
-    inside = ~np.isnan(found["surface_levels_db"])
-    noted("g silence", np.count_nonzero(found["output_levels_db"] != FLOOR_DB))
-    off = np.abs(found["surface_levels_db"][inside] - FLOOR_DB) > 1e-9
+    quantities = {"output_levels_db", "surface_levels_db"}
+    values = new_graph().evaluate(quantities, sources(design, View()))
+    inside = ~np.isnan(values["surface_levels_db"])
+    noted("g silence", np.count_nonzero(values["output_levels_db"] != FLOOR_DB))
+    off = np.abs(values["surface_levels_db"][inside] - FLOOR_DB) > 1e-9
     noted("g silence", np.count_nonzero(off))
     assert inside.any()
 
@@ -113,8 +113,8 @@ def test_weights_of_rational_arithmetic_are_met(references, noted):
     cases = json.loads((references / "natural_neighbours.json").read_text(encoding="utf-8"))
     assert len(cases) == 20
     for case in cases:
-        found, astray = weights_at(np.array(case["sites"], float), np.array(case["points"]))
-        noted("h exact", np.abs(found - case["weights"]).max())
+        weights, astray = weights_at(np.array(case["sites"], float), np.array(case["points"]))
+        noted("h exact", np.abs(weights - case["weights"]).max())
         noted("h negative", astray)
 
 
@@ -122,10 +122,10 @@ def test_weights_of_rational_arithmetic_are_met(references, noted):
 def test_ten_thousand_points_are_interpolated_soundly(noted, kind):
     sites = SITES[kind]
     points = points_within(sites, 10_000)
-    found, astray = weights_at(sites, points)
-    noted("h negative", np.count_nonzero(~(found >= 0)) + astray)
-    noted("h sum", np.abs(found.sum(axis=1) - 1).max())
-    noted("h linear", (np.abs(found @ sites - points) / np.ptp(sites, axis=0).max()).max())
+    weights, astray = weights_at(sites, points)
+    noted("h negative", np.count_nonzero(~(weights >= 0)) + astray)
+    noted("h sum", np.abs(weights.sum(axis=1) - 1).max())
+    noted("h linear", (np.abs(weights @ sites - points) / np.ptp(sites, axis=0).max()).max())
     at_sites, astray = weights_at(sites, sites)
     noted("h sites", np.count_nonzero(at_sites != np.eye(len(sites))) + astray)
 
@@ -134,17 +134,17 @@ def test_ten_thousand_points_are_interpolated_soundly(noted, kind):
 def test_weights_do_not_jump_where_neighbours_change(noted, kind):
     sites = SITES[kind]
     extent = np.ptp(sites, axis=0).min()
-    found = triangulate(sites)
-    a, b = (sites[found.corners[~found.flat, k]] for k in range(2))
+    triangulation = triangulate(sites)
+    a, b = (sites[triangulation.corners[~triangulation.flat, k]] for k in range(2))
     random = np.random.default_rng(SEED)
     share = random.uniform(0.1, 0.9, (len(a), 1))
     on_edges, across_edges = a + share * (b - a), (b - a)[:, ::-1] * [1, -1]
-    k, x, y, constant = np.tile(found.circles[~found.flat], (8, 1)).T
+    k, x, y, constant = np.tile(triangulation.circles[~triangulation.flat], (8, 1)).T
     centre = np.column_stack([-x, -y]) / (2 * k[:, None])
     radius = np.sqrt(np.square(centre).sum(axis=1) - constant / k)
     angle = random.uniform(0, 2 * np.pi, len(radius))
     outward = np.column_stack([np.cos(angle), np.sin(angle)])
-    on_circles = centre + found.centre + radius[:, None] * outward
+    on_circles = centre + triangulation.centre + radius[:, None] * outward
     inside = (np.abs(on_circles - sites.mean(axis=0)) < np.ptp(sites, axis=0) * 0.4).all(axis=1)
     assert inside.sum() > 10, f"{SEED=}"
     places = np.concatenate([on_edges, on_circles[inside]])
@@ -171,8 +171,8 @@ def test_weights_depend_on_nothing_but_the_shape(noted, kind, change):
         "shrink": lambda xy: xy * 1e-3,
         "grow": lambda xy: xy * 1e6,
     }[change]
-    found, _ = weights_at(moved(sites), moved(points))
-    noted("h moved", np.abs(found - plain).max())
+    weights, _ = weights_at(moved(sites), moved(points))
+    noted("h moved", np.abs(weights - plain).max())
 
 
 @pytest.mark.parametrize("number", [1, 2, 3, 4])

@@ -59,18 +59,18 @@ def ramped(frequency_hz: float, duration_s: float) -> np.ndarray:
 
 def levels_db(limb: Limb, place: int, drives: list[np.ndarray]) -> dict[str, np.ndarray]:
     """Loudest levels by each method, (n_drives, n_outputs)."""
-    found = {how: np.empty((len(drives), limb.n_outputs)) for how in METHODS}
+    levels = {how: np.empty((len(drives), limb.n_outputs)) for how in METHODS}
     for k, drive in enumerate(drives):
         moved = predict(limb, drive[None], [place], [1.0], "relative")
         for how, (axes, method) in METHODS.items():
-            found[how][k] = 20.0 * np.log10(rms(project_axes(moved, axes, method), "loudest"))
-    return found
+            levels[how][k] = 20.0 * np.log10(rms(project_axes(moved, axes, method), "loudest"))
+    return levels
 
 
 def changes(levels: np.ndarray, down_to_db: float) -> float:
     """Largest change of any output that is heard so well; of how many is for the caller to ask."""
-    heard = levels[-1] >= levels[-1].max() - down_to_db
-    return float(np.ptp(levels[:, heard], axis=0).max())
+    audible = levels[-1] >= levels[-1].max() - down_to_db
+    return float(np.ptp(levels[:, audible], axis=0).max())
 
 
 def of_lengths(
@@ -87,22 +87,22 @@ def test_no_level_changes_with_the_onset(limb, noted):
         tone = tapered(frequency_hz, 0.2)
         later = [np.concatenate((np.zeros(n), tone)) for n in (0, 77, 1300)]
         for place in PLACES:
-            found = levels_db(limb, place, later)
+            levels = levels_db(limb, place, later)
             for how in ("magnitude", "z"):
-                noted("i onset", changes(found[how], np.inf))
-            noted("i onset axis", changes(found["axis"], 60.0))
+                noted("i onset", changes(levels[how], np.inf))
+            noted("i onset axis", changes(levels["axis"], 60.0))
 
 
 def test_no_level_changes_with_the_length_of_a_tone_whose_ramps_stay(limb, noted):
-    for found in of_lengths(limb, ramped):
+    for levels in of_lengths(limb, ramped):
         for how in ("magnitude", "z"):
-            noted("i length", changes(found[how], 60.0))
-        noted("i length axis", changes(found["axis"], 40.0))
+            noted("i length", changes(levels[how], 60.0))
+        noted("i length axis", changes(levels["axis"], 40.0))
 
 
 def test_levels_change_little_with_the_length_of_a_tone_whose_ramps_grow(limb, noted):
-    for found in of_lengths(limb, tapered):
-        for levels in found.values():
+    for levels_by_method in of_lengths(limb, tapered):
+        for levels in levels_by_method.values():
             noted("i tapered", changes(levels, 5.0))
             noted("i tapered far", changes(levels, 20.0))
 

@@ -84,18 +84,18 @@ def test_axes_and_gaps_of_fifty_digits_are_met(references, noted):
     # Covariances know squares: a second singular value of 1e-8 is lost in them.
     assert wrong.max() < 1e-8
     assert SMALLEST_GAP < np.sort(gaps)[1] < 3 * SMALLEST_GAP
-    for found, gap, axis in zip(principal_axis_of(matrices), gaps, axes, strict=True):
+    for axis_found, gap, axis in zip(principal_axis_of(matrices), gaps, axes, strict=True):
         if gap >= SMALLEST_GAP:
-            noted("f axis", degrees_between(found, axis))
-            assert found @ axis > 0
+            noted("f axis", degrees_between(axis_found, axis))
+            assert axis_found @ axis > 0
 
 
 @pytest.mark.parametrize("gap", [1.0001e-3, 3e-3, 0.03, 0.5])
 @pytest.mark.parametrize("seed", range(5))
 def test_a_main_axis_above_the_gap_is_repeatable(noted, gap, seed):
     data = ellipse(gap / (1 - gap), turned_frame(seed))
-    found = main_axis_gap(covariance(data))[0]
-    assert found == pytest.approx(gap, rel=1e-9)
+    main_gap = main_axis_gap(covariance(data))[0]
+    assert main_gap == pytest.approx(gap, rel=1e-9)
     axis = principal_axis(data)[0]
     random = np.random.default_rng((SEED, seed, 1))
     for _ in range(20):
@@ -135,9 +135,9 @@ def test_what_has_no_main_axis_is_said_to_have_none(noted):
 @pytest.mark.parametrize("scale", [1e-120, 1e-30, 1.0, 1e30, 1e120])
 def test_the_gap_does_not_depend_on_the_size_of_the_motion(noted, scale):
     data = np.concatenate([ellipse(0.5, turned_frame(1)), ellipse(0.002, turned_frame(2))])
-    found = main_axis_gap(covariance(data * scale))
-    np.testing.assert_allclose(found, main_axis_gap(covariance(data)), rtol=1e-11)
-    noted("f gap", np.abs(found - [0.5 / 1.5, 0.002 / 1.002]).max())
+    gaps = main_axis_gap(covariance(data * scale))
+    np.testing.assert_allclose(gaps, main_axis_gap(covariance(data)), rtol=1e-11)
+    noted("f gap", np.abs(gaps - [0.5 / 1.5, 0.002 / 1.002]).max())
 
 
 def test_a_gap_needs_square_matrices_of_finite_numbers():
@@ -177,14 +177,14 @@ def test_what_is_no_number_has_no_axis(noted, value):
     data[2, 1, 33] = value
     matrices = np.ones((4, 3, 3))
     matrices[2, 1, 1] = value
-    for action, words in (
+    for action, message in (
         (lambda: project_axes(data, "xyz", "pca"), ("output 3", "axis y", "sample 33")),
         (lambda: no_main_axis(matrices), ("covariance of output 3",)),
     ):
         try:
             action()
         except InvalidInputError as error:
-            noted("f bad", int(not all(word in str(error) for word in words)))
+            noted("f bad", int(not all(word in str(error) for word in message)))
         else:
             noted("f bad", 1)
 
@@ -203,9 +203,9 @@ def test_moments_of_spectra_know_levels_along_axes_and_where_there_is_none(noted
     numbers = axis_numbers(axes)
     expected = no_main_axis(covariance(data[:, list(numbers)]))
     np.testing.assert_array_equal(without_main_axis(moments, numbers, "pca", 1300), expected)
-    found = energies(moments, directions_of(moments, numbers, "pca", 1300), numbers)[0][:9]
+    computed = energies(moments, directions_of(moments, numbers, "pca", 1300), numbers)[0][:9]
     known = np.sum(project_axes(data[:9], axes, "pca") ** 2, axis=-1)
-    noted("f engine", np.abs(np.sqrt(found / known) - 1).max())
+    noted("f engine", np.abs(np.sqrt(computed / known) - 1).max())
     assert not without_main_axis(moments, numbers, "rms", 1300).any()
     assert not without_main_axis(moments, (1,), "pca", 1300).any()
     if axes == "xyz":

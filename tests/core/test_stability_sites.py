@@ -41,8 +41,8 @@ def test_points_outside_the_hull_and_no_others_are_flagged(noted, sites):
     beyond = low + np.random.default_rng(SEED).uniform(-1, 2, (2000, 2)) * (high - low)
     beyond = beyond[((beyond < low) | (beyond > high)).any(axis=1)]
     assert len(beyond) > 1000, f"{SEED=}"
-    found = scattered_sites(sites).weights_at(beyond)
-    noted("h flagged", np.count_nonzero(~found.outside))
+    interpolation = scattered_sites(sites).weights_at(beyond)
+    noted("h flagged", np.count_nonzero(~interpolation.outside))
 
 
 def test_outside_a_square_the_nearest_place_on_it_counts(references, noted):
@@ -55,8 +55,8 @@ def test_outside_a_square_the_nearest_place_on_it_counts(references, noted):
         sites = [tuple(site) for site in case["sites"]]
         expected = np.zeros((len(points), len(sites)))
         expected[:, [sites.index(corner) for corner in corners]] = shares
-        found = scattered_sites(np.array(sites, float)).weights_at(points)
-        noted("h outside", np.abs(found.weights.toarray() - expected).max())
+        interpolation = scattered_sites(np.array(sites, float)).weights_at(points)
+        noted("h outside", np.abs(interpolation.weights.toarray() - expected).max())
 
 
 @pytest.mark.parametrize("direction", [(1, 0), (0, 1), (3, 4), (-7, 2), (1, 1000)])
@@ -67,9 +67,9 @@ def test_on_a_line_values_run_linearly_from_site_to_site(noted, direction, count
     sites = np.outer(places, direction) / 8.0
     points = np.round(random.uniform(-16000, 20000, (60, 1)) * direction) / 64.0
     points[::2] += random.integers(-4000, 4000, (30, 2)) / 8.0
-    found = scattered_sites(sites).weights_at(np.concatenate([points, sites]))
-    noted("h collinear", np.abs(found.weights.toarray()[60:] - np.eye(count)).max())
-    for point, weights in zip(points, found.weights.toarray(), strict=False):
+    interpolation = scattered_sites(sites).weights_at(np.concatenate([points, sites]))
+    noted("h collinear", np.abs(interpolation.weights.toarray()[60:] - np.eye(count)).max())
+    for point, weights in zip(points, interpolation.weights.toarray(), strict=False):
         along = [Fraction(value) * part for value, part in zip(point, direction, strict=True)]
         place = 8 * sum(along) / sum(part * part for part in direction)
         place = min(max(place, Fraction(int(places[0]))), Fraction(int(places[-1])))
@@ -90,11 +90,11 @@ def test_hardly_off_a_line_linear_functions_are_kept(noted, off, angle_rad):
     cosine, sine = np.cos(angle_rad), np.sin(angle_rad)
     sites = straight @ np.array([[cosine, sine], [-sine, cosine]])
     points = points_within(sites, 1000)
-    found = scattered_sites(sites).weights_at(points)
-    missed = np.abs(found.weights @ sites - points).max() / np.ptp(sites, axis=0).max()
+    interpolation = scattered_sites(sites).weights_at(points)
+    missed = np.abs(interpolation.weights @ sites - points).max() / np.ptp(sites, axis=0).max()
     noted("h nearly", missed)
-    astray = np.abs(found.weights.sum(axis=1) - 1) > 1e-12
-    noted("h sound", astray.sum() + np.count_nonzero(~(found.weights.data >= 0)))
+    astray = np.abs(interpolation.weights.sum(axis=1) - 1) > 1e-12
+    noted("h sound", astray.sum() + np.count_nonzero(~(interpolation.weights.data >= 0)))
 
 
 @pytest.mark.parametrize("off", [0.0, 1e-12, 1e-9, 1e-7, 1e-5, 1e-3, 1e-1])
@@ -116,10 +116,10 @@ def test_outputs_on_a_line_are_interpolated_within_any_outline(noted, off, count
         noted("h thin", np.count_nonzero(~(np.abs(inside - 7.0) < 1e-9)) + (not any_area))
 
 
-@pytest.mark.parametrize("apart", [0.0, 1e-9, 1e-7, 1e-6, 1e-4])
-def test_two_outputs_at_one_place_have_one_value(noted, apart):
+@pytest.mark.parametrize("distance_mm", [0.0, 1e-9, 1e-7, 1e-6, 1e-4])
+def test_two_outputs_at_one_place_have_one_value(noted, distance_mm):
     positions = np.full((72, 2), np.nan)
-    positions[:4] = [[100, 50], [100 + apart, 50], [200, 50], [300, 25]]
+    positions[:4] = [[100, 50], [100 + distance_mm, 50], [200, 50], [300, 25]]
     square = np.array([[0.0, 0.0], [400.0, 0.0], [400.0, 100.0], [0.0, 100.0]])
     limb_map = replace(
         load_synthetic_limb(1).map, outline=square, output_positions=positions, hand_length_px=400.0
@@ -129,7 +129,7 @@ def test_two_outputs_at_one_place_have_one_value(noted, apart):
     assert (operator.x_mm[column], operator.y_mm[row]) == (100.0, 50.0)
     values = np.zeros(72)
     values[:4] = -30.0, -50.0, -10.0, -20.0
-    if apart > 1e-9 * 400:
+    if distance_mm > 1e-9 * 400:
         noted("h close", abs(operator.interpolate(values)[row, column] + 40) / 40)
         return
     try:

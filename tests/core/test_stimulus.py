@@ -50,23 +50,23 @@ SEVERAL = design(
 
 
 def test_at_the_rate_of_the_limb_it_is_what_the_engine_predicts_with():
-    found = stimulus_of(SEVERAL)
+    result = stimulus_of(SEVERAL)
     values = ss.evaluate(SEVERAL, "input_waveforms", "voices", "stimulus_samples")
     expected = np.zeros((2, values["stimulus_samples"]))
     for voice, samples in zip(values["voices"], values["input_waveforms"], strict=True):
         if voice.heard:
             row = {7: 0, 12: 1}[voice.location]
             expected[row, voice.start : voice.start + samples.size] += voice.amplitude * samples
-    assert found.sample_rate_hz == RATE_HZ
-    np.testing.assert_allclose(found.samples, expected, rtol=0, atol=1e-15)
+    assert result.sample_rate_hz == RATE_HZ
+    np.testing.assert_allclose(result.samples, expected, rtol=0, atol=1e-15)
 
 
 def test_the_skin_answers_it_as_the_engine_says():
     # By the other way to predict, from the exported samples alone.
     quiet = replace(SEVERAL, scaling="probe")
-    found = stimulus_of(quiet)
-    places = [one.place for one in found.channels]
-    answer = ss.predict(ss.load_limb("synthetic-1"), found.samples, places, scaling="probe")
+    result = stimulus_of(quiet)
+    places = [channel.place for channel in result.channels]
+    answer = ss.predict(ss.load_limb("synthetic-1"), result.samples, places, scaling="probe")
     view = ss.View(outputs=(30,), axes="z")
     traces = ss.evaluate(quiet, "selected_traces", view=view)["selected_traces"]
     np.testing.assert_allclose(traces[0], answer[29, 2], rtol=0, atol=1e-12)
@@ -75,14 +75,14 @@ def test_the_skin_answers_it_as_the_engine_says():
 @pytest.mark.parametrize("onset_s", [0.1, 0.1003, 0.12345678, 1.0 / 3.0])
 def test_a_clip_starts_at_its_own_instant_at_48_khz(onset_s):
     wave = Gabor(frequency_hz=200.0)
-    found = stimulus_of(design(track(7, wave, onset_s=onset_s)), 48_000).samples[0]
+    samples = stimulus_of(design(track(7, wave, onset_s=onset_s)), 48_000).samples[0]
     # By its formula, in 30 digits, at the instants of 48 kHz around its middle.
     n = round(8.0 * wave.sigma_s * RATE_HZ)
     middle_s = (n - 1) / 2.0 / RATE_HZ + onset_s
     places = round(middle_s * 48_000) + np.arange(-300, 300, 7)
     expected = [_gabor(wave, int(k), n, onset_s) for k in places]
     # A microsecond is 1.3e-3 of the peak where a 200 Hz burst is steepest.
-    assert np.abs(found[places] - expected).max() < 1e-4
+    assert np.abs(samples[places] - expected).max() < 1e-4
 
 
 def _gabor(wave: Gabor, place: int, n: int, onset_s: float) -> float:
@@ -95,27 +95,27 @@ def _gabor(wave: Gabor, place: int, n: int, onset_s: float) -> float:
 
 
 def test_channels_are_places_in_the_order_of_first_use():
-    found = stimulus_of(SEVERAL)
-    assert [(one.number, one.place, one.inputs) for one in found.channels] == [
+    result = stimulus_of(SEVERAL)
+    assert [(channel.number, channel.place, channel.inputs) for channel in result.channels] == [
         (1, 7, (1, 3)),
         (2, 12, (2,)),
     ]
-    assert found.channels[0].title == "Digit II, pad"
+    assert result.channels[0].title == "Digit II, pad"
 
 
 def test_each_input_can_have_a_channel_of_its_own():
-    found = stimulus_of(SEVERAL, per="input")
-    assert [one.inputs for one in found.channels] == [(1,), (2,), (3,)]
+    result = stimulus_of(SEVERAL, per="input")
+    assert [channel.inputs for channel in result.channels] == [(1,), (2,), (3,)]
     together = stimulus_of(SEVERAL)
     np.testing.assert_allclose(
-        found.samples[0] + found.samples[2], together.samples[0], rtol=0, atol=1e-15
+        result.samples[0] + result.samples[2], together.samples[0], rtol=0, atol=1e-15
     )
 
 
 def test_only_what_is_chosen_takes_part():
-    one = stimulus_of(SEVERAL, inputs=(3,))
+    plain = stimulus_of(SEVERAL, inputs=(3,))
     np.testing.assert_array_equal(
-        one.samples, stimulus_of(replace(SEVERAL, inputs=SEVERAL.inputs[2:3])).samples
+        plain.samples, stimulus_of(replace(SEVERAL, inputs=SEVERAL.inputs[2:3])).samples
     )
     chosen = SEVERAL.inputs[0].clips[1]
     clip = stimulus_of(SEVERAL, clips=(chosen.id,))
@@ -127,19 +127,19 @@ def test_only_what_is_chosen_takes_part():
 
 def test_solo_inputs_are_heard_alone():
     inputs = (track(3), track(5, solo=True))
-    assert [one.place for one in stimulus_of(design(*inputs)).channels] == [5]
+    assert [channel.place for channel in stimulus_of(design(*inputs)).channels] == [5]
 
 
 def test_a_place_without_a_clip_keeps_its_silent_channel():
-    found = stimulus_of(design(Input(location=4), track(5)))
-    assert [one.place for one in found.channels] == [4, 5]
-    assert not found.samples[0].any()
+    result = stimulus_of(design(Input(location=4), track(5)))
+    assert [channel.place for channel in result.channels] == [4, 5]
+    assert not result.samples[0].any()
 
 
 def test_nothing_heard_is_no_channel():
-    found = stimulus_of(design(track(3, muted=True)), 48_000)
-    assert found.channels == ()
-    assert found.samples.shape[0] == 0
+    result = stimulus_of(design(track(3, muted=True)), 48_000)
+    assert result.channels == ()
+    assert result.samples.shape[0] == 0
 
 
 @pytest.mark.parametrize(
@@ -155,64 +155,64 @@ def test_the_band_is_that_of_the_lower_rate():
 
 
 def test_stages_come_at_the_rate_of_the_device_one_after_the_other():
-    seen = []
+    rates = []
 
-    def doubled(one):
-        seen.append(one.sample_rate_hz)
-        return one.with_samples(one.samples * 2.0)
+    def doubled(plain):
+        rates.append(plain.sample_rate_hz)
+        return plain.with_samples(plain.samples * 2.0)
 
-    found = stimulus_of(SEVERAL, 8000, stages=(doubled, doubled))
-    assert seen == [8000.0, 8000.0]
-    np.testing.assert_array_equal(found.samples, 4.0 * stimulus_of(SEVERAL, 8000).samples)
+    result = stimulus_of(SEVERAL, 8000, stages=(doubled, doubled))
+    assert rates == [8000.0, 8000.0]
+    np.testing.assert_array_equal(result.samples, 4.0 * stimulus_of(SEVERAL, 8000).samples)
 
 
 def test_one_factor_brings_the_largest_sample_of_all_to_full_scale():
-    found = stimulus_of(SEVERAL)
-    factor = stimulus.full_scale_factor(found)
-    done = stimulus.scaled(found, factor)
+    result = stimulus_of(SEVERAL)
+    factor = stimulus.full_scale_factor(result)
+    done = stimulus.scaled(result, factor)
     assert np.abs(done.samples).max() == pytest.approx(1.0, abs=1e-15)
     assert np.abs(done.samples).max() <= 1.0
-    np.testing.assert_allclose(done.samples, factor * found.samples, rtol=0, atol=1e-15)
+    np.testing.assert_allclose(done.samples, factor * result.samples, rtol=0, atol=1e-15)
     assert stimulus.full_scale_factor(stimulus_of(design(Input(location=4)))) == 1.0
 
 
 def test_a_part_of_the_time_is_those_samples():
-    found = stimulus_of(SEVERAL, 48_000)
-    part = stimulus.part_of_time(found, 0.1, 0.2)
+    result = stimulus_of(SEVERAL, 48_000)
+    part = stimulus.part_of_time(result, 0.1, 0.2)
     assert part.start_s == 0.1
-    np.testing.assert_array_equal(part.samples, found.samples[:, 4800:9600])
-    beyond = stimulus.part_of_time(found, found.duration_s - 0.01, found.duration_s + 0.01)
+    np.testing.assert_array_equal(part.samples, result.samples[:, 4800:9600])
+    beyond = stimulus.part_of_time(result, result.duration_s - 0.01, result.duration_s + 0.01)
     assert beyond.n_times == 960
     assert not beyond.samples[:, 480:].any()
     for times in ((0.2, 0.1), (0.1, 0.1), (-1.0, 0.1)):
         with pytest.raises(InvalidInputError, match="_s is"):
-            stimulus.part_of_time(found, *times)
+            stimulus.part_of_time(result, *times)
 
 
 def test_a_lead_in_is_silence_before_time_0():
-    found = stimulus_of(SEVERAL, 8000)
-    late = stimulus.with_lead_in(found, 0.25)
+    result = stimulus_of(SEVERAL, 8000)
+    late = stimulus.with_lead_in(result, 0.25)
     assert late.start_s == -0.25
     assert not late.samples[:, :2000].any()
-    np.testing.assert_array_equal(late.samples[:, 2000:], found.samples)
+    np.testing.assert_array_equal(late.samples[:, 2000:], result.samples)
     # A part that is named afterwards still means times of the design.
     np.testing.assert_array_equal(
-        stimulus.part_of_time(late, 0.1, 0.2).samples, found.samples[:, 800:1600]
+        stimulus.part_of_time(late, 0.1, 0.2).samples, result.samples[:, 800:1600]
     )
 
 
 def test_fades_begin_and_end_at_zero_and_leave_the_middle():
-    one = stimulus_of(
+    plain = stimulus_of(
         design(track(7, Tone(frequency_hz=100.0, phase_rad=1.5, window="none"))), 8000
     )
-    soft = stimulus.faded(one, 0.01, 0.02)
+    soft = stimulus.faded(plain, 0.01, 0.02)
     assert soft.samples[0, 0] == 0.0
     assert soft.samples[0, -1] == 0.0
-    np.testing.assert_array_equal(soft.samples[:, 80:640], one.samples[:, 80:640])
-    assert soft.samples[0, 40] == pytest.approx(0.5 * one.samples[0, 40])
-    assert soft.samples[0, -81] == pytest.approx(0.5 * one.samples[0, -81])
+    np.testing.assert_array_equal(soft.samples[:, 80:640], plain.samples[:, 80:640])
+    assert soft.samples[0, 40] == pytest.approx(0.5 * plain.samples[0, 40])
+    assert soft.samples[0, -81] == pytest.approx(0.5 * plain.samples[0, -81])
     with pytest.raises(InvalidInputError, match="length of the stimulus"):
-        stimulus.faded(one, 1.0)
+        stimulus.faded(plain, 1.0)
 
 
 def test_a_sync_channel_marks_time_0_at_full_scale():
@@ -233,32 +233,32 @@ def test_a_sync_channel_marks_time_0_at_full_scale():
 
 
 def test_a_channel_map_says_what_each_output_gets():
-    found = stimulus_of(SEVERAL)
-    mapped = stimulus.in_order(found, [0, 2, 0, 1])
-    assert [(one.number, one.place) for one in mapped.channels] == [
+    result = stimulus_of(SEVERAL)
+    mapped = stimulus.in_order(result, [0, 2, 0, 1])
+    assert [(channel.number, channel.place) for channel in mapped.channels] == [
         (1, None),
         (2, 12),
         (3, None),
         (4, 7),
     ]
-    np.testing.assert_array_equal(mapped.samples[[1, 3]], found.samples[[1, 0]])
+    np.testing.assert_array_equal(mapped.samples[[1, 3]], result.samples[[1, 0]])
     assert not mapped.samples[[0, 2]].any()
     for wrong in ([1], [1, 1, 2], [1, 2, 3], [1.5, 2]):
         with pytest.raises(InvalidInputError, match="Channel map"):
-            stimulus.in_order(found, wrong)
+            stimulus.in_order(result, wrong)
 
 
 def test_what_was_handed_over_is_never_changed():
-    found = stimulus_of(SEVERAL)
-    before = found.samples.copy()
-    stimulus.scaled(stimulus.faded(found, 0.01, 0.01), 3.0)
-    np.testing.assert_array_equal(found.samples, before)
+    result = stimulus_of(SEVERAL)
+    before = result.samples.copy()
+    stimulus.scaled(stimulus.faded(result, 0.01, 0.01), 3.0)
+    np.testing.assert_array_equal(result.samples, before)
     with pytest.raises(ValueError, match="read-only"):
-        found.samples[0, 0] = 1.0
+        result.samples[0, 0] = 1.0
 
 
 @pytest.mark.parametrize(
-    ("call", "words"),
+    ("call", "message"),
     [
         (lambda: stimulus_of("design"), "expected a Design"),
         (lambda: stimulus_of(design(track(21))), "location 21"),
@@ -268,8 +268,8 @@ def test_what_was_handed_over_is_never_changed():
         (lambda: stimulus_of(SEVERAL, clips=(99,)), "no clip has the id 99"),
     ],
 )
-def test_what_cannot_be_played_is_refused(call, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_cannot_be_played_is_refused(call, message):
+    with pytest.raises(InvalidInputError, match=message):
         call()
 
 
@@ -277,13 +277,16 @@ def test_more_than_can_be_held_is_refused_before_it_is_made(monkeypatch):
     monkeypatch.setattr(of_design, "MOST_SAMPLES", 10_000)
     with pytest.raises(InvalidInputError, match="lower rate") as refused:
         stimulus_of(SEVERAL, 48_000)
-    said = str(refused.value)
+    message_text = str(refused.value)
     channels = len(stimulus_of(SEVERAL).channels)
-    assert f"at most {10_000 / channels / 48_000:.1f} s for {channels} channels at 48000 Hz" in said
-    lasts_s = float(said.partition("lasts ")[2].partition(" s")[0])
+    assert (
+        f"at most {10_000 / channels / 48_000:.1f} s for {channels} channels at 48000 Hz"
+        in message_text
+    )
+    lasts_s = float(message_text.partition("lasts ")[2].partition(" s")[0])
     assert lasts_s == pytest.approx(stimulus_of(SEVERAL).duration_s, abs=0.06)
-    assert "samples" not in said
-    assert "e+" not in said
+    assert "samples" not in message_text
+    assert "e+" not in message_text
     assert stimulus_of(SEVERAL).n_times < 5000
 
 

@@ -41,10 +41,10 @@ def stored(frequency_hz: float, rate_hz: float, length_s: float = 1.0) -> Sample
 def test_at_their_own_rate_the_samples_are_played_bit_by_bit(kind, values, rate_hz):
     samples = Samples(values=values, sample_rate_hz=rate_hz)
     recipe = kind(samples)
-    found = recipe.samples(rate_hz)
-    np.testing.assert_array_equal(found, values)
+    result = recipe.samples(rate_hz)
+    np.testing.assert_array_equal(result, values)
     assert recipe.duration_s == len(values) / rate_hz
-    found[:] = 7.0
+    result[:] = 7.0
     np.testing.assert_array_equal(recipe.samples(rate_hz), values)
 
 
@@ -55,12 +55,12 @@ def test_at_their_own_rate_the_samples_are_played_bit_by_bit(kind, values, rate_
 def test_at_any_rate_and_between_samples_it_is_the_signal(kind, own_hz, rate_hz, part):
     for frequency_hz in (25.0, 250.0, 590.0):
         shift_s = part / rate_hz
-        found = kind(stored(frequency_hz, own_hz)).samples(rate_hz, shift_s)
-        assert found.shape == (round(rate_hz) + (part > 0),)
-        time_s = np.arange(found.size) / rate_hz - shift_s
+        samples = kind(stored(frequency_hz, own_hz)).samples(rate_hz, shift_s)
+        assert samples.shape == (round(rate_hz) + (part > 0),)
+        time_s = np.arange(samples.size) / rate_hz - shift_s
         # 0.001 dB are 1.2e-4.
         np.testing.assert_allclose(
-            found, swelling(frequency_hz, time_s, 1.0), rtol=0, atol=1.2e-4, err_msg=frequency_hz
+            samples, swelling(frequency_hz, time_s, 1.0), rtol=0, atol=1.2e-4, err_msg=frequency_hz
         )
 
 
@@ -75,10 +75,10 @@ def test_it_is_as_long_at_any_rate_as_it_says(kind, n):
 
 def test_a_rate_that_is_no_ratio_of_small_numbers_is_played_too():
     samples = stored(100.0, 1300.7)
-    found = Recording(samples).samples(1300.0)
-    expected = swelling(100.0, np.arange(found.size) / 1300.0, 1.0)
-    assert found.size == 1300
-    np.testing.assert_allclose(found, expected, rtol=0, atol=1.2e-4)
+    played = Recording(samples).samples(1300.0)
+    expected = swelling(100.0, np.arange(played.size) / 1300.0, 1.0)
+    assert played.size == 1300
+    np.testing.assert_allclose(played, expected, rtol=0, atol=1.2e-4)
 
 
 @pytest.mark.parametrize("kind", BOTH)
@@ -106,8 +106,8 @@ def test_what_is_drawn_has_no_unit_and_what_is_recorded_any():
 
 
 def test_a_recording_says_where_it_is_from():
-    found = Recording([1.0], "tap.wav, channel 1", 48000)
-    assert (found.name, found.source_rate_hz) == ("tap.wav, channel 1", 48000.0)
+    recording = Recording([1.0], "tap.wav, channel 1", 48000)
+    assert (recording.name, recording.source_rate_hz) == ("tap.wav, channel 1", 48000.0)
     assert Recording([1.0]).source_rate_hz is None
     for bad in (0.0, -1.0, "48000"):
         with pytest.raises(InvalidInputError, match="source_rate_hz"):
@@ -118,8 +118,8 @@ def test_it_is_kept_in_files_once(tmp_path):
     samples = stored(250.0, 48000.0)
     plays = (Recording(samples, "tap.wav", 96000.0), Drawn(samples), Recording(samples))
     path = tmp_path / "twice.skinsource"
-    one = Design(limb="synthetic-1", inputs=(_input(plays[0]),))
-    save_design(path, one)
+    before = Design(limb="synthetic-1", inputs=(_input(plays[0]),))
+    save_design(path, before)
     size = path.stat().st_size
     design = Design(limb="synthetic-1", inputs=tuple(_input(play) for play in plays))
     save_design(path, design)
@@ -134,9 +134,9 @@ def _input(waveform):
 @pytest.mark.parametrize("kind", BOTH)
 def test_a_waveform_that_becomes_samples_plays_on_as_it_did(kind):
     for waveform in (Tone(90.0, duration_s=0.3), Tap(), Drawn([0.5, 1.0])):
-        found = as_kind(waveform, kind, 1300.0)
-        assert type(found) is kind
-        np.testing.assert_array_equal(found.samples(1300.0), waveform.samples(1300.0))
+        converted = as_kind(waveform, kind, 1300.0)
+        assert type(converted) is kind
+        np.testing.assert_array_equal(converted.samples(1300.0), waveform.samples(1300.0))
     metres = Samples(values=[1.0, 2.0], sample_rate_hz=48000.0, unit="m/s²")
     assert as_kind(Recording(metres), Drawn, 1300.0).samples == replace(metres, unit="")
     assert as_kind(Tone(frequency_hz=700.0), kind, 1300.0) == kind()

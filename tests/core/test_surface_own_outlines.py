@@ -137,10 +137,10 @@ def test_repeated_outline_vertices_change_nothing():
 
 def test_a_clockwise_outline_gives_the_same_picture():
     outputs = [[60, 60], [200, 90], [150, 300]]
-    one = surface_operator_from_map(map_of(RECTANGLE, outputs), 175.0, 4.0)
+    operator = surface_operator_from_map(map_of(RECTANGLE, outputs), 175.0, 4.0)
     other = surface_operator_from_map(map_of(RECTANGLE[::-1], outputs), 175.0, 4.0)
-    np.testing.assert_array_equal(one.mask, other.mask)
-    np.testing.assert_allclose(one.weights.toarray(), other.weights.toarray(), atol=1e-10)
+    np.testing.assert_array_equal(operator.mask, other.mask)
+    np.testing.assert_allclose(operator.weights.toarray(), other.weights.toarray(), atol=1e-10)
 
 
 def test_one_output_is_the_value_everywhere():

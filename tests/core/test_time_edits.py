@@ -16,27 +16,27 @@ def test_time_that_was_inserted_and_removed_again_changes_no_sound(at_s, length_
     there = edits.insert_time(DESIGN, VIEW, at_s, length_s).design
     at, by = round(at_s * RATE_HZ, 6), round(length_s * RATE_HZ)
     for place in range(4):
-        before, found = total(DESIGN, place), total(there, place)
+        before, after = total(DESIGN, place), total(there, place)
         first = int(np.ceil(at - 1e-6))
-        np.testing.assert_allclose(found[:first], before[:first], rtol=0, atol=1e-9)
+        np.testing.assert_allclose(after[:first], before[:first], rtol=0, atol=1e-9)
         gap = slice(first, int(np.ceil(at + length_s * RATE_HZ - 1e-6)))
-        assert np.abs(found[gap]).max(initial=0.0) == 0.0
+        assert np.abs(after[gap]).max(initial=0.0) == 0.0
         if abs(by - length_s * RATE_HZ) < 1e-9:
-            later = found[first + by :]
+            later = after[first + by :]
             np.testing.assert_allclose(later, before[first : 5000 - by], rtol=0, atol=1e-9)
     back = edits.remove_time(there, VIEW, at_s, at_s + length_s).design
     for place in range(4):
         np.testing.assert_allclose(total(back, place), total(DESIGN, place), rtol=0, atol=1e-9)
-    assert [one.time_s for one in back.markers] == pytest.approx([0.05, 0.4, 0.9])
+    assert [marker.time_s for marker in back.markers] == pytest.approx([0.05, 0.4, 0.9])
     assert back.loop_s == pytest.approx(DESIGN.loop_s)
 
 
 def test_time_that_is_removed_takes_what_plays_then():
     design = edits.remove_time(DESIGN, VIEW, 0.2, 0.4).design
     for place in range(4):
-        before, found = total(DESIGN, place), total(design, place)
-        np.testing.assert_allclose(found[:260], before[:260], rtol=0, atol=1e-9)
-        np.testing.assert_allclose(found[260:4000], before[520:4260], rtol=0, atol=1e-9)
+        before, after = total(DESIGN, place), total(design, place)
+        np.testing.assert_allclose(after[:260], before[:260], rtol=0, atol=1e-9)
+        np.testing.assert_allclose(after[260:4000], before[520:4260], rtol=0, atol=1e-9)
     assert design.markers == (
         Marker(time_s=0.05, name="first"),
         Marker(time_s=0.2),

@@ -24,11 +24,11 @@ WAVEFORMS = [TONE, Noise(seed=2, duration_s=0.0996), Tap(), Impulse()]
 def total(*clips: Clip) -> np.ndarray:
     """What clips play together, from time 0 on, by the chain of their track."""
     first, chain = placed_chain(clips, (), RATE_HZ)
-    found = np.zeros(2000)
+    samples = np.zeros(2000)
     for part in chain.parts:
         piece = played(part.waveform, part.effects, RATE_HZ, part.shift_s)
-        found[first + part.start :][: piece.size] += piece
-    return found
+        samples[first + part.start :][: piece.size] += piece
+    return samples
 
 
 def cut(clip: Clip, *times_s: float) -> list[Clip]:
@@ -69,14 +69,14 @@ def test_on_samples_every_bit_is_as_it_was(waveform, onset_s):
 @pytest.mark.parametrize("shift", [0.0, 0.3, 0.9])
 def test_a_part_shows_the_waveform_at_its_own_instants(start_s, duration_s, shift):
     trim = Trim(start_s=start_s, duration_s=duration_s)
-    found = played(TONE, (trim,), RATE_HZ, shift / RATE_HZ)
-    own_s = (np.arange(found.size) - shift) / RATE_HZ
+    samples = played(TONE, (trim,), RATE_HZ, shift / RATE_HZ)
+    own_s = (np.arange(samples.size) - shift) / RATE_HZ
     inside = (own_s >= -1e-12) & (own_s < trim.length(0.1) - 1e-12)
     expected = np.where(inside, np.sin(2 * np.pi * 77.0 * (own_s + start_s)), 0.0)
-    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-9)
+    np.testing.assert_allclose(samples, expected, rtol=0, atol=1e-9)
     # Nothing is missing at the end.
     last_s = played_s(TONE, (trim,))
-    assert (found.size + 1e-6 - shift) / RATE_HZ >= last_s or found.size == 0
+    assert (samples.size + 1e-6 - shift) / RATE_HZ >= last_s or samples.size == 0
 
 
 def test_a_part_of_a_part_counts_from_its_own_start():

@@ -27,15 +27,15 @@ def ways(samples: np.ndarray, taps: np.ndarray):
 
 @pytest.mark.parametrize("n_times", LENGTHS)
 def test_a_field_that_is_never_positive_is_not_divided(n_times):
-    for found in ways(loud(n_times), ALL_NEGATIVE):
-        assert unit_gains(*found) == [2.0]  # the power of two that the drive was divided by
-        assert exact_gains(*found, stop=lambda: False) == [2.0]
+    for arguments in ways(loud(n_times), ALL_NEGATIVE):
+        assert unit_gains(*arguments) == [2.0]  # the power of two that the drive was divided by
+        assert exact_gains(*arguments, stop=lambda: False) == [2.0]
 
 
 @pytest.mark.parametrize("n_times", LENGTHS)
 def test_a_field_that_is_never_positive_is_not_divided_however_small(n_times):
-    for found in ways(loud(n_times) * 1e-200, ALL_NEGATIVE * 1e-30):
-        assert unit_gains(*found) == [found[0][0].factor]
+    for arguments in ways(loud(n_times) * 1e-200, ALL_NEGATIVE * 1e-30):
+        assert unit_gains(*arguments) == [arguments[0][0].factor]
 
 
 @pytest.mark.parametrize("n_times", LENGTHS)
@@ -43,10 +43,12 @@ def test_a_field_that_is_hardly_positive_is_divided_by_its_maximum(n_times):
     taps = ALL_NEGATIVE.copy()
     taps[40, 2] *= -1e-6
     largest = np.convolve(loud(n_times), taps[40, 2]).max()
-    for found in ways(loud(n_times), taps):
+    for arguments in ways(loud(n_times), taps):
         # The gain is that of the scaled samples: so many times as large.
-        assert unit_gains(*found)[0] * largest == pytest.approx(2.0, rel=1e-6)
-        assert exact_gains(*found, stop=lambda: False)[0] * largest == pytest.approx(2.0, rel=1e-6)
+        assert unit_gains(*arguments)[0] * largest == pytest.approx(2.0, rel=1e-6)
+        assert exact_gains(*arguments, stop=lambda: False)[0] * largest == pytest.approx(
+            2.0, rel=1e-6
+        )
 
 
 def test_the_maximum_of_blocks_that_are_all_negative_is_their_largest_sample():

@@ -49,11 +49,11 @@ def design(request):
 
 @pytest.mark.parametrize("edited", [1, 2])
 def test_the_others_are_predicted_as_if_it_were_muted(design, edited):
-    found = shown(design, edited=edited)
+    values = shown(design, edited=edited)
     muted = shown(design.with_input(1, muted=True), edited=edited, leave_out=False)
-    assert np.array_equal(found["output_levels_db"], muted["output_levels_db"])
-    assert np.array_equal(found["selected_traces"], muted["selected_traces"])
-    assert np.isfinite(found["output_levels_db"]).all()
+    assert np.array_equal(values["output_levels_db"], muted["output_levels_db"])
+    assert np.array_equal(values["selected_traces"], muted["selected_traces"])
+    assert np.isfinite(values["output_levels_db"]).all()
     assert muted["unplayable_inputs"] == ()
 
 
@@ -77,14 +77,14 @@ def test_what_is_taken_from_the_prediction_says_what_it_is_without(design):
 def test_several_are_said_in_one_sentence():
     bad = track(8, BEYOND_HALF_THE_RATE)
     two, four = (Design(limb="synthetic-1", inputs=(TONE, *[bad] * count)) for count in (2, 4))
-    (said, *_) = shown(two)["validity"]
-    assert "; 1 more input cannot be played either." in said.sentence
-    (said, *_) = shown(four)["validity"]
-    assert "; 3 more inputs cannot be played either." in said.sentence
+    (finding, *_) = shown(two)["validity"]
+    assert "; 1 more input cannot be played either." in finding.sentence
+    (finding, *_) = shown(four)["validity"]
+    assert "; 3 more inputs cannot be played either." in finding.sentence
 
 
 def test_a_preset_that_the_actuator_cannot_follow_is_left_out():
-    preset = next(one for one in SHIPPED if one.name == "Heartbeat")
+    preset = next(shipped for shipped in SHIPPED if shipped.name == "Heartbeat")
     (lane,) = preset.fragment.lanes
     heartbeat = Input(location=6, clips=lane.clips)
     (unplayable,) = shown(design_of(heartbeat, EQUALISED))["unplayable_inputs"]
@@ -99,19 +99,19 @@ def test_files_are_not_written_without_it(design, tmp_path):
 
 
 def test_the_actuator_panel_is_told_of_a_drive_that_cannot_be_followed():
-    found = shown(design_of(*UNPLAYABLE["leaves a velocity"]), edited=2)
-    assert found["actuator_demand"].place == 8
-    assert found["actuator_demand"].leaves_velocity
+    values = shown(design_of(*UNPLAYABLE["leaves a velocity"]), edited=2)
+    assert values["actuator_demand"].place == 8
+    assert values["actuator_demand"].leaves_velocity
 
 
 def test_a_muted_input_that_cannot_be_sampled_changes_nothing(design):
     muted = design.with_input(1, muted=True)
     alone = replace(design, inputs=design.inputs[:1])
-    wanted = ("output_levels_db", "selected_traces", "surface_levels_db", "input_waveforms")
-    found, expected = ss.evaluate(muted, *wanted), ss.evaluate(alone, *wanted)
-    for name in wanted[:-1]:
-        np.testing.assert_allclose(found[name], expected[name], rtol=1e-9, atol=1e-12)
-    assert np.array_equal(found["input_waveforms"][0], expected["input_waveforms"][0])
+    quantities = ("output_levels_db", "selected_traces", "surface_levels_db", "input_waveforms")
+    values, expected = ss.evaluate(muted, *quantities), ss.evaluate(alone, *quantities)
+    for name in quantities[:-1]:
+        np.testing.assert_allclose(values[name], expected[name], rtol=1e-9, atol=1e-12)
+    assert np.array_equal(values["input_waveforms"][0], expected["input_waveforms"][0])
 
 
 def test_of_a_muted_input_that_cannot_be_sampled_there_is_no_waveform():
@@ -125,8 +125,8 @@ def test_of_a_muted_input_that_cannot_be_sampled_there_is_no_waveform():
 def test_of_clips_that_cannot_be_sampled_there_are_no_pictures():
     clips = (Clip(), Clip(waveform=BEYOND_HALF_THE_RATE, muted=True))
     design = Design(limb="synthetic-1", inputs=(Input(location=7, clips=clips),))
-    found = ss.evaluate(design, "clip_waveforms", "output_levels_db")
-    ((good, bad),) = found["clip_waveforms"]
+    values = ss.evaluate(design, "clip_waveforms", "output_levels_db")
+    ((good, bad),) = values["clip_waveforms"]
     assert good.size
     assert bad is None
-    assert np.isfinite(found["output_levels_db"]).all()
+    assert np.isfinite(values["output_levels_db"]).all()

@@ -45,9 +45,9 @@ def test_impossible_outputs_are_refused(outputs):
 @pytest.mark.parametrize("name", RANGES)
 @pytest.mark.parametrize("ends", [(-50, 0), (0.0, 1e-9), (np.float64(1), 2), (-1e200, 1e200)])
 def test_a_range_is_two_numbers_stored_as_plain_floats(name, ends):
-    found = getattr(replace(View(), **{name: ends}), name)
-    assert found == ends
-    assert [type(end) for end in found] == [float, float]
+    stored = getattr(replace(View(), **{name: ends}), name)
+    assert stored == ends
+    assert [type(end) for end in stored] == [float, float]
 
 
 @pytest.mark.parametrize("name", RANGES)
@@ -102,10 +102,10 @@ def test_a_switch_is_true_or_false():
 
 
 def test_settings_of_panels_are_held_by_name():
-    one = View(panels=(("skin", (("b", 1.5), ("a", None))), ("map", (("c", (1.0, 2.0)),))))
+    view = View(panels=(("skin", (("b", 1.5), ("a", None))), ("map", (("c", (1.0, 2.0)),))))
     other = View(panels=(("map", (("c", (1.0, 2.0)),)), ("skin", (("a", None), ("b", 1.5)))))
-    assert one == other
-    assert hash(one) == hash(other)
+    assert view == other
+    assert hash(view) == hash(other)
 
 
 @pytest.mark.parametrize(

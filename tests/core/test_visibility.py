@@ -47,14 +47,14 @@ def test_the_rule_gives_the_published_table_at_every_ninth_vertex(measured):
     map_ = load_measured_limb(1).map
     placed = np.flatnonzero(np.isfinite(map_.output_positions[:, 0]))
     vertex, output = np.meshgrid(np.arange(0, 1505, 9), placed, indexing="ij")
-    seen = sees(
+    visible = sees(
         sight_region(map_.outline, 1.0),
         map_.outline[vertex.ravel()],
         map_.output_positions[output.ravel()],
     )
     published = np.isfinite(map_.visibility[vertex, output])
     assert 0.2 < published.mean() < 0.8
-    np.testing.assert_array_equal(seen.reshape(vertex.shape), published)
+    np.testing.assert_array_equal(visible.reshape(vertex.shape), published)
 
 
 def test_in_a_convex_outline_everything_is_seen_both_ways():
@@ -72,12 +72,12 @@ def test_across_the_gap_of_a_fork_nothing_is_seen():
     np.testing.assert_array_equal(sees(region, starts, ends), [False, True, True, False])
 
 
-@pytest.mark.parametrize(("width", "seen"), [(2, True), (4, True), (8, False), (20, False)])
-def test_a_gap_is_seen_through_up_to_twice_the_tolerance(width, seen):
+@pytest.mark.parametrize(("width", "visible"), [(2, True), (4, True), (8, False), (20, False)])
+def test_a_gap_is_seen_through_up_to_twice_the_tolerance(width, visible):
     region = sight_region(square_with_slit(width), 1.0)
     # As high as the slit is long: the raster also fills slits it has closed.
     answer = sees(region, np.array([[10.0, 60.0]]), np.array([[90.0, 61.5]]))
-    assert answer[0] == seen
+    assert answer[0] == visible
 
 
 @pytest.mark.parametrize("scale", [1e-3, 1.0, 1e4])
@@ -109,10 +109,10 @@ def test_sight_agrees_with_closely_spaced_samples_of_the_line():
             part = np.abs(1 - right - aside[:, 0]) * np.abs(1 - up - aside[:, 1])
             level += region.filled[row, column] * part
     level = level.reshape(2001, 500).min(axis=0)
-    seen = sees(region, starts, ends)
-    assert 0.1 < seen.mean() < 0.9
-    assert level[seen].min() >= 0.5
-    assert level[~seen].max() < 1.0
+    visible = sees(region, starts, ends)
+    assert 0.1 < visible.mean() < 0.9
+    assert level[visible].min() >= 0.5
+    assert level[~visible].max() < 1.0
 
 
 def test_outside_the_raster_nothing_is_seen():

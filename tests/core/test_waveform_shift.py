@@ -32,7 +32,7 @@ def test_no_shift_is_a_shift_of_zero(kind):
 def test_a_shifted_tone_is_its_formula_at_its_own_time(window, part):
     """By math.sin and the documented windows, sample by sample."""
     n, shift_s = 130, part / RATE_HZ
-    found = Tone(87.3, 0.4, n / RATE_HZ, window).samples(RATE_HZ, shift_s)
+    samples = Tone(87.3, 0.4, n / RATE_HZ, window).samples(RATE_HZ, shift_s)
     expected = [0.0]
     for k in range(1, n + 1):
         place = k - part
@@ -43,18 +43,18 @@ def test_a_shifted_tone_is_its_formula_at_its_own_time(window, part):
             "tukey": 1.0 if ends >= 0.125 else 0.5 - 0.5 * math.cos(8 * math.pi * max(ends, 0.0)),
         }[window]
         expected.append(weight * math.sin(2 * math.pi * 87.3 * (k / RATE_HZ - shift_s) + 0.4))
-    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(samples, expected, rtol=0, atol=1e-12)
 
 
 def test_a_tap_is_the_same_pulse_at_any_rate_and_shift():
     np.testing.assert_array_equal(Tap().samples(1300.0)[0], 0.5 * (1 - math.cos(math.pi / 11)))
     for rate_hz, shift_s in [(1300.0, 5e-4), (48000.0, 0.0), (48000.0, 1e-5), (8000.0, 1e-4)]:
-        found = Tap().samples(rate_hz, shift_s)
-        assert abs(found.size / rate_hz - 21 / 1300) <= 1.5 / rate_hz
-        time_s = np.arange(found.size) / rate_hz - shift_s
+        samples = Tap().samples(rate_hz, shift_s)
+        assert abs(samples.size / rate_hz - 21 / 1300) <= 1.5 / rate_hz
+        time_s = np.arange(samples.size) / rate_hz - shift_s
         pulse = 0.5 * (1 - np.cos(2 * np.pi * (time_s * 1300 + 1) / 22))
         expected = np.where((time_s >= 0) & (time_s < 21 / 1300), pulse, 0.0)
-        np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
+        np.testing.assert_allclose(samples, expected, rtol=0, atol=1e-12)
     assert Tap.duration_s == 21 / 1300
     assert tap(0.1, sample_rate_hz=48000.0).size == 4800 + 775
 
@@ -71,7 +71,7 @@ def test_an_impulse_is_one_sample_at_any_rate_and_two_between_samples():
 def test_shifted_noise_is_the_same_sum_of_waves_at_other_instants(n, part):
     """By the sum over sines and cosines written out."""
     drawn, time = np.random.default_rng(7).standard_normal(n), np.arange(n)
-    found = Noise(7, n / RATE_HZ, window="none").samples(RATE_HZ, part / RATE_HZ)
+    samples = Noise(7, n / RATE_HZ, window="none").samples(RATE_HZ, part / RATE_HZ)
     plain, later = np.zeros(n), np.zeros(n + 1)
     for k in range(math.ceil(25 * n / 1300), math.floor(600 * n / 1300) + 1):
         turn, turn_later = (2 * np.pi * k * at / n for at in (time, np.arange(n + 1) - part))
@@ -79,7 +79,7 @@ def test_shifted_noise_is_the_same_sum_of_waves_at_other_instants(n, part):
         plain += cosine * np.cos(turn) + sine * np.sin(turn)
         later += cosine * np.cos(turn_later) + sine * np.sin(turn_later)
     later[0] = 0.0
-    np.testing.assert_allclose(found, later / np.abs(plain).max(), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(samples, later / np.abs(plain).max(), rtol=0, atol=1e-12)
 
 
 def test_shifted_noise_is_windowed_at_its_own_time():
@@ -92,11 +92,11 @@ def test_shifted_noise_is_windowed_at_its_own_time():
 
 
 def test_noise_of_a_band_lies_in_it():
-    found = Noise(3, 1.0, 100.0, 200.0, "none").samples(RATE_HZ)
-    heard = np.flatnonzero(np.abs(np.fft.rfft(found)) > 1e-9)
-    assert heard.min() == 100
-    assert heard.max() == 200
-    np.testing.assert_array_equal(found, white_noise(1.0, 3, band_hz=(100.0, 200.0)))
+    samples = Noise(3, 1.0, 100.0, 200.0, "none").samples(RATE_HZ)
+    lines = np.flatnonzero(np.abs(np.fft.rfft(samples)) > 1e-9)
+    assert lines.min() == 100
+    assert lines.max() == 200
+    np.testing.assert_array_equal(samples, white_noise(1.0, 3, band_hz=(100.0, 200.0)))
 
 
 @pytest.mark.parametrize(
@@ -124,7 +124,7 @@ def test_waveforms_are_made_by_position():
 
 def test_a_shifted_burst_of_an_hour_is_exact():
     shift_s = 0.37 / RATE_HZ
-    found = sinusoid(250.1, 3600.0, shift_s=shift_s)
-    k = found.size - 2
+    samples = sinusoid(250.1, 3600.0, shift_s=shift_s)
+    k = samples.size - 2
     exact = float(Fraction(250.1) * (Fraction(k, 1300) - Fraction(shift_s)) % 1)
-    assert found[k] == pytest.approx(math.sin(2 * math.pi * exact), abs=1e-12)
+    assert samples[k] == pytest.approx(math.sin(2 * math.pi * exact), abs=1e-12)

@@ -42,24 +42,24 @@ def test_wavelets_longer_than_their_slot_overlap_and_none_is_cut():
     """The whole is the sum of trains of one wavelet, each as long as itself."""
     recipe = WaveletTrain((50.0, 80.0, 60.0), cycles=6.0, slot_s=0.02)
     assert recipe.duration_s > 3 * 0.02
-    found = recipe.samples(FINE_HZ)
-    expected = np.zeros_like(found)
+    samples = recipe.samples(FINE_HZ)
+    expected = np.zeros_like(samples)
     for frequency_hz, middle_s in zip(recipe.frequencies_hz, recipe.middles_s(), strict=True):
         sigma_s = 6.0 / (2 * math.pi * frequency_hz)
-        time_s = np.arange(found.size) / FINE_HZ - middle_s
+        time_s = np.arange(samples.size) / FINE_HZ - middle_s
         wavelet = np.exp(-0.5 * (time_s / sigma_s) ** 2) * np.cos(2 * np.pi * frequency_hz * time_s)
         expected += np.where(np.abs(time_s) <= 4 * sigma_s, wavelet, 0.0)
-    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(samples, expected, rtol=0, atol=1e-12)
     assert np.diff(recipe.middles_s()) == pytest.approx([0.02, 0.02])
-    assert np.abs(found[[0, -1]]).max() < 1e-3
+    assert np.abs(samples[[0, -1]]).max() < 1e-3
 
 
 def test_gains_of_a_train_are_those_of_its_wavelets():
     plain = WaveletTrain().samples(RATE_HZ).reshape(5, 156)
     gains_db = (0.0, -6.0, 3.0, -120.0, 40.0)
     louder = WaveletTrain(gains_db=gains_db).samples(RATE_HZ).reshape(5, 156)
-    for one, other, gain_db in zip(plain, louder, gains_db, strict=True):
-        np.testing.assert_allclose(other, one * 10 ** (gain_db / 20), rtol=1e-12)
+    for wavelet, other, gain_db in zip(plain, louder, gains_db, strict=True):
+        np.testing.assert_allclose(other, wavelet * 10 ** (gain_db / 20), rtol=1e-12)
 
 
 def test_a_sweep_of_frequencies_has_equal_steps_or_factors_and_both_ends():
@@ -78,10 +78,14 @@ def test_a_sweep_of_frequencies_has_equal_steps_or_factors_and_both_ends():
     st.sampled_from(["linear", "logarithmic"]),
 )
 def test_a_sweep_never_turns_back(low_hz, factor, count, spacing):
-    found = frequency_sweep(low_hz, low_hz * factor, count, spacing)
-    assert (found[0], found[-1], len(found)) == (low_hz, low_hz * factor, count)
-    assert (np.diff(found) >= -1e-11 * low_hz * factor).all()
-    steps = np.diff(found) if spacing == "linear" else np.diff(np.log(found))
+    frequencies_hz = frequency_sweep(low_hz, low_hz * factor, count, spacing)
+    assert (frequencies_hz[0], frequencies_hz[-1], len(frequencies_hz)) == (
+        low_hz,
+        low_hz * factor,
+        count,
+    )
+    assert (np.diff(frequencies_hz) >= -1e-11 * low_hz * factor).all()
+    steps = np.diff(frequencies_hz) if spacing == "linear" else np.diff(np.log(frequencies_hz))
     np.testing.assert_allclose(steps, steps.mean(), rtol=1e-6, atol=1e-10 * low_hz * factor)
 
 

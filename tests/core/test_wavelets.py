@@ -26,11 +26,11 @@ def test_each_is_its_formula_to_1e_12_at_any_time_rate_and_shift(references):
     with np.load(references / "wavelets.npz") as stored:
         for number, case in enumerate(json.loads(str(stored["cases"]))):
             recipe = getattr(waveforms, case["kind"])(*tuples(case["fields"]))
-            found = recipe.samples(case["rate_hz"], case["shift_s"])
+            samples = recipe.samples(case["rate_hz"], case["shift_s"])
             places, expected = stored[f"places_{number}"], stored[f"values_{number}"]
-            assert found.size == places[-1] + 1, case
+            assert samples.size == places[-1] + 1, case
             np.testing.assert_allclose(
-                found[places], expected, rtol=0, atol=1e-12, err_msg=str(case)[:200]
+                samples[places], expected, rtol=0, atol=1e-12, err_msg=str(case)[:200]
             )
             kinds.add(type(recipe))
     assert kinds == {Gabor, Ricker, Morlet, Chirplet, CentredTap, Tap, WaveletTrain, Glide}
@@ -43,9 +43,9 @@ def test_a_gabor_wavelet_lies_about_the_middle_of_its_samples(frequency_hz):
     n = round(8 * sigma_s * RATE_HZ)
     time_s = (np.arange(n) - (n - 1) / 2) / RATE_HZ
     expected = np.exp(-(time_s**2) / (2 * sigma_s**2)) * np.cos(2 * np.pi * frequency_hz * time_s)
-    found = recipe.samples(RATE_HZ)
-    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-13)
-    np.testing.assert_allclose(found, found[::-1], rtol=0, atol=1e-13)
+    samples = recipe.samples(RATE_HZ)
+    np.testing.assert_allclose(samples, expected, rtol=0, atol=1e-13)
+    np.testing.assert_allclose(samples, samples[::-1], rtol=0, atol=1e-13)
     assert recipe.duration_s == pytest.approx(8 * sigma_s, rel=1e-15)
 
 
@@ -99,11 +99,11 @@ def test_a_centred_tap_has_level_ends_and_is_highest_where_it_says():
 
 def test_a_morlet_wavelet_of_six_is_almost_a_gabor_wavelet_of_six_cycles():
     for w0, rate_hz, least, most in [(6.0, RATE_HZ, 1e-9, 4e-8), (1.0, FINE_HZ, 0.4, 0.7)]:
-        found, gabor = Morlet(90.0, w0).samples(rate_hz), Gabor(90.0, w0).samples(rate_hz)
+        samples, gabor = Morlet(90.0, w0).samples(rate_hz), Gabor(90.0, w0).samples(rate_hz)
         # It is cut later.
-        longer = (found.size - gabor.size) // 2
-        assert found.size == gabor.size + 2 * longer
-        middle = found[longer : longer + gabor.size]
+        longer = (samples.size - gabor.size) // 2
+        assert samples.size == gabor.size + 2 * longer
+        middle = samples[longer : longer + gabor.size]
         assert least < np.abs(middle - gabor).max() < most
 
 
@@ -115,8 +115,8 @@ def test_the_frequency_of_a_chirplet_rises_by_its_slope(slope):
     before, after = samples[crossings], samples[crossings + 1]
     crossings = (crossings + before / (before - after)) / FINE_HZ
     middle = (crossings[1:] + crossings[:-1]) / 2 - 4 * sigma_s
-    heard = np.abs(middle) < 1.5 * sigma_s
-    rise, at_middle = np.polyfit(middle[heard], 1 / np.diff(crossings)[heard], 1)
+    inside = np.abs(middle) < 1.5 * sigma_s
+    rise, at_middle = np.polyfit(middle[inside], 1 / np.diff(crossings)[inside], 1)
     assert at_middle == pytest.approx(200.0, abs=0.5)
     assert rise == pytest.approx(slope, abs=40.0)
 

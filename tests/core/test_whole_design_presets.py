@@ -23,13 +23,14 @@ def test_a_full_chain_plays_what_it_played_below_its_gain_curve(count):
     design = Design(
         limb="synthetic-1", inputs=(Input(location=7, clips=(clip,), gain_curve=CURVE),)
     )
-    kept = whole_design(design)
-    [lane] = kept.lanes
+    preset = whole_design(design)
+    [lane] = preset.lanes
     assert len(lane.clips[0].effects) <= MAX_EFFECTS
     outcome = edits.place_fragment(
-        Design(limb="synthetic-1"), View(), kept, "all", clip.onset_s, location=7
+        Design(limb="synthetic-1"), View(), preset, "all", clip.onset_s, location=7
     )
     before, after = (
-        ss.evaluate(one, "output_levels_db")["output_levels_db"] for one in (design, outcome.design)
+        ss.evaluate(either, "output_levels_db")["output_levels_db"]
+        for either in (design, outcome.design)
     )
     assert np.allclose(before, after, rtol=0.0, atol=1e-9)

@@ -28,9 +28,11 @@ def main() -> int:
             capture_output=True,
             text=True,
         )
-    found = json.loads(done.stdout)
-    print(f"{found['kills']} kills, {len(found['broken'])} broken: {found['broken']}", flush=True)
-    return 1 if found["broken"] else 0
+    counts = json.loads(done.stdout)
+    print(
+        f"{counts['kills']} kills, {len(counts['broken'])} broken: {counts['broken']}", flush=True
+    )
+    return 1 if counts["broken"] else 0
 
 
 if __name__ == "__main__":

@@ -35,7 +35,7 @@ def main() -> int:
             "kept": try_kept(own_limb_path("ours"), each, options.seed, folder),
         }
     for kind, tally in tallies.items():
-        outcomes = ", ".join(f"{n} {words}" for words, n in tally.outcomes.most_common())
+        outcomes = ", ".join(f"{n} {part}" for part, n in tally.outcomes.most_common())
         print(f"{kind:>10}: {outcomes}; {len(tally.wrong)} wrong", flush=True)
     wrong = [line for tally in tallies.values() for line in tally.wrong]
     for line in wrong[:100]:

@@ -25,7 +25,7 @@ def main() -> int:
     with ReadingProcess() as process, tempfile.TemporaryDirectory() as folder:
         for file_format in FORMATS:
             tally = try_mutants(file_format, each, options.seed, Path(folder), process)
-            outcomes = ", ".join(f"{n} {words}" for words, n in tally.outcomes.most_common())
+            outcomes = ", ".join(f"{n} {part}" for part, n in tally.outcomes.most_common())
             print(f"{file_format:>10}: {outcomes}; {len(tally.wrong)} wrong", flush=True)
             wrong += tally.wrong
     for line in wrong[:100]:

@@ -37,8 +37,8 @@ COIL, PIEZO = (
 
 
 def test_statistics_are_those_of_the_traces():
-    found = ss.evaluate(DESIGN, "output_statistics", "selected_traces", view=VIEW)
-    figures, traces = found["output_statistics"], found["selected_traces"]
+    values = ss.evaluate(DESIGN, "output_statistics", "selected_traces", view=VIEW)
+    figures, traces = values["output_statistics"], values["selected_traces"]
     assert figures.rms == pytest.approx(np.sqrt(np.mean(traces**2, axis=1)), rel=1e-9)
     assert figures.peak == pytest.approx(traces.max(axis=1), rel=1e-12)
     assert figures.crest == pytest.approx(figures.peak / figures.rms)
@@ -55,69 +55,71 @@ def test_delays_follow_the_pre_trigger_and_the_first_input():
         for view in (VIEW, replace(VIEW, delay_removed=True))
     )
     assert plain - removed == pytest.approx(np.full(3, 0.052))
-    later = replace(DESIGN, inputs=tuple(_later(one, 0.1) for one in DESIGN.inputs))
+    later = replace(DESIGN, inputs=tuple(_later(track, 0.1) for track in DESIGN.inputs))
     moved = ss.evaluate(later, "output_statistics", view=VIEW)["output_statistics"].delay_s
     assert moved == pytest.approx(plain, abs=1e-6)
 
 
-def _later(one, by_s):
-    clips = tuple(replace(clip, onset_s=clip.onset_s + by_s) for clip in one.clips)
-    return replace(one, clips=clips)
+def _later(track, by_s):
+    clips = tuple(replace(clip, onset_s=clip.onset_s + by_s) for clip in track.clips)
+    return replace(track, clips=clips)
 
 
 def test_muted_inputs_leave_figures_without_numbers_and_no_error():
-    muted = replace(DESIGN, inputs=tuple(replace(one, muted=True) for one in DESIGN.inputs))
+    muted = replace(DESIGN, inputs=tuple(replace(track, muted=True) for track in DESIGN.inputs))
     names = ("output_statistics", "output_spectrogram", "output_main_axes", "line_wave", "transfer")
-    found = ss.evaluate(muted, *names, "above_noise_db", view=VIEW)
-    figures = found["output_statistics"]
+    values = ss.evaluate(muted, *names, "above_noise_db", view=VIEW)
+    figures = values["output_statistics"]
     assert np.isnan([*figures.crest, *figures.dominant_hz, *figures.delay_s]).all()
-    assert found["output_spectrogram"].amplitude.max() == 0.0
-    assert found["output_main_axes"].none.all()
-    assert np.isnan(found["line_wave"].wave.speed_m_per_s)
+    assert values["output_spectrogram"].amplitude.max() == 0.0
+    assert values["output_main_axes"].none.all()
+    assert np.isnan(values["line_wave"].wave.speed_m_per_s)
     # What the limb does from that place does not depend on what plays.
-    assert found["transfer"].magnitude.max() > 0.0
-    assert found["above_noise_db"] is None
+    assert values["transfer"].magnitude.max() > 0.0
+    assert values["above_noise_db"] is None
 
 
 def test_nothing_selected_gives_nothing_and_no_error():
     view = replace(VIEW, outputs=())
     names = ("output_statistics", "output_spectrogram", "output_main_axes", "line_wave", "transfer")
-    found = ss.evaluate(DESIGN, *names, view=view)
-    assert found["output_statistics"].rms.shape == (0,)
-    assert found["output_main_axes"].direction.shape == (0, 3)
-    assert [found[name] for name in ("output_spectrogram", "line_wave", "transfer")] == [None] * 3
+    values = ss.evaluate(DESIGN, *names, view=view)
+    assert values["output_statistics"].rms.shape == (0,)
+    assert values["output_main_axes"].direction.shape == (0, 3)
+    assert [values[name] for name in ("output_spectrogram", "line_wave", "transfer")] == [None] * 3
     assert ss.evaluate(ss.Design(limb="synthetic-1"), "transfer", view=VIEW)["transfer"] is None
 
 
 def test_the_spectrogram_is_of_the_chosen_output_or_the_last_one():
     traces = ss.evaluate(DESIGN, "selected_traces", view=VIEW)["selected_traces"]
-    for wanted, row in ((0, 2), (24, 1), (7, 2)):
+    for number, row in ((0, 2), (24, 1), (7, 2)):
         view = with_settings(
-            VIEW, "spectrogram", SpectrogramSettings(output=wanted, window_ms="100")
+            VIEW, "spectrogram", SpectrogramSettings(output=number, window_ms="100")
         )
-        found = ss.evaluate(DESIGN, "output_spectrogram", view=view)["output_spectrogram"]
+        output_spectrogram = ss.evaluate(DESIGN, "output_spectrogram", view=view)[
+            "output_spectrogram"
+        ]
         expected = spectrogram(traces[row], 1300.0, 0.1)
-        assert found.amplitude == pytest.approx(expected.amplitude, abs=1e-12)
+        assert output_spectrogram.amplitude == pytest.approx(expected.amplitude, abs=1e-12)
 
 
 def test_other_choices_of_drawing_compute_nothing_anew():
     graph = new_graph()
-    wanted = {"output_spectrogram"}
-    graph.evaluate(wanted, sources(DESIGN, VIEW))
+    quantities = {"output_spectrogram"}
+    graph.evaluate(quantities, sources(DESIGN, VIEW))
     ran = graph.runs["output_spectrogram"]
     view = with_settings(VIEW, "spectrogram", SpectrogramSettings(ceiling_hz=300.0))
-    graph.evaluate(wanted, sources(DESIGN, view))
+    graph.evaluate(quantities, sources(DESIGN, view))
     assert graph.runs["output_spectrogram"] == ran
     view = with_settings(VIEW, "spectrogram", SpectrogramSettings(window_ms="200"))
-    graph.evaluate(wanted, sources(DESIGN, view))
+    graph.evaluate(quantities, sources(DESIGN, view))
     assert graph.runs["output_spectrogram"] == ran + 1
 
 
 def test_main_axes_are_those_that_the_projection_takes():
     view = replace(VIEW, method="pca")
-    found = ss.evaluate(DESIGN, "output_main_axes", "projection", view=view)
-    taken = found["projection"].directions[[19, 23, 68]]
-    along = np.abs(np.einsum("oa,oa->o", taken, found["output_main_axes"].direction))
+    values = ss.evaluate(DESIGN, "output_main_axes", "projection", view=view)
+    directions = values["projection"].directions[[19, 23, 68]]
+    along = np.abs(np.einsum("oa,oa->o", directions, values["output_main_axes"].direction))
     assert along == pytest.approx(np.ones(3), abs=1e-9)
     single = replace(VIEW, axes="z")
     assert ss.evaluate(DESIGN, "output_main_axes", view=single)["output_main_axes"] is None
@@ -126,10 +128,10 @@ def test_main_axes_are_those_that_the_projection_takes():
 def test_a_transfer_function_predicts_what_a_tone_does():
     long = replace(DESIGN, inputs=(ss.track(8, ss.waveforms.Tone(duration_s=1.0)),))
     view = replace(VIEW, axes="z", outputs=(20, 24))
-    found = ss.evaluate(long, "transfer", "selected_traces", view=view)
-    at = int(np.argmin(np.abs(found["transfer"].frequency_hz - 100.0)))
-    steady = np.abs(found["selected_traces"][:, 700:1200]).max(axis=1)
-    assert found["transfer"].magnitude[:, at] == pytest.approx(steady, rel=0.05)
+    values = ss.evaluate(long, "transfer", "selected_traces", view=view)
+    at = int(np.argmin(np.abs(values["transfer"].frequency_hz - 100.0)))
+    steady = np.abs(values["selected_traces"][:, 700:1200]).max(axis=1)
+    assert values["transfer"].magnitude[:, at] == pytest.approx(steady, rel=0.05)
 
 
 @pytest.mark.parametrize(
@@ -148,17 +150,19 @@ def test_noise_of_a_prediction_is_that_of_a_limb_that_is_noise(scaling, actuatio
     given = sources(design, view) | {"limb_data": limb}
     levels = "output_noise_rms", "record_rms"
     windows = "noise_rms_of_windows", "rms_of_windows"
-    wanted = {*levels, *windows, "above_noise_db", "transfer"}
-    found = new_graph().evaluate(wanted, given)
-    told, is_there = (np.mean(found[name] ** 2) for name in levels)
-    assert told == pytest.approx(is_there, rel=0.03)
-    ratio_db = 20.0 * np.log10(found["record_rms"] / found["output_noise_rms"])
-    assert found["above_noise_db"] == pytest.approx(ratio_db)
-    told, is_there = (np.mean(found[name] ** 2, axis=1) for name in windows)
-    assert told == pytest.approx(is_there, rel=0.1, abs=0.02 * is_there.max())
-    transfer = found["transfer"]
-    told, is_there = (np.mean(one**2, axis=0) for one in (transfer.noise, transfer.magnitude))
-    assert told.sum() == pytest.approx(is_there.sum(), rel=0.03)
+    quantities = {*levels, *windows, "above_noise_db", "transfer"}
+    values = new_graph().evaluate(quantities, given)
+    computed, is_there = (np.mean(values[name] ** 2) for name in levels)
+    assert computed == pytest.approx(is_there, rel=0.03)
+    ratio_db = 20.0 * np.log10(values["record_rms"] / values["output_noise_rms"])
+    assert values["above_noise_db"] == pytest.approx(ratio_db)
+    computed, is_there = (np.mean(values[name] ** 2, axis=1) for name in windows)
+    assert computed == pytest.approx(is_there, rel=0.1, abs=0.02 * is_there.max())
+    transfer = values["transfer"]
+    computed, is_there = (
+        np.mean(magnitude**2, axis=0) for magnitude in (transfer.noise, transfer.magnitude)
+    )
+    assert computed.sum() == pytest.approx(is_there.sum(), rel=0.03)
 
 
 @pytest.fixture
@@ -187,9 +191,9 @@ def test_outputs_near_the_elbow_are_noise_on_the_measured_limbs(measured):
     design = design.with_clip(
         design.clips[0].id, waveform=ss.waveforms.Tone(frequency_hz=200.0, duration_s=0.2)
     )
-    found = ss.evaluate(design, "above_noise_db")["above_noise_db"]
-    assert (found[66:72] < 6.0).all()
-    assert (found[27:29] > 30.0).all()
+    above_noise_db = ss.evaluate(design, "above_noise_db")["above_noise_db"]
+    assert (above_noise_db[66:72] < 6.0).all()
+    assert (above_noise_db[27:29] > 30.0).all()
 
 
 def test_a_prediction_through_an_actuator_is_as_far_above_the_noise_as_one_made_by_hand(
@@ -215,40 +219,44 @@ def test_a_prediction_through_an_actuator_is_as_far_above_the_noise_as_one_made_
     )
     expected_db = 10.0 * np.log10(answers / (quiet**2 * noise.mean()))
     view = replace(VIEW, axes="z")
-    found = ss.evaluate(through, "above_noise_db", "validity", view=view)
-    assert found["above_noise_db"] == pytest.approx(expected_db, abs=0.3)
-    noisy = next(one.outputs for one in found["validity"] if one.name == "noise")
+    values = ss.evaluate(through, "above_noise_db", "validity", view=view)
+    assert values["above_noise_db"] == pytest.approx(expected_db, abs=0.3)
+    noisy = next(finding.outputs for finding in values["validity"] if finding.name == "noise")
     assert set(np.flatnonzero(expected_db < 5.7) + 1) <= set(noisy)
     assert set(noisy) <= set(np.flatnonzero(expected_db < 6.3) + 1)
     assert set(range(67, 73)) <= set(noisy)
     without = ss.evaluate(plain, "validity", view=view)["validity"]
-    assert next(one.outputs for one in without if one.name == "noise") == noisy
-    said = []
+    assert next(finding.outputs for finding in without if finding.name == "noise") == noisy
+    conditions = []
     for design in (plain, through):
         ss.export_stimulus(design, tmp_path / "a.wav")
         sidecar = json.loads((tmp_path / "a.wav.json").read_text("utf-8"))
-        said.append(next(one for one in sidecar["validity"] if one["condition"] == "noise"))
-    assert said[0] == said[1]
+        conditions.append(
+            next(
+                condition for condition in sidecar["validity"] if condition["condition"] == "noise"
+            )
+        )
+    assert conditions[0] == conditions[1]
 
 
 def test_a_wave_on_the_synthetic_finger_has_the_speed_of_its_model():
     view = replace(VIEW, outputs=LINE)
     tap = ss.Design(limb="synthetic-1", inputs=(ss.track(8, ss.waveforms.Tap()),))
-    found = ss.evaluate(tap, "line_wave", view=view)["line_wave"]
+    line_wave = ss.evaluate(tap, "line_wave", view=view)["line_wave"]
     # 10 to 14 m/s between 30 and 300 Hz, after the model's own formula.
-    assert 7.0 < found.wave.speed_m_per_s < 18.0
-    assert found.wave.attenuation_db_per_cm > 0.2
-    assert found.outputs == LINE
+    assert 7.0 < line_wave.wave.speed_m_per_s < 18.0
+    assert line_wave.wave.attenuation_db_per_cm > 0.2
+    assert line_wave.outputs == LINE
 
 
 def test_a_line_leaves_out_what_is_not_on_the_map():
     view = replace(VIEW, outputs=(20, 61, 24))
-    found = ss.evaluate(DESIGN, "line_wave", view=view)["line_wave"]
-    assert found.outputs == (20, 24)
+    line_wave = ss.evaluate(DESIGN, "line_wave", view=view)["line_wave"]
+    assert line_wave.outputs == (20, 24)
     limb = ss.load_limb("synthetic-1")
     a, b = limb.map.output_positions[[19, 23]]
     px_to_mm = limb.hand_length_mm / limb.map.hand_length_px
-    assert found.wave.distance_m[1] * 1e3 == pytest.approx(np.hypot(*(a - b)) * px_to_mm)
+    assert line_wave.wave.distance_m[1] * 1e3 == pytest.approx(np.hypot(*(a - b)) * px_to_mm)
     alone = replace(VIEW, outputs=(61, 24))
     assert ss.evaluate(DESIGN, "line_wave", view=alone)["line_wave"] is None
 
@@ -259,8 +267,8 @@ def test_a_long_design_has_them_all():
         inputs=(ss.track(8, ss.waveforms.Tone(duration_s=60.0)), ss.track(9, TONE, onset_s=200.0)),
     )
     names = ("output_statistics", "output_spectrogram", "output_main_axes", "line_wave")
-    found = ss.evaluate(long, *names, "n_fft", view=replace(VIEW, outputs=(20, 24)))
-    assert found["n_fft"] is None
-    assert found["output_statistics"].dominant_hz == pytest.approx([100.0, 100.0], abs=0.1)
-    assert found["output_spectrogram"].time_s[-1] > 200.0
-    assert found["line_wave"].wave.counted.all()
+    values = ss.evaluate(long, *names, "n_fft", view=replace(VIEW, outputs=(20, 24)))
+    assert values["n_fft"] is None
+    assert values["output_statistics"].dominant_hz == pytest.approx([100.0, 100.0], abs=0.1)
+    assert values["output_spectrogram"].time_s[-1] > 200.0
+    assert values["line_wave"].wave.counted.all()

@@ -30,21 +30,21 @@ PAIRS = (
 )
 
 
-def told(design, view, of_axes):
+def levels_of(design, view, of_axes):
     return evaluate(design, *(pair[not of_axes] for pair in PAIRS), view=view)
 
 
 def same_for_each_axis(design, view, axes):
-    found = told(design, view, True)
-    assert len(found["axis_levels_db"]) == len(axes)
+    levels = levels_of(design, view, True)
+    assert len(levels["axis_levels_db"]) == len(axes)
     for k, axis in enumerate(axes):
-        alone = told(design, replace(view, axes=axis), False)
+        alone = levels_of(design, replace(view, axes=axis), False)
         for of_axes, name in PAIRS:
             if alone[name] is None:
-                assert found[of_axes][k] is None
+                assert levels[of_axes][k] is None
             else:
-                np.testing.assert_allclose(found[of_axes][k], alone[name], rtol=0, atol=1e-9)
-    return found
+                np.testing.assert_allclose(levels[of_axes][k], alone[name], rtol=0, atol=1e-9)
+    return levels
 
 
 @pytest.mark.parametrize(
@@ -63,16 +63,16 @@ def test_they_are_those_of_the_axis_chosen_alone(design, view):
 
 def test_they_are_the_rms_of_the_traces():
     view = View(axes="xyz", outputs=tuple(range(1, 73)))
-    found = evaluate(PLAYED, "axis_levels_db", "axis_traces", view=view)
-    expected = 20 * np.log10(rms(found["axis_traces"]).T)
-    np.testing.assert_allclose(found["axis_levels_db"], expected, rtol=0, atol=1e-9)
+    values = evaluate(PLAYED, "axis_levels_db", "axis_traces", view=view)
+    expected = 20 * np.log10(rms(values["axis_traces"]).T)
+    np.testing.assert_allclose(values["axis_levels_db"], expected, rtol=0, atol=1e-9)
 
 
 def test_a_limb_of_a_lab_has_the_axes_it_was_measured_along_and_their_noise(user_data):
     installed(pre_trigger_delay_s=0.005)
     on_lab = Design(limb="lab-1", inputs=(track(3, Tap()), track(6, Tone(frequency_hz=300.0))))
-    found = same_for_each_axis(on_lab, View(axes="xyz", method="mag"), "xz")
-    along_x, along_z = found["axis_above_noise_db"]
+    levels = same_for_each_axis(on_lab, View(axes="xyz", method="mag"), "xz")
+    along_x, along_z = levels["axis_above_noise_db"]
     assert not np.allclose(along_x, along_z)
 
 
@@ -81,8 +81,8 @@ def test_one_axis_alone_has_one_map_and_silence_is_silent(user_data):
     on_lab = Design(limb="lab-1", inputs=(track(3, Tap()),))
     same_for_each_axis(on_lab, View(axes="z"), "z")
     nothing = Design(limb="synthetic-1", inputs=())
-    found = same_for_each_axis(nothing, View(), "xyz")
-    assert all((levels <= -200.0).all() for levels in found["axis_levels_db"])
+    values = same_for_each_axis(nothing, View(), "xyz")
+    assert all((levels <= -200.0).all() for levels in values["axis_levels_db"])
 
 
 def test_beside_the_map_they_take_no_transform():

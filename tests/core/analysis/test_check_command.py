@@ -36,11 +36,11 @@ def design_file(tmp_path):
 def test_a_design_is_linear_and_its_inputs_add_up(design_file, capsys):
     path, _ = design_file
     assert main(["check", str(path)]) == 0
-    said = capsys.readouterr().out
-    assert "104" in said or "103" in said or "105" in said
-    assert "adjusted R² 1" in said
-    assert "superposition: r 1" in said
-    assert "measured" not in said
+    printed = capsys.readouterr().out
+    assert "104" in printed or "103" in printed or "105" in printed
+    assert "adjusted R² 1" in printed
+    assert "superposition: r 1" in printed
+    assert "measured" not in printed
 
 
 def test_which_recording_is_silent_is_said(design_file, tmp_path):
@@ -70,14 +70,14 @@ def test_a_recording_is_held_against_the_prediction_and_reported(design_file, tm
     np.savez(recording, field=table, fs=1300.0)
     arguments = ["check", str(path), "--measured", str(recording), "--out", str(report)]
     assert main(arguments) == 0
-    said = capsys.readouterr().out
-    assert "216 of 216 channels" in said
-    r = float(said.split(", r ")[1].split()[0])
+    printed = capsys.readouterr().out
+    assert "216 of 216 channels" in printed
+    r = float(printed.split(", r ")[1].split()[0])
     assert r == pytest.approx(1.0 / np.sqrt(1.25), abs=0.02)
     page = report.read_text()
     ticks = re.findall(r"text-anchor='end'>([^<]*)<", page)
     assert len(ticks) >= 12
-    assert all(len(one.strip("-").replace(".", "").strip("0")) <= 2 for one in ticks)
+    assert all(len(tick.strip("-").replace(".", "").strip("0")) <= 2 for tick in ticks)
     assert page.count("<svg") == 3
     assert "Error: mean over time of |p/P - m/M|" in page
     assert "100 |RMS(p/P) - RMS(m/M)| / RMS(m/M)" in page
@@ -98,8 +98,8 @@ def test_a_report_says_what_there_is_to_note_of_the_limb_and_what_a_lamp_warns_o
     design = ss.Design(limb="measured-1", inputs=(ss.track(8, tone),))
     note = ss.load_limb("measured-1").note
     assert note
-    found = condition_of(design, "<fast>")
-    page = html_of([found], ["synthetic-1"])
+    condition = condition_of(design, "<fast>")
+    page = html_of([condition], ["synthetic-1"])
     assert "recording: none" in page
     assert f"NOTE on the limb: {note}" in page
     assert "validity, band: CAUTION" in page
@@ -119,10 +119,10 @@ def test_channels_count_that_are_above_twice_the_noise_of_their_recording(
     noise = noise_rms * np.random.default_rng(9).normal(size=field.shape)
     path = tmp_path / "lab.npz"
     np.savez(path, field=strength * np.moveaxis(field + noise, -1, 0), fs=1300.0)
-    found = condition_of(design, "lab", Recorded(path=path))
-    assert (found.shift_samples, found.noise_of) == (-130, "recording")
+    condition = condition_of(design, "lab", Recorded(path=path))
+    assert (condition.shift_samples, condition.noise_of) == (-130, "recording")
     rms = np.sqrt(np.mean((field + noise)[..., 130:] ** 2, axis=-1))
-    share = found.agreement.counted.mean()
+    share = condition.agreement.counted.mean()
     assert 0.1 < share < 0.5
     assert share == pytest.approx(np.mean(rms >= 2.0 * noise_rms), abs=0.03)
 
@@ -135,15 +135,15 @@ def test_a_recording_without_quiet_is_held_against_the_noise_of_the_limb(measure
     field = ss.evaluate(design, "axis_traces", view=view)["axis_traces"][..., 60:]
     path = tmp_path / "lab.npz"
     np.savez(path, field=np.moveaxis(field, -1, 0), fs=1300.0)
-    found = condition_of(design, "lab", Recorded(path=path), axes=axes)
-    assert (found.shift_samples, found.noise_of) == (60, "limb")
+    condition = condition_of(design, "lab", Recorded(path=path), axes=axes)
+    assert (condition.shift_samples, condition.noise_of) == (60, "limb")
     chosen = ["xyz".index(axis) for axis in axes]
     before = ss.load_limb("measured-1").response_to(8)[:, chosen, :39]
     sensors = np.sqrt(np.mean(before**2, axis=-1))
     aligned = np.sqrt(np.sum(field**2, axis=-1) / (field.shape[-1] + 60))
-    np.testing.assert_array_equal(found.agreement.counted, aligned >= 2.0 * sensors)
-    assert "noise of the sensors of the limb" in summary_lines([found])[0]
-    assert "noise of the sensors of the limb" in html_of([found], ["synthetic-1"])
+    np.testing.assert_array_equal(condition.agreement.counted, aligned >= 2.0 * sensors)
+    assert "noise of the sensors of the limb" in summary_lines([condition])[0]
+    assert "noise of the sensors of the limb" in html_of([condition], ["synthetic-1"])
 
 
 def test_recordings_that_do_not_fit_are_refused_and_nothing_is_written(

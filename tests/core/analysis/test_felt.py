@@ -30,7 +30,7 @@ def tone(frequency_hz, duration_s=0.3, **changes):
     )
 
 
-def felt(*inputs, view=None, **changes):
+def sensation_of(*inputs, view=None, **changes):
     design = ss.Design(limb="synthetic-1", inputs=inputs, **changes)
     return new_graph().evaluate({"sensation"}, sources(design, view or View()))["sensation"]
 
@@ -75,7 +75,7 @@ def test_the_contact_alone_is_weighted_and_in_probe_scaling_only():
 
 @pytest.mark.parametrize("frequency_hz", [40.0, 100.0, 250.0, 400.0])
 def test_a_steady_tone_lies_as_far_above_threshold_as_its_acceleration(frequency_hz):
-    found = felt(tone(frequency_hz, 1.0))
+    sensation = sensation_of(tone(frequency_hz, 1.0))
     design = ss.Design(limb="synthetic-1", inputs=(tone(frequency_hz, 1.0),))
     view = View(outputs=(20,), method="mag", span="loudest")
     rms = ss.evaluate(design, "output_rms", view=view)["output_rms"]
@@ -83,32 +83,34 @@ def test_a_steady_tone_lies_as_far_above_threshold_as_its_acceleration(frequency
     for channel in ("P", "NP I"):
         expected = 20 * np.log10(rms / threshold_rms(frequency_hz, channel)) - offsets[channel]
         hand = slice(0, 42)
-        assert found.by_channel[channel][hand] == pytest.approx(expected[hand], abs=0.5)
-    assert found.level_db == pytest.approx(np.maximum(*found.by_channel.values()))
+        assert sensation.by_channel[channel][hand] == pytest.approx(expected[hand], abs=0.5)
+    assert sensation.level_db == pytest.approx(np.maximum(*sensation.by_channel.values()))
 
 
 def test_onset_and_silence_around_change_nothing_and_twice_is_six_decibels():
-    one = felt(tone(150.0)).level_db
-    later = felt(tone(150.0, onset_s=1.3), tone(150.0, amplitude=0.0, onset_s=4.0)).level_db
-    assert later == pytest.approx(one, abs=0.05)
-    assert felt(tone(150.0, amplitude=2.0)).level_db == pytest.approx(one + 6.0206, abs=1e-3)
+    level_db = sensation_of(tone(150.0)).level_db
+    later = sensation_of(tone(150.0, onset_s=1.3), tone(150.0, amplitude=0.0, onset_s=4.0)).level_db
+    assert later == pytest.approx(level_db, abs=0.05)
+    assert sensation_of(tone(150.0, amplitude=2.0)).level_db == pytest.approx(
+        level_db + 6.0206, abs=1e-3
+    )
 
 
 def test_what_lies_outside_the_measured_band_counts_for_nothing():
-    slow = felt(tone(8.0, 2.0)).level_db
-    assert slow.max() < felt(tone(40.0, 2.0)).level_db.max() - 30.0
+    slow = sensation_of(tone(8.0, 2.0)).level_db
+    assert slow.max() < sensation_of(tone(40.0, 2.0)).level_db.max() - 30.0
 
 
 def test_streamed_designs_are_felt_as_short_ones():
-    short = felt(tone(120.0, onset_s=1.0)).level_db
+    short = sensation_of(tone(120.0, onset_s=1.0)).level_db
     silent = ss.track(9, ss.waveforms.Tone(duration_s=0.05), amplitude=1e-9, onset_s=400.0)
-    long = felt(tone(120.0, onset_s=1.0), silent).level_db
+    long = sensation_of(tone(120.0, onset_s=1.0), silent).level_db
     assert long == pytest.approx(short, abs=0.01)
 
 
 def test_small_contacts_raise_the_threshold_of_p_only():
     view = with_settings(View(), "perception", PerceptionSettings(area_cm2=1.45))
-    usual, small = felt(tone(200.0)), felt(tone(200.0), view=view)
+    usual, small = sensation_of(tone(200.0)), sensation_of(tone(200.0), view=view)
     assert usual.by_channel["P"] - small.by_channel["P"] == pytest.approx(
         np.where(usual.by_channel["P"] > SILENT_DB, 3.01, 0.0), abs=0.01
     )
@@ -116,17 +118,17 @@ def test_small_contacts_raise_the_threshold_of_p_only():
 
 
 def test_the_arm_is_governed_by_np_and_silence_is_not_felt():
-    found = felt(tone(100.0))
-    assert (found.by_channel["P"][42:60] == SILENT_DB).all()
-    silent = felt()
+    sensation = sensation_of(tone(100.0))
+    assert (sensation.by_channel["P"][42:60] == SILENT_DB).all()
+    silent = sensation_of()
     assert (silent.level_db == SILENT_DB).all()
     assert (silent.strength == 0.0).all()
 
 
 def test_other_scalings_have_a_reason_instead_of_levels():
-    found = felt(tone(100.0), scaling="upstream")
-    assert "Probe acceleration" in found.problem
-    assert found.level_db.size == 0
+    sensation = sensation_of(tone(100.0), scaling="upstream")
+    assert "Probe acceleration" in sensation.problem
+    assert sensation.level_db.size == 0
 
 
 def test_own_thresholds_come_from_a_table_in_either_unit(tmp_path):
@@ -139,15 +141,15 @@ def test_own_thresholds_come_from_a_table_in_either_unit(tmp_path):
     path.write_text("frequency_hz, threshold_dB_re_1e-6_m_per_s2\n50,120\n100,100\n")
     assert read_threshold_table(path) == ((50.0, pytest.approx(1.0)), (100.0, pytest.approx(0.1)))
     view = with_settings(View(), "perception", PerceptionSettings(table=settings_table(table)))
-    found = felt(tone(100.0, 1.0), view=view)
+    sensation = sensation_of(tone(100.0, 1.0), view=view)
     design = ss.Design(limb="synthetic-1", inputs=(tone(100.0, 1.0),))
     rms = ss.evaluate(design, "output_rms", view=View(method="mag", span="loudest"))["output_rms"]
-    assert set(found.by_channel) == {"own"}
-    assert found.level_db[:42] == pytest.approx(20 * np.log10(rms[:42] / 0.4), abs=0.3)
+    assert set(sensation.by_channel) == {"own"}
+    assert sensation.level_db[:42] == pytest.approx(20 * np.log10(rms[:42] / 0.4), abs=0.3)
 
 
 @pytest.mark.parametrize(
-    ("text", "said"),
+    ("text", "message"),
     [
         ("", "is empty"),
         ("hz,m\n1,2\n", "line 1"),
@@ -157,8 +159,8 @@ def test_own_thresholds_come_from_a_table_in_either_unit(tmp_path):
         ("frequency_hz,threshold_m_per_s2\n50,1\n50,2\n", "two rows"),
     ],
 )
-def test_what_is_no_table_of_thresholds_is_refused(tmp_path, text, said):
+def test_what_is_no_table_of_thresholds_is_refused(tmp_path, text, message):
     path = tmp_path / "own.csv"
     path.write_text(text)
-    with pytest.raises(FileFormatError, match=said):
+    with pytest.raises(FileFormatError, match=message):
         read_threshold_table(path)

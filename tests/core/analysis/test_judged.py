@@ -30,9 +30,9 @@ NOTE = "made from other files"
 
 
 def test_notes_and_what_is_not_kept_are_said_in_short_and_what_is_unknown_only_in_full():
-    one = Judged(label="A", note=NOTE, findings=(FAST, UNKNOWN, KEPT))
-    assert in_short([one]) == ("Made from other files.", "Fast.")
-    assert in_full([one]) == (
+    judged = Judged(label="A", note=NOTE, findings=(FAST, UNKNOWN, KEPT))
+    assert in_short([judged]) == ("Made from other files.", "Fast.")
+    assert in_full([judged]) == (
         "NOTE on the limb: made from other files",
         "validity, drive: CAUTION: Fast, and more.",
         "validity, noise: unknown: Nobody knows",
@@ -69,24 +69,26 @@ def test_numbers_that_differ_between_designs_are_a_range():
 
 
 def test_what_was_not_judged_says_so():
-    words = "hether conditions of the measurement are kept was not judged"
-    assert in_short([Judged(label="A")]) == (f"W{words}.",)
-    assert in_full([Judged(label="A")]) == (f"validity: w{words}",)
+    text = "hether conditions of the measurement are kept was not judged"
+    assert in_short([Judged(label="A")]) == (f"W{text}.",)
+    assert in_full([Judged(label="A")]) == (f"validity: w{text}",)
 
 
 @pytest.mark.parametrize("scaling", ["probe", "upstream"])
 def test_each_condition_that_is_not_kept_has_short_words_and_no_other(scaling):
     waveforms = ss.waveforms.Tone(frequency_hz=400.0), ss.waveforms.Tone(frequency_hz=10.0)
-    inputs = tuple(ss.track(place, one, amplitude=90.0) for place, one in enumerate(waveforms, 7))
+    inputs = tuple(
+        ss.track(place, waveform, amplitude=90.0) for place, waveform in enumerate(waveforms, 7)
+    )
     design = ss.Design(limb="synthetic-1", scaling=scaling, inputs=inputs)
-    found = evaluate(design, "validity")["validity"]
-    left = {one.name for one in found if one.state == "left"}
+    findings = evaluate(design, "validity")["validity"]
+    left = {finding.name for finding in findings if finding.state == "left"}
     assert left >= {"band", "spacing", "limb", "drive" if scaling == "probe" else "scaling"}
-    for one in found:
-        assert bool(one.in_short) == (one.state == "left")
-        assert (one.number is None) == ("{" not in one.in_short)
-        assert len(one.in_short) <= 100
-    short = " ".join(in_short([Judged(label="A", findings=found)]))
+    for finding in findings:
+        assert bool(finding.in_short) == (finding.state == "left")
+        assert (finding.number is None) == ("{" not in finding.in_short)
+        assert len(finding.in_short) <= 100
+    short = " ".join(in_short([Judged(label="A", findings=findings)]))
     assert "{" not in short
     assert " of the energy lies above 300 Hz" in short
 
@@ -94,34 +96,36 @@ def test_each_condition_that_is_not_kept_has_short_words_and_no_other(scaling):
 def test_short_words_hold_the_number_of_the_sentence():
     time_s = np.arange(1300) / 1300.0
     loud = 90.0 * np.sin(800.0 * np.pi * time_s) + 30.0 * np.sin(20.0 * np.pi * time_s)
-    found = [
+    findings = [
         *drive_findings([(7, loud)], 1300.0, "probe"),
         noise_findings(np.array([3.0, 9.0, 9.0, 9.0]), synthetic=False, silent=False),
     ]
-    assert [one.name for one in found if one.number is not None] == [
+    assert [finding.name for finding in findings if finding.number is not None] == [
         "band",
         "drive",
         "spacing",
         "noise",
     ]
-    for one in found:
-        said = one.in_short.format(one.number)
-        assert re.findall(r"\d[\d.]*%?", said)[0] == re.findall(r"\d[\d.]*%?", one.sentence)[0]
+    for finding in findings:
+        sentence = finding.in_short.format(finding.number)
+        assert (
+            re.findall(r"\d[\d.]*%?", sentence)[0] == re.findall(r"\d[\d.]*%?", finding.sentence)[0]
+        )
 
 
 @pytest.mark.parametrize("limit_hz", [300.0, None])
 @pytest.mark.parametrize("frequency_hz", [100.0, 400.0])
 def test_of_all_conditions_only_the_spacing_of_outputs_is_about_maps(frequency_hz, limit_hz):
     drive = np.sin(2.0 * np.pi * frequency_hz * np.arange(1300) / 1300.0)
-    found = drive_findings([(7, drive)], 1300.0, "probe", spatial_limit_hz=limit_hz)
-    assert [one.name for one in found if one.of_maps] == ["spacing"]
+    findings = drive_findings([(7, drive)], 1300.0, "probe", spatial_limit_hz=limit_hz)
+    assert [finding.name for finding in findings if finding.of_maps] == ["spacing"]
     setup = setup_findings(synthetic=True, scaling="upstream", places=[7, 8])
-    assert not any(one.of_maps for one in setup)
+    assert not any(finding.of_maps for finding in setup)
 
 
 def test_what_lies_between_outputs_is_told_of_maps_alone():
     map_alone = Finding(name="spacing", state="left", sentence="", in_short="G.", of_maps=True)
-    one = Judged(label="A", findings=(FAST, map_alone))
-    assert in_short([one]) == ("Fast.", "G.")
-    assert in_short([one.without_maps()]) == ("Fast.",)
+    judged = Judged(label="A", findings=(FAST, map_alone))
+    assert in_short([judged]) == ("Fast.", "G.")
+    assert in_short([judged.without_maps()]) == ("Fast.",)
     assert Judged(label="A").without_maps() == Judged(label="A")

@@ -29,22 +29,22 @@ def test_the_noise_of_windows_is_that_of_convolving_noise():
     energy = np.zeros((5, 1, 2))
     for _ in range(3000):
         total = sum(
-            np.stack([np.convolve(played, one) for one in rng.normal(size=(2, 60))])
+            np.stack([np.convolve(played, noise_taps) for noise_taps in rng.normal(size=(2, 60))])
             * noise[place].T
             for place, played in drives.items()
         )
         pieces = total[:, 7:107].reshape(2, 5, 20)
         energy[:, 0] += np.sum(pieces**2, axis=-1).T / 3000
-    found = windowed_noise_energy(drives, noise, 60, windows)
-    assert found == pytest.approx(energy, rel=0.06)
+    energies = windowed_noise_energy(drives, noise, 60, windows)
+    assert energies == pytest.approx(energy, rel=0.06)
 
 
 def test_windows_over_all_hold_all_of_the_noise():
     drive = np.random.default_rng(32).normal(size=40)
     noise = {3: np.array([[0.1, 0.2, 0.3]])}
     whole = Windows(first_sample=0, window_samples=40 + 59, count=1)
-    found = windowed_noise_energy({3: drive}, noise, 60, whole)
-    assert found[0] == pytest.approx(predicted_noise_energy({3: drive}, noise, 60))
+    energies = windowed_noise_energy({3: drive}, noise, 60, whole)
+    assert energies[0] == pytest.approx(predicted_noise_energy({3: drive}, noise, 60))
     after = Windows(first_sample=99, window_samples=10, count=2)
     assert windowed_noise_energy({3: drive}, noise, 60, after) == pytest.approx(0.0, abs=1e-12)
     with pytest.raises(InvalidInputError, match="place 4"):
@@ -54,20 +54,20 @@ def test_windows_over_all_hold_all_of_the_noise():
 @pytest.mark.parametrize("scaling", ["upstream", "relative", "probe"])
 def test_windows_before_and_after_the_wave_are_noise_and_those_with_it_are_not(measured, scaling):
     for design, expected in ((TRAIN, [False] * 5), (LATE, [True, *[False] * 5, True])):
-        found = ss.evaluate(replace(design, scaling=scaling), *NAMES, view=VIEW)
-        assert list(found["windows_in_noise"]) == expected
+        values = ss.evaluate(replace(design, scaling=scaling), *NAMES, view=VIEW)
+        assert list(values["windows_in_noise"]) == expected
     # At the elbow there is nothing but noise: predicted, and found.
-    last, its_noise = found["rms_of_windows"][-1, 66:], found["noise_rms_of_windows"][-1, 66:]
+    last, its_noise = values["rms_of_windows"][-1, 66:], values["noise_rms_of_windows"][-1, 66:]
     assert 0.5 < np.median(last / its_noise) < 2.0
-    assert set(range(67, 73)) <= set(found["noisy_outputs_of_windows"][3])
-    assert found["noisy_outputs_of_windows"][0] == tuple(range(1, 73))
-    assert 29 not in found["noisy_outputs_of_windows"][3]
+    assert set(range(67, 73)) <= set(values["noisy_outputs_of_windows"][3])
+    assert values["noisy_outputs_of_windows"][0] == tuple(range(1, 73))
+    assert 29 not in values["noisy_outputs_of_windows"][3]
 
 
 def test_twice_as_loud_is_as_far_above_the_noise(measured):
     louder = replace(LATE, inputs=(replace(LATE.inputs[0], amplitude=2.0),))
     once, twice = (
-        ss.evaluate(one, *NAMES, view=replace(VIEW, method="pca")) for one in (LATE, louder)
+        ss.evaluate(design, *NAMES, view=replace(VIEW, method="pca")) for design in (LATE, louder)
     )
     assert twice["noise_rms_of_windows"] == pytest.approx(2.0 * once["noise_rms_of_windows"])
     assert twice["noisy_outputs_of_windows"] == once["noisy_outputs_of_windows"]
@@ -95,27 +95,27 @@ def test_outputs_without_a_place_on_the_map_do_not_make_a_window_more_than_noise
 def test_a_synthetic_limb_and_silence_have_no_noise_in_windows():
     silent = replace(TRAIN, limb="synthetic-4", inputs=(replace(TRAIN.inputs[0], muted=True),))
     for design in (replace(TRAIN, limb="synthetic-4"), silent):
-        found = ss.evaluate(design, *NAMES, view=VIEW)
-        assert found["noise_rms_of_windows"] is None
-        assert not any(found["windows_in_noise"])
-        assert not any(found["noisy_outputs_of_windows"])
+        values = ss.evaluate(design, *NAMES, view=VIEW)
+        assert values["noise_rms_of_windows"] is None
+        assert not any(values["windows_in_noise"])
+        assert not any(values["noisy_outputs_of_windows"])
 
 
 def test_the_table_of_windows_says_which_are_noise(measured, tmp_path):
     export_windows(tmp_path / "late.csv", LATE, VIEW)
     lines = (tmp_path / "late.csv").read_text("utf-8").splitlines()
-    words = "validity, windows: CAUTION: windows 1 and 7: mostly noise, and so is the extent"
-    assert f"# {words}" in lines
-    assert len(list(csv.reader(one for one in lines if not one.startswith("#")))) == 8
+    caution = "validity, windows: CAUTION: windows 1 and 7: mostly noise, and so is the extent"
+    assert f"# {caution}" in lines
+    assert len(list(csv.reader(line for line in lines if not line.startswith("#")))) == 8
     export_windows(tmp_path / "train.csv", TRAIN, VIEW)
     assert "validity, windows" not in (tmp_path / "train.csv").read_text("utf-8")
 
 
 def test_maps_of_windows_are_hatched_and_the_extent_of_noise_is_not_drawn(measured):
     figure = ss.plot.strip(LATE, window_s=0.12)
-    hatched = [any(one.get_hatch() for one in ax.patches) for ax in figure.axes[:7]]
+    hatched = [any(patch.get_hatch() for patch in ax.patches) for ax in figure.axes[:7]]
     assert hatched == [True] * 7
-    lines = [one for ax in figure.axes for one in ax.lines]
-    (mean,) = (one for one in lines if one.get_label() == "mean distance")
+    lines = [line for ax in figure.axes for line in ax.lines]
+    (mean,) = (line for line in lines if line.get_label() == "mean distance")
     assert list(np.isnan(mean.get_ydata())) == [True, *[False] * 5, True]
-    assert "Hatched: " in " ".join(one.get_text() for one in figure.texts)
+    assert "Hatched: " in " ".join(text.get_text() for text in figure.texts)

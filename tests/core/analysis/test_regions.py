@@ -8,10 +8,12 @@ from skinsource.design.comparing import REGION_OUTPUTS, mean_and_spread, region_
 
 
 def test_each_output_of_a_limb_belongs_to_one_region_besides_all_digits():
-    parts = [one for name, outputs in REGION_OUTPUTS.items() if name != "Digits" for one in outputs]
+    parts = [
+        output for name, outputs in REGION_OUTPUTS.items() if name != "Digits" for output in outputs
+    ]
     assert sorted(parts) == list(range(1, 73))
     digits = [
-        one for name, outputs in REGION_OUTPUTS.items() if "Digit " in name for one in outputs
+        output for name, outputs in REGION_OUTPUTS.items() if "Digit " in name for output in outputs
     ]
     assert sorted(digits) == sorted(REGION_OUTPUTS["Digits"])
     assert REGION_OUTPUTS["Wrist, palm side"] == (61, 62, 63, 64)
@@ -20,10 +22,10 @@ def test_each_output_of_a_limb_belongs_to_one_region_besides_all_digits():
 
 def test_the_level_of_a_region_is_the_root_of_its_mean_square():
     rms = np.random.default_rng(7).uniform(0.01, 1.0, 72)
-    found = region_levels_db(rms)
+    levels_db = region_levels_db(rms)
     of_thumb = np.sqrt((rms[40] ** 2 + rms[41] ** 2) / 2)
-    assert found["Digit I"] == pytest.approx(20 * np.log10(of_thumb), abs=1e-12)
-    assert found["Wrist, palm side"] == pytest.approx(
+    assert levels_db["Digit I"] == pytest.approx(20 * np.log10(of_thumb), abs=1e-12)
+    assert levels_db["Wrist, palm side"] == pytest.approx(
         10 * np.log10(np.mean(rms[60:64] ** 2)), abs=1e-12
     )
     assert region_levels_db(np.zeros(72))["Digits"] == -200.0

@@ -25,24 +25,24 @@ def amplitude_by_hand(signal, middle, frequency_hz, n_window):
 
 def test_each_cell_is_the_windowed_sum_at_its_time_and_frequency():
     signal = np.random.default_rng(1).normal(size=700)
-    found = spectrogram(signal, RATE, 0.05)
+    levels = spectrogram(signal, RATE, 0.05)
     n_window = 65
-    for column in (0, 5, 40, found.time_s.size - 1):
+    for column in (0, 5, 40, levels.time_s.size - 1):
         for row in (3, 17, 40):
-            middle = round(found.time_s[column] * RATE)
-            expected = amplitude_by_hand(signal, middle, found.frequency_hz[row], n_window)
-            assert found.amplitude[row, column] == pytest.approx(expected, rel=1e-9)
+            middle = round(levels.time_s[column] * RATE)
+            expected = amplitude_by_hand(signal, middle, levels.frequency_hz[row], n_window)
+            assert levels.amplitude[row, column] == pytest.approx(expected, rel=1e-9)
 
 
 def test_a_tone_reads_its_amplitude_at_its_time_and_frequency():
     time = np.arange(2600) / RATE
     signal = np.where((time > 0.5) & (time < 1.2), 3.0 * np.sin(2 * np.pi * 103.0 * time), 0.0)
-    found = spectrogram(signal, RATE, 0.1)
-    assert found.at(0.85, 103.0) == pytest.approx(3.0, rel=0.011)
-    assert found.at(0.85, 250.0) < 0.01
-    assert found.at(0.3, 103.0) < 1e-9
-    assert found.time_s[0] == 0.0
-    assert found.time_s[-1] == pytest.approx(time[-1], abs=0.1 / 8)
+    levels = spectrogram(signal, RATE, 0.1)
+    assert levels.at(0.85, 103.0) == pytest.approx(3.0, rel=0.011)
+    assert levels.at(0.85, 250.0) < 0.01
+    assert levels.at(0.3, 103.0) < 1e-9
+    assert levels.time_s[0] == 0.0
+    assert levels.time_s[-1] == pytest.approx(time[-1], abs=0.1 / 8)
 
 
 def test_a_long_signal_keeps_its_loudest_in_a_screenful_of_columns():
@@ -61,10 +61,10 @@ def test_a_long_signal_keeps_its_loudest_in_a_screenful_of_columns():
 
 
 def test_signals_shorter_than_the_window_have_a_spectrogram_too():
-    found = spectrogram(np.ones(3), RATE, 0.2)
-    assert found.amplitude.shape == (found.frequency_hz.size, found.time_s.size)
+    levels = spectrogram(np.ones(3), RATE, 0.2)
+    assert levels.amplitude.shape == (levels.frequency_hz.size, levels.time_s.size)
     # A constant has no mirror image: 3 samples of 1, where the window is about 1, of 130.
-    assert found.amplitude[0, 0] == pytest.approx(3.0 / 130.0, rel=0.01)
+    assert levels.amplitude[0, 0] == pytest.approx(3.0 / 130.0, rel=0.01)
 
 
 def test_what_cannot_be_looked_at_is_refused():

@@ -18,9 +18,9 @@ def power_of(signals):
 def test_the_crest_factor_of_a_sine_is_the_root_of_two_and_silence_has_none():
     wave = np.sin(2 * np.pi * 0.0213 * np.arange(5000))
     rms = np.sqrt(np.mean(wave**2))
-    found = crest_factor([np.abs(wave).max(), 0.0], [rms, 0.0])
-    assert found[0] == pytest.approx(np.sqrt(2), rel=1e-3)
-    assert np.isnan(found[1])
+    factors = crest_factor([np.abs(wave).max(), 0.0], [rms, 0.0])
+    assert factors[0] == pytest.approx(np.sqrt(2), rel=1e-3)
+    assert np.isnan(factors[1])
 
 
 @pytest.mark.parametrize("frequency_hz", [31.7, 100.0, 187.3, 402.2])
@@ -28,10 +28,10 @@ def test_the_dominant_frequency_is_that_of_the_finest_transform(frequency_hz):
     time = np.arange(900) / RATE
     burst = np.exp(-(((time - 0.3) / 0.08) ** 2)) * np.sin(2 * np.pi * frequency_hz * time)
     whole = np.stack([burst, 3.0 + 0.2 * burst])
-    found = dominant_frequency(power_of(whole), RATE / 900)
+    frequencies_hz = dominant_frequency(power_of(whole), RATE / 900)
     fine = np.abs(np.fft.rfft(burst, 2**20))
     expected = np.argmax(fine) * RATE / 2**20
-    assert found == pytest.approx([expected, expected], abs=0.1)
+    assert frequencies_hz == pytest.approx([expected, expected], abs=0.1)
 
 
 def test_silence_has_no_dominant_frequency_and_a_constant_neither():
@@ -46,19 +46,19 @@ def test_the_lowest_bin_is_not_drawn_towards_a_constant():
 def test_a_signal_begins_where_it_first_reaches_a_tenth_of_its_peak():
     time = np.arange(101) / 100.0 - 0.2
     ramp = np.clip(time - 0.105, 0.0, 0.5) * -8.0
-    found = onset_time([ramp, np.zeros(101), np.ones(101)], time)
+    onsets_s = onset_time([ramp, np.zeros(101), np.ones(101)], time)
     # A straight line: no error between samples, though a tenth lies between two of them.
-    assert found[0] == pytest.approx(0.155, abs=1e-12)
-    assert np.isnan(found[1])
-    assert found[2] == -0.2
+    assert onsets_s[0] == pytest.approx(0.155, abs=1e-12)
+    assert np.isnan(onsets_s[1])
+    assert onsets_s[2] == -0.2
 
 
 def test_noise_is_what_comes_before_the_pulse():
     rng = np.random.default_rng(3)
     response = rng.normal(0.0, 0.5, (2, 3, 522))
     response[..., 60:] *= 100.0
-    found = noise_rms(response, RATE)
-    assert found == pytest.approx(np.sqrt(np.mean(response[..., :39] ** 2, axis=-1)), rel=1e-12)
+    rms = noise_rms(response, RATE)
+    assert rms == pytest.approx(np.sqrt(np.mean(response[..., :39] ** 2, axis=-1)), rel=1e-12)
 
 
 def test_too_few_samples_of_a_recording_tell_no_noise():
@@ -78,8 +78,8 @@ def test_the_noise_of_a_prediction_is_that_of_convolving_noise():
         total = np.zeros((1, 2, 180))
         for place, played in drives.items():
             noise = rng.normal(size=(1, 2, 100)) * sigma[place][..., None]
-            one = scipy.signal.oaconvolve(noise, played[None, None], axes=-1)
-            total[..., : one.shape[-1]] += one
+            noise_response = scipy.signal.oaconvolve(noise, played[None, None], axes=-1)
+            total[..., : noise_response.shape[-1]] += noise_response
         energies.append(np.sum(total**2, axis=-1))
     assert np.mean(energies, axis=0) == pytest.approx(expected, rel=0.05)
 

@@ -18,44 +18,44 @@ FIELD = RNG.normal(size=(6, 3, 400)) * RNG.uniform(0.5, 2.0, (6, 3, 1))
 
 
 def test_a_field_agrees_with_itself_whatever_its_strength():
-    found = agreement(FIELD, 7.0 * FIELD, 0.0)
-    assert found.counted.all()
-    assert found.error == pytest.approx(np.zeros((6, 3)), abs=1e-12)
-    assert found.amplitude_percent == pytest.approx(np.zeros((6, 3)), abs=1e-9)
-    assert found.correlation == pytest.approx(np.ones((6, 3)))
+    result = agreement(FIELD, 7.0 * FIELD, 0.0)
+    assert result.counted.all()
+    assert result.error == pytest.approx(np.zeros((6, 3)), abs=1e-12)
+    assert result.amplitude_percent == pytest.approx(np.zeros((6, 3)), abs=1e-9)
+    assert result.correlation == pytest.approx(np.ones((6, 3)))
 
 
 def test_each_figure_is_its_definition():
     other = FIELD + 0.5 * RNG.normal(size=FIELD.shape)
-    found = agreement(FIELD, other, 0.0)
-    p = FIELD / np.mean([np.sqrt(np.mean(one**2)) for one in FIELD.reshape(18, -1)])
-    m = other / np.mean([np.sqrt(np.mean(one**2)) for one in other.reshape(18, -1)])
+    result = agreement(FIELD, other, 0.0)
+    p = FIELD / np.mean([np.sqrt(np.mean(signals**2)) for signals in FIELD.reshape(18, -1)])
+    m = other / np.mean([np.sqrt(np.mean(signals**2)) for signals in other.reshape(18, -1)])
     a, b = p[4, 1], m[4, 1]
-    assert found.error[4, 1] == pytest.approx(np.mean(np.abs(a - b)))
-    rms = [np.sqrt(np.mean(one**2)) for one in (a, b)]
-    assert found.amplitude_percent[4, 1] == pytest.approx(100 * abs(rms[0] - rms[1]) / rms[1])
-    assert found.correlation[4, 1] == pytest.approx(np.corrcoef(a, b)[0, 1])
-    assert found.medians[2] == pytest.approx(np.median(found.correlation))
+    assert result.error[4, 1] == pytest.approx(np.mean(np.abs(a - b)))
+    rms = [np.sqrt(np.mean(field**2)) for field in (a, b)]
+    assert result.amplitude_percent[4, 1] == pytest.approx(100 * abs(rms[0] - rms[1]) / rms[1])
+    assert result.correlation[4, 1] == pytest.approx(np.corrcoef(a, b)[0, 1])
+    assert result.medians[2] == pytest.approx(np.median(result.correlation))
 
 
 def test_a_channel_of_predicted_silence_counts_and_has_no_correlation():
     ours, theirs = FIELD.copy(), FIELD.copy()
     ours[2, 1] = 0.0
-    found = agreement(ours, theirs, 0.0)
-    assert found.counted.all()
-    assert found.amplitude_percent[2, 1] == pytest.approx(100.0)
-    assert np.argwhere(np.isnan(found.correlation)).tolist() == [[2, 1]]
-    assert np.isfinite(found.medians).all()
-    assert found.medians[2] == pytest.approx(1.0)
+    result = agreement(ours, theirs, 0.0)
+    assert result.counted.all()
+    assert result.amplitude_percent[2, 1] == pytest.approx(100.0)
+    assert np.argwhere(np.isnan(result.correlation)).tolist() == [[2, 1]]
+    assert np.isfinite(result.medians).all()
+    assert result.medians[2] == pytest.approx(1.0)
 
 
 def test_channels_below_twice_the_noise_do_not_count():
     rms = np.sqrt(np.mean(FIELD**2, axis=-1))
     noise = rms / 2.0
     noise[2, 0] *= 1.01
-    found = agreement(FIELD, FIELD, noise * (1 - 1e-12))
-    assert np.argwhere(~found.counted).tolist() == [[2, 0]]
-    assert np.isnan(found.error[2, 0])
+    result = agreement(FIELD, FIELD, noise * (1 - 1e-12))
+    assert np.argwhere(~result.counted).tolist() == [[2, 0]]
+    assert np.isnan(result.error[2, 0])
     assert not agreement(FIELD, FIELD, 1e9).counted.any()
     assert np.isnan(agreement(FIELD, FIELD, 1e9).medians).all()
 
@@ -65,26 +65,26 @@ def test_a_shifted_measurement_is_brought_back(lag):
     pulse = np.zeros((2, 1, 500))
     pulse[..., 200:260] = np.hanning(60) * [[[1.0]], [[0.3]]]
     late = np.roll(pulse, -lag, axis=-1)[..., :450]
-    found, shift = aligned(late, pulse, 100)
+    field, shift = aligned(late, pulse, 100)
     assert shift == lag
-    assert found == pytest.approx(pulse, abs=1e-12)
+    assert field == pytest.approx(pulse, abs=1e-12)
 
 
 @pytest.mark.parametrize("lag", [-40, -7, 0, 12, 42])
 def test_a_search_beyond_both_lengths_finds_the_shift_too(lag):
     pulse = np.zeros((3, 2, 90))
     pulse[..., 42:48] = np.hanning(6) * [[[1.0], [0.2]]]
-    found, shift = aligned(np.roll(pulse, -lag, axis=-1), pulse, 800)
+    field, shift = aligned(np.roll(pulse, -lag, axis=-1), pulse, 800)
     assert shift == lag
-    assert found == pytest.approx(pulse, abs=1e-12)
+    assert field == pytest.approx(pulse, abs=1e-12)
 
 
 def test_a_measurement_that_is_far_shorter_is_found_wherever_it_began():
     pulse = np.zeros((2, 1, 600))
     pulse[..., 240:300] = np.hanning(60) * [[[1.0]], [[0.3]]]
-    found, shift = aligned(pulse[..., 200:320], pulse, 800)
+    field, shift = aligned(pulse[..., 200:320], pulse, 800)
     assert shift == 200
-    assert found == pytest.approx(pulse, abs=1e-12)
+    assert field == pytest.approx(pulse, abs=1e-12)
 
 
 def test_outputs_in_proportion_are_a_straight_line_and_a_limiter_is_not():
@@ -157,7 +157,7 @@ def test_an_array_of_three_dimensions_is_read_in_any_order_with_the_rate_of_its_
     tmp_path, order
 ):
     path = tmp_path / "field.npz"
-    np.savez(path, field=FIELD.transpose(["oat".index(one) for one in order]), fs=2600.0)
+    np.savez(path, field=FIELD.transpose(["oat".index(axis) for axis in order]), fs=2600.0)
     assert open_recorded(path, 6, 3, 2600.0) == pytest.approx(FIELD)
     assert open_recorded(path, 6, 3, 1300.0) == pytest.approx(resample(FIELD, 2600, 1300))
 

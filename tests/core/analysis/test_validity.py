@@ -30,9 +30,9 @@ def tone(frequency_hz, amplitude=1.0, place=7, duration_s=0.5):
     return ss.track(place, waveform, amplitude=amplitude)
 
 
-def found(design, view=None):
+def findings_of(design, view=None):
     values = new_graph().evaluate({"validity"}, sources(design, view or View()))
-    return {one.name: one for one in values["validity"]}
+    return {finding.name: finding for finding in values["validity"]}
 
 
 def design_of(*inputs, **changes):
@@ -76,98 +76,100 @@ def test_what_rings_past_the_end_does_not_come_back_at_the_start():
 
 def test_the_drive_lamp_is_lit_above_the_limit_and_mended_by_less_amplitude():
     design = design_of(tone(100.0, 30.0), tone(200.0, 10.0, place=8))
-    one = found(design)["drive"]
-    assert one.state == "left"
-    assert "mm/s" in one.sentence
-    assert one.factor == pytest.approx(25.13 / 30.0, rel=0.01)
-    edit = edits.mend(design, View(), one)
+    finding = findings_of(design)["drive"]
+    assert finding.state == "left"
+    assert "mm/s" in finding.sentence
+    assert finding.factor == pytest.approx(25.13 / 30.0, rel=0.01)
+    edit = edits.mend(design, View(), finding)
     assert isinstance(edit, Edit)
-    assert found(edit.design)["drive"].state == "kept"
+    assert findings_of(edit.design)["drive"].state == "kept"
     ratio = edit.design.inputs[1].amplitude / edit.design.inputs[0].amplitude
     assert ratio == pytest.approx(10.0 / 30.0)
 
 
 def test_two_inputs_at_one_place_move_the_same_probe():
-    single = found(design_of(tone(100.0, 20.0)))["drive"]
-    both = found(design_of(tone(100.0, 20.0), tone(100.0, 20.0)))["drive"]
+    single = findings_of(design_of(tone(100.0, 20.0)))["drive"]
+    both = findings_of(design_of(tone(100.0, 20.0), tone(100.0, 20.0)))["drive"]
     assert (single.state, both.state) == ("kept", "left")
 
 
 @pytest.mark.parametrize("scaling", ["relative", "upstream"])
 def test_velocities_are_unknown_where_amplitudes_are_no_accelerations(scaling):
     design = design_of(tone(100.0, 500.0), scaling=scaling)
-    one = found(design)["drive"]
-    assert one.state == "unknown"
-    edit = edits.mend(design, View(), one)
+    finding = findings_of(design)["drive"]
+    assert finding.state == "unknown"
+    edit = edits.mend(design, View(), finding)
     assert edit.design.scaling == "probe"
 
 
 def test_energy_outside_the_band_lights_a_lamp_and_a_band_limit_mends_it():
     tap = design_of(ss.track(7, ss.waveforms.Tap()))
-    one = found(tap)["band"]
-    assert one.state == "left"
+    finding = findings_of(tap)["band"]
+    assert finding.state == "left"
     # 52 % of the energy of the published tap is below 25 Hz.
-    share = float(one.sentence.split("%")[0])
+    share = float(finding.sentence.split("%")[0])
     assert share == pytest.approx(52, abs=2)
-    mended = edits.mend(design_of(tone(15.0, duration_s=1.0)), View(), one)
+    mended = edits.mend(design_of(tone(15.0, duration_s=1.0)), View(), finding)
     assert isinstance(mended, Edit)
     assert [type(x).__name__ for x in mended.design.clips[0].effects] == ["BandLimit"]
-    assert found(design_of(tone(100.0)))["band"].state == "kept"
-    assert found(design_of(tone(100.0), tone(15.0, place=8)))["band"].state == "left"
+    assert findings_of(design_of(tone(100.0)))["band"].state == "kept"
+    assert findings_of(design_of(tone(100.0), tone(15.0, place=8)))["band"].state == "left"
     muted = replace(tone(15.0, place=8), muted=True)
-    assert found(design_of(tone(100.0), muted))["band"].state == "kept"
+    assert findings_of(design_of(tone(100.0), muted))["band"].state == "kept"
     # What is not heard stays as it is.
-    beside = edits.mend(design_of(tone(15.0), muted), View(), one).design
+    beside = edits.mend(design_of(tone(15.0), muted), View(), finding).design
     assert [len(each.clips[0].effects) for each in beside.inputs] == [1, 0]
 
 
 def test_above_three_hundred_hertz_the_outputs_stand_too_far_apart():
-    assert found(design_of(tone(290.0)))["spacing"].state == "kept"
-    high = found(design_of(tone(350.0)))["spacing"]
+    assert findings_of(design_of(tone(290.0)))["spacing"].state == "kept"
+    high = findings_of(design_of(tone(350.0)))["spacing"]
     assert high.state == "left"
     assert high.mend == ""
     assert isinstance(edits.mend(design_of(tone(350.0)), View(), high), Refusal)
 
 
 def test_the_peak_scaling_hides_differences_and_probe_scaling_does_not():
-    hidden = found(design_of(tone(100.0), tone(100.0, place=17), scaling="upstream"))["scaling"]
+    hidden = findings_of(design_of(tone(100.0), tone(100.0, place=17), scaling="upstream"))[
+        "scaling"
+    ]
     assert hidden.state == "left"
     assert "between the places" in hidden.sentence
-    assert found(design_of(tone(100.0)))["scaling"].state == "kept"
+    assert findings_of(design_of(tone(100.0)))["scaling"].state == "kept"
 
 
 def test_a_synthetic_limb_is_said_to_be_one_and_its_noise_is_unknown():
-    seen = found(design_of(tone(100.0)))
-    assert seen["limb"].state == "left"
-    assert seen["noise"].state == "unknown"
+    findings = findings_of(design_of(tone(100.0)))
+    assert findings["limb"].state == "left"
+    assert findings["noise"].state == "unknown"
 
 
 def test_outputs_below_six_decibels_are_told_and_can_be_deselected():
     above = np.full(72, 20.0)
     above[[0, 66, 67, 68, 71]] = 5.9
     above[4] = 6.0
-    one = noise_findings(above, synthetic=False, silent=False)
-    assert one.state == "left"
-    assert one.outputs == (1, 67, 68, 69, 72)
-    assert "5 of 72" in one.sentence
-    assert "1, 67 to 69 and 72" in one.sentence
+    finding = noise_findings(above, synthetic=False, silent=False)
+    assert finding.state == "left"
+    assert finding.outputs == (1, 67, 68, 69, 72)
+    assert "5 of 72" in finding.sentence
+    assert "1, 67 to 69 and 72" in finding.sentence
     view = View(outputs=(1, 5, 72))
-    assert edits.mend(design_of(), view, one).view.outputs == (5,)
-    assert isinstance(edits.mend(design_of(), View(outputs=(5,)), one), Refusal)
-    kept = noise_findings(np.full(72, 6.0), synthetic=False, silent=False)
-    assert (kept.state, kept.outputs) == ("kept", ())
+    assert edits.mend(design_of(), view, finding).view.outputs == (5,)
+    assert isinstance(edits.mend(design_of(), View(outputs=(5,)), finding), Refusal)
+    quiet = noise_findings(np.full(72, 6.0), synthetic=False, silent=False)
+    assert (quiet.state, quiet.outputs) == ("kept", ())
 
 
 def test_the_elbow_is_mostly_noise_on_a_measured_limb(measured):
     design = ss.Design(limb="measured-2", inputs=(tone(200.0, duration_s=0.2),))
-    one = found(design)["noise"]
-    assert {67, 68, 69, 70, 71, 72} <= set(one.outputs)
-    assert not {28, 29, 30} & set(one.outputs)
+    finding = findings_of(design)["noise"]
+    assert {67, 68, 69, 70, 71, 72} <= set(finding.outputs)
+    assert not {28, 29, 30} & set(finding.outputs)
 
 
 def test_silence_leaves_no_condition_but_those_of_the_setup():
-    seen = found(design_of())
-    assert {name for name, one in seen.items() if one.state != "kept"} == {"limb"}
+    findings = findings_of(design_of())
+    assert {name for name, finding in findings.items() if finding.state != "kept"} == {"limb"}
 
 
 def test_lines_of_a_file_name_what_is_not_kept():
@@ -191,18 +193,20 @@ def test_tables_carry_what_is_not_kept(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("numbers", "words"), [((3,), "3"), ((1, 2), "1 and 2"), ((2, 1, 3), "1 to 3")]
+    ("numbers", "text"), [((3,), "3"), ((1, 2), "1 and 2"), ((2, 1, 3), "1 to 3")]
 )
-def test_numbers_are_listed_as_one_reads_them(numbers, words):
-    assert listed(numbers) == words
+def test_numbers_are_listed_as_one_reads_them(numbers, text):
+    assert listed(numbers) == text
 
 
 def test_the_sidecar_of_a_stimulus_carries_the_conditions(tmp_path):
     path = tmp_path / "drive.wav"
     ss.export_stimulus(design_of(tone(400.0, 10.0)), path, "wav", 48000)
-    told = json.loads((tmp_path / "drive.wav.json").read_text())
-    assert {one["condition"]: one["state"] for one in told["validity"]}["spacing"] == "left"
-    assert told["limb_note"] is None
+    sidecar = json.loads((tmp_path / "drive.wav.json").read_text())
+    assert {condition["condition"]: condition["state"] for condition in sidecar["validity"]}[
+        "spacing"
+    ] == "left"
+    assert sidecar["limb_note"] is None
     nowhere = {"limb_note": None, "validity": []}
     assert about_validity(replace(design_of(), limb="nobody")) == nowhere
 

@@ -13,23 +13,23 @@ RATE = 1300.0
 
 def test_a_transfer_function_is_the_sum_over_taps_at_each_frequency():
     response = np.random.default_rng(2).normal(size=(2, 3, 50))
-    found = transfer_function(response, RATE, np.zeros((2, 3)))
+    transfer = transfer_function(response, RATE, np.zeros((2, 3)))
     for k in (0, 7, 25):
-        turn = np.exp(-2j * np.pi * found.frequency_hz[k] * np.arange(50) / RATE)
+        turn = np.exp(-2j * np.pi * transfer.frequency_hz[k] * np.arange(50) / RATE)
         expected = np.sqrt(np.sum(np.abs(response @ turn) ** 2, axis=1))
-        assert found.magnitude[:, k] == pytest.approx(expected, rel=1e-10)
-    assert (found.noise == 0.0).all()
-    assert found.coherence == pytest.approx(np.ones((2, 26)))
+        assert transfer.magnitude[:, k] == pytest.approx(expected, rel=1e-10)
+    assert (transfer.noise == 0.0).all()
+    assert transfer.coherence == pytest.approx(np.ones((2, 26)))
 
 
 def test_noise_alone_lies_at_the_floor_and_has_no_usable_band():
     rng = np.random.default_rng(4)
     noise = rng.normal(0.0, 0.02, (300, 3, 522))
-    found = transfer_function(noise, RATE, np.full((300, 3), 0.02))
-    mean_power = np.mean(found.magnitude[:, 5:-5] ** 2)
-    assert found.noise[0, 9] ** 2 == pytest.approx(mean_power, rel=0.02)
-    assert found.coherence.mean() < 0.2
-    assert np.isnan(found.usable_hz).all()
+    transfer = transfer_function(noise, RATE, np.full((300, 3), 0.02))
+    mean_power = np.mean(transfer.magnitude[:, 5:-5] ** 2)
+    assert transfer.noise[0, 9] ** 2 == pytest.approx(mean_power, rel=0.02)
+    assert transfer.coherence.mean() < 0.2
+    assert np.isnan(transfer.usable_hz).all()
 
 
 def test_a_tone_between_noises_is_usable_around_its_frequency_only():
@@ -37,14 +37,14 @@ def test_a_tone_between_noises_is_usable_around_its_frequency_only():
     time = np.arange(522) / RATE
     response = rng.normal(0.0, 0.01, (1, 1, 522))
     response += np.exp(-time / 0.01) * np.sin(2 * np.pi * 200.0 * time)
-    found = transfer_function(response, RATE, [[0.01]])
-    low, high = found.usable_hz[0]
+    transfer = transfer_function(response, RATE, [[0.01]])
+    low, high = transfer.usable_hz[0]
     assert 25.0 <= low < 190.0
     assert 210.0 < high <= 600.0
-    at = int(np.argmin(np.abs(found.frequency_hz - 200.0)))
-    assert found.coherence[0, at] > 0.99
+    at = int(np.argmin(np.abs(transfer.frequency_hz - 200.0)))
+    assert transfer.coherence[0, at] > 0.99
     doubled = transfer_function(response, RATE, [[0.01]], np.full(262, 2.0))
-    assert doubled.noise == pytest.approx(2.0 * found.noise)
+    assert doubled.noise == pytest.approx(2.0 * transfer.noise)
 
 
 def test_coherence_is_the_share_of_power_that_is_not_noise():
@@ -52,31 +52,31 @@ def test_coherence_is_the_share_of_power_that_is_not_noise():
     clean = np.zeros((200, 1, 522))
     clean[..., 100] = 0.5
     sigma = 0.5 / np.sqrt(522)
-    found = transfer_function(clean + rng.normal(0, sigma, clean.shape), RATE, [[sigma]] * 200)
+    transfer = transfer_function(clean + rng.normal(0, sigma, clean.shape), RATE, [[sigma]] * 200)
     # Signal and noise have the same power everywhere: a half is left.
-    assert np.mean(found.coherence[:, 20:-20]) == pytest.approx(0.5, abs=0.04)
+    assert np.mean(transfer.coherence[:, 20:-20]) == pytest.approx(0.5, abs=0.04)
 
 
 def test_motion_on_a_tilted_line_has_that_axis_and_an_ellipse_of_its_length():
     time = np.arange(4000) / RATE
     direction = np.array([0.6, 0.0, -0.8])
     line = direction[:, None] * np.sin(2 * np.pi * 65.0 * time)
-    found = main_axes(line[None] + 7.0)
-    assert found.direction[0] == pytest.approx([-0.6, 0.0, 0.8], abs=1e-9)
-    assert found.deviation[0, 0] == pytest.approx(np.sqrt(0.5), rel=1e-6)
-    assert found.share[0] == pytest.approx(1.0)
-    assert not found.none[0]
-    points = ellipse(found.covariance[0], (0, 2))
+    axes = main_axes(line[None] + 7.0)
+    assert axes.direction[0] == pytest.approx([-0.6, 0.0, 0.8], abs=1e-9)
+    assert axes.deviation[0, 0] == pytest.approx(np.sqrt(0.5), rel=1e-6)
+    assert axes.share[0] == pytest.approx(1.0)
+    assert not axes.none[0]
+    points = ellipse(axes.covariance[0], (0, 2))
     assert np.hypot(*points.T).max() == pytest.approx(np.sqrt(0.5), rel=1e-6)
 
 
 def test_motion_on_a_circle_and_silence_have_no_main_axis():
     turn = 2 * np.pi * np.arange(1300) * 50 / RATE
     circle = np.stack([np.cos(turn), np.sin(turn)])
-    found = main_axes(np.stack([circle, 0.0 * circle]))
-    assert found.none.tolist() == [True, True]
-    assert found.share[0] == pytest.approx(0.5)
-    assert np.isnan(found.share[1])
+    axes = main_axes(np.stack([circle, 0.0 * circle]))
+    assert axes.none.tolist() == [True, True]
+    assert axes.share[0] == pytest.approx(0.5)
+    assert np.isnan(axes.share[1])
     squeezed = main_axes((circle * [[1.0], [0.998]])[None])
     assert not squeezed.none[0]
 
@@ -105,12 +105,12 @@ def travelling(speed_m_per_s, loss_db_per_cm, distance_mm, noise=0.0):
 @pytest.mark.parametrize(("speed", "loss"), [(5.0, 1.5), (15.0, 0.4), (40.0, 0.0)])
 def test_speed_and_loss_of_a_made_wave_are_found(speed, loss):
     distance_mm = [0.0, 11.0, 30.0, 65.0, 90.0]
-    found = travelling_wave(travelling(speed, loss, distance_mm), distance_mm, RATE)
-    assert found.speed_m_per_s == pytest.approx(speed, rel=0.01)
-    assert found.attenuation_db_per_cm == pytest.approx(loss, abs=1e-3)
-    assert found.delay_s == pytest.approx(np.array(distance_mm) * 1e-3 / speed, abs=2e-5)
-    assert found.alike == pytest.approx(np.ones(5), abs=1e-3)
-    assert found.speed_deviation_m_per_s < 0.02 * speed
+    wave = travelling_wave(travelling(speed, loss, distance_mm), distance_mm, RATE)
+    assert wave.speed_m_per_s == pytest.approx(speed, rel=0.01)
+    assert wave.attenuation_db_per_cm == pytest.approx(loss, abs=1e-3)
+    assert wave.delay_s == pytest.approx(np.array(distance_mm) * 1e-3 / speed, abs=2e-5)
+    assert wave.alike == pytest.approx(np.ones(5), abs=1e-3)
+    assert wave.speed_deviation_m_per_s < 0.02 * speed
 
 
 def test_silent_and_untrusted_points_do_not_bend_the_line():
@@ -118,10 +118,10 @@ def test_silent_and_untrusted_points_do_not_bend_the_line():
     signals = travelling(10.0, 1.0, distance_mm)
     signals[1] = 0.0
     signals[3] = np.roll(signals[3], 300)
-    found = travelling_wave(signals, distance_mm, RATE, [True, True, True, False])
-    assert found.counted.tolist() == [True, False, True, False]
-    assert found.speed_m_per_s == pytest.approx(10.0, rel=0.01)
-    assert np.isnan(found.delay_s[1])
+    wave = travelling_wave(signals, distance_mm, RATE, [True, True, True, False])
+    assert wave.counted.tolist() == [True, False, True, False]
+    assert wave.speed_m_per_s == pytest.approx(10.0, rel=0.01)
+    assert np.isnan(wave.delay_s[1])
 
 
 def test_what_arrives_everywhere_at_once_or_backwards_has_no_speed():
@@ -140,12 +140,12 @@ def test_delays_that_the_way_does_not_explain_have_no_speed():
     rng = np.random.default_rng(13)
     jumping = distance_mm / 127.0 + rng.uniform(-20.0, 20.0, distance_mm.size)
     signals = travelling(1.0, 0.0, jumping)
-    found = travelling_wave(signals, distance_mm, RATE)
+    wave = travelling_wave(signals, distance_mm, RATE)
     expected = np.corrcoef(distance_mm, jumping)[0, 1] ** 2
-    assert found.explained == pytest.approx(expected, abs=0.01)
-    assert found.explained < 0.5
-    assert np.isnan(found.speed_m_per_s)
-    assert np.isfinite(found.attenuation_db_per_cm)
+    assert wave.explained == pytest.approx(expected, abs=0.01)
+    assert wave.explained < 0.5
+    assert np.isnan(wave.speed_m_per_s)
+    assert np.isfinite(wave.attenuation_db_per_cm)
 
 
 def test_a_way_to_and_fro_has_no_speed_and_a_bent_one_has():
@@ -171,14 +171,14 @@ def test_the_spread_of_the_speed_is_that_of_repeated_measurements():
         travelling_wave(clean + rng.normal(0, 0.05, clean.shape), distance_mm, RATE)
         for _ in range(60)
     ]
-    told = np.median([one.speed_deviation_m_per_s for one in runs])
-    seen = np.std([one.speed_m_per_s for one in runs])
-    assert told == pytest.approx(seen, rel=0.4)
+    stated = np.median([wave.speed_deviation_m_per_s for wave in runs])
+    deviation = np.std([wave.speed_m_per_s for wave in runs])
+    assert stated == pytest.approx(deviation, rel=0.4)
 
 
 def test_distances_add_up_along_the_line():
-    found = line_distances_mm([[0.0, 0.0], [3.0, 4.0], [3.0, 10.0]], 2.0)
-    assert found.tolist() == [0.0, 10.0, 22.0]
+    distances_mm = line_distances_mm([[0.0, 0.0], [3.0, 4.0], [3.0, 10.0]], 2.0)
+    assert distances_mm.tolist() == [0.0, 10.0, 22.0]
 
 
 def test_what_does_not_fit_is_refused():

@@ -35,55 +35,55 @@ def sine(frequency_hz, amplitude=1.0):
 
 
 def lamp(name, *drives):
-    found = drive_findings(list(enumerate(drives, start=6)), RATE, "upstream")
-    return next(one for one in found if one.name == name)
+    findings = drive_findings(list(enumerate(drives, start=6)), RATE, "upstream")
+    return next(finding for finding in findings if finding.name == name)
 
 
 def test_the_usable_band_begins_and_ends_with_frequencies_of_the_measured_one():
     pulse = np.zeros((1, 1, 522))
     pulse[..., 67] = 1.0
     for band_hz in ((25.0, 600.0), (100.0, 200.0)):
-        found = transfer_function(pulse, RATE, [[0.0]], band_hz=band_hz)
-        hz = found.frequency_hz
+        transfer = transfer_function(pulse, RATE, [[0.0]], band_hz=band_hz)
+        hz = transfer.frequency_hz
         inside = hz[(hz >= band_hz[0]) & (hz <= band_hz[1])]
-        assert found.usable_hz[0] == pytest.approx([inside[0], inside[-1]])
+        assert transfer.usable_hz[0] == pytest.approx([inside[0], inside[-1]])
 
 
 def test_a_point_of_another_shape_has_a_level_and_no_delay_that_counts():
     rng = np.random.default_rng(11)
     first = rng.normal(size=1300)
     later = [np.roll(first, 5 * k) for k in range(3)]
-    found = travelling_wave([*later, rng.normal(size=1300)], [0.0, 50.0, 100.0, 150.0], RATE)
-    assert found.alike[-1] < 0.5
-    assert list(found.timed) == [True, True, True, False]
-    assert found.counted.all()
-    assert found.speed_m_per_s == pytest.approx(0.05 / (5 / RATE), rel=0.02)
+    wave = travelling_wave([*later, rng.normal(size=1300)], [0.0, 50.0, 100.0, 150.0], RATE)
+    assert wave.alike[-1] < 0.5
+    assert list(wave.timed) == [True, True, True, False]
+    assert wave.counted.all()
+    assert wave.speed_m_per_s == pytest.approx(0.05 / (5 / RATE), rel=0.02)
 
 
 def test_points_of_a_line_count_from_six_decibels_above_the_noise():
     design = ss.Design(limb="synthetic-1", inputs=(tone(100.0, duration_s=0.1),))
-    found = ss.evaluate(design, "vibration", "limb_data")
+    values = ss.evaluate(design, "vibration", "limb_data")
     above_db = np.full(72, 40.0)
     above_db[21], above_db[23] = 5.99, 6.0
-    line = line_wave(found["vibration"], LINE, found["limb_data"], above_db, RATE, never)
+    line = line_wave(values["vibration"], LINE, values["limb_data"], above_db, RATE, never)
     assert list(line.wave.counted) == [True, False, True, True]
 
 
 def test_a_wave_is_followed_along_z_whatever_axes_are_chosen():
     design = ss.Design(limb="synthetic-1", inputs=(tone(100.0, duration_s=0.1),))
-    found = ss.evaluate(design, "line_wave", view=View(outputs=LINE, axes="x"))["line_wave"]
+    line_wave = ss.evaluate(design, "line_wave", view=View(outputs=LINE, axes="x"))["line_wave"]
     traces = ss.evaluate(design, "axis_traces", view=View(outputs=LINE, axes="xyz"))["axis_traces"]
     levels_db = 10.0 * np.log10(np.mean(traces[:, 2] ** 2, axis=-1))
-    assert found.axis == "z"
-    assert found.wave.level_db == pytest.approx(levels_db, abs=1e-9)
+    assert line_wave.axis == "z"
+    assert line_wave.wave.level_db == pytest.approx(levels_db, abs=1e-9)
 
 
 def test_delays_count_from_the_first_input_that_is_heard():
-    heard, view = tone(120.0, duration_s=0.1, onset_s=0.3), View(outputs=(20,))
+    audible, view = tone(120.0, duration_s=0.1, onset_s=0.3), View(outputs=(20,))
     muted, still = replace(tone(60.0, place=3), muted=True), tone(60.0, 0.0, place=4)
     alone, beside = (
         ss.evaluate(ss.Design(limb="synthetic-1", inputs=inputs), "output_statistics", view=view)
-        for inputs in ((heard,), (muted, still, heard))
+        for inputs in ((audible,), (muted, still, audible))
     )
     assert 0.04 < alone["output_statistics"].delay_s[0] < 0.08
     assert beside["output_statistics"].delay_s == pytest.approx(
@@ -94,11 +94,11 @@ def test_delays_count_from_the_first_input_that_is_heard():
 def test_noise_along_a_direction_is_that_of_independent_axes():
     direction = np.array([[0.6, 0.8, 0.0], [1.0, 0.0, 0.0]])
     energy = np.array([[4.0, 9.0, 16.0], [4.0, 9.0, 16.0]])
-    found = output_noise_rms(energy, Projection((0, 1, 2), direction), 10)
+    noise_rms = output_noise_rms(energy, Projection((0, 1, 2), direction), 10)
     rng = np.random.default_rng(12)
     axes = rng.normal(size=(2, 3, 200_000)) * np.sqrt(energy / 10)[..., None]
     drawn = np.einsum("oa,oat->ot", direction, axes)
-    assert found == pytest.approx(drawn.std(axis=-1), rel=0.01)
+    assert noise_rms == pytest.approx(drawn.std(axis=-1), rel=0.01)
     length = output_noise_rms(energy, Projection((0, 1, 2), None), 10)
     assert length == pytest.approx(np.sqrt([2.9, 2.9]))
 
@@ -150,16 +150,16 @@ def test_shares_of_several_drives_are_weighed_by_their_energy():
 def test_of_a_probe_whose_drive_has_no_known_unit_nothing_is_told(user_data, answers_drive):
     installed(per_unit_drive=answers_drive)
     design = ss.Design(limb="lab-1", inputs=(tone(100.0, 2.0, place=3),), scaling="probe")
-    wanted = "validity", "fastest_probe_m_per_s", "contact_weighted_rms"
-    found = ss.evaluate(design, *wanted)
-    drive = next(one for one in found["validity"] if one.name == "drive")
+    quantities = "validity", "fastest_probe_m_per_s", "contact_weighted_rms"
+    values = ss.evaluate(design, *quantities)
+    drive = next(finding for finding in values["validity"] if finding.name == "drive")
     if answers_drive:
         assert (drive.state, drive.mend) == ("unknown", "")
         assert "a drive of unknown unit" in drive.sentence
-        assert found["fastest_probe_m_per_s"] is None
-        assert found["contact_weighted_rms"] is None
+        assert values["fastest_probe_m_per_s"] is None
+        assert values["contact_weighted_rms"] is None
     else:
         assert drive.state == "kept"
-        assert found["fastest_probe_m_per_s"] == pytest.approx(2.0 / (200.0 * np.pi), rel=0.05)
-        ((place, weighted),) = found["contact_weighted_rms"]
+        assert values["fastest_probe_m_per_s"] == pytest.approx(2.0 / (200.0 * np.pi), rel=0.05)
+        ((place, weighted),) = values["contact_weighted_rms"]
         assert (place, weighted > 0.0) == (3, True)

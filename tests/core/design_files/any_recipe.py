@@ -57,7 +57,7 @@ def signals(spec: SamplesSpec) -> st.SearchStrategy:
 
 def curves(spec: CurveSpec) -> st.SearchStrategy:
     points = st.tuples(numbers(spec.x), numbers(spec.y))
-    return st.lists(points, max_size=5).map(lambda found: tuple(sorted(found)))
+    return st.lists(points, max_size=5).map(lambda drawn: tuple(sorted(drawn)))
 
 
 PANELS = st.dictionaries(
@@ -127,7 +127,7 @@ def values(spec: fields.Spec) -> st.SearchStrategy:
 def recipes(kind: type) -> st.SearchStrategy:
     if kind is Design:
         own = {name: values(spec) for name, spec in specs_of(Design).items() if name != "inputs"}
-        inputs = st.lists(recipes(Input), max_size=3, unique_by=lambda one: one.id).map(alone)
+        inputs = st.lists(recipes(Input), max_size=3, unique_by=lambda track: track.id).map(alone)
         limbs = st.sampled_from(LIMB_NAMES)
         return st.builds(Design, **{**own, "inputs": inputs, "limb": limbs})
     parts = {name: values(spec) for name, spec in specs_of(kind).items()}
@@ -137,16 +137,16 @@ def recipes(kind: type) -> st.SearchStrategy:
 def alone(inputs: list[Input]) -> tuple[Input, ...]:
     """The inputs, with clips that no other one has."""
     return tuple(
-        replace(one, clips=tuple(replace(clip, id=0) for clip in one.clips)) for one in inputs
+        replace(track, clips=tuple(replace(clip, id=0) for clip in track.clips)) for track in inputs
     )
 
 
 def made(kind: type, given: dict):
     """A recipe; one of defaults where these values, each for itself allowed, do not go together."""
     needed = {
-        one.name
-        for one in dataclasses.fields(kind)
-        if one.default is one.default_factory is dataclasses.MISSING
+        field.name
+        for field in dataclasses.fields(kind)
+        if field.default is field.default_factory is dataclasses.MISSING
     }
     few = {name: value for name, value in given.items() if name in needed}
     if kind is Actuation:  # one for each place, and one at least

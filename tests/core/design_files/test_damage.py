@@ -85,7 +85,7 @@ def test_a_hostile_file_with_a_right_checksum_costs_nothing(saved):
         )
         file.create_group("samples")
     stored = memory.getvalue()[512:]
-    words = f"SkinSource design, version 3\nSHA-256 {sha256(stored).hexdigest()}\n"
-    saved.write_bytes(words.encode().ljust(512, b"\n") + stored)
+    header = f"SkinSource design, version 3\nSHA-256 {sha256(stored).hexdigest()}\n"
+    saved.write_bytes(header.encode().ljust(512, b"\n") + stored)
     with pytest.raises(DesignFileError, match="not larger than the file"):
         open_design(saved)

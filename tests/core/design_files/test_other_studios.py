@@ -152,26 +152,26 @@ class RicherInput(Input):
 def tomorrow(monkeypatch) -> dict[str, Any]:
     """A studio whose views and inputs have more fields; nothing else of it is different."""
     view = dataclasses.make_dataclass("View", [], bases=(WiderView,), frozen=True, kw_only=True)
-    one = dataclasses.make_dataclass("Input", [], bases=(RicherInput,), frozen=True, kw_only=True)
+    kind = dataclasses.make_dataclass("Input", [], bases=(RicherInput,), frozen=True, kw_only=True)
     monkeypatch.setattr("skinsource.design.design_file.View", view)
-    monkeypatch.setattr("skinsource.design.design.Input", one)
-    return {"View": view, "Input": one}
+    monkeypatch.setattr("skinsource.design.design.Input", kind)
+    return {"View": view, "Input": kind}
 
 
 def test_a_new_field_needs_no_other_file_touched(saved, tomorrow):
     older = open_design(saved)
     assert older.view.speed == 0.5
     assert older.view.outputs == VIEW.outputs
-    assert [one.label for one in older.design.inputs] == ["", "", ""]
+    assert [track.label for track in older.design.inputs] == ["", "", ""]
     assert older.design.inputs[0].amplitude == -0.1
     sound = Samples(values=np.arange(9.0), sample_rate_hz=1300.0)
-    marked = [replace(one, label="left", recorded=sound) for one in older.design.inputs]
+    marked = [replace(track, label="left", recorded=sound) for track in older.design.inputs]
     design = replace(older.design, inputs=tuple(marked))
     save_design(saved, design, replace(older.view, speed=2.25))
-    found = open_design(saved)
-    assert found.view.speed == 2.25
-    assert found.design == design
-    assert found.design.inputs[0].recorded == sound
+    opened = open_design(saved)
+    assert opened.view.speed == 2.25
+    assert opened.design == design
+    assert opened.design.inputs[0].recorded == sound
 
 
 def test_the_studio_of_today_refuses_what_the_one_of_tomorrow_wrote(saved, tomorrow, monkeypatch):

@@ -33,17 +33,17 @@ from tests.core.design_files.bench import DESIGN, LAYOUT, VIEW
 def test_what_was_saved_is_opened_and_saved_again_as_the_same_bytes(tmp_path, content):
     first, second = tmp_path / "first.skinsource", tmp_path / "second.skinsource"
     save_design(first, content.design, content.view, layout=content.layout)
-    found = open_design(first)
-    assert found == content
-    assert repr(found) == repr(content)  # -0.0 and 0.0, 1 and 1.0 are different here
-    save_design(second, found.design, found.view, layout=found.layout)
+    opened = open_design(first)
+    assert opened == content
+    assert repr(opened) == repr(content)  # -0.0 and 0.0, 1 and 1.0 are different here
+    save_design(second, opened.design, opened.view, layout=opened.layout)
     assert second.read_bytes() == first.read_bytes()
 
 
 def test_a_file_holds_design_view_and_arrangement(saved):
-    found = open_design(saved)
-    assert found == DesignFile(design=DESIGN, view=VIEW, layout=LAYOUT)
-    assert [one.id for one in found.design.inputs] == [5, 1, 2]
+    opened = open_design(saved)
+    assert opened == DesignFile(design=DESIGN, view=VIEW, layout=LAYOUT)
+    assert [track.id for track in opened.design.inputs] == [5, 1, 2]
     save_design(str(saved), DESIGN)
     assert open_design(str(saved)) == DesignFile(design=DESIGN)
 

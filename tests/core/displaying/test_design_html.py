@@ -19,8 +19,8 @@ def drawing_of(design):
 def curves_of(design):
     """Points of each drawn curve."""
     return [
-        [tuple(map(float, point.split(","))) for point in one.get("points").split()]
-        for one in drawing_of(design).iter(f"{SVG}polyline")
+        [tuple(map(float, point.split(","))) for point in polyline.get("points").split()]
+        for polyline in drawing_of(design).iter(f"{SVG}polyline")
     ]
 
 
@@ -54,7 +54,7 @@ def test_each_track_has_a_curve_from_its_onset_on():
     assert len(first) == len(second) == 130
     end = 2 * first[-1][0] - first[-2][0]
     assert second[0][0] == pytest.approx(end, abs=0.2)
-    middle = [min(y for _, y in one) + max(y for _, y in one) for one in (first, second)]
+    middle = [min(y for _, y in curve) + max(y for _, y in curve) for curve in (first, second)]
     assert middle[1] > middle[0]
 
 
@@ -66,7 +66,7 @@ def test_a_track_is_drawn_at_the_rate_of_its_limb(user_data):
 
 def test_what_is_not_heard_is_pale():
     design = ss.Design(limb="synthetic-1", inputs=(tone(7), tone(8, muted=True)))
-    strokes = [one.get("stroke") for one in drawing_of(design).iter(f"{SVG}polyline")]
+    strokes = [polyline.get("stroke") for polyline in drawing_of(design).iter(f"{SVG}polyline")]
     assert strokes == ["#0072B2", "#BBBBBB"]
 
 
@@ -87,8 +87,8 @@ def test_a_design_without_inputs_and_one_on_an_unknown_limb_are_shown_too():
 
 def test_what_cannot_be_played_says_why_in_its_lane():
     high = ss.track(7, ss.waveforms.Tone(frequency_hz=900.0))
-    words = "".join(drawing_of(ss.Design(limb="synthetic-1", inputs=(high,))).itertext())
-    assert "900" in words
+    text = "".join(drawing_of(ss.Design(limb="synthetic-1", inputs=(high,))).itertext())
+    assert "900" in text
 
 
 def test_many_clips_are_counted_and_not_all_listed():

@@ -46,8 +46,8 @@ def expected():
     """Give the samples that a file holds by default, (n_times, n_channels)."""
 
     def samples_of(design: ss.Design, rate_hz: int | None = None) -> np.ndarray:
-        found = stimulus.stimulus_of(design, rate_hz)
-        return (found.samples / np.abs(found.samples).max()).T
+        whole = stimulus.stimulus_of(design, rate_hz)
+        return (whole.samples / np.abs(whole.samples).max()).T
 
     return samples_of
 
@@ -58,11 +58,11 @@ def predicted():
 
     def drives_of(design: ss.Design) -> dict[int, np.ndarray]:
         values = ss.evaluate(design, "input_waveforms", "voices", "stimulus_samples")
-        found: dict[int, np.ndarray] = {}
+        drives: dict[int, np.ndarray] = {}
         for voice, samples in zip(values["voices"], values["input_waveforms"], strict=True):
             if voice.heard:
-                drive = found.setdefault(voice.location, np.zeros(values["stimulus_samples"]))
+                drive = drives.setdefault(voice.location, np.zeros(values["stimulus_samples"]))
                 drive[voice.start : voice.start + samples.size] += voice.amplitude * samples
-        return found
+        return drives
 
     return drives_of

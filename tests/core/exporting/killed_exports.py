@@ -36,8 +36,10 @@ def designs() -> list[ss.Design]:
 def state(path: Path) -> str:
     """What stands under a final name, as a digest over all of it; "" for nothing."""
     if path.is_dir():
-        inside = sorted(one for one in path.rglob("*") if one.is_file())
-        content = b"".join(str(one.relative_to(path)).encode() + one.read_bytes() for one in inside)
+        inside = sorted(file for file in path.rglob("*") if file.is_file())
+        content = b"".join(
+            str(file.relative_to(path)).encode() + file.read_bytes() for file in inside
+        )
     elif path.exists():
         content = path.read_bytes()
     else:
@@ -79,12 +81,12 @@ def die_at_move(number: int, *, after: bool) -> None:
 
 def whole_states(folder: Path) -> set[str]:
     """Digests of all whole files and sidecars."""
-    found = {""}
+    states = {""}
     for design in designs():
         for name, path in targets(folder).items():
             ss.export_stimulus(design, path, format=name)
-            found |= {state(path), state(path.with_name(f"{path.name}.json"))}
-    return found
+            states |= {state(path), state(path.with_name(f"{path.name}.json"))}
+    return states
 
 
 def main(folder: Path, kills: int, seed: int) -> None:
@@ -108,19 +110,19 @@ def main(folder: Path, kills: int, seed: int) -> None:
         os.waitpid(child, 0)
         at_moves += at_move
         for path in targets(folder).values():
-            for one in (path, path.with_name(f"{path.name}.json")):
-                states.add(state(one))
-                if state(one) not in whole:
-                    broken.append(one.name)
-    left = [one.name for one in folder.iterdir() if one.name.endswith(".part")]
-    told = {
+            for target in (path, path.with_name(f"{path.name}.json")):
+                states.add(state(target))
+                if state(target) not in whole:
+                    broken.append(target.name)
+    left = [file.name for file in folder.iterdir() if file.name.endswith(".part")]
+    summary = {
         "kills": kills,
         "at_moves": at_moves,
         "broken": broken,
         "states": len(states),
         "left_over": len(left),
     }
-    sys.stdout.write(json.dumps(told) + "\n")
+    sys.stdout.write(json.dumps(summary) + "\n")
 
 
 if __name__ == "__main__":

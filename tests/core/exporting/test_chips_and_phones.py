@@ -20,11 +20,11 @@ def sidecar(path):
 def arrays_of(path):
     """Values of each array in a header, by name, and its constants."""
     text = path.read_text(encoding="ascii")
-    found = {
-        name: np.array([int(one) for one in re.findall(r"-?\d+", body)])
+    arrays = {
+        name: np.array([int(number) for number in re.findall(r"-?\d+", body)])
         for name, body in re.findall(r"(stim_\w+)\[STIM_N\][^{]*\{([^}]*)\}", text)
     }
-    return found, dict(re.findall(r"#define (STIM_\w+) (\S+)", text))
+    return arrays, dict(re.findall(r"#define (STIM_\w+) (\S+)", text))
 
 
 @pytest.fixture
@@ -42,18 +42,18 @@ def tone():
 @pytest.mark.parametrize("frequency_hz", [60.0, 175.0, 300.0])
 def test_the_envelope_of_a_sine_is_its_amplitude_and_its_frequency(frequency_hz):
     time_s = np.arange(8000) / 8000.0
-    found = envelope_of(0.7 * np.sin(2 * np.pi * frequency_hz * time_s), 8000.0, 0.01)
+    envelope = envelope_of(0.7 * np.sin(2 * np.pi * frequency_hz * time_s), 8000.0, 0.01)
     middle = slice(20, 80)
-    np.testing.assert_allclose(found.amplitude[middle], 0.7, rtol=0.02)
-    np.testing.assert_allclose(found.frequency_hz[middle], frequency_hz, rtol=0.02)
-    assert found.time_s[0] == 0.0
-    assert found.time_s[-1] == 1.0
+    np.testing.assert_allclose(envelope.amplitude[middle], 0.7, rtol=0.02)
+    np.testing.assert_allclose(envelope.frequency_hz[middle], frequency_hz, rtol=0.02)
+    assert envelope.time_s[0] == 0.0
+    assert envelope.time_s[-1] == 1.0
 
 
 def test_the_envelope_of_silence_is_silence():
-    found = envelope_of(np.zeros(1000), 8000.0, 0.01)
-    assert not found.amplitude.any()
-    assert np.isfinite(found.frequency_hz).all()
+    envelope = envelope_of(np.zeros(1000), 8000.0, 0.01)
+    assert not envelope.amplitude.any()
+    assert np.isfinite(envelope.frequency_hz).all()
 
 
 @pytest.mark.parametrize("name", ["drv2605l", "bos1901", "drv2665"])
@@ -96,12 +96,12 @@ def test_bos1901_gets_12_bits_that_begin_and_end_at_0_volts(design, tmp_path):
     ss.export_stimulus(design, path, "bos1901", 48_000)
     arrays, constants = arrays_of(path)
     drive = ss.stimulus_of(design, 8000).samples
-    wanted = drive / np.abs(drive).max() * 2047
-    for words, row in zip(arrays.values(), wanted, strict=True):
-        assert words[0] == words[-1] == 0
-        assert words.min() >= 0
-        assert words.max() <= 0x0FFF
-        values = np.where(words >= 0x800, words - 0x1000, words)
+    expected_values = drive / np.abs(drive).max() * 2047
+    for array, row in zip(arrays.values(), expected_values, strict=True):
+        assert array[0] == array[-1] == 0
+        assert array.min() >= 0
+        assert array.max() <= 0x0FFF
+        values = np.where(array >= 0x800, array - 0x1000, array)
         assert np.abs(values[1:-1] - row).max() <= 0.5 + 1e-9
     assert constants["STIM_FS_HZ"] == "8000UL"
     # Whatever rate is asked for: the chip has its own.
@@ -113,8 +113,8 @@ def test_drv2665_gets_8_bits_at_8_khz_that_begin_and_end_at_0(design, tmp_path):
     ss.export_stimulus(design, path, "drv2665")
     arrays, _ = arrays_of(path)
     drive = ss.stimulus_of(design, 8000).samples
-    wanted = drive / np.abs(drive).max() * 127
-    for values, row in zip(arrays.values(), wanted, strict=True):
+    expected_values = drive / np.abs(drive).max() * 127
+    for values, row in zip(arrays.values(), expected_values, strict=True):
         assert values[0] == values[-1] == 0
         assert np.abs(values[1:-1] - row).max() <= 0.5 + 1e-9
 
@@ -126,13 +126,13 @@ def test_a_haptic_file_keeps_the_rules_of_its_format(tone, tmp_path):
     assert content["version"] == {"major": 1, "minor": 0, "patch": 0}
     envelopes = content["signals"]["continuous"]["envelopes"]
     amplitude, frequency = envelopes["amplitude"], envelopes["frequency"]
-    times = [one["time"] for one in amplitude]
+    times = [event["time"] for event in amplitude]
     assert len(amplitude) >= 2
     assert times[0] >= 0.0
     assert times == sorted(times)
     assert times[-1] == pytest.approx(0.8)
-    assert all(0.0 <= one["amplitude"] <= 1.0 for one in amplitude)
-    assert all(0.0 <= one["frequency"] <= 1.0 for one in frequency)
+    assert all(0.0 <= event["amplitude"] <= 1.0 for event in amplitude)
+    assert all(0.0 <= event["frequency"] <= 1.0 for event in frequency)
     assert frequency[-1]["time"] <= times[-1]
     # 175 Hz between 55 and 200 Hz.
     assert frequency[20]["frequency"] == pytest.approx(120 / 145, abs=0.02)
@@ -153,11 +153,11 @@ def test_an_ahap_file_keeps_the_rules_of_its_format(tone, tmp_path):
     intensity, sharpness = (entry["ParameterCurve"] for entry in content["Pattern"][1:])
     assert intensity["ParameterID"] == "HapticIntensityControl"
     points = intensity["ParameterCurveControlPoints"]
-    assert all(0.0 <= one["ParameterValue"] <= 1.0 for one in points)
+    assert all(0.0 <= point["ParameterValue"] <= 1.0 for point in points)
     # Felt strength is quadratic: half an amplitude is the root of it.
     loud, soft = points[20]["ParameterValue"], points[68]["ParameterValue"]
     assert soft / loud == pytest.approx(np.sqrt(0.5), abs=0.02)
-    values = [one["ParameterValue"] for one in sharpness["ParameterCurveControlPoints"]]
+    values = [point["ParameterValue"] for point in sharpness["ParameterCurveControlPoints"]]
     assert values[20] == pytest.approx((175 - 65) / (300 - 65), abs=0.02)
 
 
@@ -171,14 +171,14 @@ def test_long_ahap_files_have_several_events_with_times_of_their_own(tmp_path):
     ss.export_stimulus(long, path)
     pattern = json.loads(path.read_text())["Pattern"]
     events = [entry["Event"] for entry in pattern if "Event" in entry]
-    assert [one["Time"] for one in events] == [0.0, 30.0, 60.0]
-    assert all(one["EventDuration"] <= 30.0 for one in events)
+    assert [event["Time"] for event in events] == [0.0, 30.0, 60.0]
+    assert all(event["EventDuration"] <= 30.0 for event in events)
     for curve in (entry["ParameterCurve"] for entry in pattern if "ParameterCurve" in entry):
-        times = [one["Time"] for one in curve["ParameterCurveControlPoints"]]
+        times = [point["Time"] for point in curve["ParameterCurveControlPoints"]]
         assert times[0] == pytest.approx(0.0, abs=1e-9)
         assert times[-1] <= 30.0 + 1e-9
     second = next(e["ParameterCurve"] for e in pattern[4:] if "ParameterCurve" in e)
-    loud = max(second["ParameterCurveControlPoints"], key=lambda one: one["ParameterValue"])
+    loud = max(second["ParameterCurveControlPoints"], key=lambda point: point["ParameterValue"])
     assert loud["Time"] == pytest.approx(10.05, abs=0.06)
 
 
@@ -187,13 +187,13 @@ def test_control_points_for_android_add_up_to_the_length(tone, tmp_path):
     ss.export_stimulus(tone, path)
     content = json.loads(path.read_text())
     points = content["controlPoints"]
-    assert sum(one["durationMillis"] for one in points) == 800
-    assert all(one["durationMillis"] > 0 for one in points)
-    assert all(0.0 <= one["amplitude"] <= 1.0 for one in points)
+    assert sum(point["durationMillis"] for point in points) == 800
+    assert all(point["durationMillis"] > 0 for point in points)
+    assert all(0.0 <= point["amplitude"] <= 1.0 for point in points)
     assert points[10]["frequencyHz"] == pytest.approx(175.0, rel=0.02)
     # Each point is where its step ends: the last of 0.8 s, and the pause from 0.5 to 0.6 s.
-    ends_ms = np.cumsum([one["durationMillis"] for one in points])
-    at = dict(zip(ends_ms.tolist(), (one["amplitude"] for one in points), strict=True))
+    ends_ms = np.cumsum([point["durationMillis"] for point in points])
+    at = dict(zip(ends_ms.tolist(), (point["amplitude"] for point in points), strict=True))
     assert at[540] < 0.1
     assert at[560] < 0.1
     assert at[480] > 0.9
@@ -205,5 +205,5 @@ def test_each_actuator_has_a_file_of_its_own(design, tmp_path, name):
     path = tmp_path / "a.x"
     done = ss.export_stimulus(design, path, format=name)
     assert done.files == (path, tmp_path / "a_channel-2.x")
-    assert [sidecar(one)["places"] for one in done.files] == [[7], [12]]
-    assert all(sidecar(one)["loses"].startswith("The waveform:") for one in done.files)
+    assert [sidecar(file)["places"] for file in done.files] == [[7], [12]]
+    assert all(sidecar(file)["loses"].startswith("The waveform:") for file in done.files)

@@ -36,12 +36,12 @@ def test_without_an_equaliser_it_says_so(design, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("changes", "words"),
+    ("changes", "message"),
     [({"scaling": "upstream"}, "raw drives"), ({"actuation": COIL}, "volts of the design")],
 )
-def test_what_is_no_acceleration_is_not_called_one(design, tmp_path, changes, words):
+def test_what_is_no_acceleration_is_not_called_one(design, tmp_path, changes, message):
     done = exported(replace(design, **changes), tmp_path / "a.wav")
-    assert done.equalised == f"Not equalised ({words})"
+    assert done.equalised == f"Not equalised ({message})"
 
 
 def test_an_actuator_that_is_named_gets_its_volts_whatever_is_predicted(design, tmp_path):

@@ -25,12 +25,12 @@ def test_it_writes_the_file_and_its_sidecar_and_says_where_and_that_it_is_uncali
     out = tmp_path / "drive.wav"
     call = ["export", str(saved), "--format", "wav", "--rate", "44100", "--out", str(out)]
     assert main(call) == 0
-    told = capsys.readouterr()
-    path, equalised, said = told.out.splitlines()
+    printed = capsys.readouterr()
+    path, equalised, summary = printed.out.splitlines()
     assert path == str(out)
     assert equalised == "  Not equalised (raw accelerations)."
-    assert said.startswith("  Uncalibrated: no rig says how many volts")
-    assert told.err == ""
+    assert summary.startswith("  Uncalibrated: no rig says how many volts")
+    assert printed.err == ""
     about = soundfile.info(out)
     assert (about.samplerate, about.channels, about.subtype) == (44_100, 2, "FLOAT")
     assert json.loads((tmp_path / "drive.wav.json").read_text())["rate_hz"] == 44_100
@@ -42,14 +42,14 @@ def test_every_format_takes_a_rate_or_ignores_it_and_says_what_it_loses(
 ):
     out = tmp_path / "out"
     assert main(["export", str(saved), "--format", name, "--rate", "8000", "--out", str(out)]) == 0
-    said = [line for line in capsys.readouterr().out.splitlines() if line.startswith("  ")]
+    lines = [line for line in capsys.readouterr().out.splitlines() if line.startswith("  ")]
     assert out.exists()
     about = json.loads((tmp_path / "out.json").read_text())
     assert about["format"] == name
     assert about["calibration"].startswith("uncalibrated")
     expected = [about[key].rstrip(".") for key in ("edges", "loses", "equalised", "calibration")]
-    assert [line.strip().rstrip(".").lower() for line in said] == [
-        words.lower() for words in expected if words
+    assert [line.strip().rstrip(".").lower() for line in lines] == [
+        sentence.lower() for sentence in expected if sentence
     ]
     assert bool(about["loses"]) == (name in LOSSY)
 
@@ -62,7 +62,7 @@ def test_options_reach_the_file(saved, tmp_path, capsys):
     assert about["samples"] == "int16"
     assert about["dither_seed"] == 3
     assert about["start_s"] == -0.1
-    assert [one["title"] for one in about["channels"]] == ["Digit II, base", "Sync"]
+    assert [channel["title"] for channel in about["channels"]] == ["Digit II, base", "Sync"]
     capsys.readouterr()
 
 
@@ -70,9 +70,9 @@ def test_it_never_asks_and_says_in_one_line_what_is_wrong(saved, tmp_path, capsy
     out = tmp_path / "drive.wav"
     call = ["export", str(saved), "--out", str(out), "--full-scale", "0.1"]
     assert main(call) == 1
-    told = capsys.readouterr().err
-    assert told.startswith("skinsource: drive.wav: samples lie beyond full scale")
-    assert told.count("\n") == 1
+    error_output = capsys.readouterr().err
+    assert error_output.startswith("skinsource: drive.wav: samples lie beyond full scale")
+    assert error_output.count("\n") == 1
     assert not out.exists()
     assert main([*call, "--confirm"]) == 0
     assert "confirmed: drive.wav" in capsys.readouterr().err

@@ -25,7 +25,7 @@ def test_what_clips_is_refused_until_it_is_confirmed(design, tmp_path, kind):
     assert done.clip_count == counts.sum()
     about = sidecar(path)
     assert about["clip_count"] == counts.sum()
-    assert [one["clip_count"] for one in about["channels"]] == counts.tolist()
+    assert [channel["clip_count"] for channel in about["channels"]] == counts.tolist()
     assert "cuts them off" in about["confirmed"][0]
     if kind == "pcm16":
         limited = np.clip(drive, -1.0, 1.0)
@@ -43,10 +43,10 @@ def test_numbers_that_no_device_plays_do_not_clip(design, tmp_path):
 
 
 def test_a_limit_that_is_passed_must_be_confirmed(design, tmp_path):
-    seen = []
+    listings = []
 
     def limit(drives):
-        seen.append((drives.unit, np.abs(drives.samples).max()))
+        listings.append((drives.unit, np.abs(drives.samples).max()))
         return ["Channel 1 reaches 45 mm/s, more than 40 mm/s."]
 
     path = tmp_path / "a.wav"
@@ -55,13 +55,13 @@ def test_a_limit_that_is_passed_must_be_confirmed(design, tmp_path):
     assert not path.exists()
     # Limits see drives in their own unit, not parts of full scale.
     peak = np.abs(ss.stimulus_of(design, 48_000).samples).max()
-    assert seen == [("m/s²", peak)]
+    assert listings == [("m/s²", peak)]
     ss.export_stimulus(design, path, limits=(limit,), confirmed=True)
     assert sidecar(path)["confirmed"] == ["Channel 1 reaches 45 mm/s, more than 40 mm/s."]
 
 
 @pytest.mark.parametrize(
-    ("changes", "words"),
+    ("changes", "message"),
     [
         ({"format": "mp3"}, "choose from wav"),
         ({"rate_hz": 44_100.5}, "sample_rate_hz is 44100.5"),
@@ -73,9 +73,9 @@ def test_a_limit_that_is_passed_must_be_confirmed(design, tmp_path):
         ({"options": ss.StimulusOptions(channel_map=(1,))}, "Channel map"),
     ],
 )
-def test_what_cannot_be_had_is_refused_and_nothing_is_written(design, tmp_path, changes, words):
+def test_what_cannot_be_had_is_refused_and_nothing_is_written(design, tmp_path, changes, message):
     call = {"format": "wav", "rate_hz": 48_000, **changes}
-    with pytest.raises(InvalidInputError, match=words):
+    with pytest.raises(InvalidInputError, match=message):
         ss.export_stimulus(design, tmp_path / "a.wav", **call)
     assert list(tmp_path.iterdir()) == []
 
@@ -93,29 +93,31 @@ def test_where_nothing_can_be_written_one_sentence_says_so(design, tmp_path, nam
         ss.export_stimulus(design, tmp_path / "missing" / "a", format=name)
 
 
-@pytest.mark.parametrize("one", FORMATS, ids=lambda one: one.name)
+@pytest.mark.parametrize("form", FORMATS, ids=lambda form: form.name)
 def test_nothing_stands_under_the_final_name_until_all_of_it_is_written(
-    design, tmp_path, monkeypatch, one
+    design, tmp_path, monkeypatch, form
 ):
-    path, seen = tmp_path / "a", []
+    path, listings = tmp_path / "a", []
 
     def write(outgoing, place):
-        facts = one.write(outgoing, place)
-        seen.append(sorted(there.name for there in tmp_path.iterdir() if there.suffix != ".part"))
+        facts = form.write(outgoing, place)
+        listings.append(
+            sorted(there.name for there in tmp_path.iterdir() if there.suffix != ".part")
+        )
         return facts
 
-    monkeypatch.setattr(formats, "FORMATS", (replace(one, write=write),))
-    ss.export_stimulus(design, path, format=one.name)
+    monkeypatch.setattr(formats, "FORMATS", (replace(form, write=write),))
+    ss.export_stimulus(design, path, format=form.name)
     assert path.exists()
-    assert seen
-    assert not any(seen)
+    assert listings
+    assert not any(listings)
 
 
 def test_a_folder_of_that_name_is_left_alone(design, tmp_path):
     (tmp_path / "a.wav").mkdir()
     with pytest.raises(StorageError, match="Choose another name"):
         ss.export_stimulus(design, tmp_path / "a.wav")
-    assert [one.name for one in tmp_path.iterdir()] == ["a.wav"]
+    assert [file.name for file in tmp_path.iterdir()] == ["a.wav"]
 
 
 @pytest.mark.parametrize("name", ss.export_formats())
@@ -128,10 +130,10 @@ def test_an_export_that_is_stopped_leaves_what_was_there(design, tmp_path, name)
 
     path = tmp_path / "a"
     ss.export_stimulus(design, path, format=name, stop=count)
-    before = sorted((one.name, one.stat().st_mtime_ns) for one in tmp_path.iterdir())
+    before = sorted((file.name, file.stat().st_mtime_ns) for file in tmp_path.iterdir())
     times = len(asked)
     # As late as it is asked at all.
     late = iter([*[False] * (times - 1), True])
     with pytest.raises(Stopped):
         ss.export_stimulus(design, path, format=name, stop=lambda: next(late))
-    assert sorted((one.name, one.stat().st_mtime_ns) for one in tmp_path.iterdir()) == before
+    assert sorted((file.name, file.stat().st_mtime_ns) for file in tmp_path.iterdir()) == before

@@ -17,8 +17,8 @@ def test_the_formats_are_listed_by_name():
     assert {"wav", "flac", "csv", "npz", "mat", "hdf5", "c-header", "bids"} <= set(
         ss.export_formats()
     )
-    assert len({one.title for one in FORMATS}) == len(FORMATS)
-    assert all(one.hint for one in FORMATS)
+    assert len({form.title for form in FORMATS}) == len(FORMATS)
+    assert all(form.hint for form in FORMATS)
 
 
 def test_the_largest_sample_of_all_channels_is_full_scale_and_the_ratio_is_kept(design, tmp_path):
@@ -46,11 +46,13 @@ def test_the_sidecar_says_what_the_numbers_mean(design, tmp_path):
     assert about["clip_count"] == 0
     assert about["sha256"] == hashlib.sha256(path.read_bytes()).hexdigest()
     assert about["bytes"] == path.stat().st_size
-    assert [(one["number"], one["place"], one["inputs"]) for one in about["channels"]] == [
+    assert [
+        (channel["number"], channel["place"], channel["inputs"]) for channel in about["channels"]
+    ] == [
         (1, 7, [1, 3]),
         (2, 12, [2]),
     ]
-    assert [(one["number"], one["place"], one["amplitude"]) for one in about["inputs"]] == [
+    assert [(track["number"], track["place"], track["amplitude"]) for track in about["inputs"]] == [
         (1, 7, 0.5),
         (2, 12, -1.7),
         (3, 7, 0.2),
@@ -63,8 +65,8 @@ def test_the_sidecar_says_what_the_numbers_mean(design, tmp_path):
 
 
 def test_the_digest_is_that_of_the_whole_design(design, tmp_path):
-    def digest(one):
-        ss.export_stimulus(one, tmp_path / "a.npz")
+    def digest(exported):
+        ss.export_stimulus(exported, tmp_path / "a.npz")
         return sidecar(tmp_path / "a.npz")["design_digest"]
 
     assert digest(design) == digest(replace(design))
@@ -77,7 +79,7 @@ def test_drives_under_upstream_scaling_are_never_accelerations(design, tmp_path)
     ss.export_stimulus(replace(design, scaling="upstream"), tmp_path / "a.npz")
     about = sidecar(tmp_path / "a.npz")
     assert about["unit"] == "1"
-    assert {one["unit"] for one in about["channels"]} == {"1"}
+    assert {channel["unit"] for channel in about["channels"]} == {"1"}
     assert "no unit" in about["note"]
     with np.load(tmp_path / "a.npz") as archive:
         assert json.loads(str(archive["about"]))["unit"] == "1"
@@ -120,22 +122,22 @@ def test_options_come_in_the_order_of_time(design, tmp_path):
     assert noise[-1] == 0.0
     about = sidecar(path)
     assert about["start_s"] == pytest.approx(0.05)
-    assert [one["place"] for one in about["channels"]] == [None, None, 12, 7]
+    assert [channel["place"] for channel in about["channels"]] == [None, None, 12, 7]
 
 
 def test_each_input_can_have_a_file_of_its_own_with_one_full_scale_for_all(design, tmp_path):
     done = exported(design, tmp_path / "a.wav", one_file_per_input=True)
-    assert [one.name for one in done.files] == [
+    assert [file.name for file in done.files] == [
         "a_input-1.wav",
         "a_input-2.wav",
         "a_input-3.wav",
     ]
-    peaks = [np.abs(read(one)).max() for one in done.files]
+    peaks = [np.abs(read(file)).max() for file in done.files]
     assert max(peaks) == 1.0
     alone = ss.stimulus_of(design, 8000, per="input").samples
     np.testing.assert_allclose(peaks, np.abs(alone).max(axis=1) * done.gain, atol=1e-7)
     about = sidecar(done.files[2])
-    assert [one["number"] for one in about["inputs"]] == [3]
+    assert [track["number"] for track in about["inputs"]] == [3]
     assert not (tmp_path / "a.wav").exists()
 
 
@@ -153,9 +155,9 @@ def test_a_full_scale_of_ones_own_is_kept_for_a_whole_set(design, tmp_path):
 
 
 def test_an_equaliser_works_at_the_rate_of_the_device_before_full_scale(design, tmp_path):
-    def halved_second(one):
-        assert one.sample_rate_hz == 8000.0
-        return one.with_samples(one.samples * [[1.0], [0.5]])
+    def halved_second(drive):
+        assert drive.sample_rate_hz == 8000.0
+        return drive.with_samples(drive.samples * [[1.0], [0.5]])
 
     done = ss.export_stimulus(design, tmp_path / "a.wav", "wav", 8000, stages=(halved_second,))
     drive = ss.stimulus_of(design, 8000).samples * [[1.0], [0.5]]
@@ -171,8 +173,8 @@ def test_dither_is_that_of_its_seed_and_clips_nothing(design, tmp_path):
     assert about["integer_full_scale"] == 32766
     assert about["clip_count"] == 0
     steps = read(tmp_path / "a.wav") * 32768
-    wanted = ss.stimulus_of(design, 48_000).samples * about["gain"] * 32766
-    assert 0.6 < np.abs(steps - wanted).max() <= 1.5
+    integers = ss.stimulus_of(design, 48_000).samples * about["gain"] * 32766
+    assert 0.6 < np.abs(steps - integers).max() <= 1.5
 
 
 def test_lossy_formats_say_what_they_lose(design, tmp_path):

@@ -18,8 +18,8 @@ def test_a_killed_export_leaves_whole_files_only(tmp_path):
         capture_output=True,
         text=True,
     )
-    found = json.loads(done.stdout)
-    assert found["broken"] == []
-    assert found["at_moves"] == 8
+    counts = json.loads(done.stdout)
+    assert counts["broken"] == []
+    assert counts["at_moves"] == 8
     # The children did write: more was seen than the files of one design.
-    assert found["states"] > 8
+    assert counts["states"] > 8

@@ -11,12 +11,12 @@ TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(8, TONE), ss.track(13, TONE)))
 
 
-@pytest.mark.parametrize("apart", [False, True])
+@pytest.mark.parametrize("several", [False, True])
 @pytest.mark.parametrize("name", ss.export_formats())
-def test_the_files_that_are_told_are_those_that_are_written(tmp_path, name, apart):
-    kind, options = format_named(name, tmp_path), ss.StimulusOptions(one_file_per_input=apart)
+def test_the_files_that_are_told_are_those_that_are_written(tmp_path, name, several):
+    kind, options = format_named(name, tmp_path), ss.StimulusOptions(one_file_per_input=several)
     path = tmp_path / f"a.b{kind.suffix}"
     overview = overview_of(prepare_stimulus(DESIGN, path, kind, None, options))
     ss.export_stimulus(DESIGN, path, name, options=options, confirmed=True)
-    told = [one for files in written_files(path, kind, overview.marks) for one in files]
-    assert sorted(told) == sorted(tmp_path.iterdir())
+    promised = [file for files in written_files(path, kind, overview.marks) for file in files]
+    assert sorted(promised) == sorted(tmp_path.iterdir())

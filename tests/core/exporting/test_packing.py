@@ -133,11 +133,11 @@ def test_the_command_packs_a_file_with_its_rig(tmp_path, capsys):
 
 
 def test_a_citation_names_paper_version_and_limb_and_the_dataset_where_it_was_used():
-    words = citation(DESIGN)
-    assert "10.1109/HAPTICS59260.2024.10520852" in words
-    assert __version__ in words
-    assert "Synthetic 1 (175 mm) (computed from a wave model, not measured)" in words
-    assert "zenodo" not in words
+    text = citation(DESIGN)
+    assert "10.1109/HAPTICS59260.2024.10520852" in text
+    assert __version__ in text
+    assert "Synthetic 1 (175 mm) (computed from a wave model, not measured)" in text
+    assert "zenodo" not in text
     measured = citation(ss.Design(limb="measured-2"))
     assert "10.5281/zenodo.10547601" in measured
     assert "Measured 2" in measured
@@ -149,10 +149,12 @@ def test_a_limb_of_a_lab_is_told_by_its_digest_and_not_by_the_published_dataset(
     installed()
     digest = facts_of("lab-1").digest
     design = replace(DESIGN, limb="lab-1")
-    for one in (design, replace(design, limb_digest=digest)):
-        assert "zenodo" not in citation(one)
-        assert f"on the limb Lab 1 (imported here), its numbers SHA-256 {digest}" in citation(one)
-        assert data_of(one)["limb_sha256"] == digest
+    for exported in (design, replace(design, limb_digest=digest)):
+        assert "zenodo" not in citation(exported)
+        assert f"on the limb Lab 1 (imported here), its numbers SHA-256 {digest}" in citation(
+            exported
+        )
+        assert data_of(exported)["limb_sha256"] == digest
     installed(synthetic=True)
     assert "computed from a wave model" in citation(design)
     assert "not known here" in citation(replace(DESIGN, limb="gone-1"))

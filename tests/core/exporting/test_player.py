@@ -18,7 +18,7 @@ LATENCY_S = 0.0125
 DELAY = 321
 
 
-class MadeUpCard(types.ModuleType):
+class SyntheticCard(types.ModuleType):
     """What of sounddevice the player uses; output 1 is wired to input 1, ``DELAY`` samples late."""
 
     class CallbackStop(Exception):
@@ -66,9 +66,9 @@ class MadeUpCard(types.ModuleType):
 
 @pytest.fixture
 def card(monkeypatch):
-    found = MadeUpCard()
-    monkeypatch.setitem(sys.modules, "sounddevice", found)
-    return found
+    card = SyntheticCard()
+    monkeypatch.setitem(sys.modules, "sounddevice", card)
+    return card
 
 
 @pytest.fixture
@@ -84,7 +84,7 @@ def player(folder, card):
 
 
 def test_the_folder_holds_all_that_is_needed(folder, expected, design):
-    names = sorted(str(one.relative_to(folder)) for one in folder.rglob("*") if one.is_file())
+    names = sorted(str(file.relative_to(folder)) for file in folder.rglob("*") if file.is_file())
     assert names == ["conditions.csv", "play.py", "stimuli/session.wav", "stimulus.json"]
     read, rate_hz = soundfile.read(folder / "stimuli" / "session.wav", dtype="float32")
     np.testing.assert_array_equal(read, expected(design, 48_000).astype(np.float32))
@@ -104,12 +104,14 @@ def test_it_plays_what_was_exported_with_a_trigger_that_can_be_read(
     player.main(["--gain-db", "-6", "--trigger", "4", "--mask", "3"])
     (stream,) = card.streams
     played = np.concatenate(stream.played)
-    wanted = expected(design, 48_000) * 10 ** (-6 / 20)
+    expected_samples = expected(design, 48_000) * 10 ** (-6 / 20)
     assert played.shape[1] == 4
-    np.testing.assert_allclose(played[: len(wanted), :2], wanted, rtol=0, atol=1e-6)
-    assert not played[len(wanted) :].any()
+    np.testing.assert_allclose(
+        played[: len(expected_samples), :2], expected_samples, rtol=0, atol=1e-6
+    )
+    assert not played[len(expected_samples) :].any()
     assert player.code_in(played[:, 3], 48_000) == (1, 0)
-    noise = played[: len(wanted), 2]
+    noise = played[: len(expected_samples), 2]
     assert np.abs(noise).max() == pytest.approx(10 ** (-30 / 20), rel=1e-5)
     with (folder / "log.csv").open(newline="") as file:
         (row,) = csv.DictReader(file)
@@ -135,9 +137,9 @@ def test_every_code_reads_back_also_late_and_noisy(player, code, rate_hz):
 
 def test_the_loopback_test_tells_delay_and_jitter(player, capsys):
     player.main(["--loopback", "1", "1", "--repeats", "5"])
-    told = capsys.readouterr().out
-    assert "5 of 5 clicks seen" in told
-    assert f"delay {DELAY / 48:.3f} ms, jitter 0.0000 ms" in told
+    printed = capsys.readouterr().out
+    assert "5 of 5 clicks seen" in printed
+    assert f"delay {DELAY / 48:.3f} ms, jitter 0.0000 ms" in printed
 
 
 def test_outputs_of_the_stimulus_are_not_taken_for_anything_else(player):
@@ -150,12 +152,12 @@ def test_outputs_of_the_stimulus_are_not_taken_for_anything_else(player):
 def test_no_log_of_an_earlier_session_is_lost(folder, player, capsys, design):
     for _ in range(3):
         player.main([])
-    told = capsys.readouterr().out.split()
+    printed = capsys.readouterr().out.split()
     logs = [folder / name for name in ("log.csv", "log-2.csv", "log-3.csv")]
-    assert told == [str(one) for one in logs]
-    before = [one.read_text() for one in logs]
+    assert printed == [str(log) for log in logs]
+    before = [log.read_text() for log in logs]
     ss.export_stimulus(design, folder, format="psychopy", rate_hz=8000)
-    assert [one.read_text() for one in logs] == before
+    assert [log.read_text() for log in logs] == before
 
 
 def test_what_the_card_does_not_do_is_one_sentence(player, card):
@@ -203,7 +205,11 @@ def test_an_earlier_folder_is_replaced_and_a_foreign_one_is_not(design, tmp_path
     with pytest.raises(StorageError, match="something else stands there"):
         ss.export_stimulus(design, other, format="psychopy")
     assert (other / "chapter.txt").read_text() == "years of work"
-    assert sorted(one.name for one in tmp_path.iterdir()) == ["session", "session.json", "thesis"]
+    assert sorted(entry.name for entry in tmp_path.iterdir()) == [
+        "session",
+        "session.json",
+        "thesis",
+    ]
 
 
 def test_the_player_needs_nothing_of_the_library():

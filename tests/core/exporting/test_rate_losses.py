@@ -47,13 +47,13 @@ def test_a_rate_that_weakens_a_tone_is_refused(frequency_hz, rate_hz, tmp_path):
 
 
 def test_the_words_name_the_channel_what_is_lost_and_what_to_do(two, tmp_path):
-    with pytest.raises(NotConfirmedError) as told:
+    with pytest.raises(NotConfirmedError) as raised:
         ss.export_stimulus(two, tmp_path / "a.wav", rate_hz=1000)
     assert re.fullmatch(
         r"At 1000 Hz what lies above 462 Hz is weakened or lost: channel 1 \(Digit II, pad\) loses "
         r"5\.\d dB of its energy\. More than 1 dB is lost: choose 1300 Hz, the rate of the design, "
         r"or lower the frequencies, or accept the loss \(--accept-loss\)\.",
-        str(told.value),
+        str(raised.value),
     )
 
 
@@ -65,8 +65,8 @@ def test_confirming_what_clips_is_not_accepting_a_loss(two, tmp_path):
 def test_what_is_accepted_is_written_and_told(two, tmp_path):
     path = tmp_path / "a.wav"
     done = ss.export_stimulus(two, path, rate_hz=1000, options=ACCEPTED)
-    words = "channel 1 (Digit II, pad) loses 5.8 dB of its energy."
-    assert done.loses.endswith(words)
+    sentence = "channel 1 (Digit II, pad) loses 5.8 dB of its energy."
+    assert done.loses.endswith(sentence)
     assert sidecar(path)["loses"] == done.loses
     samples = read(path)
     assert samples.shape[0] == 2
@@ -178,10 +178,10 @@ def test_the_command_says_it_in_one_line_and_takes_an_acceptance(two, tmp_path, 
     out = tmp_path / "a.wav"
     call = ["export", str(tmp_path / "a.skinsource"), "--rate", "1000", "--out", str(out)]
     assert main(call) == 1
-    told = capsys.readouterr()
-    assert told.err.startswith("skinsource: At 1000 Hz what lies above 462 Hz")
-    assert told.err.count("\n") == 1
-    assert told.out == ""
+    printed = capsys.readouterr()
+    assert printed.err.startswith("skinsource: At 1000 Hz what lies above 462 Hz")
+    assert printed.err.count("\n") == 1
+    assert printed.out == ""
     assert not out.exists()
     assert main([*call, "--accept-loss"]) == 0
     assert "  At 1000 Hz what lies above 462 Hz is weakened or lost" in capsys.readouterr().out

@@ -46,8 +46,8 @@ def test_whole_numbers_of_wav_are_rounded_to_half_a_step(
     read, _ = soundfile.read(path, dtype="int32", always_2d=True)
     bits = 16 if kind == "pcm16" else 24
     steps = read >> (32 - bits)
-    wanted = expected(design, 48_000) * full_scale
-    assert np.abs(steps - wanted).max() <= 0.5 + 1e-9
+    expected_samples = expected(design, 48_000) * full_scale
+    assert np.abs(steps - expected_samples).max() <= 0.5 + 1e-9
     assert np.abs(steps).max() == full_scale
     _, other = scipy.io.wavfile.read(path)
     np.testing.assert_array_equal(other.astype(np.int64) >> (0 if bits == 16 else 8), steps)
@@ -215,8 +215,8 @@ def test_a_c_header_compiles_clean_and_holds_the_samples(
     subprocess.run(
         ["cc", "-std=c99", *flags, str(tmp_path / "main.c"), "-o", str(program)], check=True
     )
-    told = subprocess.run([str(program)], check=True, capture_output=True, text=True).stdout
-    head, *rows = told.splitlines()
+    printed = subprocess.run([str(program)], check=True, capture_output=True, text=True).stdout
+    head, *rows = printed.splitlines()
     assert head.split() == ["8000", "2000", "2", str(full_scale), str(zero)]
     values = np.array([row.split() for row in rows], int) - zero
     assert np.abs(values - expected(design, 8000) * full_scale).max() <= 0.5 + 1e-9
@@ -230,9 +230,9 @@ def test_the_same_design_gives_the_same_bytes(design, tmp_path, name):
     for folder in ("one", "two"):
         (tmp_path / folder).mkdir()
         ss.export_stimulus(design, tmp_path / folder / "a", format=name)
-    files = sorted(one.relative_to(tmp_path / "one") for one in (tmp_path / "one").rglob("*"))
+    files = sorted(file.relative_to(tmp_path / "one") for file in (tmp_path / "one").rglob("*"))
     assert len(files) >= 2
-    for one in files:
-        if (tmp_path / "one" / one).is_file():
-            content = (tmp_path / "one" / one).read_bytes()
-            assert content == (tmp_path / "two" / one).read_bytes(), one
+    for file in files:
+        if (tmp_path / "one" / file).is_file():
+            content = (tmp_path / "one" / file).read_bytes()
+            assert content == (tmp_path / "two" / file).read_bytes(), file

@@ -59,9 +59,9 @@ def test_a_file_resampled_back_is_the_predicted_drive(
         assert not drive[:65].any()
         assert not drive[-65:].any()
         error = np.abs(np.fft.rfft(row[:n] - drive, 4 * n))
-        wanted = np.abs(np.fft.rfft(drive, 4 * n))
+        expected_spectrum = np.abs(np.fft.rfft(drive, 4 * n))
         at_hz = np.fft.rfftfreq(4 * n, 1 / 1300)
         band = (at_hz >= 25.0) & (at_hz <= 600.0)
-        assert 20.0 * np.log10(error[band].max() / wanted[band].max()) < MOST_DB
-        power = np.sum(error[band] ** 2) / np.sum(wanted[band] ** 2)
+        assert 20.0 * np.log10(error[band].max() / expected_spectrum[band].max()) < MOST_DB
+        power = np.sum(error[band] ** 2) / np.sum(expected_spectrum[band] ** 2)
         assert 10.0 * np.log10(power) < MOST_DB

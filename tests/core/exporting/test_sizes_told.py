@@ -19,22 +19,26 @@ DESIGN = ss.Design(
 def test_a_table_is_about_as_large_as_told_in_each_layout(tmp_path, layout, rate_hz):
     options = ss.StimulusOptions(choices={"layout": layout})
     path = tmp_path / "drive.csv"
-    told = overview_of(prepare_stimulus(DESIGN, path, CSV, rate_hz, options)).n_bytes
+    predicted_bytes = overview_of(prepare_stimulus(DESIGN, path, CSV, rate_hz, options)).n_bytes
     ss.export_stimulus(DESIGN, path, "csv", rate_hz, options=options)
-    assert told == pytest.approx(path.stat().st_size, rel=0.15)
+    assert predicted_bytes == pytest.approx(path.stat().st_size, rel=0.15)
 
 
 def test_what_is_predicted_does_not_count_where_it_is_too_much_to_be_written(tmp_path, monkeypatch):
     monkeypatch.setattr(arrays, "_MOST_RESPONSE_BYTES", 1e5)
     path = tmp_path / "drive.h5"
-    told = overview_of(prepare_stimulus(DESIGN, path, HDF5, None, ss.StimulusOptions())).n_bytes
+    predicted_bytes = overview_of(
+        prepare_stimulus(DESIGN, path, HDF5, None, ss.StimulusOptions())
+    ).n_bytes
     ss.export_stimulus(DESIGN, path)
-    assert told < 20_000
+    assert predicted_bytes < 20_000
     assert path.stat().st_size < 20_000
 
 
 def test_what_is_predicted_counts_where_it_is_written_too(tmp_path):
     path = tmp_path / "drive.h5"
-    told = overview_of(prepare_stimulus(DESIGN, path, HDF5, None, ss.StimulusOptions())).n_bytes
+    predicted_bytes = overview_of(
+        prepare_stimulus(DESIGN, path, HDF5, None, ss.StimulusOptions())
+    ).n_bytes
     ss.export_stimulus(DESIGN, path)
-    assert told == pytest.approx(path.stat().st_size, rel=0.05)
+    assert predicted_bytes == pytest.approx(path.stat().st_size, rel=0.05)

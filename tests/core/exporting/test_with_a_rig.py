@@ -72,8 +72,8 @@ def test_with_one_it_says_what_is_wired_and_when_it_was_measured(design, rig, tm
     about = sidecar(path)
     assert about["calibration"] == "calibrated, measured on 2026-03-01"
     assert about["rig"] == "Bench 3"
-    assert [one["output"] for one in about["channels"]] == [3, 1]
-    assert [one["polarity"] for one in about["channels"]] == ["normal", "inverted"]
+    assert [channel["output"] for channel in about["channels"]] == [3, 1]
+    assert [channel["polarity"] for channel in about["channels"]] == ["normal", "inverted"]
     assert about["unit"] == "m/s²"
 
 
@@ -126,10 +126,13 @@ def test_limits_of_the_rig_must_be_confirmed(design, rig, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("scaling", "words"), [("upstream", "scaling is upstream"), ("relative", "scaling is relative")]
+    ("scaling", "message"),
+    [("upstream", "scaling is upstream"), ("relative", "scaling is relative")],
 )
-def test_drives_that_are_no_accelerations_are_not_equalised(design, rig, tmp_path, scaling, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_drives_that_are_no_accelerations_are_not_equalised(
+    design, rig, tmp_path, scaling, message
+):
+    with pytest.raises(InvalidInputError, match=message):
         ss.export_stimulus(
             replace(design, scaling=scaling),
             tmp_path / "a.wav",
@@ -172,9 +175,9 @@ def test_the_command_takes_a_rig_and_an_equaliser(design, rig, tmp_path, capsys)
     assert sidecar(path)["equaliser"]["phase"] == "minimum"
     assert main(call) == 0
     assert sidecar(path)["equaliser"] is None
-    said = capsys.readouterr().out.splitlines()[-1].strip()
-    assert said == f"{sidecar(path)['calibration'].capitalize()}."
-    assert said.startswith("Calibrated")
+    last_line = capsys.readouterr().out.splitlines()[-1].strip()
+    assert last_line == f"{sidecar(path)['calibration'].capitalize()}."
+    assert last_line.startswith("Calibrated")
 
 
 def test_channels_wait_for_the_one_with_the_longest_delay(design, rig, tmp_path):
@@ -193,7 +196,7 @@ def test_channels_wait_for_the_one_with_the_longest_delay(design, rig, tmp_path)
     turned = spectrum * np.exp(-2j * np.pi * np.arange(spectrum.size) * 32.4 / (2 * n))
     expected = np.fft.irfft(turned, 2 * n)[: after.shape[1]]
     np.testing.assert_allclose(after[1], expected, atol=1e-5)
-    added = [one["delay_added_s"] for one in sidecar(aligned)["channels"]]
+    added = [channel["delay_added_s"] for channel in sidecar(aligned)["channels"]]
     assert added == pytest.approx([0.0, 0.00405])
 
 

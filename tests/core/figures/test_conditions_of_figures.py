@@ -9,7 +9,7 @@ SPACING = "where waves are too short for the spacing of the outputs"
 
 
 def said_below(drawn):
-    return " ".join(one.get_text() for one in drawn.figure.texts)
+    return " ".join(text.get_text() for text in drawn.figure.texts)
 
 
 @pytest.mark.parametrize(
@@ -18,10 +18,10 @@ def said_below(drawn):
 def test_what_lies_between_outputs_is_told_below_maps_and_nowhere_else(name, maps):
     opened = ss.scenes.open_scene(name, available=())
     left = [
-        one.name
+        finding.name
         for each in opened.conditions
-        for one in ss.evaluate(each.design, "validity", view=opened.view)["validity"]
-        if one.state == "left"
+        for finding in ss.evaluate(each.design, "validity", view=opened.view)["validity"]
+        if finding.state == "left"
     ]
     assert "spacing" in left
     drawn = draw_figure(opened)

@@ -32,11 +32,11 @@ def test_each_figure_is_written_as_picture_pages_and_numbers(name, tmp_path):
     assert sorted(tmp_path.iterdir()) == sorted(written)
     known = ss.scenes.scene(name)
     drawing = (tmp_path / f"{name}.svg").read_text("utf-8")
-    words = " ".join(re.findall(r"<text[^>]*>(.*?)</text>", drawing))
-    assert known.heading in words
-    assert "SYNTHETIC LIMB" in words
-    assert f"Fig. {name}." in words
-    assert ("Inferred: " in words) == bool(known.inferred)
+    text = " ".join(re.findall(r"<text[^>]*>(.*?)</text>", drawing))
+    assert known.heading in text
+    assert "SYNTHETIC LIMB" in text
+    assert f"Fig. {name}." in text
+    assert ("Inferred: " in text) == bool(known.inferred)
     for path in written:
         if path.suffix == ".csv":
             about, header, rows = table(path)
@@ -107,10 +107,10 @@ def test_the_sum_that_figure_5f_shows_is_of_what_each_input_causes_alone():
 
 
 def test_maps_of_all_figures_that_have_them_tell_how_long_a_millimetre_is():
-    for name, words in (("1C", "20 mm"), ("2H", "50 mm"), ("4A", "50 mm")):
+    for name, label in (("1C", "20 mm"), ("2H", "50 mm"), ("4A", "50 mm")):
         figure = draw_figure(ss.scenes.open_scene(name, available=())).figure
-        told = [one.get_text() for ax in figure.axes for one in ax.texts]
-        assert told.count(words) == 1, name
+        labels = [text.get_text() for ax in figure.axes for text in ax.texts]
+        assert labels.count(label) == 1, name
 
 
 def test_frames_of_figure_4a_are_a_quarter_of_a_cycle_apart():
@@ -120,9 +120,9 @@ def test_frames_of_figure_4a_are_a_quarter_of_a_cycle_apart():
     quarters = 100.0 + np.arange(5) * 1e3 / (4 * 104.0)
     np.testing.assert_allclose(at_ms, quarters, atol=1e3 / 1300 / 2 + 1e-3)
     view = ss.View(axes="z", outputs=tuple(range(1, 73)))
-    found = ss.evaluate(opened.design, "response_time_s", "selected_traces", view=view)
-    at = np.searchsorted(found["response_time_s"], 1e-3 * at_ms[2] - 1e-5)
-    np.testing.assert_array_equal(np.asarray(shown.rows)[:, 3], found["selected_traces"][:, at])
+    values = ss.evaluate(opened.design, "response_time_s", "selected_traces", view=view)
+    at = np.searchsorted(values["response_time_s"], 1e-3 * at_ms[2] - 1e-5)
+    np.testing.assert_array_equal(np.asarray(shown.rows)[:, 3], values["selected_traces"][:, at])
 
 
 def test_figures_say_on_which_limb_and_which_conditions_are_not_kept(measured, tmp_path):
@@ -145,14 +145,16 @@ def test_noise_is_hatched_on_a_map_of_a_measured_limb_and_no_other(measured):
     for limb, hatched in (("measured-1", True), ("synthetic-1", False)):
         figure = ss.plot.map(ss.Design(limb=limb, inputs=(tone,)))
         patches = figure.axes[0].patches
-        assert [bool(one.get_hatch()) for one in patches] == [False, *[True] * hatched]
-        words = " ".join(one.get_text() for one in figure.texts)
-        assert ("Hatched: " in words) == hatched
+        assert [bool(patch.get_hatch()) for patch in patches] == [False, *[True] * hatched]
+        caption = " ".join(text.get_text() for text in figure.texts)
+        assert ("Hatched: " in caption) == hatched
         if hatched:
             noisy = next(
-                one.outputs
-                for one in ss.evaluate(ss.Design(limb=limb, inputs=(tone,)), "validity")["validity"]
-                if one.name == "noise"
+                finding.outputs
+                for finding in ss.evaluate(ss.Design(limb=limb, inputs=(tone,)), "validity")[
+                    "validity"
+                ]
+                if finding.name == "noise"
             )
             shape = ss.load_limb(limb)
             scale = shape.hand_length_mm / shape.map.hand_length_px
@@ -175,10 +177,10 @@ def test_a_folder_that_is_not_there_is_no_place_for_figures(tmp_path):
 
 def test_the_command_writes_what_is_named_and_says_where(tmp_path, capsys):
     assert main(["figures", "--out", str(tmp_path), "--only", "1E"]) == 0
-    told = capsys.readouterr()
-    assert told.out.split() == [
+    printed = capsys.readouterr()
+    assert printed.out.split() == [
         str(tmp_path / f"1E.{kind}") for kind in ("png", "svg", "pdf", "csv")
     ]
-    assert "SYNTHETIC" in told.err
+    assert "SYNTHETIC" in printed.err
     assert main(["figures", "--out", str(tmp_path / "no"), "--only", "1E"]) == 1
     assert "is no folder" in capsys.readouterr().err

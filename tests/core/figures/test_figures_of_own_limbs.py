@@ -19,7 +19,9 @@ def on_lab(name):
     opened = ss.scenes.open_scene(name, available=())
 
     def moved(design):
-        inputs = tuple(replace(one, location=1 + one.location % N_INPUTS) for one in design.inputs)
+        inputs = tuple(
+            replace(track, location=1 + track.location % N_INPUTS) for track in design.inputs
+        )
         return replace(design, limb="lab-1", inputs=inputs)
 
     outputs = tuple(number for number in opened.view.outputs if number <= N_OUTPUTS)
@@ -27,13 +29,15 @@ def on_lab(name):
         opened,
         design=moved(opened.design),
         view=replace(opened.view, outputs=outputs, time_range_s=None),
-        conditions=tuple(replace(one, design=moved(one.design)) for one in opened.conditions),
+        conditions=tuple(
+            replace(condition, design=moved(condition.design)) for condition in opened.conditions
+        ),
     )
 
 
 def columns(drawn, table=""):
-    found = drawn.tables[table]
-    return dict(zip(found.header, np.asarray(found.rows).T, strict=True))
+    rows = drawn.tables[table]
+    return dict(zip(rows.header, np.asarray(rows.rows).T, strict=True))
 
 
 def test_a_pulse_is_shown_as_late_as_the_limb_answers_along_the_axes_that_it_has(user_data):
@@ -78,7 +82,7 @@ def test_lines_are_fitted_where_the_sweep_goes_and_the_limb_was_measured(user_da
     hz = fits.pop("frequency_hz")
     assert (hz.min(), hz.max()) == (41.0, 599.0)
     assert len(fits) == N_OUTPUTS
-    assert min(one.min() for one in fits.values()) > 1.0 - 1e-9
+    assert min(fit.min() for fit in fits.values()) > 1.0 - 1e-9
     installed()
     assert swept_hz(on_lab("5E")) == (25.0, 600.0)
     installed(band_hz=(599.0, 1500.0))

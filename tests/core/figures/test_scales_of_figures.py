@@ -59,7 +59,7 @@ def test_spectra_of_noise_are_means_over_ten_bins():
 
 def test_a_moment_is_not_hatched_for_the_noise_of_the_whole_record(measured):
     figure = draw_figure(ss.scenes.open_scene("4A")).figure
-    assert not any(one.get_hatch() for ax in figure.axes for one in ax.patches)
+    assert not any(patch.get_hatch() for ax in figure.axes for patch in ax.patches)
 
 
 def test_frames_of_a_pulse_are_those_of_whole_samples_however_a_delay_is_rounded(user_data):

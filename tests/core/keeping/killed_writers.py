@@ -63,10 +63,10 @@ def wait_for(notes, life_s):
 
 
 def main(folder, kills, interval_s, seed):
-    told = []
+    summaries = []
     chance = np.random.default_rng(seed)
-    while len(told) < kills:
-        count = min(AT_A_TIME, kills - len(told))
+    while len(summaries) < kills:
+        count = min(AT_A_TIME, kills - len(summaries))
         writers = [born(folder, interval_s) for _ in range(count)]
         lives_s = sorted(chance.uniform(0.5, 5.0) * interval_s for _ in writers)
         for (pid, notes), life_s in zip(writers, lives_s, strict=True):
@@ -75,8 +75,8 @@ def main(folder, kills, interval_s, seed):
             os.waitpid(pid, 0)
             last, _ = EDIT.unpack_from(notes, 0)
             times = [EDIT.unpack_from(notes, EDIT.size * k)[1] for k in range(1, last + 1)]
-            told.append({"pid": pid, "edits_s": times})
-    json.dump(told, sys.stdout)
+            summaries.append({"pid": pid, "edits_s": times})
+    json.dump(summaries, sys.stdout)
 
 
 if __name__ == "__main__":

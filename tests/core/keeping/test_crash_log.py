@@ -21,8 +21,8 @@ exec(sys.argv[2])
 
 
 def run(folder, line):
-    words = [sys.executable, "-c", PROGRAM, str(folder), line]
-    return subprocess.run(words, capture_output=True, text=True, check=False)
+    command = [sys.executable, "-c", PROGRAM, str(folder), line]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
 def test_a_crash_of_the_process_leaves_where_it_was(tmp_path):
@@ -52,8 +52,8 @@ def test_a_studio_that_ended_as_it_should_offers_none_and_leaves_one_only_with_f
     run(tmp_path, "log.close()")
     assert list((tmp_path / "logs").iterdir()) == []
     run(tmp_path, "logging.getLogger('a').error('strange'); log.close()")
-    (kept,) = (tmp_path / "logs").iterdir()
-    assert "ERROR a: strange" in kept.read_text()
+    (log,) = (tmp_path / "logs").iterdir()
+    assert "ERROR a: strange" in log.read_text()
     assert crashed_logs(tmp_path) == ()
 
 

@@ -16,12 +16,12 @@ def test_the_newest_copy_comes_first_with_its_picture_name_and_file(
 ):
     file = tmp_path / "tap.skinsource"
     left_by_a_killed_studio(3, file)
-    (one,) = recovery.find(tmp_path).left
-    numbers = [open_design(copy).design.inputs[0].amplitude for copy in one.copies]
+    (left_over,) = recovery.find(tmp_path).left
+    numbers = [open_design(copy).design.inputs[0].amplitude for copy in left_over.copies]
     assert numbers == [3.0, 2.0, 1.0]
-    assert one.picture() == b"picture 3"
-    assert (one.name, one.file) == ("tap", file)
-    assert one.age() == "less than a minute ago"
+    assert left_over.picture() == b"picture 3"
+    assert (left_over.name, left_over.file) == ("tap", file)
+    assert left_over.age() == "less than a minute ago"
 
 
 def test_work_of_a_studio_that_runs_is_not_offered(tmp_path, work):
@@ -42,7 +42,7 @@ def test_several_are_found_the_newest_first(tmp_path, left_by_a_killed_studio):
         folder = left_by_a_killed_studio(1, tmp_path / f"{'abc'[k]}.skinsource")
         (copy,) = folder.glob("*.skinsource")
         os.utime(copy, (1000.0 * k, 1000.0 * k))
-    assert [one.name for one in recovery.find(tmp_path).left] == ["c", "b", "a"]
+    assert [left_over.name for left_over in recovery.find(tmp_path).left] == ["c", "b", "a"]
 
 
 def test_a_copy_whose_opening_never_ended_is_set_aside_and_the_one_before_is_offered(
@@ -56,9 +56,9 @@ def test_a_copy_whose_opening_never_ended_is_set_aside_and_the_one_before_is_off
     assert recovery.find(tmp_path).left[0].copies == (before,)  # it is being opened now
     assert newest.exists()
     mark.write_bytes(to_bytes(ended))
-    found = recovery.find(tmp_path)
-    assert [one.copies for one in found.left] == [(before,)]
-    assert [path.read_bytes() for path in found.set_aside] == [content]
+    recovered = recovery.find(tmp_path)
+    assert [left_over.copies for left_over in recovered.left] == [(before,)]
+    assert [path.read_bytes() for path in recovered.set_aside] == [content]
     assert not mark.exists()
     assert recovery.find(tmp_path).set_aside == ()
 
@@ -67,8 +67,8 @@ def test_a_mark_that_is_damaged_counts_as_one(tmp_path, left_by_a_killed_studio)
     left_by_a_killed_studio(1)
     copy = recovery.find(tmp_path).left[0].copies[0]
     copy.with_name(f"{copy.name}.opening").write_bytes(b"")
-    found = recovery.find(tmp_path)
-    assert (found.left, len(found.set_aside)) == ((), 1)
+    recovered = recovery.find(tmp_path)
+    assert (recovered.left, len(recovered.set_aside)) == ((), 1)
 
 
 def test_what_was_opened_well_is_offered_as_before(tmp_path, left_by_a_killed_studio):
@@ -113,7 +113,7 @@ def test_a_file_of_another_system_that_cannot_be_told_is_none(tmp_path, left_by_
 
 
 @pytest.mark.parametrize(
-    ("seconds", "words"),
+    ("seconds", "text"),
     [
         (-5.0, "less than a minute ago"),
         (59.9, "less than a minute ago"),
@@ -124,5 +124,5 @@ def test_a_file_of_another_system_that_cannot_be_told_is_none(tmp_path, left_by_
         (200_000.0, "2 days ago"),
     ],
 )
-def test_ages_are_told_in_whole_units(seconds, words):
-    assert recovery.age_text(seconds) == words
+def test_ages_are_told_in_whole_units(seconds, text):
+    assert recovery.age_text(seconds) == text

@@ -35,8 +35,8 @@ def test_a_free_file_is_ours_as_often_as_we_take_it_and_free_again_after(lock):
 
 
 def test_a_file_that_another_studio_has_is_told_until_that_ends(lock):
-    words = [sys.executable, "-c", OTHER_STUDIO, str(lock.file)]
-    other = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    command = [sys.executable, "-c", OTHER_STUDIO, str(lock.file)]
+    other = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
     assert other.stdout.readline() == "None\n"
     assert lock.take().pid == other.pid
     assert lock.owner().pid == other.pid

@@ -52,24 +52,24 @@ def rows_of(path):
 
 
 def test_each_test_is_met_once_from_below_and_once_from_above():
-    found = Counter((one.frequency_hz, one.place, one.direction) for one in ANNA.trials)
-    assert len(found) == len(ANNA) == 8
-    assert set(found.values()) == {1}
-    assert [one.number for one in ANNA.trials] == list(range(1, 9))
-    for one in ANNA.trials:
-        assert 6.0 <= abs(one.start_db) <= 12.0
-        assert (one.start_db < 0.0) == (one.direction == "ascending")
+    counts = Counter((trial.frequency_hz, trial.place, trial.direction) for trial in ANNA.trials)
+    assert len(counts) == len(ANNA) == 8
+    assert set(counts.values()) == {1}
+    assert [trial.number for trial in ANNA.trials] == list(range(1, 9))
+    for trial in ANNA.trials:
+        assert 6.0 <= abs(trial.start_db) <= 12.0
+        assert (trial.start_db < 0.0) == (trial.direction == "ascending")
 
 
 def test_order_and_starts_follow_from_seed_and_name():
     assert ANNA.trials == replace(ANNA).trials
     assert ANNA.trials != replace(ANNA, seed=5).trials
     assert ANNA.trials != replace(ANNA, person="Ben").trials
-    assert len({one.start_db for one in ANNA.trials}) > 4
+    assert len({trial.start_db for trial in ANNA.trials}) > 4
 
 
 def test_reference_and_test_follow_each_other_and_come_again():
-    trial = next(one for one in ANNA.trials if one.place == 3 and one.frequency_hz == 250.0)
+    trial = next(trial for trial in ANNA.trials if trial.place == 3 and trial.frequency_hz == 250.0)
     design = replace(ANNA, amplitude=2.0).design(trial, 6.0)
     reference, test = design.inputs
     assert (reference.location, test.location) == (7, 3)
@@ -78,7 +78,7 @@ def test_reference_and_test_follow_each_other_and_come_again():
     assert test.clips[0].onset_s == pytest.approx(1.2)
     assert test.clips[0].waveform == ss.waveforms.Tone(frequency_hz=250.0, duration_s=0.8)
     assert design.loop_s == pytest.approx((0.0, 2.4))
-    channels = {one.place: row for one, row in _rows(ss.stimulus_of(design))}
+    channels = {channel.place: row for channel, row in _rows(ss.stimulus_of(design))}
     assert np.abs(channels[7]).max() == pytest.approx(2.0, rel=0.01)
     assert not channels[3][: round(1.2 * 1300)].any()
 
@@ -127,8 +127,8 @@ def test_what_is_stored_is_a_row_and_is_not_asked_again(tmp_path):
 
 def test_a_match_is_never_stored_twice(tmp_path):
     path = tmp_path / "matches.csv"
-    one, other = MatchingRun(ANNA, path), MatchingRun(ANNA, path)
-    one.store()
+    first, other = MatchingRun(ANNA, path), MatchingRun(ANNA, path)
+    first.store()
     before = path.read_bytes()
     with pytest.raises(InvalidInputError, match="already"):
         other.store()
@@ -190,7 +190,7 @@ def test_a_table_that_cannot_be_written_keeps_the_trial(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("change", "words"),
+    ("change", "message"),
     [
         (lambda text: "", "no table of matches"),
         (lambda text: "a,b\n1,2\n", "no table of matches"),
@@ -206,19 +206,19 @@ def test_a_table_that_cannot_be_written_keeps_the_trial(tmp_path):
         (lambda text: "\0" + text, "no table|no CSV"),
     ],
 )
-def test_a_damaged_table_is_one_error_that_says_where(tmp_path, change, words):
+def test_a_damaged_table_is_one_error_that_says_where(tmp_path, change, message):
     path = tmp_path / "matches.csv"
     store_all(ANNA, path)
     path.write_text(change(path.read_text()))
     before = path.read_bytes()
-    with pytest.raises(FileFormatError, match=words) as refused:
+    with pytest.raises(FileFormatError, match=message) as refused:
         MatchingRun(ANNA, path)
     assert "matches.csv" in str(refused.value)
     assert path.read_bytes() == before
 
 
 @pytest.mark.parametrize(
-    ("changes", "words"),
+    ("changes", "message"),
     [
         ({"person": ""}, "person"),
         ({"person": "a\nb"}, "person"),
@@ -234,8 +234,8 @@ def test_a_damaged_table_is_one_error_that_says_where(tmp_path, change, words):
          "at most 2000"),
     ],
 )  # fmt: skip
-def test_a_procedure_that_cannot_be_is_refused(changes, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_a_procedure_that_cannot_be_is_refused(changes, message):
+    with pytest.raises(InvalidInputError, match=message):
         replace(ANNA, **changes)
 
 
@@ -243,17 +243,17 @@ def test_strengths_average_persons_and_lie_between_what_was_measured(tmp_path):
     path = tmp_path / "matches.csv"
     store_all(ANNA, path, level_db=2.0)
     store_all(replace(ANNA, person="Ben", frequencies_hz=(50.0,)), path, level_db=8.0)
-    found = Strengths.of(read_matches(path))
-    assert found.level_db(50.0, 3) == pytest.approx(5.0)
-    assert found.level_db(250.0, 3) == pytest.approx(2.0)
+    strengths = Strengths.of(read_matches(path))
+    assert strengths.level_db(50.0, 3) == pytest.approx(5.0)
+    assert strengths.level_db(250.0, 3) == pytest.approx(2.0)
     middle_hz = np.sqrt(50.0 * 250.0)
-    assert found.level_db(middle_hz, 3) == pytest.approx(3.5)
+    assert strengths.level_db(middle_hz, 3) == pytest.approx(3.5)
     # The reference is as strong as itself.
-    assert found.level_db(100.0, 7) == 0.0
-    assert 0.0 < found.level_db(99.0, 7) < 5.0
+    assert strengths.level_db(100.0, 7) == 0.0
+    assert 0.0 < strengths.level_db(99.0, 7) < 5.0
     with pytest.raises(InvalidInputError, match="place 5"):
-        found.level_db(50.0, 5)
+        strengths.level_db(50.0, 5)
     with pytest.raises(InvalidInputError, match="50 to 250 Hz"):
-        found.level_db(260.0, 3)
+        strengths.level_db(260.0, 3)
     with pytest.raises(InvalidInputError, match="no matches"):
         Strengths.of(())

@@ -20,26 +20,26 @@ def test_what_an_arrow_changes_is_the_test_alone_on_its_own_actuator(tmp_path):
         capture_output=True, text=True, timeout=120,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
-    seen = json.loads(done.stdout.splitlines()[-1])
-    first_db = seen["levels_db"][0]
-    assert seen["levels_db"] == pytest.approx([first_db, first_db + 1.0, first_db + 2.0])
-    assert (seen["done"], seen["same"], seen["reason"]) == (True, True, "")
+    report = json.loads(done.stdout.splitlines()[-1])
+    first_db = report["levels_db"][0]
+    assert report["levels_db"] == pytest.approx([first_db, first_db + 1.0, first_db + 2.0])
+    assert (report["done"], report["same"], report["reason"]) == (True, True, "")
     test, reference = file_card.read_heard(tmp_path, 2)
     begin = int(np.flatnonzero(reference)[0])
     run = MatchingRun(Procedure(**MATCHED), None)
     exact = ss.stimulus_of(run.design, RATE_HZ)
-    sent = dict(zip((one.place for one in exact.channels), exact.samples, strict=True))
+    sent = dict(zip((channel.place for channel in exact.channels), exact.samples, strict=True))
     # The first samples of a sine that begins at 0 are 0.
     begin -= int(np.flatnonzero(sent[7])[0])
     n = min(sent[7].size, CYCLE)
     for cycle in range(2):
-        heard = reference[begin + cycle * CYCLE :][:n]
-        assert heard == pytest.approx(sent[7][:n], abs=1e-6)
+        recorded = reference[begin + cycle * CYCLE :][:n]
+        assert recorded == pytest.approx(sent[7][:n], abs=1e-6)
     # Where the test starts is random.
     factor = 10.0 ** ((first_db - run.level_db) / 20.0)
     n = min(sent[3].size, CYCLE)
     assert test[begin:][:n] == pytest.approx(factor * sent[3][:n], abs=1e-6)
     cycles = [test[begin + k * CYCLE :][:CYCLE] for k in range((test.size - begin) // CYCLE)]
-    heard_db = 20.0 * np.log10([np.abs(one).max() / 0.25 for one in cycles])
-    for level_db in seen["levels_db"]:
+    heard_db = 20.0 * np.log10([np.abs(cycle).max() / 0.25 for cycle in cycles])
+    for level_db in report["levels_db"]:
         assert np.abs(heard_db - level_db).min() < 0.05

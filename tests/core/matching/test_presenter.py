@@ -40,27 +40,27 @@ def sound(monkeypatch):
 @pytest.fixture
 def presenter():
     over = threading.Event()
-    found = Presenter(Output(outputs=((7, 1), (3, 2))), lambda stream: over.set())
-    found.over = over
-    yield found
-    found.close()
+    new = Presenter(Output(outputs=((7, 1), (3, 2))), lambda stream: over.set())
+    new.over = over
+    yield new
+    new.close()
 
 
 def test_reference_and_test_alternate_on_their_actuators(sound, presenter):
     run = MatchingRun(PROCEDURE, None)
     presenter.present(run.design, 0.0)
     wait_for(lambda: sound.streams[0].samples.shape[1] > 3 * CYCLE)
-    heard = sound.streams[0].samples
+    output_samples = sound.streams[0].samples
     expected = ss.stimulus_of(run.design, 48_000)
-    for one, row in zip(expected.channels, expected.samples, strict=True):
-        output = {7: 0, 3: 1}[one.place]
+    for channel, row in zip(expected.channels, expected.samples, strict=True):
+        output = {7: 0, 3: 1}[channel.place]
         for cycle in (1, 2):
             begin = cycle * CYCLE + FADE
-            found = heard[output, begin : begin + CYCLE - 2 * FADE]
-            wanted = np.zeros(CYCLE)
-            wanted[: min(row.size, CYCLE)] = row[:CYCLE]
-            np.testing.assert_allclose(found, wanted[: -2 * FADE], atol=1e-6)
-    assert not heard[2:].any()
+            played = output_samples[output, begin : begin + CYCLE - 2 * FADE]
+            expected_row = np.zeros(CYCLE)
+            expected_row[: min(row.size, CYCLE)] = row[:CYCLE]
+            np.testing.assert_allclose(played, expected_row[: -2 * FADE], atol=1e-6)
+    assert not output_samples[2:].any()
 
 
 def test_an_arrow_changes_the_test_alone_on_the_same_stream(sound, presenter):
@@ -69,14 +69,14 @@ def test_an_arrow_changes_the_test_alone_on_the_same_stream(sound, presenter):
     before_db = run.level_db
     assert run.step(1.0)
     assert presenter.present(run.design, 0.0) is playing
-    deck = playing.stream.deck
-    wait_for(lambda: deck.swap is None and deck.faded == deck.fade.size)
+    queue = playing.stream.deck
+    wait_for(lambda: queue.swap is None and queue.faded == queue.fade.size)
     at = len(sound.streams[0].heard)
     wait_for(lambda: len(sound.streams[0].heard) > at + 2 * CYCLE // 256)
-    heard = np.concatenate(sound.streams[0].heard[at + 2 :]).T
+    output_samples = np.concatenate(sound.streams[0].heard[at + 2 :]).T
     factor = 10 ** ((before_db + 1.0) / 20)
-    assert np.abs(heard[0]).max() == pytest.approx(0.25, rel=0.01)
-    assert np.abs(heard[1]).max() == pytest.approx(0.25 * factor, rel=0.01)
+    assert np.abs(output_samples[0]).max() == pytest.approx(0.25, rel=0.01)
+    assert np.abs(output_samples[1]).max() == pytest.approx(0.25 * factor, rel=0.01)
 
 
 def test_stopped_at_once_it_is_silent_and_can_be_played_again(sound, presenter):

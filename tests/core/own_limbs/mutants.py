@@ -52,8 +52,8 @@ def try_layout(
     for number in range(count):
         path.write_bytes(mutant(seed, rng))
         try:
-            found = prepare_limb(LimbSource(responses=path), process)
-            blocks = list(importing_module._responses(path, found, process, lambda: False))
+            prepared = prepare_limb(LimbSource(responses=path), process)
+            blocks = list(importing_module._responses(path, prepared, process, lambda: False))
         except SkinSourceError as error:
             _refused(tally, number, error)
             continue
@@ -64,8 +64,8 @@ def try_layout(
         read = np.array(blocks).reshape(there.shape)
         if not np.array_equal(read, there, equal_nan=True):
             tally.wrong.append(f"layout {number}: other responses than HDF5 reads")
-        if found.limb.shape != there.shape or found.limb.axes != str(axes):
-            tally.wrong.append(f"layout {number}: {found.limb.shape} along {found.limb.axes}")
+        if prepared.limb.shape != there.shape or prepared.limb.axes != str(axes):
+            tally.wrong.append(f"layout {number}: {prepared.limb.shape} along {prepared.limb.axes}")
     return tally
 
 
@@ -78,13 +78,13 @@ def try_kept(whole: Path, count: int, random_seed: int, folder: Path) -> Tally:
         content = mutant(seed, rng)
         path.write_bytes(content)
         try:
-            found = LimbFile(path)
-            read = [found.response(k) for k in range(1, found.limb.n_inputs + 1)]
+            opened = LimbFile(path)
+            read = [opened.response(k) for k in range(1, opened.limb.n_inputs + 1)]
         except SkinSourceError as error:
             _refused(tally, number, error)
             continue
         tally.outcomes["read"] += 1
-        same = found.digest == before.digest and _text(found) == _text(before)
+        same = opened.digest == before.digest and _text(opened) == _text(before)
         if not same or not np.array_equal(read, responses):
             tally.wrong.append(f"kept {number}: read as another limb")
     return tally
@@ -93,12 +93,19 @@ def try_kept(whole: Path, count: int, random_seed: int, folder: Path) -> Tally:
 def _text(file: LimbFile) -> str:
     """All but the arrays, which the digest stands for."""
     values = {name: getattr(file.limb, name) for name in file.limb.__dataclass_fields__}
-    return repr({name: one for name, one in values.items() if not isinstance(one, np.ndarray)})
+    return repr(
+        {name: value for name, value in values.items() if not isinstance(value, np.ndarray)}
+    )
 
 
 def _refused(tally: Tally, number: int, error: SkinSourceError) -> None:
-    said = str(error)
-    lost = any(words in said for words in _CRASHED)
+    message = str(error)
+    lost = any(part in message for part in _CRASHED)
     tally.outcomes["process lost" if lost else "refused"] += 1
-    if "mutant" not in said or "\n" in said or len(said) >= _LONGEST or "Traceback" in said:
-        tally.wrong.append(f"{number}: unclear: {said}")
+    if (
+        "mutant" not in message
+        or "\n" in message
+        or len(message) >= _LONGEST
+        or "Traceback" in message
+    ):
+        tally.wrong.append(f"{number}: unclear: {message}")

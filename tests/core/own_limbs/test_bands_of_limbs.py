@@ -41,8 +41,8 @@ FLAT = ((20.0, 0.1), (2000.0, 0.1))
 
 
 def lamp(design, name="band"):
-    found = Evaluator().evaluate(design, ("validity",))["validity"]
-    return next(one for one in found if one.name == name)
+    findings = Evaluator().evaluate(design, ("validity",))["validity"]
+    return next(finding for finding in findings if finding.name == name)
 
 
 def sensation_of(design, table=FLAT) -> Sensation:
@@ -58,13 +58,13 @@ def test_the_band_is_kept_exported_and_part_of_the_digest(user_data, tmp_path):
     assert facts_of("lab-1").band_hz is None
     assert ss.load_limb("lab-1").band_hz is None
     installed(band_hz=BAND)
-    said = facts_of("lab-1")
-    assert said.band_hz == ss.load_limb("lab-1").band_hz == BAND
-    assert said.digest != silent
-    assert said.sentence.endswith("4000 Hz, measured from 40 to 1500 Hz.")
+    facts = facts_of("lab-1")
+    assert facts.band_hz == ss.load_limb("lab-1").band_hz == BAND
+    assert facts.digest != silent
+    assert facts.sentence.endswith("4000 Hz, measured from 40 to 1500 Hz.")
     export_limb("lab-1", tmp_path / "lab.h5")
     again = import_limb(LimbSource(responses=tmp_path / "lab.h5", values={"name": "copy"}))
-    assert (again.band_hz, again.digest) == (BAND, said.digest)
+    assert (again.band_hz, again.digest) == (BAND, facts.digest)
 
 
 @pytest.mark.parametrize("band", [(600.0, 25.0), (0.0, 2001.0), (-1.0, 5.0), (5.0,), (np.nan, 9.0)])
@@ -134,12 +134,12 @@ def test_a_velocity_is_told_from_where_the_limb_was_measured(user_data):
     design = Design(limb="lab-1", inputs=(track(1, slow, amplitude=3.0),), scaling="probe")
     for band, lowest_hz in (((5.0, 1500.0), 5), (None, 25), ((0.0, 1500.0), 25), ((0.1, 9.0), 1)):
         installed(band_hz=band, per_unit_drive=False)
-        found = lamp(design, "drive")
-        assert f"from {lowest_hz} Hz on" in found.sentence
-        assert (found.state == "left") == (lowest_hz < 10), band
+        finding = lamp(design, "drive")
+        assert f"from {lowest_hz} Hz on" in finding.sentence
+        assert (finding.state == "left") == (lowest_hz < 10), band
         fastest = ss.evaluate(design, "fastest_probe_m_per_s")["fastest_probe_m_per_s"]
-        assert f"at up to {1e3 * fastest:.3g} mm/s" in found.sentence
-    assert found.factor == pytest.approx(0.04 / (3.0 / (2.0 * np.pi * 10.0)), rel=0.1)
+        assert f"at up to {1e3 * fastest:.3g} mm/s" in finding.sentence
+    assert finding.factor == pytest.approx(0.04 / (3.0 / (2.0 * np.pi * 10.0)), rel=0.1)
 
 
 @pytest.mark.parametrize(

@@ -26,11 +26,11 @@ COIL = ss.ActuatorAt(model=ss.actuators.load("example-voice-coil"))
 
 
 def units(design):
-    return [amplitude_unit(replace(design, scaling=one)) for one in SCALINGS]
+    return [amplitude_unit(replace(design, scaling=scaling)) for scaling in SCALINGS]
 
 
 def driven(design):
-    return [drive_unit(replace(design, scaling=one)) for one in SCALINGS]
+    return [drive_unit(replace(design, scaling=scaling)) for scaling in SCALINGS]
 
 
 @pytest.fixture
@@ -62,7 +62,7 @@ def test_only_where_the_drive_is_the_amplitude_its_unit_is_not_known(drive_limb)
 def test_a_limb_that_answers_the_probe_is_told_of_as_the_published_ones(probe_limb):
     assert drive_unit_known("lab-1")
     for scaling in SCALINGS:
-        lab, published = (replace(one, scaling=scaling) for one in (LAB, PUBLISHED))
+        lab, published = (replace(design, scaling=scaling) for design in (LAB, PUBLISHED))
         for say in (amplitude_unit, amplitude_meaning, drive_unit, amplitude_spec):
             assert say(lab) == say(published)
     assert units(PUBLISHED) == ["m/s²", "×", "m/s²"]
@@ -102,15 +102,15 @@ def test_a_stimulus_has_the_unit_of_the_limb_that_is_open(drive_limb):
 
 
 def test_no_equaliser_takes_a_drive_of_unknown_unit_for_accelerations(drive_limb, tmp_path):
-    path, wanted = tmp_path / "lab.wav", {"equaliser": RegularisedInverse()}
+    path, options = tmp_path / "lab.wav", {"equaliser": RegularisedInverse()}
     asked = ss.Actuation(actuators=(COIL,), equaliser=RegularisedInverse())
     rig = ss.rigs.Rig(
         channels=(ss.rigs.RigChannel(place=2, output=1, actuator="example-voice-coil"),)
     )
     with pytest.raises(InvalidInputError, match="answers a drive of unknown unit") as refused:
-        ss.export_stimulus(LAB, path, rig=rig, **wanted)
+        ss.export_stimulus(LAB, path, rig=rig, **options)
     assert "scaling" not in str(refused.value)
-    ss.export_stimulus(replace(LAB, actuation=asked), path, **wanted)
+    ss.export_stimulus(replace(LAB, actuation=asked), path, **options)
     assert path.exists()
 
 
@@ -138,11 +138,11 @@ def exported(path, design, format):
 def test_what_is_exported_says_it_in_every_file(user_data, tmp_path, answers_drive):
     installed(per_unit_drive=answers_drive)
     path = tmp_path / "stim.h"
-    said = exported(path, LAB, "c-header")
+    facts = exported(path, LAB, "c-header")
     unit = "a.u." if answers_drive else "m/s²"
-    assert said["unit"] == said["channels"][0]["unit"] == unit
-    assert ("of the probe in m/s²" in said["scaling_means"]) is not answers_drive
-    assert ("unit of the drive" in said["scaling_means"]) is answers_drive
+    assert facts["unit"] == facts["channels"][0]["unit"] == unit
+    assert ("of the probe in m/s²" in facts["scaling_means"]) is not answers_drive
+    assert ("unit of the drive" in facts["scaling_means"]) is answers_drive
     header = path.read_text()
     assert ("it stands for 0.5 a.u.\n" in header) is answers_drive
     export_traces(tmp_path / "traces.csv", LAB, View(axes="xz", outputs=(3,)))
@@ -156,8 +156,8 @@ def test_what_is_exported_says_it_in_every_file(user_data, tmp_path, answers_dri
 def test_figures_of_linearity_tell_strengths_in_what_is_known(user_data, answers_drive):
     installed(per_unit_drive=answers_drive)
     opened = ss.scenes.open_scene("5D", limb="lab-1")
-    labels = [one.label for one in opened.conditions]
-    speeds = [one.label for one in ss.scenes.open_scene("5A", limb="lab-1").conditions]
+    labels = [condition.label for condition in opened.conditions]
+    speeds = [condition.label for condition in ss.scenes.open_scene("5A", limb="lab-1").conditions]
     drawn = draw_figure(opened)
     axis = drawn.sheet.figure.axes[0].get_xlabel()
     header = drawn.tables[""].header

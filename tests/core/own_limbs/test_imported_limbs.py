@@ -64,18 +64,18 @@ def test_a_file_in_the_layout_becomes_a_limb(user_data, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("value", "words"),
+    ("value", "message"),
     [(None, "it has no attribute 'format'"), ("limb", "the attribute 'format' is 'limb'")],
 )
 def test_a_file_in_the_layout_that_does_not_say_so_is_told_what_is_missing(
-    user_data, tmp_path, value, words
+    user_data, tmp_path, value, message
 ):
     path = layout_file(tmp_path / "ours.h5")
     with h5py.File(path, "r+") as file:
         del file.attrs["format"]
         if value is not None:
             file.attrs["format"] = value
-    with pytest.raises(SkinSourceError, match=words):
+    with pytest.raises(SkinSourceError, match=message):
         import_limb(LimbSource(responses=path))
 
 
@@ -179,7 +179,7 @@ def refused(user_data, source: LimbSource) -> str:
 def test_what_does_not_fit_together_is_refused_in_one_sentence(user_data, tmp_path):
     np.save(tmp_path / "a.npy", ALL)
     whole = {"responses": tmp_path / "a.npy", "inputs": INPUTS, "outputs": OUTPUTS}
-    for changes, words in (
+    for changes, message_part in (
         ({"inputs": INPUTS[:5]}, "input_positions has shape (5, 2), expected (7, 2)"),
         ({"outputs": None}, "output_positions are not known, expected 31 places"),
         ({"outputs": np.full((31, 2), np.nan)}, "no output has a place on the map"),
@@ -195,7 +195,7 @@ def test_what_does_not_fit_together_is_refused_in_one_sentence(user_data, tmp_pa
     ):
         source = LimbSource(**{**whole, "values": VALUES, **changes})
         message = refused(user_data, source)
-        assert words in message, message
+        assert message_part in message, message
         assert "\n" not in message
 
 
@@ -252,9 +252,9 @@ def test_an_own_limb_is_replaced_only_where_that_is_asked_for(user_data, tmp_pat
         file["responses"][0, 0, 0, 0] += 1.0
     capsys.readouterr()
     assert main(["limb", "import", str(path)]) == 1
-    said = capsys.readouterr().err
-    assert "an own limb is called 'ours' already, and would be lost" in said
-    assert "--replace" in said
+    error_output = capsys.readouterr().err
+    assert "an own limb is called 'ours' already, and would be lost" in error_output
+    assert "--replace" in error_output
     assert facts_of("ours").digest == before
     assert main(["limb", "import", str(path), "--name", "another"]) == 0
     assert main(["limb", "import", str(path), "--replace"]) == 0

@@ -54,12 +54,12 @@ def test_it_gives_back_every_number(lab):
     assert (limb.axes, limb.sample_rate_hz, limb.pre_trigger_delay_s) == ("xz", RATE_HZ, 0.002)
     for place in range(1, N_INPUTS + 1):
         np.testing.assert_array_equal(limb.response_to(place), response(place))
-    for found, expected in (
+    for positions, expected in (
         (limb.map.outline, lab.outline),
         (limb.map.input_positions, lab.input_positions),
         (limb.map.output_positions, lab.output_positions),
     ):
-        np.testing.assert_array_equal(found, expected)
+        np.testing.assert_array_equal(positions, expected)
 
 
 def test_it_is_named_beside_the_others_and_removed(lab):
@@ -119,11 +119,11 @@ def test_a_design_whose_limb_is_gone_is_computed_nowhere_and_says_what_to_import
 
 
 @pytest.mark.parametrize(
-    ("axes", "found"), [("z", "z"), ("y", "xz"), ("xy", "xz"), ("xz", "xz"), ("xyz", "xz")]
+    ("axes", "shown_axes"), [("z", "z"), ("y", "xz"), ("xy", "xz"), ("xz", "xz"), ("xyz", "xz")]
 )
-def test_another_limb_keeps_the_axes_that_it_has(lab, axes, found):
+def test_another_limb_keeps_the_axes_that_it_has(lab, axes, shown_axes):
     edit = edits.change_limb(Design(limb="synthetic-1"), View(axes=axes), "lab-1")
-    assert edit.view.axes == found
+    assert edit.view.axes == shown_axes
 
 
 def test_a_limb_that_is_imported_anew_is_computed_anew(lab):
@@ -145,7 +145,7 @@ def test_scripts_say_what_a_place_plays_there(lab):
     levels = evaluate(PLAYED, "output_levels_db", view=VIEW)["output_levels_db"]
     field = ss.predict(
         load_limb("lab-1"),
-        [np.pad(one.waveform.samples(RATE_HZ), (0, 1200))[:1200] for one in PLAYED.clips],
+        [np.pad(clip.waveform.samples(RATE_HZ), (0, 1200))[:1200] for clip in PLAYED.clips],
         [7, 2],
         scaling="probe",
     )
@@ -175,8 +175,8 @@ def test_every_export_works_on_it_and_says_its_axes(lab, tmp_path):
 
 
 def test_a_sweep_and_the_levels_of_a_train_work_on_it(lab, tmp_path):
-    found = sweep(PLAYED, {"location": [1, 4]}, out=tmp_path / "s", outputs=(31,), processes=1)
-    assert len(found.rows) == 2
+    table = sweep(PLAYED, {"location": [1, 4]}, out=tmp_path / "s", outputs=(31,), processes=1)
+    assert len(table.rows) == 2
     other = edits.change_limb(PLAYED, VIEW, "lab-1").design
     other = other.with_clip(1, waveform=Tone())
     both = sweep(other, {"limb": ["lab-1", "synthetic-1"]}, out=tmp_path / "b")
@@ -219,8 +219,8 @@ def test_every_flipped_bit_of_a_kept_limb_is_noticed_or_changes_nothing(lab):
         except FileFormatError as error:
             assert str(error).endswith("Import the limb again.")  # noqa: PT017
             continue
-        for place_number, found in enumerate(responses, start=1):
-            np.testing.assert_array_equal(found, response(place_number))
+        for place_number, field in enumerate(responses, start=1):
+            np.testing.assert_array_equal(field, response(place_number))
         np.testing.assert_array_equal(limb.map.outline, lab.outline)
     for length in (0, 100, 600, len(whole) - 1):
         path.write_bytes(whole[:length])
@@ -248,7 +248,7 @@ def test_responses_replaced_while_the_limb_is_open_are_noticed(lab):
 
 
 @pytest.mark.parametrize(
-    ("changes", "words"),
+    ("changes", "message"),
     [
         ({"name": "Lab 1"}, "small letters, digits"),
         ({"name": "measured-1"}, "not beginning with measured-"),
@@ -267,11 +267,11 @@ def test_responses_replaced_while_the_limb_is_open_are_noticed(lab):
         ({"n_taps": 2**20}, "would take 3.6 GB"),
     ],
 )
-def test_what_is_no_limb_is_refused_in_one_sentence(changes, words):
+def test_what_is_no_limb_is_refused_in_one_sentence(changes, message):
     if "n_taps" in changes and changes["n_taps"] > 1:
         changes = {**changes, "input_positions": np.zeros((60, 2)), "input_names": ()}
-        words = "would take 31.2 GB"
-    with pytest.raises(InvalidInputError, match=words):
+        message = "would take 31.2 GB"
+    with pytest.raises(InvalidInputError, match=message):
         own_limb(**changes)
 
 

@@ -17,19 +17,19 @@ N_MUTANTS = 300
 
 @pytest.fixture(scope="module")
 def process():
-    with ReadingProcess(silence_s=5.0) as one:
-        yield one
+    with ReadingProcess(silence_s=5.0) as reading:
+        yield reading
 
 
 def outcome(path, process):
     """The error, or None where a whole limb came of it."""
     source = LimbSource(responses=path)
     try:
-        found = prepare_limb(source, process)
-        blocks = list(importing_module._responses(path, found, process, lambda: False))
+        prepared = prepare_limb(source, process)
+        blocks = list(importing_module._responses(path, prepared, process, lambda: False))
     except SkinSourceError as error:
         return error
-    assert len(blocks) == found.limb.n_inputs
+    assert len(blocks) == prepared.limb.n_inputs
     return None
 
 
@@ -42,9 +42,9 @@ def test_hundreds_of_mutants_give_a_limb_or_one_clear_error(user_data, tmp_path,
     assert tally.outcomes["process lost"] == 0
     assert outcome(whole, process) is None
     import_limb(LimbSource(responses=whole))
-    kept = try_kept(own_limb_path("ours"), N_MUTANTS, 3, tmp_path)
-    assert kept.wrong == []
-    assert kept.outcomes["refused"] > N_MUTANTS // 2
+    cached = try_kept(own_limb_path("ours"), N_MUTANTS, 3, tmp_path)
+    assert cached.wrong == []
+    assert cached.outcomes["refused"] > N_MUTANTS // 2
 
 
 def hostile(change):
@@ -80,7 +80,7 @@ def huge_names(file):
 
 
 @pytest.mark.parametrize(
-    ("change", "words"),
+    ("change", "part"),
     [
         (lambda file: file.attrs.__setitem__("format_version", 2), "format_version is 2"),
         (lambda file: file.attrs.__delitem__("axes"), "no attribute 'axes'"),
@@ -105,11 +105,11 @@ def huge_names(file):
         (huge_names, "one line"),
     ],
 )
-def test_a_file_that_is_not_what_it_should_be_is_refused_by_name(tmp_path, process, change, words):
+def test_a_file_that_is_not_what_it_should_be_is_refused_by_name(tmp_path, process, change, part):
     path = hostile(change)(tmp_path / "bad.h5")
     error = outcome(path, process)
     assert error is not None
-    assert words in str(error)
+    assert part in str(error)
     assert "bad.h5" in str(error)
 
 

@@ -41,14 +41,14 @@ ALSA_SETTINGS = Path("/usr/share/alsa/alsa.conf")
 
 def rows(seed: int, n: int) -> np.ndarray:
     """Noise that fills the range, and whose first and last samples are not silent."""
-    found = np.random.default_rng(seed).uniform(-1.0, 1.0, (N_OUTPUTS, n)).astype(np.float32)
-    found[:, [0, -1]] = 0.5
-    return found
+    noise = np.random.default_rng(seed).uniform(-1.0, 1.0, (N_OUTPUTS, n)).astype(np.float32)
+    noise[:, [0, -1]] = 0.5
+    return noise
 
 
-def first_sounding(heard: np.ndarray) -> int:
+def first_sounding(recorded: np.ndarray) -> int:
     """Sample before which all outputs are silent."""
-    return int(np.flatnonzero(np.any(heard != 0.0, axis=0))[0])
+    return int(np.flatnonzero(np.any(recorded != 0.0, axis=0))[0])
 
 
 def read_heard(folder: Path, n_outputs: int = N_OUTPUTS) -> np.ndarray:
@@ -110,7 +110,7 @@ class PacedCard:
 
     def _listen(self) -> None:
         frame = self._frame
-        begun_s, taken = None, 0
+        begun_s, n_taken = None, 0
         with (self._folder / "heard.raw").open("wb") as file:
             while True:
                 if not select.select([self._pipe], [], [], 0.05)[0]:
@@ -120,8 +120,8 @@ class PacedCard:
                 data = os.read(self._pipe, 240 * frame)
                 begun_s = perf_counter() if begun_s is None else begun_s
                 file.write(data)
-                taken += len(data)
-                self.frames = taken // frame
+                n_taken += len(data)
+                self.frames = n_taken // frame
                 ahead_s = self.frames / RATE_HZ - (perf_counter() - begun_s)
                 if ahead_s > 0:
                     sleep(ahead_s)
@@ -138,9 +138,9 @@ def opened(of_mix, at, gain_db=0.0):
     from skinsource.lab.playing.stream import Stream
 
     device = device_of(Output(device="card"), devices())
-    deck, finished = Deck(N_OUTPUTS, RATE_HZ, gain_db), threading.Event()
-    deck.play(of_mix, at)
-    return Stream(deck, device, 0.02, finished.set), finished
+    queue, finished = Deck(N_OUTPUTS, RATE_HZ, gain_db), threading.Event()
+    queue.play(of_mix, at)
+    return Stream(queue, device, 0.02, finished.set), finished
 
 
 def mix(samples, loop_s=None):
@@ -176,17 +176,17 @@ def live(folder: Path) -> dict:
     for _ in range(15):
         sleep(0.01)
         seen_at.append((stream.position_s(), card.frames))
-    seen = {
+    report = {
         "seen_at": seen_at,
         "total_s": stream.delay(0.0).total_s,
         "gone": stream.gone,
         "peak_db": stream.deck.levels().peak_db.tolist(),
     }
     stream.deck.stop()
-    seen |= {"done": finished.wait(30), "reason": stream.deck.ending.reason}
+    report |= {"done": finished.wait(30), "reason": stream.deck.ending.reason}
     stream.close()
     card.close()
-    return seen
+    return report
 
 
 def pulled(folder: Path) -> dict:

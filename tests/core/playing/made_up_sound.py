@@ -110,7 +110,7 @@ class MadeUpLibrary:
         return self.streams[-1]
 
     def _terminate(self):
-        assert not any(one.active for one in self.streams)
+        assert not any(stream.active for stream in self.streams)
 
     def _initialize(self):
         pass

@@ -28,7 +28,7 @@ def tone(n, cycles=10.0, amplitude=0.5):
     return amplitude * np.sin(2 * np.pi * cycles * np.arange(n) / n)
 
 
-def deck(n_outputs=1, gain_db=0.0) -> PlayQueue:
+def play_queue(n_outputs=1, gain_db=0.0) -> PlayQueue:
     return PlayQueue(n_outputs, RATE_HZ, gain_db)
 
 
@@ -44,14 +44,14 @@ def blocks(of, sizes) -> np.ndarray:
     return np.concatenate([block(of, n) for n in sizes], axis=1)
 
 
-def largest_step(heard) -> float:
+def largest_step(signal) -> float:
     """Between one sample and the next, silence before and after."""
-    padded = np.pad(np.asarray(heard, float), ((0, 0), (1, 1)))
+    padded = np.pad(np.asarray(signal, float), ((0, 0), (1, 1)))
     return float(np.abs(np.diff(padded, axis=1)).max(initial=0.0))
 
 
 def playing(of_mix, *, at=0, gain_db=0.0, n_outputs=None):
     """A deck that plays a mix from a sample on."""
-    found = deck(n_outputs or of_mix.n_outputs, gain_db)
-    found.play(of_mix, at)
-    return found
+    queue = play_queue(n_outputs or of_mix.n_outputs, gain_db)
+    queue.play(of_mix, at)
+    return queue

@@ -34,16 +34,16 @@ class SlowPlayer:
     def __init__(self, gain: float) -> None:
         self.now = self.old = None
         self.faded, self.gain, self.wanted_gain = FADE, gain, gain
-        self.wanted = None
+        self.requested = None
         self.fall = None
         self.last = 0.0
         self.over = ""
 
     def begin_block(self) -> None:
         """Commands are looked at once per block."""
-        if self.wanted is None or self.faded < FADE or self.over:
+        if self.requested is None or self.faded < FADE or self.over:
             return
-        (row, loop, at), self.wanted = self.wanted, None
+        (row, loop, at), self.requested = self.requested, None
         self.old, self.faded = self.now, 0
         if row is None:
             self.now = None
@@ -61,23 +61,23 @@ class SlowPlayer:
         """The next sample."""
         if self.over:
             return self._falling()
-        heard = self._read(self.now)
+        samples = self._read(self.now)
         if self.faded < FADE:
             share = weight(self.faded, FADE)
-            heard = share * heard + (1 - share) * self._read(self.old)
+            samples = share * samples + (1 - share) * self._read(self.old)
             self.faded += 1
         most = 1.0 / (0.05 * RATE_HZ)
         self.gain += max(-most, min(most, self.wanted_gain - self.gain))
-        heard *= self.gain
-        if abs(heard) > 1.0:
+        samples *= self.gain
+        if abs(samples) > 1.0:
             self.over, self.fall = "limit", 0
             return self._falling()
-        self.last = heard
-        return heard
+        self.last = samples
+        return samples
 
     def end_block(self) -> None:
         """All may have been played."""
-        if self.over or self.faded < FADE or self.wanted is not None:
+        if self.over or self.faded < FADE or self.requested is not None:
             return
         if self.now is None:
             self.over = "stopped"

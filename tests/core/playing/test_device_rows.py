@@ -19,8 +19,8 @@ def rows(seed=0, n=2600):
 
 @pytest.mark.parametrize("to_hz", [48_000, 44_100, 8_000, 1_300, 1_000])
 def test_it_is_the_same_as_resampling_everything_to_the_last_bit(to_hz):
-    found = DeviceRows().at(rows(), FROM_HZ, to_hz)
-    assert np.array_equal(found, ss.resample(rows(), FROM_HZ, to_hz))
+    resampled = DeviceRows().at(rows(), FROM_HZ, to_hz)
+    assert np.array_equal(resampled, ss.resample(rows(), FROM_HZ, to_hz))
 
 
 def test_only_what_has_changed_goes_through_the_filter():
@@ -40,8 +40,8 @@ def test_only_what_has_changed_goes_through_the_filter():
 def test_another_rate_is_another_signal():
     memory = DeviceRows()
     memory.at(rows(), FROM_HZ, 48_000)
-    found = memory.at(rows(), FROM_HZ, 44_100)
-    assert np.array_equal(found, ss.resample(rows(), FROM_HZ, 44_100))
+    resampled = memory.at(rows(), FROM_HZ, 44_100)
+    assert np.array_equal(resampled, ss.resample(rows(), FROM_HZ, 44_100))
 
 
 def test_what_is_given_out_does_not_change_what_is_kept():

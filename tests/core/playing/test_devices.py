@@ -57,18 +57,21 @@ class Library:
 @pytest.fixture
 def library(monkeypatch):
     def use(**made):
-        found = Library(**made)
-        monkeypatch.setattr(importlib, "import_module", lambda name: found)
-        return found
+        backend = Library(**made)
+        monkeypatch.setattr(importlib, "import_module", lambda name: backend)
+        return backend
 
     return use
 
 
 def test_what_the_system_plays_on_comes_first_and_what_cannot_play_not_at_all(library):
     library()
-    found = devices.devices()
-    assert [one.title for one in found] == ["Eight (JACK, 8 outputs)", "Built-in (ALSA, 2 outputs)"]
-    assert [one.is_default for one in found] == [True, False]
+    listed = devices.devices()
+    assert [device.title for device in listed] == [
+        "Eight (JACK, 8 outputs)",
+        "Built-in (ALSA, 2 outputs)",
+    ]
+    assert [device.is_default for device in listed] == [True, False]
 
 
 def test_where_no_default_is_said_the_first_host_has_one(library):
@@ -84,11 +87,11 @@ def test_looking_again_starts_the_sound_system_anew(library):
 
 def test_a_device_is_found_by_its_name_and_its_host(library):
     library(cards=(*CARDS, ("Built-in", 1, 2, 48000.0)))
-    found = devices.devices()
-    assert devices.device_of(Output(), found).name == "Eight"
-    wanted = Output(device="Built-in", host_api="JACK")
-    assert devices.device_of(wanted, found).index == 3
-    assert devices.device_of(Output(device="Built-in"), found).index == 0
+    listed = devices.devices()
+    assert devices.device_of(Output(), listed).name == "Eight"
+    output = Output(device="Built-in", host_api="JACK")
+    assert devices.device_of(output, listed).index == 3
+    assert devices.device_of(Output(device="Built-in"), listed).index == 0
 
 
 def test_a_device_that_is_not_there_is_named_with_those_that_are(library):
@@ -117,7 +120,7 @@ def test_rates_are_those_that_the_device_takes(library):
 
 
 @pytest.mark.parametrize(
-    ("refusal", "words"),
+    ("refusal", "message"),
     [
         (("Invalid sample rate", -9997), "Eight does not take 48000 Hz; it prefers 48000 Hz"),
         (("Invalid number of channels", -9998), "Eight does not take 3 outputs"),
@@ -126,9 +129,9 @@ def test_rates_are_those_that_the_device_takes(library):
         (("no code",), "cannot be played on: no code"),
     ],
 )
-def test_what_a_device_refuses_is_said_in_plain_words(library, refusal, words):
+def test_what_a_device_refuses_is_said_in_plain_words(library, refusal, message):
     library(refusal=refusal)
-    with pytest.raises(PlaybackError, match=words):
+    with pytest.raises(PlaybackError, match=message):
         stream.Stream(PlayQueue(3, 48_000), devices.devices()[0], 0.02, lambda: None)
 
 
@@ -148,9 +151,9 @@ def test_without_portaudio_the_package_of_the_system_is_said(monkeypatch):
 
 
 def test_nothing_of_sound_is_imported_before_somebody_asks():
-    words = "import sys, skinsource.lab.playing.session; print(*sys.modules)"
-    found = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True)
-    assert found.returncode == 0, found.stderr
-    assert "skinsource.lab.playing.stream" in found.stdout
-    assert "sounddevice" not in found.stdout.split()
+    program = "import sys, skinsource.lab.playing.session; print(*sys.modules)"
+    completed = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert completed.returncode == 0, completed.stderr
+    assert "skinsource.lab.playing.stream" in completed.stdout
+    assert "sounddevice" not in completed.stdout.split()
     assert issubclass(PlaybackError, SkinSourceError)

@@ -16,7 +16,7 @@ def _sound():
     file_card.skip_where_there_is_none()
 
 
-def seen(scene, folder):
+def report_of(scene, folder):
     done = subprocess.run(
         [sys.executable, file_card.__file__, scene, str(folder)],
         capture_output=True, text=True, timeout=120,
@@ -26,39 +26,39 @@ def seen(scene, folder):
 
 
 def test_what_arrives_at_the_device_is_what_was_sent_sample_by_sample(tmp_path):
-    assert seen("once", tmp_path) == {"done": True, "reason": "end"}
-    heard, sent = read_heard(tmp_path), rows(1, 20_011)
-    begin = first_sounding(heard)
-    assert np.array_equal(heard[:, begin : begin + sent.shape[1]], sent)
-    assert not heard[:, begin + sent.shape[1] :].any()
+    assert report_of("once", tmp_path) == {"done": True, "reason": "end"}
+    recorded, sent = read_heard(tmp_path), rows(1, 20_011)
+    begin = first_sounding(recorded)
+    assert np.array_equal(recorded[:, begin : begin + sent.shape[1]], sent)
+    assert not recorded[:, begin + sent.shape[1] :].any()
 
 
 def test_a_live_change_arrives_in_its_place_while_the_playhead_keeps_step(tmp_path):
-    found = seen("live", tmp_path)
-    assert (found["done"], found["reason"], found["gone"]) == (True, "stopped", False)
-    assert 0.0 < found["total_s"] < 0.5
-    assert all(-1.0 < peak <= 0.0 for peak in found["peak_db"])
-    heard, before, after = read_heard(tmp_path), rows(1, LONG), rows(2, LONG)
-    begin = first_sounding(heard)
+    report = report_of("live", tmp_path)
+    assert (report["done"], report["reason"], report["gone"]) == (True, "stopped", False)
+    assert 0.0 < report["total_s"] < 0.5
+    assert all(-1.0 < peak <= 0.0 for peak in report["peak_db"])
+    recorded, before, after = read_heard(tmp_path), rows(1, LONG), rows(2, LONG)
+    begin = first_sounding(recorded)
     # The middle one: on a busy machine one or the other thread stands still now and then.
-    ahead_s = [at_s - (frames - begin) / RATE_HZ for at_s, frames in found["seen_at"]]
+    ahead_s = [at_s - (frames - begin) / RATE_HZ for at_s, frames in report["seen_at"]]
     assert np.median(ahead_s) == pytest.approx(0.0, abs=0.1)
-    heard = heard[:, begin:]
-    n = heard.shape[1]
-    first_change = int(np.flatnonzero(np.any(heard != before[:, :n], axis=0))[0])
+    recorded = recorded[:, begin:]
+    n = recorded.shape[1]
+    first_change = int(np.flatnonzero(np.any(recorded != before[:, :n], axis=0))[0])
     settled = first_change + FADE
     # From there on it is the new one, until it fades out.
     last = settled + int(
-        np.flatnonzero(np.any(heard[:, settled:] != after[:, settled:n], axis=0))[0]
+        np.flatnonzero(np.any(recorded[:, settled:] != after[:, settled:n], axis=0))[0]
     )
     assert last - settled > 0.05 * RATE_HZ
-    assert not heard[:, last + FADE :].any()
+    assert not recorded[:, last + FADE :].any()
     # On the way the two add up.
     weight = 0.5 - 0.5 * np.cos(np.pi * np.arange(1, FADE + 1) / (FADE + 1))
     way = slice(first_change, settled)
     expected = (1 - weight) * before[:, way] + weight * after[:, way]
-    assert heard[:, way] == pytest.approx(expected, abs=1e-6)
+    assert recorded[:, way] == pytest.approx(expected, abs=1e-6)
 
 
 def test_a_device_that_is_pulled_out_ends_playing_without_a_reason_of_ours(tmp_path):
-    assert seen("pulled", tmp_path) == {"done": True, "ending": None}
+    assert report_of("pulled", tmp_path) == {"done": True, "ending": None}

@@ -1,13 +1,13 @@
 import numpy as np
 import pytest
 
-from tests.core.playing.playing_bench import FADE, RATE_HZ, block, blocks, deck, mix
+from tests.core.playing.playing_bench import FADE, RATE_HZ, block, blocks, mix, play_queue
 
 WINDOW = RATE_HZ // 10
 
 
 def test_a_steady_tone_at_full_scale_has_an_rms_of_minus_three_decibels():
-    live = deck()
+    live = play_queue()
     live.play(mix(np.sin(2 * np.pi * np.arange(4 * WINDOW) * 100 / RATE_HZ)), 0)
     blocks(live, [97] * 24)
     levels = live.levels()
@@ -17,7 +17,7 @@ def test_a_steady_tone_at_full_scale_has_an_rms_of_minus_three_decibels():
 
 
 def test_each_output_has_its_own_and_what_is_over_stays_the_highest():
-    live = deck(2, gain_db=-20.0)
+    live = play_queue(2, gain_db=-20.0)
     rows = np.zeros((2, 3 * WINDOW))
     rows[0, 10] = -1.0
     rows[1] = 0.5
@@ -33,7 +33,7 @@ def test_each_output_has_its_own_and_what_is_over_stays_the_highest():
 
 
 def test_nothing_is_shown_of_what_was_not_played():
-    live = deck()
+    live = play_queue()
     live.play(mix(np.full(2 * WINDOW, 4.0)), 0)
     block(live, WINDOW)
     assert live.ending.reason == "limit"

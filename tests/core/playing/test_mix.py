@@ -12,19 +12,19 @@ def made(rows, **changes):
 
 
 def test_each_channel_goes_to_its_output():
-    found = made([[1, 2], [3, 4]], outputs=[4, 2])
-    assert found.samples.tolist() == [[0, 0], [3, 4], [0, 0], [1, 2]]
-    assert found.names == ("", "b", "", "a")
+    mixed = made([[1, 2], [3, 4]], outputs=[4, 2])
+    assert mixed.samples.tolist() == [[0, 0], [3, 4], [0, 0], [1, 2]]
+    assert mixed.names == ("", "b", "", "a")
 
 
 def test_channels_at_one_output_add_up():
-    found = made([[1, 2], [3, 4]], outputs=[2, 2])
-    assert found.samples.tolist() == [[0, 0], [4, 6], [0, 0], [0, 0]]
-    assert found.names[1] == "a + b"
+    mixed = made([[1, 2], [3, 4]], outputs=[2, 2])
+    assert mixed.samples.tolist() == [[0, 0], [4, 6], [0, 0], [0, 0]]
+    assert mixed.names[1] == "a + b"
 
 
 @pytest.mark.parametrize(
-    ("rows", "changes", "words"),
+    ("rows", "changes", "message"),
     [
         ([[1, np.nan], [0, 0]], {}, "finite"),
         ([[1, np.inf], [0, 0]], {}, "finite"),
@@ -36,8 +36,8 @@ def test_channels_at_one_output_add_up():
         ([[1, 2], [3, 4]], {"loop_s": (0.2, 0.1)}, "expected at least 10 ms"),
     ],
 )
-def test_what_cannot_be_played_is_refused(rows, changes, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_cannot_be_played_is_refused(rows, changes, message):
+    with pytest.raises(InvalidInputError, match=message):
         made(rows, **changes)
 
 
@@ -45,34 +45,34 @@ def test_what_cannot_be_played_is_refused(rows, changes, words):
 @pytest.mark.parametrize("n", [1, 40, 700])
 def test_reading_tells_where_it_goes_on(start, n):
     for loop in (None, (60, 200)):
-        found = mix(np.arange(300.0), loop=loop)
-        position = found.read(start, np.zeros((1, n)))
+        mixed = mix(np.arange(300.0), loop=loop)
+        position = mixed.read(start, np.zeros((1, n)))
         one_by_one = start
         for _ in range(n):
-            one_by_one = found.read(one_by_one, np.zeros((1, 1)))
+            one_by_one = mixed.read(one_by_one, np.zeros((1, 1)))
         assert position == one_by_one
 
 
 def test_a_loop_may_lie_where_nothing_plays_any_more():
-    found = mix(np.ones(100), loop=(2000, 2500))
+    mixed = mix(np.ones(100), loop=(2000, 2500))
     out = np.full((1, 600), np.nan)
-    assert found.read(2000, out) == 2100
+    assert mixed.read(2000, out) == 2100
     assert not out.any()
 
 
 def test_a_loop_behind_the_end_fades_the_end_into_silence():
-    found = mix(np.ones(100), loop=(0, 100))
+    mixed = mix(np.ones(100), loop=(0, 100))
     out = np.full((1, 100), np.nan)
-    found.read(0, out)
+    mixed.read(0, out)
     assert np.all(out[0, : 100 - FADE] == 1.0)
     assert np.all(np.diff(out[0, 100 - FADE :]) < 0)
     assert 0 < out[0, -1] < 0.01
 
 
 def test_the_test_tone_is_on_its_output_alone_and_has_its_frequency():
-    found = tone_of(3, 4, 48_000)
-    assert not found.samples[[0, 1, 3]].any()
-    tone = found.samples[2].astype(float)
+    samples = tone_of(3, 4, 48_000)
+    assert not samples.samples[[0, 1, 3]].any()
+    tone = samples.samples[2].astype(float)
     assert np.abs(tone).max() == pytest.approx(1.0, abs=1e-3)
     spectrum = np.abs(np.fft.rfft(tone, 480_000))
     assert spectrum.argmax() / 10 == pytest.approx(FREQUENCY_HZ, abs=0.2)

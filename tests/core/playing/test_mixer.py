@@ -18,29 +18,29 @@ TWO = ss.Design(
 
 
 def test_what_is_played_is_the_stimulus_that_is_exported():
-    found = Mixer().mix(TWO, Output())
+    mixed = Mixer().mix(TWO, Output())
     expected = ss.stimulus_of(TWO, 48_000).samples
-    assert np.array_equal(found.samples, expected.astype(np.float32))
-    assert found.names == ("place 7", "place 12")
-    assert found.loop is None
+    assert np.array_equal(mixed.samples, expected.astype(np.float32))
+    assert mixed.names == ("place 7", "place 12")
+    assert mixed.loop is None
 
 
 def test_an_amplitude_of_one_is_full_scale_whatever_else_is_played():
-    found = Mixer().mix(TWO, Output())
-    assert np.abs(found.samples).max(axis=1) == pytest.approx([0.5, 0.25], rel=0.01)
+    mixed = Mixer().mix(TWO, Output())
+    assert np.abs(mixed.samples).max(axis=1) == pytest.approx([0.5, 0.25], rel=0.01)
 
 
 def test_each_place_plays_on_its_output():
-    found = Mixer().mix(TWO, Output(outputs=((7, 4), (12, 2))), least_outputs=2)
-    assert found.names == ("", "place 12", "", "place 7")
-    assert [found.plays_on(number) for number in range(1, 6)] == [False, True, False, True, False]
+    mixed = Mixer().mix(TWO, Output(outputs=((7, 4), (12, 2))), least_outputs=2)
+    assert mixed.names == ("", "place 12", "", "place 7")
+    assert [mixed.plays_on(number) for number in range(1, 6)] == [False, True, False, True, False]
 
 
 def test_what_one_place_drives_does_not_depend_on_whether_another_is_muted():
     muted = TWO.with_input(0, muted=True)
-    found = Mixer().mix(muted, Output())
-    assert found.names == ("", "place 12")
-    assert not found.samples[0].any()
+    mixed = Mixer().mix(muted, Output())
+    assert mixed.names == ("", "place 12")
+    assert not mixed.samples[0].any()
 
 
 def test_the_loop_of_the_design_goes_before_that_of_all_of_it():
@@ -59,11 +59,11 @@ def test_nothing_at_all_can_be_looped_too():
 
 def test_the_stand_in_plays_on_two_ears_so_many_hertz_higher():
     design = TWO.with_input(1, muted=True)
-    found = Mixer().mix(design, Output(stand_in=True, shift_hz=250.0, outputs=((7, 9),)))
-    assert found.names == ("left", "right")
-    spectrum = np.abs(np.fft.rfft(found.samples[0], 48_000))
+    mixed = Mixer().mix(design, Output(stand_in=True, shift_hz=250.0, outputs=((7, 9),)))
+    assert mixed.names == ("left", "right")
+    spectrum = np.abs(np.fft.rfft(mixed.samples[0], 48_000))
     assert spectrum.argmax() == pytest.approx(350, abs=1)
-    assert np.allclose(found.samples[0], found.samples[1])
+    assert np.allclose(mixed.samples[0], mixed.samples[1])
 
 
 def test_only_the_track_that_was_edited_is_resampled():

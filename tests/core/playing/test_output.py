@@ -24,9 +24,9 @@ def test_an_output_that_another_place_is_wired_to_is_not_free():
 def test_no_two_places_share_an_output(places, pairs):
     outputs = tuple({place: (place, output) for place, output in pairs}.values())
     outputs = tuple({output: (place, output) for place, output in outputs}.values())
-    found = Output(outputs=outputs).outputs_of(places)
-    assert set(found) == set(places)
-    assert len(set(found.values())) == len(found)
+    numbers = Output(outputs=outputs).outputs_of(places)
+    assert set(numbers) == set(places)
+    assert len(set(numbers.values())) == len(numbers)
 
 
 def test_what_is_written_down_is_read_again():
@@ -55,13 +55,13 @@ def test_anything_else_is_refused(text):
 
 
 @pytest.mark.parametrize(
-    ("outputs", "words"),
+    ("outputs", "message"),
     [
         (((1, 2), (3, 2)), "output 2 stands twice"),
         (((1, 2), (1, 3)), "place 1 stands twice"),
         (((1, 200),), "output is 200"),
     ],
 )
-def test_an_impossible_map_is_refused(outputs, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_an_impossible_map_is_refused(outputs, message):
+    with pytest.raises(InvalidInputError, match=message):
         Output(outputs=outputs)

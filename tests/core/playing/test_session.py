@@ -29,10 +29,10 @@ def sound(monkeypatch):
 @pytest.fixture
 def session():
     over = threading.Event()
-    found = Session(lambda stream: over.set())
-    found.over = over
-    yield found
-    found.close()
+    new = Session(lambda stream: over.set())
+    new.over = over
+    yield new
+    new.close()
 
 
 def play(session, design=ONE, output=None, **changes):
@@ -45,9 +45,9 @@ def test_a_design_is_played_to_its_end(sound, session):
     assert session.over.wait(20)
     assert playing.stream.deck.ending.reason == "end"
     expected = ss.stimulus_of(ONE, 48_000).samples[0].astype(np.float32)
-    heard = sound.streams[0].samples
-    assert np.array_equal(heard[0, FADE : FADE + expected.size], expected)
-    assert not heard[1].any()
+    output = sound.streams[0].samples
+    assert np.array_equal(output[0, FADE : FADE + expected.size], expected)
+    assert not output[1].any()
 
 
 def test_a_playhead_behind_the_end_or_outside_the_loop_starts_from_the_beginning(sound, session):
@@ -56,8 +56,8 @@ def test_a_playhead_behind_the_end_or_outside_the_loop_starts_from_the_beginning
         (ONE, 0.25, 0.25), (ONE, 9.0, 0.0), (looped, 0.3, 0.3), (looped, 0.0, 0.2),
         (looped, 0.45, 0.2),
     ):  # fmt: skip
-        deck = play(session, design, at_s=at_s).stream.deck
-        swap, begun = deck.swap, deck.position
+        queue = play(session, design, at_s=at_s).stream.deck
+        swap, begun = queue.swap, queue.position
         begin = swap.at if swap is not None else begun
         assert begin >= round(expected * 48_000) - FADE
         assert begin < round((expected + 0.15) * 48_000)
@@ -80,7 +80,7 @@ def test_an_edit_that_needs_more_outputs_opens_the_device_anew(sound, session):
     playing = play(session, output=Output(device="Eight"), loops=True)
     three = replace(ONE, inputs=tuple(ss.track(place, TONE) for place in (7, 8, 9)))
     changed = session.change(playing, three, Output(device="Eight"), loops=True)
-    assert [one.asked["channels"] for one in sound.streams] == [2, 3]
+    assert [stream.asked["channels"] for stream in sound.streams] == [2, 3]
     assert playing.stream.closed
     assert not changed.stream.closed
 
@@ -108,18 +108,18 @@ def test_closing_falls_to_silence_first(sound, session):
     stream = sound.streams[0]
     wait_for(lambda: stream.samples.shape[1] > 4000)
     session.close()
-    heard = stream.samples[0].astype(float)
-    assert np.abs(np.diff(heard)).max() < np.pi / 2 / 48
-    assert heard[-1] == 0.0
+    output = stream.samples[0].astype(float)
+    assert np.abs(np.diff(output)).max() < np.pi / 2 / 48
+    assert output[-1] == 0.0
 
 
 def test_a_tone_is_on_one_output_alone(sound, session):
     playing = session.tone(5, Output(device="Eight"), 0.0)
     assert session.over.wait(20)
-    heard = sound.streams[0].samples
-    assert heard.shape[0] == 5
-    assert not heard[:4].any()
-    assert np.abs(heard[4]).max() == pytest.approx(1.0, abs=1e-3)
+    output = sound.streams[0].samples
+    assert output.shape[0] == 5
+    assert not output[:4].any()
+    assert np.abs(output[4]).max() == pytest.approx(1.0, abs=1e-3)
     assert playing.stream.deck.ending.reason == "end"
     with pytest.raises(PlaybackError, match="Two has 2 outputs"):
         session.tone(3, Output(), 0.0)
@@ -167,11 +167,11 @@ def test_a_device_that_is_pulled_out_leaves_no_ending(sound, session):
 def test_underruns_are_counted(sound, session):
     playing = play(session, loops=True)
     sound.streams[0].underflows = 3
-    seen = playing.stream.deck.played_samples
-    wait_for(lambda: playing.stream.deck.played_samples > seen + 2400)
+    before = playing.stream.deck.played_samples
+    wait_for(lambda: playing.stream.deck.played_samples > before + 2400)
     assert playing.stream.underruns == 3
 
 
 def test_looking_for_devices_ends_what_is_played(sound, session):
     play(session, loops=True)
-    assert [one.name for one in session.devices()] == ["Two", "Eight"]
+    assert [device.name for device in session.devices()] == ["Two", "Eight"]

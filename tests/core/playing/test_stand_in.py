@@ -24,16 +24,16 @@ def burst(frequency_hz, rate_hz, n, phase=0.0):
 @pytest.mark.parametrize("frequency_hz", [40.0, 100.0, 250.0, 550.0])
 def test_a_tone_is_heard_so_many_hertz_higher_under_the_same_envelope(frequency_hz):
     row = burst(frequency_hz, RATE_HZ, 2600)
-    found = shifted(row[np.newaxis], 300.0)[0]
-    expected = burst(frequency_hz + 300.0, THERE_HZ, found.size)
-    assert np.abs(found - expected).max() < 1e-4
+    shifted_row = shifted(row[np.newaxis], 300.0)[0]
+    expected = burst(frequency_hz + 300.0, THERE_HZ, shifted_row.size)
+    assert np.abs(shifted_row - expected).max() < 1e-4
 
 
 def test_no_mirror_image_is_heard():
     row = burst(200.0, RATE_HZ, 2600)
-    found = shifted(row[np.newaxis], 300.0)[0]
-    spectrum = np.abs(np.fft.rfft(found))
-    at = np.fft.rfftfreq(found.size, 1 / THERE_HZ)
+    shifted_row = shifted(row[np.newaxis], 300.0)[0]
+    spectrum = np.abs(np.fft.rfft(shifted_row))
+    at = np.fft.rfftfreq(shifted_row.size, 1 / THERE_HZ)
     mirror = spectrum[np.argmin(np.abs(at - 100.0))]
     assert 20 * np.log10(mirror / spectrum.max()) < -80.0
 

@@ -37,10 +37,10 @@ def sound(monkeypatch):
 @pytest.fixture
 def session():
     over = threading.Event()
-    found = Session(lambda stream: over.set())
-    found.over = over
-    yield found
-    found.close()
+    new = Session(lambda stream: over.set())
+    new.over = over
+    yield new
+    new.close()
 
 
 def play(session, design=ONE, **changes):
@@ -48,7 +48,7 @@ def play(session, design=ONE, **changes):
     return session.play(design, Output(device="Eight"), **settings)
 
 
-def heard(sound, session):
+def samples_at_outputs(sound, session):
     assert session.over.wait(30)
     return sound.streams[0].samples[:, FADE:]
 
@@ -56,20 +56,20 @@ def heard(sound, session):
 def test_the_rig_says_which_output_drives_a_place(sound, session):
     quiet = TWO.with_input(0, amplitude=0.5)
     play(session, quiet)
-    found = heard(sound, session)
+    played = samples_at_outputs(sound, session)
     expected = ss.stimulus_of(quiet, RATE_HZ).samples
-    assert found[2].any()
-    assert not found[1].any()
+    assert played[2].any()
+    assert not played[1].any()
     n = expected.shape[1]
-    assert found[0, :n] == pytest.approx(expected[1], abs=1e-6)
+    assert played[0, :n] == pytest.approx(expected[1], abs=1e-6)
 
 
 def test_an_inverted_channel_is_turned_round(sound, session):
     quiet = ONE.with_input(0, amplitude=0.5)
     play(session, quiet, rig=rig_of(polarity="inverted"))
-    found = heard(sound, session)[2]
+    played = samples_at_outputs(sound, session)[2]
     expected = -ss.stimulus_of(quiet, RATE_HZ).samples[0]
-    assert found[: expected.size] == pytest.approx(expected, abs=1e-6)
+    assert played[: expected.size] == pytest.approx(expected, abs=1e-6)
 
 
 def test_volts_of_a_design_are_volts_of_the_rig(sound, session):
@@ -77,9 +77,9 @@ def test_volts_of_a_design_are_volts_of_the_rig(sound, session):
     through = ss.Actuation(actuators=(ss.ActuatorAt(actuator="coil", model=coil),))
     volts = replace(ONE.with_input(0, amplitude=1.5), actuation=through)
     play(session, volts)
-    found = heard(sound, session)[2]
+    played = samples_at_outputs(sound, session)[2]
     expected = ss.stimulus_of(volts, RATE_HZ).samples[0] / 2.0
-    assert found[: expected.size] == pytest.approx(expected, abs=1e-6)
+    assert played[: expected.size] == pytest.approx(expected, abs=1e-6)
 
 
 def test_what_is_predicted_through_an_equaliser_is_played_through_it(sound, session):
@@ -89,24 +89,24 @@ def test_what_is_predicted_through_an_equaliser_is_played_through_it(sound, sess
         equaliser=ss.equalising.RegularisedInverse(),
     )
     play(session, replace(ONE, actuation=through))
-    found = heard(sound, session)[2]
+    played = samples_at_outputs(sound, session)[2]
     # 50 m/s² for each volt, 2 V at full scale.
     expected = ss.stimulus_of(ONE, RATE_HZ).samples[0] / 50.0 / 2.0
-    assert found[: expected.size] == pytest.approx(expected, abs=4e-3 * np.abs(expected).max())
+    assert played[: expected.size] == pytest.approx(expected, abs=4e-3 * np.abs(expected).max())
 
 
 @pytest.mark.parametrize("delay_s", [0.002, 0.00201])
 def test_channels_wait_for_the_slowest(sound, session, delay_s):
     quiet = TWO.with_input(0, amplitude=0.5)
     play(session, quiet, rig=rig_of(delay_s=delay_s))
-    found = heard(sound, session)
+    played = samples_at_outputs(sound, session)
     expected = ss.stimulus_of(quiet, 1300).samples
     sent = ss.resample(expected, 1300, RATE_HZ)
     n = sent.shape[1]
-    assert found[2, :n] == pytest.approx(sent[0], abs=1e-6)
+    assert played[2, :n] == pytest.approx(sent[0], abs=1e-6)
     times_s = np.arange(n) / RATE_HZ
     late = np.interp(times_s - delay_s, times_s, sent[1])
-    assert found[0, :n] == pytest.approx(late, abs=1e-3)
+    assert played[0, :n] == pytest.approx(late, abs=1e-3)
 
 
 def test_a_limit_of_the_rig_stops_it_before_anything_is_heard(sound, session):
@@ -133,11 +133,11 @@ def test_a_gain_that_is_turned_up_past_a_limit_stops_it(sound, session):
     playing = play(
         session, ONE.with_input(0, amplitude=0.9), rig=limited, gain_db=-20.0, loops=True
     )
-    deck = playing.stream.deck
-    assert deck.ending is None
-    deck.set_gain(0.0)
+    queue = playing.stream.deck
+    assert queue.ending is None
+    queue.set_gain(0.0)
     assert session.over.wait(30)
-    assert deck.ending.reason == "rig"
+    assert queue.ending.reason == "rig"
     # Not even the way up to it is heard.
     assert np.abs(sound.streams[0].samples).max() <= 0.09 + 1e-6
 

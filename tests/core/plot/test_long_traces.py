@@ -22,7 +22,7 @@ VIEW = ss.View(axes="z", outputs=MISSED)
 def drawn(design, view=VIEW):
     """Each row as (times, values in parts of its own peak)."""
     ax = ss.plot.traces(design, view=view, normalised=True).axes[0]
-    lines = [one for one in ax.lines if len(one.get_xdata()) > 2]
+    lines = [line for line in ax.lines if len(line.get_xdata()) > 2]
     bases = [-2.3 * rank for rank in range(len(lines))]
     return [
         (np.asarray(x.get_xdata()), x.get_ydata() - b) for x, b in zip(lines, bases, strict=True)
@@ -31,13 +31,13 @@ def drawn(design, view=VIEW):
 
 def tone_amplitudes(design, view):
     """Amplitude of the steady tone at each output, by least squares, and the largest sample."""
-    found = ss.evaluate(design, "response_time_s", "selected_traces", view=view)
-    time_s = found["response_time_s"]
+    values = ss.evaluate(design, "response_time_s", "selected_traces", view=view)
+    time_s = values["response_time_s"]
     steady = (time_s > 5.0) & (time_s < 15.0)
     turns = 2.0 * np.pi * HZ * time_s[steady]
     basis = np.stack((np.cos(turns), np.sin(turns)), axis=1)
-    parts = np.linalg.lstsq(basis, found["selected_traces"][:, steady].T, rcond=None)[0]
-    return np.hypot(*parts), np.abs(found["selected_traces"][:, steady]).max(axis=1)
+    parts = np.linalg.lstsq(basis, values["selected_traces"][:, steady].T, rcond=None)[0]
+    return np.hypot(*parts), np.abs(values["selected_traces"][:, steady]).max(axis=1)
 
 
 def test_columns_of_a_long_tone_reach_its_amplitude_where_samples_miss_it():
@@ -56,9 +56,9 @@ def test_columns_of_a_long_tone_reach_its_amplitude_where_samples_miss_it():
 def test_columns_are_in_the_unit_of_the_scale():
     figure = ss.plot.traces(LONG, view=replace(VIEW, outputs=MISSED[:1]))
     ax = figure.axes[0]
-    [line] = [one for one in ax.lines if len(one.get_xdata()) > 2]
-    words = [one.get_text() for one in ax.texts]
-    size = float(next(one for one in words if "a row is" in one).split()[-3])
+    [line] = [line for line in ax.lines if len(line.get_xdata()) > 2]
+    texts = [text.get_text() for text in ax.texts]
+    size = float(next(text for text in texts if "a row is" in text).split()[-3])
     time_ms, values = np.asarray(line.get_xdata()), line.get_ydata() * size
     amplitudes, _ = tone_amplitudes(LONG, replace(VIEW, outputs=MISSED[:1]))
     inside = (time_ms > 5e3) & (time_ms < 15e3)

@@ -54,29 +54,29 @@ def test_a_map_lies_where_the_outline_is_and_marks_inputs_and_outputs():
     ax = figure.axes[0]
     scale = limb.hand_length_mm / limb.map.hand_length_px
     np.testing.assert_allclose(ax.patches[0].get_xy()[:-1], limb.map.outline * scale)
-    marked = [(one.get_xdata()[0], one.get_ydata()[0]) for one in ax.lines]
-    assert any(np.allclose(one, limb.map.input_positions[6] * scale) for one in marked)
-    assert any(np.allclose(one, limb.map.output_positions[18] * scale) for one in marked)
-    words = [one.get_text() for one in (*ax.texts, *figure.texts)]
-    assert "19" in words
-    assert "61" not in words  # it has no place on the back
-    assert "50 mm" in words
-    assert any("SYNTHETIC" in one for one in words)
+    marked = [(line.get_xdata()[0], line.get_ydata()[0]) for line in ax.lines]
+    assert any(np.allclose(point, limb.map.input_positions[6] * scale) for point in marked)
+    assert any(np.allclose(point, limb.map.output_positions[18] * scale) for point in marked)
+    texts = [text.get_text() for text in (*ax.texts, *figure.texts)]
+    assert "19" in texts
+    assert "61" not in texts  # it has no place on the back
+    assert "50 mm" in texts
+    assert any("SYNTHETIC" in text for text in texts)
 
 
 def test_a_bar_of_50_mm_is_as_long_as_50_mm_of_the_hand():
     figure = ss.plot.map(DESIGN)
-    bar = next(one for one in figure.axes[0].lines if len(one.get_xdata()) == 2)
+    bar = next(line for line in figure.axes[0].lines if len(line.get_xdata()) == 2)
     assert np.ptp(bar.get_xdata()) == pytest.approx(50.0)
 
 
 def test_traces_are_the_projected_acceleration_over_time():
     view = replace(MAG, outputs=(19, 30), time_range_s=(0.05, 0.1))
     figure = ss.plot.traces(DESIGN, view=view)
-    found = ss.evaluate(DESIGN, "selected_traces", "response_time_s", view=view)
-    time_s, traces = found["response_time_s"], found["selected_traces"]
+    values = ss.evaluate(DESIGN, "selected_traces", "response_time_s", view=view)
+    time_s, traces = values["response_time_s"], values["selected_traces"]
     within = (time_s >= 0.05) & (time_s <= 0.1)
-    lines = [one for one in figure.axes[0].lines if one.get_xdata().__len__() > 2]
+    lines = [line for line in figure.axes[0].lines if line.get_xdata().__len__() > 2]
     bases = figure.axes[0].get_yticks()
     heights = np.stack([line.get_ydata() for line in lines]) - bases[:, None]
     # The highest point of all fills its row, a little above the highest sample.
@@ -86,7 +86,7 @@ def test_traces_are_the_projected_acceleration_over_time():
     np.testing.assert_allclose(heights[:, ::FINER], traces[:, within] / size, atol=1e-9)
     for line in lines:
         np.testing.assert_allclose(line.get_xdata()[::FINER], 1e3 * time_s[within])
-    labels = [one.get_text() for one in figure.axes[0].get_yticklabels()]
+    labels = [tick_label.get_text() for tick_label in figure.axes[0].get_yticklabels()]
     assert labels == ["Output 19", "Output 30"]
 
 
@@ -94,9 +94,9 @@ def test_between_samples_a_magnitude_is_the_length_of_the_wave_and_never_negativ
     def lines(axes, method):
         view = ss.View(axes=axes, method=method, outputs=(30,), time_range_s=(0.05, 0.1))
         figure = ss.plot.traces(DESIGN, view=view)
-        [line] = [one for one in figure.axes[0].lines if one.get_xdata().__len__() > 2]
-        words = [one.get_text() for one in figure.axes[0].texts]
-        size = float(next(one for one in words if "a row is" in one).split()[-3])
+        [line] = [line for line in figure.axes[0].lines if line.get_xdata().__len__() > 2]
+        texts = [text.get_text() for text in figure.axes[0].texts]
+        size = float(next(text for text in texts if "a row is" in text).split()[-3])
         return line.get_ydata() * size, size
 
     squares = [lines(axis, "mag")[0] ** 2 for axis in "xyz"]
@@ -109,7 +109,7 @@ def test_between_samples_a_magnitude_is_the_length_of_the_wave_and_never_negativ
 def test_normalised_rows_each_fill_their_height():
     figure = ss.plot.traces(DESIGN, outputs=(19, 30, 52), normalised=True)
     bases = figure.axes[0].get_yticks()
-    lines = [one for one in figure.axes[0].lines if one.get_xdata().__len__() > 2]
+    lines = [line for line in figure.axes[0].lines if line.get_xdata().__len__() > 2]
     heights = [
         np.abs(line.get_ydata() - base).max() for line, base in zip(lines, bases, strict=True)
     ]
@@ -120,8 +120,8 @@ def test_several_designs_lie_over_each_other_with_a_legend():
     louder = DESIGN.with_input(0, amplitude=2.0)
     figure = ss.plot.traces([DESIGN, louder], outputs=(30,), labels=["soft", "loud"])
     ax = figure.axes[0]
-    assert [one.get_text() for one in ax.get_legend().get_texts()] == ["soft", "loud"]
-    soft, loud = (one.get_ydata() for one in ax.lines if one.get_xdata().__len__() > 2)
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["soft", "loud"]
+    soft, loud = (line.get_ydata() for line in ax.lines if line.get_xdata().__len__() > 2)
     np.testing.assert_allclose(loud, 2 * soft, atol=1e-12)
 
 
@@ -141,14 +141,14 @@ def test_a_legend_lies_on_no_curve(draw, outputs):
 def test_a_shorter_design_is_silent_at_the_end_beside_a_longer_one():
     longer = DESIGN.with_clip(1, onset_s=0.5)
     figure = ss.plot.traces([DESIGN, longer], outputs=(30,))
-    first, second = (one for one in figure.axes[0].lines if one.get_xdata().__len__() > 2)
+    first, second = (line for line in figure.axes[0].lines if line.get_xdata().__len__() > 2)
     assert len(first.get_xdata()) == len(second.get_xdata())
     assert first.get_ydata()[-1] == 0.0
 
 
 def test_spectra_span_the_measured_band_and_peak_where_the_tone_is():
     figure = ss.plot.spectra(DESIGN, outputs=(30,))
-    (line,) = [one for one in figure.axes[0].lines if one.get_xdata().__len__() > 2]
+    (line,) = [line for line in figure.axes[0].lines if line.get_xdata().__len__() > 2]
     assert line.get_xdata().min() >= 25.0
     assert line.get_xdata().max() <= 600.0
     assert line.get_xdata()[np.argmax(line.get_ydata())] == pytest.approx(100.0, abs=5.0)
@@ -158,16 +158,16 @@ def test_a_strip_has_a_map_for_each_window_in_one_scale_and_the_extent():
     inputs = (ss.track(7, ss.waveforms.WaveletTrain()),)
     train = ss.Design(limb="synthetic-4", inputs=inputs, scaling="relative")
     figure = ss.plot.strip(train, window_s=0.12)
-    maps = [one for one in figure.axes if one.images]
+    maps = [axes for axes in figure.axes if axes.images]
     assert len(maps) == 5
-    assert len({one.images[0].get_clim() for one in maps}) == 1
-    assert [one.get_title() for one in maps][::4] == ["0 to 120 ms", "480 to 600 ms"]
-    (mean, _) = (one for ax in figure.axes if ax.get_legend() for one in ax.lines)
+    assert len({axes.images[0].get_clim() for axes in maps}) == 1
+    assert [axes.get_title() for axes in maps][::4] == ["0 to 120 ms", "480 to 600 ms"]
+    (mean, _) = (line for ax in figure.axes if ax.get_legend() for line in ax.lines)
     field = ss.predict(ss.load_limb("synthetic-4"), train.clips[0].waveform.samples(1300.0), 7)
     length = np.sqrt(np.sum(field**2, axis=1))
     windows = ss.windowed_rms(length, 156, first_sample=67)[:5]
     limb = ss.load_limb("synthetic-4")
-    expected = [ss.extent(one, limb, 7).mean_distance_mm for one in windows]
+    expected = [ss.extent(window, limb, 7).mean_distance_mm for window in windows]
     np.testing.assert_allclose(mean.get_ydata(), expected, rtol=1e-6)
 
 
@@ -195,7 +195,7 @@ def test_silence_is_drawn_too():
 
 
 @pytest.mark.parametrize(
-    ("call", "words"),
+    ("call", "message"),
     [
         (lambda: ss.plot.map(np.zeros(72)), "need the limb"),
         (lambda: ss.plot.map(np.zeros(71), limb="synthetic-1"), "shape"),
@@ -213,13 +213,13 @@ def test_silence_is_drawn_too():
         (lambda: ss.plot.strip("2H"), "expected a Design"),
     ],
 )
-def test_what_cannot_be_drawn_is_refused_in_words(call, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_cannot_be_drawn_is_refused_in_words(call, message):
+    with pytest.raises(InvalidInputError, match=message):
         call()
 
 
 def test_without_matplotlib_the_extra_is_named(monkeypatch):
-    loaded = [one for one in sys.modules if one.partition(".")[0] == "matplotlib"]
+    loaded = [module for module in sys.modules if module.partition(".")[0] == "matplotlib"]
     for name in {"matplotlib", *loaded}:
         monkeypatch.setitem(sys.modules, name, None)
     with pytest.raises(MissingExtraError, match=re.escape(extra_line("plot"))):
@@ -246,14 +246,14 @@ def test_all_words_of_a_strip_stand_in_the_figure_and_none_on_a_curve(count):
     figure = ss.plot.strip(ss.Design(limb="synthetic-4", inputs=inputs), count=count)
     figure.savefig(BytesIO(), dpi=figure.dpi)
     (extent,) = (ax for ax in figure.axes if ax.get_legend())
-    words = [ax.yaxis.label for ax in figure.axes if ax.yaxis.label.get_text()]
-    words += [ax.title for ax in figure.axes if ax.get_title()] + extent.get_legend().get_texts()
-    for one in words:
-        room = one.get_window_extent()
-        assert figure.bbox.x0 <= room.x0 < room.x1 <= figure.bbox.x1, one.get_text()
-        assert figure.bbox.y0 <= room.y0 < room.y1 <= figure.bbox.y1, one.get_text()
+    labels = [ax.yaxis.label for ax in figure.axes if ax.yaxis.label.get_text()]
+    labels += [ax.title for ax in figure.axes if ax.get_title()] + extent.get_legend().get_texts()
+    for text in labels:
+        room = text.get_window_extent()
+        assert figure.bbox.x0 <= room.x0 < room.x1 <= figure.bbox.x1, text.get_text()
+        assert figure.bbox.y0 <= room.y0 < room.y1 <= figure.bbox.y1, text.get_text()
     assert extent.get_legend().get_window_extent().y0 >= extent.get_window_extent().y1 - 1.0
-    (label,) = (one for one in words if one.get_text() == "mm from\nthe input")
+    (label,) = (text for text in labels if text.get_text() == "mm from\nthe input")
     assert label.get_window_extent().x1 < extent.get_window_extent().x0
 
 
@@ -263,18 +263,18 @@ def test_what_is_mostly_noise_is_hatched_within_the_outline_on_axes_that_are_dra
     limb = ss.load_limb("synthetic-1")
     levels = levels_of(np.zeros(72), limb, None)
     draw_map(ax, replace(levels, noisy=(30, 61)), (-50.0, 0.0))
-    (hatched,) = (one for one in ax.patches if one.get_hatch())
+    (hatched,) = (patch for patch in ax.patches if patch.get_hatch())
     outline = ax.patches[1]
     clip, to_screen = hatched.get_transformed_clip_path_and_affine()
-    wanted = outline.get_transform().transform(outline.get_path().vertices)
-    np.testing.assert_allclose(to_screen.transform(clip.vertices), wanted)
+    expected_outline = outline.get_transform().transform(outline.get_path().vertices)
+    np.testing.assert_allclose(to_screen.transform(clip.vertices), expected_outline)
     # One disc: output 61 has no place on the back.
     place = limb.map.output_positions[29] * limb.hand_length_mm / limb.map.hand_length_px
     np.testing.assert_allclose(hatched.get_path().get_extents().get_points().mean(axis=0), place)
 
 
 def test_spectra_say_of_how_many_bins_they_are_the_mean():
-    said = [one.get_text() for one in ss.plot.spectra(DESIGN, outputs=(30,)).axes[0].texts]
-    assert not any("bins" in one for one in said)
+    texts = [text.get_text() for text in ss.plot.spectra(DESIGN, outputs=(30,)).axes[0].texts]
+    assert not any("bins" in text for text in texts)
     figure = ss.plot.spectra(DESIGN, outputs=(30,), mean_of_bins=10)
-    assert any("mean of 10 bins" in one.get_text() for one in figure.axes[0].texts)
+    assert any("mean of 10 bins" in text.get_text() for text in figure.axes[0].texts)

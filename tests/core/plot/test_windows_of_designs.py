@@ -26,9 +26,9 @@ WANTED = ("windows", "rms_of_windows", "levels_of_windows_db", "extents_of_windo
 def held(design, view):
     """RMS in windows of signals that are held from begin to end, (n_windows, 72)."""
     everything = replace(view, outputs=tuple(range(1, 73)))
-    found = ss.evaluate(design, "selected_traces", "windows", view=everything)
-    windows = found["windows"]
-    rms = ss.windowed_rms(found["selected_traces"], windows.window_samples, windows.first_sample)
+    values = ss.evaluate(design, "selected_traces", "windows", view=everything)
+    windows = values["windows"]
+    rms = ss.windowed_rms(values["selected_traces"], windows.window_samples, windows.first_sample)
     return rms[: windows.count]
 
 
@@ -42,13 +42,13 @@ def held(design, view):
     ],
 )
 def test_windows_of_a_design_hold_the_rms_of_its_signals(view):
-    found = ss.evaluate(TRAIN, *WANTED, view=view)
+    values = ss.evaluate(TRAIN, *WANTED, view=view)
     expected = held(TRAIN, view)
-    assert found["rms_of_windows"].shape == expected.shape
-    assert len(expected) == found["windows"].count > 3
-    np.testing.assert_allclose(found["rms_of_windows"], expected, rtol=1e-9, atol=1e-12)
+    assert values["rms_of_windows"].shape == expected.shape
+    assert len(expected) == values["windows"].count > 3
+    np.testing.assert_allclose(values["rms_of_windows"], expected, rtol=1e-9, atol=1e-12)
     np.testing.assert_array_equal(
-        found["levels_of_windows_db"], ss.decibels(found["rms_of_windows"])
+        values["levels_of_windows_db"], ss.decibels(values["rms_of_windows"])
     )
 
 
@@ -65,12 +65,12 @@ def test_a_long_design_is_cut_block_by_block_into_the_same_windows(monkeypatch):
     at_once = ss.evaluate(long, *WANTED, view=view)
     monkeypatch.setattr("skinsource.engine.voice_rules.length_at_once", lambda *_: None)
     graph = new_graph()
-    found = graph.evaluate({*WANTED, "streamed_vibration"}, sources(long, view))
-    assert found["streamed_vibration"] is not None
-    assert isinstance(found["streamed_vibration"].cut, Blocks)
-    assert found["windows"] == at_once["windows"]
+    values = graph.evaluate({*WANTED, "streamed_vibration"}, sources(long, view))
+    assert values["streamed_vibration"] is not None
+    assert isinstance(values["streamed_vibration"].cut, Blocks)
+    assert values["windows"] == at_once["windows"]
     np.testing.assert_allclose(
-        found["rms_of_windows"], at_once["rms_of_windows"], rtol=1e-6, atol=1e-9
+        values["rms_of_windows"], at_once["rms_of_windows"], rtol=1e-6, atol=1e-9
     )
 
 
@@ -87,37 +87,37 @@ def test_pieces_of_any_length_give_the_windows_of_the_whole(step):
 
 def test_extents_are_those_from_the_inputs_that_are_heard():
     view = ss.View(method="mag")
-    found = ss.evaluate(TRAIN, *WANTED, view=view)
+    values = ss.evaluate(TRAIN, *WANTED, view=view)
     limb = ss.load_limb("synthetic-4")
-    for rms, extent in zip(found["rms_of_windows"], found["extents_of_windows"], strict=True):
+    for rms, extent in zip(values["rms_of_windows"], values["extents_of_windows"], strict=True):
         assert extent == ss.extent(rms, limb, (7, 13))
     muted = TRAIN.with_input(1, muted=True)
-    found = ss.evaluate(muted, *WANTED, view=view)
-    rms, extent = found["rms_of_windows"][0], found["extents_of_windows"][0]
+    values = ss.evaluate(muted, *WANTED, view=view)
+    rms, extent = values["rms_of_windows"][0], values["extents_of_windows"][0]
     assert extent == ss.extent(rms, limb, 7)
 
 
 def test_a_silent_window_has_no_extent_and_no_sound_of_rounding():
     late = ss.Design(limb="synthetic-1", inputs=(ss.track(7, onset_s=2.0),))
-    found = ss.evaluate(late, *WANTED, view=ss.View(windows_cut="length", window_s=0.5))
+    values = ss.evaluate(late, *WANTED, view=ss.View(windows_cut="length", window_s=0.5))
     # What is measured before the trigger lies in the fourth.
-    assert found["extents_of_windows"][:3] == (None,) * 3
-    assert not found["rms_of_windows"][:3].any()
-    assert found["extents_of_windows"][4] is not None
+    assert values["extents_of_windows"][:3] == (None,) * 3
+    assert not values["rms_of_windows"][:3].any()
+    assert values["extents_of_windows"][4] is not None
 
 
 def test_a_design_without_inputs_has_silent_windows():
-    found = ss.evaluate(ss.Design(limb="synthetic-1"), *WANTED)
-    assert not found["rms_of_windows"].any()
-    assert all(one is None for one in found["extents_of_windows"])
+    values = ss.evaluate(ss.Design(limb="synthetic-1"), *WANTED)
+    assert not values["rms_of_windows"].any()
+    assert all(extent is None for extent in values["extents_of_windows"])
 
 
 def test_maps_of_windows_are_interpolations_of_their_levels():
-    found = ss.evaluate(TRAIN, "surface_of_windows_db", "levels_of_windows_db", "surface")
+    values = ss.evaluate(TRAIN, "surface_of_windows_db", "levels_of_windows_db", "surface")
     for shown, levels in zip(
-        found["surface_of_windows_db"], found["levels_of_windows_db"], strict=True
+        values["surface_of_windows_db"], values["levels_of_windows_db"], strict=True
     ):
-        np.testing.assert_array_equal(shown, found["surface"].interpolate(levels))
+        np.testing.assert_array_equal(shown, values["surface"].interpolate(levels))
 
 
 def test_the_table_of_windows_reads_back_as_what_was_computed(tmp_path):
@@ -127,14 +127,16 @@ def test_the_table_of_windows_reads_back_as_what_was_computed(tmp_path):
     lines = path.read_text("utf-8").splitlines()
     rows = list(csv.reader(line for line in lines if not line.startswith("#")))
     numbers = np.array(rows[1:], float)
-    found = ss.evaluate(TRAIN, *WANTED, view=view)
-    np.testing.assert_allclose(numbers[:, 7:], found["rms_of_windows"], rtol=1e-12)
+    values = ss.evaluate(TRAIN, *WANTED, view=view)
+    np.testing.assert_allclose(numbers[:, 7:], values["rms_of_windows"], rtol=1e-12)
     assert rows[0][:4] == ["from_s", "to_s", "mean_distance_mm", "d90_mm"]
     np.testing.assert_allclose(numbers[:, 0], 0.12 * np.arange(5))
-    extents = found["extents_of_windows"]
-    assert [one.mean_distance_mm for one in extents] == pytest.approx(numbers[:, 2], rel=1e-12)
-    assert [one.d90_mm for one in extents] == pytest.approx(numbers[:, 3], rel=1e-12)
-    assert [one.participation for one in extents] == pytest.approx(numbers[:, 6], rel=1e-12)
+    extents = values["extents_of_windows"]
+    assert [extent.mean_distance_mm for extent in extents] == pytest.approx(
+        numbers[:, 2], rel=1e-12
+    )
+    assert [extent.d90_mm for extent in extents] == pytest.approx(numbers[:, 3], rel=1e-12)
+    assert [extent.participation for extent in extents] == pytest.approx(numbers[:, 6], rel=1e-12)
     assert any("SYNTHETIC" in line for line in lines)
     assert any("156 samples each, the first from sample 67" in line for line in lines)
 

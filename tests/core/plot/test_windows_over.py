@@ -10,10 +10,10 @@ RATE_HZ = 1300.0
 
 
 def test_windows_of_a_length_begin_with_the_first_arrival_and_cover_the_stimulus():
-    found = windows_over(780, 1301, RATE_HZ, window_s=0.12)
-    assert found == Windows(first_sample=67, window_samples=156, count=5)
-    assert found.bounds_s(RATE_HZ)[0] == (0.0, 0.12)
-    assert found.bounds_s(RATE_HZ)[-1] == pytest.approx((0.48, 0.6))
+    windows = windows_over(780, 1301, RATE_HZ, window_s=0.12)
+    assert windows == Windows(first_sample=67, window_samples=156, count=5)
+    assert windows.bounds_s(RATE_HZ)[0] == (0.0, 0.12)
+    assert windows.bounds_s(RATE_HZ)[-1] == pytest.approx((0.48, 0.6))
 
 
 @pytest.mark.parametrize(
@@ -21,8 +21,8 @@ def test_windows_of_a_length_begin_with_the_first_arrival_and_cover_the_stimulus
     [(0.086, 2500.0, 215), (0.043, 5000.0, 215), (0.052, 1300.0, 67)],
 )
 def test_a_delay_of_whole_samples_is_as_many_however_it_is_rounded(delay_s, rate_hz, sample):
-    found = windows_over(780, 1301, rate_hz, count=2, delay_s=delay_s)
-    assert found.first_sample == sample
+    windows = windows_over(780, 1301, rate_hz, count=2, delay_s=delay_s)
+    assert windows.first_sample == sample
 
 
 def test_a_stimulus_that_ends_within_a_window_has_it_too():
@@ -45,8 +45,8 @@ def test_only_whole_windows_count():
 
 
 def test_there_are_never_too_many():
-    found = windows_over(1300 * 600, 1300 * 600 + 521, RATE_HZ, window_s=0.01)
-    assert found.count == MOST_WINDOWS
+    windows = windows_over(1300 * 600, 1300 * 600 + 521, RATE_HZ, window_s=0.01)
+    assert windows.count == MOST_WINDOWS
 
 
 def test_at_another_rate_they_begin_at_the_same_time():
@@ -75,5 +75,7 @@ def test_its_windows_are_those_that_windowed_rms_cuts(measured):
     windows = windows_over(780, traces.shape[-1], RATE_HZ, window_s=0.12)
     rms = ss.windowed_rms(traces, windows.window_samples, windows.first_sample)
     limb = ss.load_limb("measured-4")
-    found = [ss.extent(one, limb, 7).mean_distance_mm for one in rms[: windows.count]]
-    assert found == pytest.approx([31.9, 27.9, 23.4, 18.8, 17.0], abs=0.5)
+    distances_mm = [
+        ss.extent(window_rms, limb, 7).mean_distance_mm for window_rms in rms[: windows.count]
+    ]
+    assert distances_mm == pytest.approx([31.9, 27.9, 23.4, 18.8, 17.0], abs=0.5)

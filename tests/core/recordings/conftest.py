@@ -18,8 +18,8 @@ RATE_HZ = 2000
 @pytest.fixture(scope="session")
 def process():
     """One process for all, as the studio has it."""
-    with ReadingProcess() as one:
-        yield one
+    with ReadingProcess() as reading:
+        yield reading
 
 
 @pytest.fixture(scope="session")
@@ -84,11 +84,11 @@ WRITERS = {
 def files(tmp_path_factory, signal) -> dict[str, Path]:
     """A file of each format, with the same signal in it."""
     folder = tmp_path_factory.mktemp("recordings")
-    found = {}
+    paths = {}
     for file_format, (name, write) in WRITERS.items():
-        found[file_format] = folder / name
+        paths[file_format] = folder / name
         write(folder / name, signal)
-    return found
+    return paths
 
 
 def talker(script):

@@ -80,42 +80,42 @@ def try_mutants(
         content = mutant(seed, rng)
         path.write_bytes(content)
         try:
-            found = process.look(path)
-            read = _read(path, found, process)
+            recording = process.look(path)
+            read = _read(path, recording, process)
         except RecordingError as error:
-            said = str(error)
-            lost = any(words in said for words in _CRASHED)
+            message = str(error)
+            lost = any(part in message for part in _CRASHED)
             tally.outcomes["process lost" if lost else "refused"] += 1
-            if not _SENTENCE.fullmatch(said) or "Traceback" in said:
-                tally.wrong.append(f"{file_format} {number}: unclear: {said}")
+            if not _SENTENCE.fullmatch(message) or "Traceback" in message:
+                tally.wrong.append(f"{file_format} {number}: unclear: {message}")
             continue
         tally.outcomes["read"] += 1
-        reason = _wrong(content, found, read)
+        reason = _wrong(content, recording, read)
         if reason:
             tally.wrong.append(f"{file_format} {number}: {reason}")
     return tally
 
 
-def _read(path: Path, found: Found, process: ReadingProcess) -> list[np.ndarray]:
-    some = found.series[:4]
-    return [process.read(path, [one.key], 0, one.n_samples)[0] for one in some]
+def _read(path: Path, recording: Found, process: ReadingProcess) -> list[np.ndarray]:
+    some = recording.series[:4]
+    return [process.read(path, [series.key], 0, series.n_samples)[0] for series in some]
 
 
-def _wrong(content: bytes, found: Found, read: list[np.ndarray]) -> str:
+def _wrong(content: bytes, recording: Found, read: list[np.ndarray]) -> str:
     """What was misread; empty if nothing was."""
-    if len(found.series) > limits.MOST_SERIES:
+    if len(recording.series) > limits.MOST_SERIES:
         return "too many signals"
-    rate_hz = found.rate_hz
+    rate_hz = recording.rate_hz
     if rate_hz is not None and not limits.LEAST_RATE_HZ <= rate_hz <= limits.MOST_RATE_HZ:
         return f"a rate of {rate_hz}"
-    for one, values in zip(found.series, read, strict=False):
-        if values.shape != (one.n_samples,) or one.n_samples not in one.shape:
-            return f"{values.shape} of {one}"
-    header = {"WAV": _wav_header, "NPY": _npy_header}.get(found.format)
-    return header(content, found) if header else ""
+    for series, values in zip(recording.series, read, strict=False):
+        if values.shape != (series.n_samples,) or series.n_samples not in series.shape:
+            return f"{values.shape} of {series}"
+    header = {"WAV": _wav_header, "NPY": _npy_header}.get(recording.format)
+    return header(content, recording) if header else ""
 
 
-def _wav_header(content: bytes, found: Found) -> str:
+def _wav_header(content: bytes, recording: Found) -> str:
     """Compare with the chunks as they stand in the file."""
     at, about = 12, None
     while at + 8 <= len(content):
@@ -128,23 +128,24 @@ def _wav_header(content: bytes, found: Found) -> str:
     if about is None:
         return ""  # of another format in the same wrapping, which libsndfile knows
     tag, channels, rate, _, _, bits = about
-    if (len(found.series), found.rate_hz) != (channels, rate):
-        return f"{len(found.series)} channels at {found.rate_hz}, expected {channels} at {rate}"
+    n_series = len(recording.series)
+    if (n_series, recording.rate_hz) != (channels, rate):
+        return f"{n_series} channels at {recording.rate_hz}, expected {channels} at {rate}"
     if tag == 1 and bits == 16 and content[at : at + 4] == b"data":
         there = min(length, len(content) - at - 8) // (2 * channels)
-        if found.series[0].n_samples != there:
-            return f"{found.series[0].n_samples} samples, expected {there}"
+        if recording.series[0].n_samples != there:
+            return f"{recording.series[0].n_samples} samples, expected {there}"
     return ""
 
 
-def _npy_header(content: bytes, found: Found) -> str:
+def _npy_header(content: bytes, recording: Found) -> str:
     """Compare with the header as Python reads it."""
     size = struct.unpack_from("<H", content, 8)[0]
     at = 10
     if content[6] != 1:
         size, at = struct.unpack_from("<I", content, 8)[0], 12
     header = ast.literal_eval(content[at : at + size].decode("latin-1"))
-    one = found.series[0]
-    if one.shape != header["shape"] or one.dtype != str(np.dtype(header["descr"])):
-        return f"{one}, expected {header}"
+    series = recording.series[0]
+    if series.shape != header["shape"] or series.dtype != str(np.dtype(header["descr"])):
+        return f"{series}, expected {header}"
     return ""

@@ -207,8 +207,8 @@ def test_what_lies_beside_a_link_can_be_taken(tmp_path, process):
     with h5py.File(path, "w") as file:
         file["good"] = np.arange(9.0)
         file["bad"] = h5py.ExternalLink("/etc/hostname", "x")
-    found = process.look(path)
-    assert [one.key for one in found.series] == ["good"]
-    assert "'bad'" in found.notes[0]
+    recording = process.look(path)
+    assert [series.key for series in recording.series] == ["good"]
+    assert "'bad'" in recording.notes[0]
     with pytest.raises(RecordingError, match="no signal"):
         process.read(path, ["bad"], 0, 5)

@@ -17,15 +17,15 @@ from tests.core.recordings.conftest import RATE_HZ, WRITERS, write_wav
 
 @pytest.mark.parametrize("file_format", WRITERS)
 def test_a_file_says_what_it_is_and_gives_its_numbers(file_format, files, signal, process):
-    found = process.look(files[file_format])
-    assert found.format == file_format
-    (one,) = found.signals()
-    assert one.n_samples == signal.size
-    rate_hz = found.rate_of(one)
+    recording = process.look(files[file_format])
+    assert recording.format == file_format
+    (series,) = recording.signals()
+    assert series.n_samples == signal.size
+    rate_hz = recording.rate_of(series)
     assert rate_hz == (None if file_format in ("NPY", "text") else RATE_HZ)
-    values = process.read(files[file_format], [one.key], 0, signal.size)
+    values = process.read(files[file_format], [series.key], 0, signal.size)
     np.testing.assert_array_equal(values[0], signal)
-    part = process.read(files[file_format], [one.key], 1000, 1007)
+    part = process.read(files[file_format], [series.key], 1000, 1007)
     np.testing.assert_array_equal(part[0], signal[1000:1007])
 
 
@@ -38,8 +38,8 @@ def test_the_name_of_a_file_says_nothing_about_its_format(files, tmp_path, proce
 def test_channels_are_told_apart(tmp_path, signal, process):
     path = tmp_path / "three.wav"
     write_wav(path, [signal, -signal, signal[::-1]])
-    found = process.look(path)
-    assert [one.name for one in found.series] == ["channel 1", "channel 2", "channel 3"]
+    recording = process.look(path)
+    assert [series.name for series in recording.series] == ["channel 1", "channel 2", "channel 3"]
     both = process.read(path, ["2", "0"], 10, 1200)
     np.testing.assert_array_equal(both, [signal[::-1][10:1200], signal[10:1200]])
 
@@ -56,18 +56,18 @@ def test_wide_and_narrow_numbers_are_read_to_their_last_digit(subtype, tmp_path,
 def test_a_compressed_sound_has_the_length_it_says(tmp_path, process):
     path = tmp_path / "a.ogg"
     soundfile.write(path, np.sin(np.arange(20_000) * 0.1), 8000)
-    (one,) = process.look(path).series
-    assert one.n_samples == 20_000
-    values = process.read(path, [one.key], 5000, 15_000)[0]
+    (series,) = process.look(path).series
+    assert series.n_samples == 20_000
+    values = process.read(path, [series.key], 5000, 15_000)[0]
     assert np.corrcoef(values, np.sin(np.arange(5000, 15_000) * 0.1))[0, 1] > 0.999
 
 
 def test_a_sound_that_is_cut_off_says_so(files, signal, tmp_path, process):
     path = tmp_path / "cut.wav"
     path.write_bytes(files["WAV"].read_bytes()[:-1000])
-    found = process.look(path)
-    assert found.series[0].n_samples == signal.size - 500
-    assert "cut off" in found.notes[0]
+    recording = process.look(path)
+    assert recording.series[0].n_samples == signal.size - 500
+    assert "cut off" in recording.notes[0]
     assert process.look(files["WAV"]).notes == ()
 
 
@@ -82,19 +82,19 @@ def test_columns_of_an_array_lie_along_its_short_side(order, shape, tmp_path, pr
     with h5py.File(tmp_path / "a.h5", "w") as file:
         file.create_dataset("a", data=values, chunks=True, compression="gzip")
     for name in ("a.npy", "a.npz", "a.mat", "a.h5"):
-        found = process.look(tmp_path / name)
-        assert [one.n_samples for one in found.series] == [500] * 3
-        keys = [one.key for one in found.series]
+        recording = process.look(tmp_path / name)
+        assert [series.n_samples for series in recording.series] == [500] * 3
+        keys = [series.key for series in recording.series]
         np.testing.assert_array_equal(process.read(tmp_path / name, keys, 0, 500), lanes)
 
 
 def test_structures_groups_units_and_rates_are_found(tmp_path, process):
     inner = {"acc": np.arange(30.0), "time": np.arange(30.0) / 8000.0, "fs": 8000.0}
     scipy.io.savemat(tmp_path / "a.mat", {"trial": {"one": inner}, "note": "hello"})
-    found = process.look(tmp_path / "a.mat")
-    assert [one.key for one in found.signals()] == ["trial/one/acc"]
-    assert (found.rate_hz, found.rate_from) == (8000.0, "'trial/one/fs'")
-    choice = suggested(found)
+    recording = process.look(tmp_path / "a.mat")
+    assert [signal.key for signal in recording.signals()] == ["trial/one/acc"]
+    assert (recording.rate_hz, recording.rate_from) == (8000.0, "'trial/one/fs'")
+    choice = suggested(recording)
     assert choice.time == "trial/one/time"
 
     with h5py.File(tmp_path / "a.h5", "w") as file:
@@ -103,10 +103,10 @@ def test_structures_groups_units_and_rates_are_found(tmp_path, process):
             file[f"{group}/acc"].attrs["unit"] = "g"
             file[f"{group}/acc"].attrs["sampling_rate"] = rate
             file[f"{group}/time"] = np.arange(30.0) / rate
-    found = process.look(tmp_path / "a.h5")
-    second = found.one("b/acc")
-    assert (second.unit, found.rate_of(second)) == ("g", 4000.0)
-    assert found.time_of(second).key == "b/time"
+    recording = process.look(tmp_path / "a.h5")
+    second = recording.one("b/acc")
+    assert (second.unit, recording.rate_of(second)) == ("g", 4000.0)
+    assert recording.time_of(second).key == "b/time"
 
 
 def test_what_is_no_signal_is_left_out_and_named(tmp_path, process):
@@ -118,10 +118,10 @@ def test_what_is_no_signal_is_left_out_and_named(tmp_path, process):
         wide=np.zeros((300, 400)),
         turning=np.ones(10, complex),
     )
-    found = process.look(tmp_path / "a.npz")
-    assert [one.key for one in found.series] == ["good"]
+    recording = process.look(tmp_path / "a.npz")
+    assert [series.key for series in recording.series] == ["good"]
     for name in ("text", "cube", "wide", "turning"):
-        assert any(f"'{name}'" in note for note in found.notes), name
+        assert any(f"'{name}'" in note for note in recording.notes), name
 
 
 def test_objects_are_never_unpickled(tmp_path, process):
@@ -133,12 +133,12 @@ def test_objects_are_never_unpickled(tmp_path, process):
     np.savez(tmp_path / "a.npz", a=np.array([Trap()]), b=np.arange(5.0))
     with pytest.raises(RecordingError, match="Python objects"):
         process.look(tmp_path / "a.npy")
-    assert [one.key for one in process.look(tmp_path / "a.npz").series] == ["b"]
+    assert [series.key for series in process.look(tmp_path / "a.npz").series] == ["b"]
     assert not (tmp_path / "sprung").exists()
 
 
 @pytest.mark.parametrize(
-    ("content", "words"),
+    ("content", "message"),
     [
         (b"", "no rows of numbers"),
         (b"\0\1\2" * 50, "no text"),
@@ -150,15 +150,15 @@ def test_objects_are_never_unpickled(tmp_path, process):
         (b"<html>nothing here</html>", "no rows of numbers"),
     ],
 )
-def test_what_is_no_recording_is_one_clear_error(content, words, tmp_path, process):
+def test_what_is_no_recording_is_one_clear_error(content, message, tmp_path, process):
     path = tmp_path / "strange.bin"
     path.write_bytes(content)
-    with pytest.raises(RecordingError, match=words) as error:
+    with pytest.raises(RecordingError, match=message) as error:
         process.look(path)
-    said = str(error.value)
-    assert said.startswith("strange.bin: ")
-    assert "Traceback" not in said
-    assert "expected" in said
+    message_text = str(error.value)
+    assert message_text.startswith("strange.bin: ")
+    assert "Traceback" not in message_text
+    assert "expected" in message_text
 
 
 def test_a_file_that_is_not_there_is_said_to_be_missing(tmp_path, process):

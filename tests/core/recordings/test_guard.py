@@ -32,9 +32,9 @@ MISBEHAVING = {
 
 @pytest.mark.parametrize("name", MISBEHAVING)
 def test_a_process_that_misbehaves_is_ended_with_one_sentence(name):
-    script, words = MISBEHAVING[name]
+    script, message = MISBEHAVING[name]
     with ReadingProcess(silence_s=0.5, command=talker(script)) as process:
-        with pytest.raises(RecordingError, match=f"tap.wav: .*{words}.*expected") as error:
+        with pytest.raises(RecordingError, match=f"tap.wav: .*{message}.*expected") as error:
             process.look(FILE)
         assert "some" not in str(error.value)
 

@@ -24,8 +24,8 @@ def test_stretches_are_those_of_the_whole_however_it_is_cut(n, columns, cuts):
         overview.add(part[np.newaxis])
     edges = [k * n // min(columns, n) for k in range(min(columns, n) + 1)]
     pieces = [values[a:b] for a, b in pairwise(edges)]
-    np.testing.assert_array_equal(overview.extremes[0], [one.min() for one in pieces])
-    np.testing.assert_array_equal(overview.extremes[1], [one.max() for one in pieces])
+    np.testing.assert_array_equal(overview.extremes[0], [piece.min() for piece in pieces])
+    np.testing.assert_array_equal(overview.extremes[1], [piece.max() for piece in pieces])
     assert overview.done == n
 
 
@@ -40,8 +40,8 @@ def test_a_file_is_surveyed_in_the_process(tmp_path, process):
     values[100_000:150_000, 1] = 0.5
     values[200_000, 1] = -0.25
     soundfile.write(tmp_path / "a.wav", values, 48_000, "FLOAT")
-    found = process.overview(tmp_path / "a.wav", "1", 300_000, 30)
-    assert found.shape == (2, 30)
-    assert (found[1] == 0.5).nonzero()[0].tolist() == list(range(10, 15))
-    assert found[0].min() == pytest.approx(-0.25)
-    assert np.argmin(found[0]) == 20
+    overview = process.overview(tmp_path / "a.wav", "1", 300_000, 30)
+    assert overview.shape == (2, 30)
+    assert (overview[1] == 0.5).nonzero()[0].tolist() == list(range(10, 15))
+    assert overview[0].min() == pytest.approx(-0.25)
+    assert np.argmin(overview[0]) == 20

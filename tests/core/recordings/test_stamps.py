@@ -32,8 +32,8 @@ def test_a_rate_between_whole_hertz_is_kept():
 @pytest.mark.parametrize("deviation", [0.02, 0.4])
 def test_jitter_beyond_the_digits_is_not_steady(deviation):
     rng = np.random.default_rng(0)
-    stamps = (np.arange(5000) + rng.uniform(-deviation, deviation, 5000)) / 6000.0
-    pace = sample_clock(stamps)
+    timestamps = (np.arange(5000) + rng.uniform(-deviation, deviation, 5000)) / 6000.0
+    pace = sample_clock(timestamps)
     assert not pace.steady
     assert "steps of" in pace.note
     assert abs(pace.rate_hz - 6000) <= 1
@@ -43,33 +43,33 @@ def test_a_signal_with_jitter_is_itself_at_a_steady_rate():
     rng = np.random.default_rng(1)
     # More than one block of samples.
     n = 70_000
-    stamps = 5.0 + (np.arange(n) + rng.uniform(-0.3, 0.3, n)) / 6000.0
-    values = np.sin(2.0 * np.pi * 250.0 * stamps)
-    found = at_steady_rate(values, stamps, Fraction(6000))
-    times = stamps[0] + np.arange(found.size) / 6000.0
-    assert abs(found.size - n) <= 1
-    assert np.abs(found - np.sin(2.0 * np.pi * 250.0 * times))[3:-3].max() < 2e-3
-    assert np.abs(found - np.sin(2.0 * np.pi * 250.0 * times)).max() < 2e-2
+    timestamps = 5.0 + (np.arange(n) + rng.uniform(-0.3, 0.3, n)) / 6000.0
+    values = np.sin(2.0 * np.pi * 250.0 * timestamps)
+    steady = at_steady_rate(values, timestamps, Fraction(6000))
+    times = timestamps[0] + np.arange(steady.size) / 6000.0
+    assert abs(steady.size - n) <= 1
+    assert np.abs(steady - np.sin(2.0 * np.pi * 250.0 * times))[3:-3].max() < 2e-3
+    assert np.abs(steady - np.sin(2.0 * np.pi * 250.0 * times)).max() < 2e-2
 
 
 def test_samples_on_the_grid_stay_what_they_are():
-    stamps = np.arange(1000) / 500.0
+    timestamps = np.arange(1000) / 500.0
     values = np.random.default_rng(2).standard_normal(1000)
-    found = at_steady_rate(values, stamps, Fraction(500))
-    np.testing.assert_allclose(found, values, rtol=0, atol=1e-9)
+    steady = at_steady_rate(values, timestamps, Fraction(500))
+    np.testing.assert_allclose(steady, values, rtol=0, atol=1e-9)
 
 
 def test_a_gap_is_bridged_by_a_straight_line():
-    stamps = np.concatenate((np.arange(200) / 1000.0, 0.5 + np.arange(200) / 1000.0))
-    values = np.sin(stamps * 900.0)
-    found = at_steady_rate(values, stamps, Fraction(1000))
-    expected = np.interp(np.arange(200, 500) / 1000.0, [stamps[199], 0.5], values[[199, 200]])
-    np.testing.assert_allclose(found[200:500], expected, atol=1e-12)
-    assert np.abs(found).max() <= 1.0001
+    timestamps = np.concatenate((np.arange(200) / 1000.0, 0.5 + np.arange(200) / 1000.0))
+    values = np.sin(timestamps * 900.0)
+    steady = at_steady_rate(values, timestamps, Fraction(1000))
+    expected = np.interp(np.arange(200, 500) / 1000.0, [timestamps[199], 0.5], values[[199, 200]])
+    np.testing.assert_allclose(steady[200:500], expected, atol=1e-12)
+    assert np.abs(steady).max() <= 1.0001
 
 
 @pytest.mark.parametrize(
-    ("stamps", "words"),
+    ("timestamps", "message"),
     [
         ([0.0, 1.0, 1.0, 2.0], "sample 3"),
         ([0.0, 1.0, 0.5], "from 1 to 0.5 s"),
@@ -79,6 +79,6 @@ def test_a_gap_is_bridged_by_a_straight_line():
         ([0.0, 1e6, 2e6], "check their unit"),
     ],
 )
-def test_stamps_that_cannot_be_are_refused(stamps, words):
-    with pytest.raises(InvalidInputError, match=words):
-        sample_clock(np.array(stamps))
+def test_stamps_that_cannot_be_are_refused(timestamps, message):
+    with pytest.raises(InvalidInputError, match=message):
+        sample_clock(np.array(timestamps))

@@ -43,7 +43,7 @@ def test_where_decimals_have_a_comma_a_point_parts_thousands():
 def test_what_ends_lines_elsewhere_hides_no_row(odd, tmp_path):
     path = tmp_path / "table.csv"
     path.write_text(f"# made{odd}by{odd}hand\n1\n2\n3\n", encoding="utf-8")
-    found = text.look(path)
-    assert found.series[0].n_samples == 3
+    recording = text.look(path)
+    assert recording.series[0].n_samples == 3
     [block] = text.blocks(path, ["0"], 0, 3)
     assert np.array_equal(block[0], [1.0, 2.0, 3.0])

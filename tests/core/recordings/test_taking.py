@@ -21,15 +21,15 @@ def values_of(choice, raw, **more):
 
 def test_samples_at_the_rate_of_the_design_stay_bit_by_bit():
     raw = np.random.default_rng(0).standard_normal(3000)
-    found = values_of(KEEP, raw)
-    np.testing.assert_array_equal(found.values, raw)
-    assert (found.sample_rate_hz, found.unit) == (1300.0, "")
+    values = values_of(KEEP, raw)
+    np.testing.assert_array_equal(values.values, raw)
+    assert (values.sample_rate_hz, values.unit) == (1300.0, "")
 
 
 def test_other_rates_are_resampled():
     raw = np.random.default_rng(0).standard_normal(3000).astype(np.float32)
-    found = values_of(replace(KEEP, rate_hz=48_000.0), raw)
-    np.testing.assert_array_equal(found.values, ss.resample(raw, 48_000, 1300))
+    values = values_of(replace(KEEP, rate_hz=48_000.0), raw)
+    np.testing.assert_array_equal(values.values, ss.resample(raw, 48_000, 1300))
 
 
 @pytest.mark.parametrize(
@@ -41,30 +41,30 @@ def test_other_rates_are_resampled():
 )  # fmt: skip
 def test_units_that_are_only_factors(unit, factor, becomes):
     raw = np.array([0.5, -1.0, 0.25])
-    found = values_of(replace(KEEP, unit=unit), raw)
-    np.testing.assert_array_equal(found.values, raw * factor)
-    assert found.unit == becomes
+    values = values_of(replace(KEEP, unit=unit), raw)
+    np.testing.assert_array_equal(values.values, raw * factor)
+    assert values.unit == becomes
 
 
 @pytest.mark.parametrize(("unit", "power"), [("mm/s", 1), ("µm", 2)])
 def test_velocities_and_displacements_become_accelerations(unit, power):
     time = np.arange(5200) / 1300.0
     raw = 3.0 * np.sin(2.0 * np.pi * 200.0 * time)
-    found = values_of(replace(KEEP, unit=unit), raw)
+    values = values_of(replace(KEEP, unit=unit), raw)
     si = 3e-3 if unit == "mm/s" else 3e-6
     # Some whole number of periods in the middle: the root of the mean square of a sine.
-    middle = found.values[1300:3900]
+    middle = values.values[1300:3900]
     expected = si * (2.0 * np.pi * 200.0) ** power / np.sqrt(2.0)
     assert np.sqrt(np.mean(middle**2)) == pytest.approx(expected, rel=1e-4)
-    assert found.unit == "m/s²"
+    assert values.unit == "m/s²"
     notes = taken(raw, replace(KEEP, unit=unit), 1300.0).notes
     assert any("from 25 Hz on" in note for note in notes)
 
 
 def test_the_peak_becomes_one_and_the_drive_has_no_unit():
-    found = values_of(replace(KEEP, scale="peak", unit="g"), [0.5, -4.0, 1.0])
-    np.testing.assert_array_equal(found.values, [0.125, -1.0, 0.25])
-    assert found.unit == ""
+    values = values_of(replace(KEEP, scale="peak", unit="g"), [0.5, -4.0, 1.0])
+    np.testing.assert_array_equal(values.values, [0.125, -1.0, 0.25])
+    assert values.unit == ""
 
 
 def test_the_offset_goes_when_it_is_unwanted():
@@ -88,25 +88,25 @@ def test_stamps_give_the_rate_and_are_made_steady():
     steady = np.arange(2600) / 2600.0
     raw = np.sin(2.0 * np.pi * 100.0 * steady)
     choice = replace(KEEP, rate_hz=None)
-    found = values_of(choice, raw, stamps_s=steady)
-    np.testing.assert_array_equal(found.values, ss.resample(raw, 2600, 1300))
+    values = values_of(choice, raw, stamps_s=steady)
+    np.testing.assert_array_equal(values.values, ss.resample(raw, 2600, 1300))
     uneven = steady + 0.2 / 2600.0 * np.sin(np.arange(2600) * 1.7)
-    found = taken(np.sin(2 * np.pi * 100.0 * uneven), choice, 1300.0, stamps_s=uneven)
-    assert "not steady" in found.notes[0]
+    values = taken(np.sin(2 * np.pi * 100.0 * uneven), choice, 1300.0, stamps_s=uneven)
+    assert "not steady" in values.notes[0]
     expected = np.sin(2.0 * np.pi * 100.0 * (uneven[0] + np.arange(1300) / 1300.0))
-    assert np.abs(found.samples.values[100:1200] - expected[100:1200]).max() < 1e-3
+    assert np.abs(values.samples.values[100:1200] - expected[100:1200]).max() < 1e-3
 
 
 @pytest.mark.parametrize(
-    ("choice", "raw", "words"),
+    ("choice", "raw", "message"),
     [
         (replace(KEEP, rate_hz=None), [1.0, 2.0], "does not say its sample rate"),
         (KEEP, [], "no sample in this part"),
         (replace(KEEP, scale="peak"), [0.0, 0.0], "silent"),
     ],
 )
-def test_what_cannot_be_taken_is_refused(choice, raw, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_cannot_be_taken_is_refused(choice, raw, message):
+    with pytest.raises(InvalidInputError, match=message):
         values_of(choice, np.array(raw))
 
 
@@ -127,9 +127,9 @@ def test_a_part_of_a_file_is_taken_and_named(tmp_path, signal, process):
     path = tmp_path / "a.wav"
     write_wav(path, [signal, -signal], 1300)
     choice = replace(KEEP, series="1", rate_hz=None, start_s=0.1, duration_s=0.5)
-    found = take(path, choice, process=process)
-    np.testing.assert_array_equal(found.samples.values, -signal[130:780])
-    assert (found.name, found.from_hz) == ("a.wav, channel 2", 1300.0)
+    converted = take(path, choice, process=process)
+    np.testing.assert_array_equal(converted.samples.values, -signal[130:780])
+    assert (converted.name, converted.from_hz) == ("a.wav, channel 2", 1300.0)
     assert look(path).rate_hz == 1300.0
 
 
@@ -137,18 +137,18 @@ def test_a_part_between_stamps_is_taken(files, signal, process):
     choice = suggested(process.look(files["text"]))
     assert (choice.time, choice.unit, choice.rate_hz) == ("0", "g", None)
     choice = replace(choice, start_s=0.25, duration_s=0.25, scale="keep", remove_offset=False)
-    found = take(files["text"], choice, 2000.0, process=process)
-    np.testing.assert_array_equal(found.samples.values, signal[500:1000] * 9.80665)
-    assert found.name == "a.csv"
+    converted = take(files["text"], choice, 2000.0, process=process)
+    np.testing.assert_array_equal(converted.samples.values, signal[500:1000] * 9.80665)
+    assert converted.name == "a.csv"
 
 
 def test_what_has_a_physical_unit_keeps_its_size_unless_told_otherwise(
     tmp_path, files, signal, process
 ):
     expected = (signal - signal.mean()) * 9.80665
-    found = take(files["text"], to_hz=2000.0, process=process).samples
-    np.testing.assert_allclose(found.values, expected, rtol=1e-12, atol=1e-12)
-    assert (found.unit, found.peak) == ("m/s²", pytest.approx(np.abs(expected).max()))
+    samples = take(files["text"], to_hz=2000.0, process=process).samples
+    np.testing.assert_allclose(samples.values, expected, rtol=1e-12, atol=1e-12)
+    assert (samples.unit, samples.peak) == ("m/s²", pytest.approx(np.abs(expected).max()))
     # Full scale of a sound is no size.
     write_wav(tmp_path / "a.wav", [0.25 * signal], 2000)
     assert take(tmp_path / "a.wav", to_hz=2000.0, process=process).samples.peak == 1.0
@@ -167,31 +167,31 @@ def test_every_format_leads_to_the_same_drive(files, process):
 
 
 @pytest.mark.parametrize(
-    ("changes", "words"),
+    ("changes", "message"),
     [
         ({"series": "7"}, "no signal '7'.*Choose one"),
         ({"start_s": 100.0}, "begins after the end"),
     ],
 )
-def test_errors_name_the_file(changes, words, files, process):
-    with pytest.raises(RecordingError, match=f"a.wav: .*{words}"):
+def test_errors_name_the_file(changes, message, files, process):
+    with pytest.raises(RecordingError, match=f"a.wav: .*{message}"):
         take(files["WAV"], replace(KEEP, rate_hz=None, **changes), process=process)
 
 
 def test_taking_can_be_stopped_and_tells_how_far_it_is(tmp_path, process):
     path = tmp_path / "long.wav"
     soundfile.write(path, np.zeros(2_000_000), 48_000)
-    told = []
+    progress = []
     take(
         path,
         replace(KEEP, rate_hz=None),
         process=process,
-        progress=lambda done, total, text: told.append((done, total, text)),
+        progress=lambda done, total, text: progress.append((done, total, text)),
     )
-    assert told[-1] == (2_000_000, 2_000_000, "Reading long.wav")
-    assert len(told) > 5
+    assert progress[-1] == (2_000_000, 2_000_000, "Reading long.wav")
+    assert len(progress) > 5
     with pytest.raises(Stopped):
-        take(path, KEEP, process=process, stop=lambda: len(told) > 3)
+        take(path, KEEP, process=process, stop=lambda: len(progress) > 3)
     assert process.look(path).rate_hz == 48_000
 
 
@@ -202,8 +202,8 @@ def test_a_part_is_taken_from_the_end_of_a_packed_file(tmp_path, process):
         file.create_dataset("a", data=values, chunks=(100_000,), compression=1)
         file["a"].attrs["fs"] = 10_000
     choice = replace(KEEP, series="a", rate_hz=None, start_s=99.5, duration_s=60.0)
-    found = take(path, choice, 10_000.0, process=process)
-    np.testing.assert_array_equal(found.samples.values, values[-5000:])
+    converted = take(path, choice, 10_000.0, process=process)
+    np.testing.assert_array_equal(converted.samples.values, values[-5000:])
 
 
 def test_what_is_taken_stays_in_the_design(tmp_path, process):
@@ -219,8 +219,8 @@ def test_what_is_taken_stays_in_the_design(tmp_path, process):
     path.unlink()
     back = ss.open_design(tmp_path / "a.skinsource").design
     assert back == design
-    found = back.inputs[1].clips[0].waveform
-    assert found.samples.digest == recording.samples.digest
-    assert (found.name, found.source_rate_hz) == ("a.wav, channel 1", 4000.0)
+    waveform = back.inputs[1].clips[0].waveform
+    assert waveform.samples.digest == recording.samples.digest
+    assert (waveform.name, waveform.source_rate_hz) == ("a.wav, channel 1", 4000.0)
     # It is stored once.
     assert (tmp_path / "a.skinsource").stat().st_size < 1.1 * recording.samples.values.nbytes

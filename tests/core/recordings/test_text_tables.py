@@ -28,9 +28,9 @@ TABLES = {
 
 
 def numbers_of(path):
-    found = text_table.look(path)
-    keys = [one.key for one in found.series]
-    n = found.series[0].n_samples
+    recording = text_table.look(path)
+    keys = [series.key for series in recording.series]
+    n = recording.series[0].n_samples
     return np.concatenate(list(text_table.blocks(path, keys, 0, n)), axis=1).T
 
 
@@ -99,9 +99,9 @@ def test_a_line_that_is_wrong_is_named(tmp_path):
 def test_a_last_line_that_is_cut_off_is_left_out_with_a_note(tmp_path):
     path = tmp_path / "a.csv"
     path.write_text("x,y\n1,2\n3,4\n5")
-    found = text_table.look(path)
-    assert found.series[0].n_samples == 2
-    assert "cut off" in found.notes[0]
+    recording = text_table.look(path)
+    assert recording.series[0].n_samples == 2
+    assert "cut off" in recording.notes[0]
     np.testing.assert_array_equal(numbers_of(path), [[1, 2], [3, 4]])
 
 
@@ -117,8 +117,8 @@ def test_parts_are_those_of_the_whole(tmp_path, monkeypatch):
     np.savetxt(path, values)
     for start, stop in ((0, 100), (17, 64), (99, 100), (40, 1000)):
         blocks = list(text_table.blocks(path, ["2", "0"], start, stop))
-        found = np.concatenate(blocks, axis=1)
-        np.testing.assert_array_equal(found, values[start:stop, [2, 0]].T)
+        table = np.concatenate(blocks, axis=1)
+        np.testing.assert_array_equal(table, values[start:stop, [2, 0]].T)
 
 
 def test_a_line_without_end_is_refused(tmp_path):

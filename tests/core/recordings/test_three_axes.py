@@ -77,7 +77,7 @@ def test_anything_but_three_rows_of_numbers_is_refused(axes):
         dft321(axes)
 
 
-def found(*names, n=100, **more):
+def file_with(*names, n=100, **more):
     series = [
         Series(key=str(k), name=name, n_samples=n, dtype="f8", **more)
         for k, name in enumerate(names)
@@ -99,17 +99,17 @@ def found(*names, n=100, **more):
     ],
 )
 def test_axes_that_belong_together_are_found_by_name_or_number(names, first, expected):
-    file = found(*names)
+    file = file_with(*names)
     others = other_axes(file, file.series[first])
-    assert "".join(one.key for one in others) == expected
+    assert "".join(series.key for series in others) == expected
 
 
 def test_axes_of_another_length_or_unit_do_not_belong_to_it():
-    file = found("x", "y", "z")
+    file = file_with("x", "y", "z")
     short = replace(file.series[2], n_samples=99)
     other = replace(file.series[2], unit="g")
-    for one in (short, other):
-        assert other_axes(replace(file, series=(*file.series[:2], one)), file.series[0]) == ()
+    for unequal in (short, other):
+        assert other_axes(replace(file, series=(*file.series[:2], unequal)), file.series[0]) == ()
 
 
 def test_three_columns_of_a_file_are_taken_as_one(tmp_path, process):
@@ -118,7 +118,7 @@ def test_three_columns_of_a_file_are_taken_as_one(tmp_path, process):
     rows = "\n".join(",".join(f"{x:.17g}" for x in row) for row in axes.T)
     (tmp_path / "a.csv").write_text(f"ax [m/s^2],ay [m/s^2],az [m/s^2]\n{rows}\n")
     file = process.look(tmp_path / "a.csv")
-    others = tuple(one.key for one in other_axes(file, file.series[0]))
+    others = tuple(axis.key for axis in other_axes(file, file.series[0]))
     assert others == ("1", "2")
     choice = replace(suggested(file), rate_hz=1300.0, scale="keep", others=others)
     whole = take(tmp_path / "a.csv", choice, process=process)
@@ -138,8 +138,10 @@ def test_missing_numbers_of_any_axis_are_refused_or_zero():
     choice = ImportChoice(series="0", others=("1", "2"), rate_hz=1300.0, scale="keep")
     with pytest.raises(InvalidInputError, match="1 of 4 numbers"):
         taken(axes, choice, 1300.0)
-    found = taken(axes, replace(choice, missing="zero", remove_offset=False), 1300.0).samples.values
-    assert np.sum(found**2) == pytest.approx(11.0, rel=1e-12)
+    values = taken(
+        axes, replace(choice, missing="zero", remove_offset=False), 1300.0
+    ).samples.values
+    assert np.sum(values**2) == pytest.approx(11.0, rel=1e-12)
 
 
 @pytest.mark.parametrize("others", [("1",), ("0", "1"), ("1", "1"), ("1", "2", "3")])

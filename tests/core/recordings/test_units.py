@@ -21,22 +21,22 @@ def test_the_derivative_is_that_of_the_formula(frequency_hz):
     slope = -time / 0.05**2
     omega = 2.0 * np.pi * frequency_hz
     expected = envelope * (slope * np.sin(turn) + omega * np.cos(turn))
-    found = differentiated(velocity, RATE_HZ, 1)
-    assert np.abs(found - expected).max() < 1e-9 * np.abs(expected).max()
+    derivative = differentiated(velocity, RATE_HZ, 1)
+    assert np.abs(derivative - expected).max() < 1e-9 * np.abs(expected).max()
 
 
 def test_the_second_derivative_is_the_derivative_of_the_derivative():
     envelope, turn, _ = burst(200.0, 0.0)
     twice = differentiated(differentiated(envelope * np.sin(turn), RATE_HZ, 1), RATE_HZ, 1)
-    found = differentiated(envelope * np.sin(turn), RATE_HZ, 2)
-    assert np.abs(found - twice).max() < 1e-7 * np.abs(found).max()
+    derivative = differentiated(envelope * np.sin(turn), RATE_HZ, 2)
+    assert np.abs(derivative - twice).max() < 1e-7 * np.abs(derivative).max()
 
 
 def test_drift_and_offset_leave_no_acceleration_inside():
     drift = 5.0 + np.linspace(0.0, 3.0, 13_000)
-    found = differentiated(drift, RATE_HZ, 2)
+    derivative = differentiated(drift, RATE_HZ, 2)
     # Their ends are steps; the edge of the band rings for less than half a second.
-    assert np.abs(found[1300:-1300]).max() < 1e-3 * np.abs(found).max()
+    assert np.abs(derivative[1300:-1300]).max() < 1e-3 * np.abs(derivative).max()
 
 
 @pytest.mark.parametrize(("frequency_hz", "gain"), [(10.0, 0.0), (14.0, 0.0), (20.0, 0.5), (30, 1)])
@@ -65,14 +65,14 @@ def test_units_are_known_in_many_spellings(text, unit):
 
 
 @pytest.mark.parametrize(
-    ("name", "words", "seconds"),
+    ("name", "is_time", "seconds"),
     [
         ("time", "", 1.0), ("Time", "ms", 1e-3), ("t", "µs", 1e-6), ("time_ms", "", 1e-3),
         ("timestamp", "s", 1.0), ("time", "h", None), ("tap", "", None), ("temperature", "", None),
     ],
 )  # fmt: skip
-def test_columns_of_time_are_known_by_their_names(name, words, seconds):
-    assert time_unit_s(name, words) == seconds
+def test_columns_of_time_are_known_by_their_names(name, is_time, seconds):
+    assert time_unit_s(name, is_time) == seconds
 
 
 def test_headings_hold_units_in_brackets():

@@ -43,9 +43,9 @@ def sensed(model, volts=VOLTS):
     return lambda hz: model.response(hz) * volts * SENSITIVITY / INPUT_VOLTS
 
 
-def apart(found):
+def relative_error(measured):
     """Largest relative distance from the formula of the actuator, delay and sign included."""
-    return float(np.abs(found.response.response(HZ) / COIL.response(HZ) - 1.0).max())
+    return float(np.abs(measured.response.response(HZ) / COIL.response(HZ) - 1.0).max())
 
 
 class Duplex:
@@ -127,7 +127,7 @@ class Card:
         """All rates are taken."""
 
     def _terminate(self):
-        assert not any(one.active for one in self.streams)
+        assert not any(stream.active for stream in self.streams)
 
     def _initialize(self):
         """Nothing is to be done."""

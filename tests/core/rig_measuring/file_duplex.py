@@ -20,7 +20,7 @@ from skinsource.lab.rig_measuring.duplex import Duplex
 
 sys.path.insert(0, str(Path(__file__).parents[3]))
 from tests.core.playing.file_card import configure_duplex
-from tests.core.rig_measuring.bench_top import COIL, SETUP, VOLTS, apart, sensed
+from tests.core.rig_measuring.bench_top import COIL, SETUP, VOLTS, relative_error, sensed
 
 RATE_HZ, DELAY_S = 48_000, 0.0123
 
@@ -42,21 +42,25 @@ def main(folder: Path) -> dict:
     class Prepared(Duplex):
         """Puts into the file what will be recorded, before the device opens it."""
 
-        def __init__(self, deck, card, n_samples) -> None:
+        def __init__(self, queue, card, n_samples) -> None:
             played = np.zeros(n_samples)
             fade = fade_samples(RATE_HZ)
-            mix = deck.swap.mix
-            played[fade:] = mix.samples[0] * factor_of(deck.gain_db)
+            mix = queue.swap.mix
+            played[fade:] = mix.samples[0] * factor_of(queue.gain_db)
             noise = 1e-5 * np.random.default_rng(1).standard_normal((n_samples, card.n_inputs))
             noise[:, 0] += answered(played)
             noise.astype(np.float32).tofile(came)
-            super().__init__(deck, card, n_samples)
+            super().__init__(queue, card, n_samples)
 
     measurement.Duplex = Prepared
     rig = Rig(channels=(RigChannel(place=7, device="card", full_scale_v=VOLTS),))
     setup = replace(SETUP, repeats=2)
-    found = measurement.measure(rig, 7, setup, output=Output(sample_rate_hz=RATE_HZ))
-    return {"off": apart(found), "delay_s": found.delay_s, "points": len(found.response.points)}
+    measured = measurement.measure(rig, 7, setup, output=Output(sample_rate_hz=RATE_HZ))
+    return {
+        "off": relative_error(measured),
+        "delay_s": measured.delay_s,
+        "points": len(measured.response.points),
+    }
 
 
 if __name__ == "__main__":

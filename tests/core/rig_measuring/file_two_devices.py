@@ -28,8 +28,8 @@ from tests.core.rig_measuring.bench_top import (
     RATE_HZ,
     SETUP,
     VOLTS,
-    apart,
     ears,
+    relative_error,
     sensed,
 )
 
@@ -115,8 +115,12 @@ def main(folder: Path) -> dict:
     configure(folder)
     rig = Rig(channels=(RigChannel(place=7, device="speaker", full_scale_v=VOLTS),))
     setup = replace(SETUP, input_device="sensor", repeats=2)
-    found = measure(rig, 7, setup, output=Output(sample_rate_hz=RATE_HZ))
-    return {"off": apart(found), "clock_ppm": found.clock_ppm, "lines": found.lines}
+    measured = measure(rig, 7, setup, output=Output(sample_rate_hz=RATE_HZ))
+    return {
+        "off": relative_error(measured),
+        "clock_ppm": measured.clock_ppm,
+        "lines": measured.lines,
+    }
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ from tests.core.playing import file_card
 DELAY_S = 0.0123
 
 
-def seen(script: str, folder: Path) -> dict:
+def report_of(script: str, folder: Path) -> dict:
     file_card.skip_where_there_is_none()
     done = subprocess.run(
         [sys.executable, str(Path(__file__).with_name(script)), str(folder)],
@@ -21,14 +21,14 @@ def seen(script: str, folder: Path) -> dict:
 
 
 def test_a_response_is_measured_through_portaudio(tmp_path):
-    found = seen("file_duplex.py", tmp_path)
-    assert found["off"] < 0.06
-    assert abs(found["delay_s"] - DELAY_S) < 2e-5
-    assert found["points"] > 230
+    report = report_of("file_duplex.py", tmp_path)
+    assert report["off"] < 0.06
+    assert abs(report["delay_s"] - DELAY_S) < 2e-5
+    assert report["points"] > 230
 
 
 def test_it_is_measured_with_two_devices_whose_clocks_differ(tmp_path):
-    found = seen("file_two_devices.py", tmp_path)
-    assert found["off"] < 0.06
-    assert abs(found["clock_ppm"] - 120.0) < 0.1
-    assert "two devices" in " ".join(found["lines"])
+    report = report_of("file_two_devices.py", tmp_path)
+    assert report["off"] < 0.06
+    assert abs(report["clock_ppm"] - 120.0) < 0.1
+    assert "two devices" in " ".join(report["lines"])

@@ -10,7 +10,7 @@ PLAYED_ON = Device(
 )
 
 
-def found(index, name="Card", host_api="ALSA"):
+def device(index, name="Card", host_api="ALSA"):
     return InputDevice(index=index, name=name, host_api=host_api, n_inputs=2, sample_rate_hz=48_000)
 
 
@@ -18,13 +18,13 @@ def found(index, name="Card", host_api="ALSA"):
     ("name", "there", "index"),
     [
         # The same device, then one of its host, then any.
-        ("", (found(0, "Jack", "JACK"), found(1, "Other"), found(2)), 2),
-        ("", (found(0, "Jack", "JACK"), found(1, "Other")), 1),
-        ("", (found(0, "Jack", "JACK"),), 0),
+        ("", (device(0, "Jack", "JACK"), device(1, "Other"), device(2)), 2),
+        ("", (device(0, "Jack", "JACK"), device(1, "Other")), 1),
+        ("", (device(0, "Jack", "JACK"),), 0),
         # So also of those that have the name.
-        ("Card", (found(0, host_api="JACK"), found(1), found(2)), 2),
-        ("Card", (found(0, host_api="JACK"), found(3), found(2, "Other")), 3),
-        ("Jack", (found(0, "Jack", "JACK"), found(2)), 0),
+        ("Card", (device(0, host_api="JACK"), device(1), device(2)), 2),
+        ("Card", (device(0, host_api="JACK"), device(3), device(2, "Other")), 3),
+        ("Jack", (device(0, "Jack", "JACK"), device(2)), 0),
     ],
 )
 def test_the_nearest_to_the_device_that_is_played_on_is_recorded_from(name, there, index):

@@ -43,9 +43,9 @@ def measured(rig=RIG, place=7, setup=SETUP, **more):
 GAIN, BOTH = 0.02, 0.06
 
 
-def apart(found, model=COIL):
+def relative_error(result, model=COIL):
     """Largest relative distance from what the model is by its formula, delay and sign included."""
-    ratio = found.response.response(HZ) / model.response(HZ)
+    ratio = result.response.response(HZ) / model.response(HZ)
     assert np.abs(np.abs(ratio) - 1.0).max() < GAIN
     return np.abs(ratio - 1.0).max()
 
@@ -56,14 +56,14 @@ def card(monkeypatch):
 
 
 def test_the_response_of_the_actuator_comes_back_in_m_per_s2_per_v(card):
-    found = measured()
-    assert apart(found) < BOTH
-    assert abs(found.delay_s - DELAY_S - BLOCK_S) < 2e-5
-    assert not found.inverted
-    assert found.n_left_out == 0
-    assert found.noise_m_per_s2 == pytest.approx(1e-5 * INPUT_VOLTS / SENSITIVITY, rel=0.1)
+    result = measured()
+    assert relative_error(result) < BOTH
+    assert abs(result.delay_s - DELAY_S - BLOCK_S) < 2e-5
+    assert not result.inverted
+    assert result.n_left_out == 0
+    assert result.noise_m_per_s2 == pytest.approx(1e-5 * INPUT_VOLTS / SENSITIVITY, rel=0.1)
     # What is said of its error is about what its error is.
-    assert np.median(found.error) < 0.01
+    assert np.median(result.error) < 0.01
     quiet, loud = (np.abs(stream.samples).max(axis=1) for stream in card.streams)
     assert loud == pytest.approx([0.0, 0.0, 0.1], rel=0.01)
     assert quiet == pytest.approx([0.0, 0.0, 0.01], rel=0.01)
@@ -72,52 +72,52 @@ def test_the_response_of_the_actuator_comes_back_in_m_per_s2_per_v(card):
 def test_a_wire_from_output_to_input_tells_the_delay(monkeypatch):
     wire = ears(lambda hz: np.full(hz.size, 0.5 + 0j))
     use(monkeypatch, Card(wire, ears(sensed(COIL))))
-    found = measured(setup=replace(SETUP, input_number=2, loopback_input=1))
-    assert found.delay_by_wire
-    assert abs(found.delay_s - DELAY_S - BLOCK_S) < 1e-6
-    assert apart(found) < 0.02
+    result = measured(setup=replace(SETUP, input_number=2, loopback_input=1))
+    assert result.delay_by_wire
+    assert abs(result.delay_s - DELAY_S - BLOCK_S) < 1e-6
+    assert relative_error(result) < 0.02
 
 
 def test_noise_covers_the_lowest_frequencies_and_they_are_left_out(monkeypatch):
     use(monkeypatch, Card(ears(sensed(COIL)), noise=2e-2))
-    found = measured()
-    assert found.n_left_out > 0
-    assert found.response.points[0][0] > 22.0
-    hz = np.array([point[0] for point in found.response.points])
-    off = np.abs(np.abs(found.response.response(hz) / COIL.response(hz)) - 1.0)
+    result = measured()
+    assert result.n_left_out > 0
+    assert result.response.points[0][0] > 22.0
+    hz = np.array([point[0] for point in result.response.points])
+    off = np.abs(np.abs(result.response.response(hz) / COIL.response(hz)) - 1.0)
     # Within three of its own standard errors and what the width of a point costs, nearly always.
-    assert np.mean(off < 3.0 * found.error + GAIN) > 0.95
-    assert found.error.max() <= 0.1
-    assert np.median(found.error) > 0.005
+    assert np.mean(off < 3.0 * result.error + GAIN) > 0.95
+    assert result.error.max() <= 0.1
+    assert np.median(result.error) > 0.005
 
 
 def test_an_actuator_that_moves_against_the_voltage_is_told(monkeypatch):
     use(monkeypatch, Card(ears(sensed(COIL, -VOLTS))))
-    found = measured()
-    assert found.inverted
-    assert "against the voltage" in " ".join(found.lines)
+    result = measured()
+    assert result.inverted
+    assert "against the voltage" in " ".join(result.lines)
     turned = replace(RIG, channels=(replace(CHANNEL, polarity="inverted"),))
     assert not measured(turned).inverted
-    assert apart(measured(turned)) < BOTH
+    assert relative_error(measured(turned)) < BOTH
 
 
 def test_what_was_measured_is_in_its_channel_with_the_date(card):
-    found = measured()
-    after = kept(RIG, found)
+    result = measured()
+    after = kept(RIG, result)
     assert after.channels[0] == RIG.channels[0]
     today = datetime.now(UTC).date().isoformat()
-    assert after.channels[1] == replace(CHANNEL, measured=found.response, measured_on=today)
+    assert after.channels[1] == replace(CHANNEL, measured=result.response, measured_on=today)
     assert after.channels[1].calibrated
 
 
 def test_it_is_stopped_within_a_millisecond_of_sound(card):
-    seen = []
+    reports = []
 
     def stop():
-        return bool(seen) and seen[-1][0] > 0
+        return bool(reports) and reports[-1][0] > 0
 
     with pytest.raises(Stopped):
-        measured(stop=stop, progress=lambda *told: seen.append(told))
+        measured(stop=stop, progress=lambda *report: reports.append(report))
     assert len(card.streams) == 1
     assert not card.streams[0].samples[:, -1].any()
 
@@ -127,7 +127,9 @@ def test_what_would_pass_a_limit_of_the_rig_is_never_played(card):
     with pytest.raises(InvalidInputError, match=r"place 7: peak voltage\); .*−26\.1 dB or less"):
         measured(Rig(channels=(held,)))
     assert not card.streams
-    assert apart(measured(Rig(channels=(held,)), setup=replace(SETUP, level_db=-26.1))) < BOTH
+    assert (
+        relative_error(measured(Rig(channels=(held,)), setup=replace(SETUP, level_db=-26.1))) < BOTH
+    )
 
 
 def test_a_limit_of_the_motion_is_looked_at_once_the_response_is_known(card):
@@ -141,10 +143,10 @@ def test_an_input_that_would_clip_says_how_loud_it_may_be(card):
     card.paths = (card.paths[0] * 60.0,)
     with pytest.raises(
         InvalidInputError, match=r"input 1 would clip at −20 dB; choose −\d"
-    ) as told:
+    ) as warned:
         measured()
     assert len(card.streams) == 1
-    most_db = -float(str(told.value).split("choose −")[1].split(" dB")[0])
+    most_db = -float(str(warned.value).split("choose −")[1].split(" dB")[0])
     loudest = replace(SETUP, level_db=most_db)
     assert -3.0 < measured(setup=loudest).peak_input_db < 0.0
 
@@ -168,7 +170,7 @@ def test_a_card_that_is_pulled_out_or_loses_samples_is_told(card):
 
 
 @pytest.mark.parametrize(
-    ("changes", "setup", "words"),
+    ("changes", "setup", "message"),
     [
         ({"n_outputs": 0}, SETUP, "No device to play on"),
         ({"n_inputs": 0}, SETUP, "No device to record from"),
@@ -179,10 +181,10 @@ def test_a_card_that_is_pulled_out_or_loses_samples_is_told(card):
         ({"refusal": ("Device unavailable", -9985)}, SETUP, "is not free"),
     ],
 )
-def test_what_a_device_does_not_have_or_take_is_one_clear_error(card, changes, setup, words):
+def test_what_a_device_does_not_have_or_take_is_one_clear_error(card, changes, setup, message):
     for name, value in changes.items():
         setattr(card, name, value)
-    with pytest.raises(PlaybackError, match=words):
+    with pytest.raises(PlaybackError, match=message):
         measured(setup=setup)
 
 
@@ -201,13 +203,15 @@ def test_what_is_not_known_is_asked_for_before_anything_is_played(card):
 def test_the_command_writes_the_response_into_the_rig(card, tmp_path, capsys):
     path = tmp_path / "bench.skinrig"
     ss.save_rig(path, RIG)
-    words = f"rig measure {path} --place 7 --sensitivity {SENSITIVITY} --input-volts {INPUT_VOLTS}"
+    command = (
+        f"rig measure {path} --place 7 --sensitivity {SENSITIVITY} --input-volts {INPUT_VOLTS}"
+    )
     more = f" --level -20 --seconds 1.5 --repeats 2 --rate {RATE_HZ}"
-    assert main((words + more).split()) == 0
+    assert main((command + more).split()) == 0
     assert "Place 7: 240 points from 20 to 1000 Hz" in capsys.readouterr().out
     after = ss.open_rig(path)
     assert np.abs(after.channels[1].measured.response(100.0) / COIL.response(100.0) - 1) < 0.03
-    assert main([*(words + more).split(), "--input", "9"]) == 1
+    assert main([*(command + more).split(), "--input", "9"]) == 1
     assert "input 9 is to be recorded" in capsys.readouterr().err
     assert ss.open_rig(path) == after
     assert main(["rig", "devices"]) == 0

@@ -18,8 +18,8 @@ from tests.core.rig_measuring.bench_top import (
     RATE_HZ,
     SETUP,
     VOLTS,
-    apart,
     ears,
+    relative_error,
     sensed,
     use,
 )
@@ -40,26 +40,26 @@ def cards(monkeypatch):
 @pytest.mark.parametrize("ppm", [0.0, 83.0, -400.0])
 def test_the_response_comes_back_whatever_the_clocks_do(cards, ppm):
     cards.ratio = 1.0 + 1e-6 * ppm
-    found = measured()
-    assert found.clock_ppm == pytest.approx(ppm, abs=0.5)
-    assert apart(found) < 0.06
+    result = measured()
+    assert result.clock_ppm == pytest.approx(ppm, abs=0.5)
+    assert relative_error(result) < 0.06
     # By the clock that records, which has run since the first sample.
     begun_s = BEGUN_LATER / RATE_HZ + 0.205e-6 * ppm
-    assert found.delay_s == pytest.approx(DELAY_S + begun_s, abs=2e-5)
-    assert np.median(found.error) < 0.01
-    said = " ".join(found.lines)
-    assert "two devices, Plays and Hears, which begin when they can" in said
+    assert result.delay_s == pytest.approx(DELAY_S + begun_s, abs=2e-5)
+    assert np.median(result.error) < 0.01
+    text = " ".join(result.lines)
+    assert "two devices, Plays and Hears, which begin when they can" in text
     assert ("millionths quicker", "clocks agree", "millionths slower")[
         1 - int(np.sign(ppm))
-    ] in said
+    ] in text
 
 
 def test_a_wire_tells_delay_and_clocks(cards):
     cards.paths = (ears(lambda hz: np.full(hz.size, 0.5 + 0j)), *cards.paths)
     cards.ratio = 1.0 + 150e-6
-    found = measured(replace(SETUP, input_number=2, loopback_input=1))
-    assert found.clock_ppm == pytest.approx(150.0, abs=0.05)
-    assert apart(found) < 0.02
+    result = measured(replace(SETUP, input_number=2, loopback_input=1))
+    assert result.clock_ppm == pytest.approx(150.0, abs=0.05)
+    assert relative_error(result) < 0.02
 
 
 def test_the_command_that_looks_for_another_device_finds_it_by_its_name(cards):
@@ -93,13 +93,13 @@ def test_each_device_is_named_that_refuses_or_is_gone(cards, monkeypatch):
     cards.pulled_after, cards.deaf_after = 100_000, 200
     with pytest.raises(PlaybackError, match="Hears stopped answering"):
         measured()
-    assert all(one.closed.is_set() for one in cards.streams)
+    assert all(stream.closed.is_set() for stream in cards.streams)
 
 
 def test_lost_samples_are_told_and_a_stop_is_silent(cards):
     with pytest.raises(Stopped):
         measured(stop=lambda: True)
-    assert all(one.closed.is_set() for one in cards.streams)
+    assert all(stream.closed.is_set() for stream in cards.streams)
     cards.loses_at = 150
     with pytest.raises(PlaybackError, match="lost 1 times"):
         measured()
@@ -109,15 +109,15 @@ def test_a_stop_is_heard_too_while_what_was_played_last_is_on_its_way_in(cards):
     cards.deaf_after = 200
     with pytest.raises(Stopped):
         measured(stop=lambda: cards.began and not cards.streams[-1].active)
-    assert all(one.closed.is_set() for one in cards.streams)
+    assert all(stream.closed.is_set() for stream in cards.streams)
 
 
 def test_nothing_is_waited_for_where_playing_ended_before_the_end(cards, monkeypatch):
     asked, cards.deaf_after = [], 20
 
-    def passing_a_limit(deck, out):
+    def passing_a_limit(queue, out):
         out[:] = 0.0
-        deck.ending = Ending(reason="limit", output=3, name="coil", highest_db=-7.0)
+        queue.ending = Ending(reason="limit", output=3, name="coil", highest_db=-7.0)
 
     def stop():
         asked.append(cards.began)
@@ -149,6 +149,6 @@ def test_clocks_are_compared_within_noise(ppm):
     sweep = np.zeros(period)
     part = exponential_sweep((20.0, 1500.0), 1.0, RATE_HZ)
     sweep[: part.size] = part
-    heard = by_another_clock(np.tile(sweep, 6), ratio, 40.0)
-    heard += 0.1 * np.random.default_rng(1).standard_normal(heard.size)
-    assert 1e6 * (clock_ratio(heard, 0, period, 5) - ratio) == pytest.approx(0.0, abs=0.3)
+    recorded = by_another_clock(np.tile(sweep, 6), ratio, 40.0)
+    recorded += 0.1 * np.random.default_rng(1).standard_normal(recorded.size)
+    assert 1e6 * (clock_ratio(recorded, 0, period, 5) - ratio) == pytest.approx(0.0, abs=0.3)

@@ -26,9 +26,9 @@ def by_another_clock(samples, ratio, late):
     low = np.concatenate((series[n // 2 + 1 :], series[: n // 2]))
     count = int((samples.size + late) * ratio)
     step = 2.0 * np.pi / (n * ratio)
-    wanted = czt(low, count, np.exp(1j * step), np.exp(1j * step * late))
+    spectrum = czt(low, count, np.exp(1j * step), np.exp(1j * step * late))
     place = np.arange(count) - late
-    return (wanted * np.exp(1j * step * place * (1 - n // 2))).real / n
+    return (spectrum * np.exp(1j * step * place * (1 - n // 2))).real / n
 
 
 class _Way:
@@ -79,7 +79,7 @@ class In(_Way):
 
     def _run(self) -> None:
         cards, n, channels = self.cards, self.asked["blocksize"], self.asked["channels"]
-        rng, heard = np.random.default_rng(len(cards.streams)), np.zeros((channels, 0))
+        rng, recorded = np.random.default_rng(len(cards.streams)), np.zeros((channels, 0))
         for number in range(100_000):
             if self.closed.is_set() or number > cards.deaf_after:
                 break
@@ -88,8 +88,8 @@ class In(_Way):
             status = SimpleNamespace(input_overflow=lost, output_underflow=False)
             with cards.turn:
                 if cards.answers is not None:
-                    heard, cards.answers = cards.answers[:channels], None
-                now, heard = heard[:, :n], heard[:, n:]
+                    recorded, cards.answers = cards.answers[:channels], None
+                now, recorded = recorded[:, :n], recorded[:, n:]
                 came[: now.shape[1], : now.shape[0]] += now.T
                 self.asked["callback"](came.astype("f4"), n, None, status)
             cards.listening.set()

@@ -13,21 +13,21 @@ def levels_of(name: str) -> dict[str, np.ndarray]:
     opened = ss.scenes.open_scene(name)
     assert not opened.synthetic
     return {
-        one.label: ss.evaluate(one.design, "output_rms", view=opened.view)["output_rms"]
-        for one in opened.conditions
+        condition.label: ss.evaluate(condition.design, "output_rms", view=opened.view)["output_rms"]
+        for condition in opened.conditions
     }
 
 
 def test_figure_2f_cancels_at_output_19_and_adds_up_at_21(measured):
-    found = {label: rms[[18, 20, 23, 31]] for label, rms in levels_of("2F").items()}
+    levels = {label: rms[[18, 20, 23, 31]] for label, rms in levels_of("2F").items()}
     known = {
         "Input 8": [0.2110, 0.1966, 0.0215, 0.0035],
         "Input 13": [0.2119, 0.1828, 0.1346, 0.0286],
         "Both": [0.0240, 0.3570, 0.1301, 0.0296],
     }
-    assert found.keys() == known.keys()
+    assert levels.keys() == known.keys()
     for label, rms in known.items():
-        np.testing.assert_allclose(found[label], rms, rtol=0, atol=5.1e-5)
+        np.testing.assert_allclose(levels[label], rms, rtol=0, atol=5.1e-5)
 
 
 @pytest.mark.parametrize(
@@ -66,16 +66,16 @@ def test_figure_2h_draws_in_towards_the_finger(measured):
     windows = ss.windowed_rms(traces, 156, first_sample=67)[:5]
     limb = ss.load_limb(opened.design.limb)
     assert limb.name == "measured-4"
-    found = [ss.extent(one, limb, 7).mean_distance_mm for one in windows]
-    np.testing.assert_allclose(found, [31.9, 27.9, 23.4, 18.8, 17.0], atol=0.5)
+    distances_mm = [ss.extent(window, limb, 7).mean_distance_mm for window in windows]
+    np.testing.assert_allclose(distances_mm, [31.9, 27.9, 23.4, 18.8, 17.0], atol=0.5)
 
 
 @pytest.mark.parametrize(("name", "limb"), [("5A", "measured-1"), ("5B", "measured-2")])
 def test_the_five_strengths_reach_their_velocities(measured, name, limb):
     opened = ss.scenes.open_scene(name)
-    for speed_mm_per_s, one in zip((5, 10, 20, 40, 80), opened.conditions, strict=True):
-        assert one.design.limb == limb
-        (track,) = one.design.inputs
+    for speed_mm_per_s, condition in zip((5, 10, 20, 40, 80), opened.conditions, strict=True):
+        assert condition.design.limb == limb
+        (track,) = condition.design.inputs
         for clip in track.clips:
             acceleration = track.amplitude * clip.gain
             velocity = acceleration / (2 * np.pi * clip.waveform.frequency_hz)

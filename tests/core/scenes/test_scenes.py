@@ -21,9 +21,9 @@ def test_every_panel_that_can_be_computed_is_a_scene():
 
 
 def test_the_files_are_what_the_script_makes():
-    found = {path.stem: open_design(path) for path in ss.scenes.scenes_folder().iterdir()}
-    made = {one.scene.name: one.content for one in SHIPPED}
-    assert found == made, (
+    stored = {path.stem: open_design(path) for path in ss.scenes.scenes_folder().iterdir()}
+    made = {scene.scene.name: scene.content for scene in SHIPPED}
+    assert stored == made, (
         "data/scenes is out of date; write it anew with 'python -m skinsource.studies.scenes'"
     )
 
@@ -37,7 +37,7 @@ def test_each_says_what_it_is_where_it_is_from_and_what_is_inferred(name):
     notes = open_design(path_of(name)).design.notes
     assert known.sentence in notes
     assert f"Fig. {name}." in notes
-    assert all(words in notes for words in known.inferred)
+    assert all(phrase in notes for phrase in known.inferred)
 
 
 @every
@@ -45,8 +45,8 @@ def test_each_opens_on_the_limbs_of_the_paper_where_they_are(name):
     opened = ss.scenes.open_scene(name, available=MEASURED)
     assert opened.note == ""
     assert not opened.synthetic
-    assert all(one.design.limb in MEASURED for one in opened.conditions)
-    assert opened.design in [one.design for one in opened.conditions]
+    assert all(condition.design.limb in MEASURED for condition in opened.conditions)
+    assert opened.design in [condition.design for condition in opened.conditions]
 
 
 @every
@@ -54,10 +54,10 @@ def test_each_opens_on_the_synthetic_limb_of_its_number_elsewhere_and_says_so(na
     opened = ss.scenes.open_scene(name, available=("synthetic-1",))
     there = ss.scenes.open_scene(name, available=MEASURED)
     assert "SYNTHETIC" in opened.note
-    for here, one in zip(opened.conditions, there.conditions, strict=True):
-        assert here.label == one.label
-        assert here.design.limb == one.design.limb.replace("measured", "synthetic")
-        assert here.design.inputs == one.design.inputs
+    for here, condition in zip(opened.conditions, there.conditions, strict=True):
+        assert here.label == condition.label
+        assert here.design.limb == condition.design.limb.replace("measured", "synthetic")
+        assert here.design.inputs == condition.design.inputs
 
 
 @every
@@ -65,14 +65,14 @@ def test_each_plays_and_moves_the_outputs_that_it_shows(name):
     opened = ss.scenes.open_scene(name, available=())
     for condition in opened.conditions:
         levels = ss.evaluate(condition.design, "output_levels_db", view=opened.view)
-        shown_db = levels["output_levels_db"][[one - 1 for one in opened.view.outputs]]
+        shown_db = levels["output_levels_db"][[output - 1 for output in opened.view.outputs]]
         assert shown_db.max() > -60.0
 
 
 def test_the_window_shows_one_of_the_designs_that_are_compared_and_the_others_as_snapshots():
     for name in PANELS:
         opened = ss.scenes.open_scene(name, available=MEASURED)
-        stored = [one.design for one in opened.view.snapshots]
+        stored = [snapshot.design for snapshot in opened.view.snapshots]
         extra = 1 if shown(opened.view.snapshots, opened.design) is None else 0
         assert len(stored) + extra == len(opened.conditions), name
         assert not opened.view.levels_matched, name
@@ -80,18 +80,21 @@ def test_the_window_shows_one_of_the_designs_that_are_compared_and_the_others_as
 
 def test_what_is_compared_differs_in_what_its_labels_say():
     opened = ss.scenes.open_scene("2F", available=MEASURED)
-    places = [[one.location for one in each.design.inputs] for each in opened.conditions]
+    places = [[track.location for track in each.design.inputs] for each in opened.conditions]
     assert places == [[8], [13], [8, 13]]
-    limbs = [one.design.limb for one in ss.scenes.open_scene("1G", available=MEASURED).conditions]
+    limbs = [
+        condition.design.limb
+        for condition in ss.scenes.open_scene("1G", available=MEASURED).conditions
+    ]
     assert limbs == list(MEASURED)
     tones = [
-        one.design.clips[0].waveform.frequency_hz
-        for one in ss.scenes.open_scene("2B", available=MEASURED).conditions
+        condition.design.clips[0].waveform.frequency_hz
+        for condition in ss.scenes.open_scene("2B", available=MEASURED).conditions
     ]
     assert tones == [50.0, 100.0, 200.0, 400.0]
     amplitudes = [
-        one.design.inputs[0].amplitude
-        for one in ss.scenes.open_scene("5A", available=MEASURED).conditions
+        condition.design.inputs[0].amplitude
+        for condition in ss.scenes.open_scene("5A", available=MEASURED).conditions
     ]
     assert [a / amplitudes[0] for a in amplitudes] == pytest.approx([1, 2, 4, 8, 16])
 
@@ -109,9 +112,9 @@ def test_the_command_lists_scenes_and_writes_one_as_a_design(tmp_path, capsys):
     assert all(f"{name} " in listed for name in PANELS)
     path = tmp_path / "own.skinsource"
     assert main(["scenes", "2b", "--out", str(path)]) == 0
-    told = capsys.readouterr().out
-    assert "2B · Low frequencies reach farther" in told
-    assert "SYNTHETIC" in told
+    printed = capsys.readouterr().out
+    assert "2B · Low frequencies reach farther" in printed
+    assert "SYNTHETIC" in printed
     opened = ss.scenes.open_scene("2B")
     assert open_design(path).design == opened.design
     assert open_design(path).view == opened.view

@@ -22,10 +22,10 @@ def reasons(limb):
 
 def test_all_but_those_that_compare_people_apply_on_a_limb_of_7_by_31_by_2(user_data):
     installed()
-    found = reasons("lab-1")
-    assert [name for name, reason in found.items() if not reason] == APPLYING
-    assert found["1G"] == "It compares 4 people, and this is one limb."
-    assert found["2E"].startswith("It compares 3 people")
+    texts = reasons("lab-1")
+    assert [name for name, reason in texts.items() if not reason] == APPLYING
+    assert texts["1G"] == "It compares 4 people, and this is one limb."
+    assert texts["2E"].startswith("It compares 3 people")
     with pytest.raises(InvalidInputError, match=r"1G does not apply on lab-1\. It compares 4"):
         ss.scenes.open_scene("1G", limb="lab-1")
     with pytest.raises(InvalidInputError, match="'lab-9' is not here"):
@@ -40,20 +40,20 @@ def test_each_that_applies_plays_and_is_drawn_at_what_the_limb_has(user_data, na
     for condition in opened.conditions:
         design = condition.design
         assert (design.limb, design.limb_digest) == ("lab-1", facts_of("lab-1").digest)
-        assert all(1 <= one.location <= N_INPUTS for one in design.inputs)
+        assert all(1 <= track.location <= N_INPUTS for track in design.inputs)
         levels = ss.evaluate(design, "output_levels_db", view=opened.view)["output_levels_db"]
         assert levels[np.array(opened.view.outputs) - 1].max() > -60.0
         assert "need not do what the sentence says" in design.notes
-    assert opened.design in [one.design for one in opened.conditions]
+    assert opened.design in [condition.design for condition in opened.conditions]
     assert len(draw_figure(opened).tables) >= 1
 
 
 def test_places_that_it_lacks_are_others_and_outputs_go_from_near_to_far(user_data):
     limb = installed()
     opened = ss.scenes.open_scene("2F", limb="lab-1")
-    places = [[one.location for one in each.design.inputs] for each in opened.conditions]
+    places = [[track.location for track in each.design.inputs] for each in opened.conditions]
     assert places == [[1], [2], [1, 2]]
-    assert [one.label for one in opened.conditions] == ["Input 1", "Input 2", "Both"]
+    assert [condition.label for condition in opened.conditions] == ["Input 1", "Input 2", "Both"]
     assert opened.design.title == "Fig. 2F: Two inputs interfere · Both"
     assert "played at its places 1 in place of 8, 2 in place of 13" in opened.note
     away = np.linalg.norm(limb.output_positions - limb.input_positions[0], axis=1)
@@ -74,12 +74,12 @@ def test_what_a_limb_lacks_is_said(user_data):
     inputs = rng.uniform(-30, 30, (7, 2))
     inputs[2:] = np.nan
     installed(axes="x", sample_rate_hz=1000.0, input_positions=inputs)
-    found = reasons("lab-1")
-    assert found["1C"] == "It is about motion along z, and this limb measures along x."
-    assert found["1E"].startswith("It is about motion along z")
-    assert found["1F"] == "It is played at 3 places, and this limb has 2 places on its map."
-    assert found["2D"] == "The limb has 1000 Hz, which is too slow for what it plays: noise."
-    assert found["2F"] == ""
+    texts = reasons("lab-1")
+    assert texts["1C"] == "It is about motion along z, and this limb measures along x."
+    assert texts["1E"].startswith("It is about motion along z")
+    assert texts["1F"] == "It is played at 3 places, and this limb has 2 places on its map."
+    assert texts["2D"] == "The limb has 1000 Hz, which is too slow for what it plays: noise."
+    assert texts["2F"] == ""
     installed(axes="z")
     assert reasons("lab-1")["1E"] == "It compares axes, and this limb measures along z alone."
 
@@ -87,7 +87,7 @@ def test_what_a_limb_lacks_is_said(user_data):
 def test_a_published_limb_that_is_chosen_keeps_places_and_outputs():
     opened = ss.scenes.open_scene("2F", limb="synthetic-2")
     paper = ss.scenes.open_scene("2F", available=())
-    assert {one.design.limb for one in opened.conditions} == {"synthetic-2"}
+    assert {condition.design.limb for condition in opened.conditions} == {"synthetic-2"}
     assert opened.design.inputs == paper.design.inputs
     assert opened.view.outputs == paper.view.outputs
     assert opened.synthetic
@@ -104,13 +104,13 @@ def test_the_commands_take_a_limb(user_data, tmp_path, capsys):
     assert open_design(path).design == ss.scenes.open_scene("2F", limb="lab-1").design
     assert main(["scenes", "1G", "--limb", "lab-1"]) == 1
     assert "It compares 4 people" in capsys.readouterr().err
-    wanted = ["figures", "--out", str(tmp_path), "--limb", "lab-1", "--only"]
-    assert main([*wanted, "2B"]) == 0
+    arguments = ["figures", "--out", str(tmp_path), "--limb", "lab-1", "--only"]
+    assert main([*arguments, "2B"]) == 0
     table = (tmp_path / "2B.csv").read_text()
     assert "need not do what the sentence says" in table
     assert "Lab 1 (lab-1)" in table
     capsys.readouterr()
-    assert main([*wanted, "2E"]) == 1
+    assert main([*arguments, "2E"]) == 1
     assert "2E does not apply on lab-1" in capsys.readouterr().err
 
 
@@ -123,4 +123,4 @@ def test_without_names_those_figures_are_drawn_that_apply(user_data, tmp_path, m
     )
     monkeypatch.setattr("skinsource.studies.figures.writing.draw_figure", lambda opened: None)
     write_figures(tmp_path, limb="lab-1")
-    assert [one.scene.name for one in drawn] == APPLYING
+    assert [figure.scene.name for figure in drawn] == APPLYING

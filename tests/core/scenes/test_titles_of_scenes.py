@@ -18,20 +18,22 @@ def opened(name, **how):
 @pytest.mark.parametrize("available", [(), MEASURED], ids=["synthetic", "measured"])
 @pytest.mark.parametrize("name", ss.scenes.names())
 def test_each_scene_is_called_by_its_title_as_long_as_it_is_that_scene(name, available):
-    for one in opened(name, available=available).conditions:
-        assert title_of(one.design) == one.design.title
+    for condition in opened(name, available=available).conditions:
+        assert title_of(condition.design) == condition.design.title
 
 
 @pytest.mark.parametrize("name", ss.scenes.names())
 def test_each_scene_that_plays_something_else_is_called_edited(name):
     scene = ss.scenes.scene(name)
-    for one in opened(name, available=()).conditions:
-        louder = one.design.with_input(0, amplitude=3.25 * one.design.inputs[0].amplitude)
+    for condition in opened(name, available=()).conditions:
+        louder = condition.design.with_input(
+            0, amplitude=3.25 * condition.design.inputs[0].amplitude
+        )
         assert title_of(louder) == f"Fig. {name}: {scene.title} · edited"
 
 
 def test_a_scene_on_another_limb_is_no_longer_called_by_the_limb_of_its_title():
-    known = next(one for one in ss.scenes.all_scenes() if one.title.endswith(", limb 1"))
+    known = next(scene for scene in ss.scenes.all_scenes() if scene.title.endswith(", limb 1"))
     design = opened(known.name, available=()).design
     for limb in ("synthetic-3", "our-arm-1", "arm-1"):
         moved = title_of(replace(design, limb=limb))

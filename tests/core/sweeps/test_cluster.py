@@ -22,8 +22,8 @@ def two_workers():
     logging.getLogger("distributed").setLevel(logging.CRITICAL)
     with distributed.LocalCluster(
         n_workers=2, threads_per_worker=1, dashboard_address=None, processes=True
-    ) as found:
-        yield found
+    ) as cluster:
+        yield cluster
 
 
 def test_no_row_is_lost_or_doubled_where_a_worker_is_killed(two_workers):
@@ -31,23 +31,23 @@ def test_no_row_is_lost_or_doubled_where_a_worker_is_killed(two_workers):
     design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, tone), ss.track(3, tone)))
     plan = Plan(designs=(("one", design),), variables=(("2.frequency_hz", tuple(range(50, 210))),))
     victim = next(iter(two_workers.workers.values())).pid
-    told = []
+    reports = []
 
     def progress(done, total, text):
-        told.append(done)
+        reports.append(done)
         if done == 20:
             os.kill(victim, signal.SIGKILL)
 
-    found = run(
+    table = run(
         Sweep(plan=plan),
         None,
         measuring=cluster.Cluster(two_workers.scheduler_address),
         progress=progress,
     )
-    assert told == list(range(161))
+    assert reports == list(range(161))
     here = run(Sweep(plan=plan), None, processes=1)
-    assert [repr(row) for row in found.rows] == [repr(row) for row in here.rows]
-    assert not found.failed
+    assert [repr(row) for row in table.rows] == [repr(row) for row in here.rows]
+    assert not table.failed
 
 
 def test_a_scheduler_that_does_not_answer_is_one_sentence(monkeypatch):

@@ -26,11 +26,11 @@ FREQUENCIES = (50.0, 80.0, 150.0, 250.0)
 def design_at(design, frequency_hz, factor=1.0):
     inputs = tuple(
         ss.track(
-            one.location,
+            track.location,
             ss.waveforms.Tone(frequency_hz=frequency_hz, duration_s=0.3),
-            amplitude=one.amplitude * factor,
+            amplitude=track.amplitude * factor,
         )
-        for one in design.inputs
+        for track in design.inputs
     )
     return ss.Design(limb="synthetic-1", inputs=inputs)
 
@@ -38,12 +38,12 @@ def design_at(design, frequency_hz, factor=1.0):
 def highest_above_threshold(design):
     field = ss.predict(
         ss.load_limb("synthetic-1"),
-        [one.clips[0].waveform.samples(1300.0) * one.amplitude for one in design.inputs],
-        [one.location for one in design.inputs],
+        [track.clips[0].waveform.samples(1300.0) * track.amplitude for track in design.inputs],
+        [track.location for track in design.inputs],
         [1.0] * len(design.inputs),
         "probe",
     )
-    return max(one.max() for one in sensation_levels_db(field, 1300.0).values())
+    return max(of_channel.max() for of_channel in sensation_levels_db(field, 1300.0).values())
 
 
 @pytest.mark.parametrize("values", [FREQUENCIES, FREQUENCIES[:2]])
@@ -117,14 +117,14 @@ def test_matched_drives_are_those_of_the_files_with_one_full_scale(matches, tmp_
         with np.load(tmp_path / "out" / "stimuli" / f"{k}.npz") as archive:
             peaks.append(np.abs(archive["drive"]).max(axis=0))
     # Place 3 is 6 dB above place 7 in each file, and the louder two are full scale.
-    for one in peaks:
-        assert one.max() / one.min() == pytest.approx(10 ** (6 / 20), rel=0.02)
-    assert max(one.max() for one in peaks) == pytest.approx(1.0, abs=1e-6)
+    for peak in peaks:
+        assert peak.max() / peak.min() == pytest.approx(10 ** (6 / 20), rel=0.02)
+    assert max(peak.max() for peak in peaks) == pytest.approx(1.0, abs=1e-6)
     assert peaks[1].max() / peaks[0].max() == pytest.approx(2.0)
 
 
 @pytest.mark.parametrize(
-    ("changes", "words"),
+    ("changes", "message"),
     [
         ({"level": "loud"}, "one of drive"),
         ({"level": "above_threshold"}, "level_db"),
@@ -134,8 +134,8 @@ def test_matched_drives_are_those_of_the_files_with_one_full_scale(matches, tmp_
         ({"level_db": 1000.0}, "-100 to 100 dB"),
     ],
 )
-def test_a_level_that_cannot_be_is_refused(changes, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_a_level_that_cannot_be_is_refused(changes, message):
+    with pytest.raises(InvalidInputError, match=message):
         ss.sweep(DESIGN, **changes)
 
 
@@ -147,11 +147,11 @@ def test_actuators_are_varied_and_say_what_they_have_to_do():
     assert table.column("rms")[0] != table.column("rms")[1]
     for row, name in enumerate(names):
         model = actuators.load(name)
-        drives = np.array([one.amplitude * TONE.samples(1300.0) for one in DESIGN.inputs])
+        drives = np.array([track.amplitude * TONE.samples(1300.0) for track in DESIGN.inputs])
         volts = equalised(drives, 1300.0, model, RegularisedInverse(), lead_s=0.1, tail_s=0.1)
-        told = actuators.predicted(volts, 1300, model)
+        loads = actuators.predicted(volts, 1300, model)
         for metric in ACTUATOR_METRICS[:-1]:
-            expected = max(getattr(one, metric) for one in told)
+            expected = max(getattr(extent, metric) for extent in loads)
             assert table.column(metric)[row] == pytest.approx(expected, rel=1e-9, nan_ok=True)
     assert table.column("peak_voltage_v")[0] != table.column("peak_voltage_v")[1]
     assert table.column("limits_passed").tolist() == [1.0, 1.0]
@@ -174,12 +174,12 @@ def test_predictions_go_through_the_actuator_that_is_varied():
     by_frequency = ss.sweep(DESIGN, {"actuator": names[:1], "frequency_hz": FREQUENCIES})
     for name, rms in zip(names, by_actuator, strict=True):
         design = replace(DESIGN, actuation=actuation(name))
-        found = ss.evaluate(design, "output_rms", view=ss.View(method="pca"))["output_rms"]
-        assert rms == pytest.approx(found.max(), rel=1e-9)
+        output_rms = ss.evaluate(design, "output_rms", view=ss.View(method="pca"))["output_rms"]
+        assert rms == pytest.approx(output_rms.max(), rel=1e-9)
     for frequency_hz, rms in zip(FREQUENCIES, by_frequency.column("rms"), strict=True):
         design = replace(design_at(DESIGN, frequency_hz), actuation=actuation(names[0]))
-        found = ss.evaluate(design, "output_rms", view=ss.View(method="pca"))["output_rms"]
-        assert rms == pytest.approx(found.max(), rel=1e-9)
+        output_rms = ss.evaluate(design, "output_rms", view=ss.View(method="pca"))["output_rms"]
+        assert rms == pytest.approx(output_rms.max(), rel=1e-9)
 
 
 def test_designs_with_and_without_actuators_do_not_mix():
@@ -248,7 +248,7 @@ def test_a_file_says_level_actuators_and_limits(matches):
 
 
 @pytest.mark.parametrize(
-    ("text", "words"),
+    ("text", "message"),
     [
         ("level = 3", "expected a text"),
         ('level = "loud"', "one of drive"),
@@ -260,8 +260,8 @@ def test_a_file_says_level_actuators_and_limits(matches):
         ("limits = 3", "expected a table"),
     ],
 )
-def test_a_level_or_limit_of_a_file_that_cannot_be_is_one_error(tmp_path, text, words):
-    with pytest.raises(FileFormatError, match=words) as refused:
+def test_a_level_or_limit_of_a_file_that_cannot_be_is_one_error(tmp_path, text, message):
+    with pytest.raises(FileFormatError, match=message) as refused:
         read_sweep(written(tmp_path, text))
     assert "sweep.toml" in str(refused.value)
 

@@ -15,14 +15,14 @@ RATE_HZ = 1300.0
 
 
 def two_inputs(**changes):
-    one = ss.track(7, ss.waveforms.Tone(frequency_hz=90.0, duration_s=0.25), amplitude=0.5)
+    track = ss.track(7, ss.waveforms.Tone(frequency_hz=90.0, duration_s=0.25), amplitude=0.5)
     other = ss.track(3, ss.waveforms.Gabor(frequency_hz=200.0), onset_s=0.0, amplitude=-2.0)
-    return ss.Design(limb="synthetic-1", inputs=(one, other), **changes)
+    return ss.Design(limb="synthetic-1", inputs=(track, other), **changes)
 
 
 def drives_of(design):
     """Samples that each input plays, at the limb's rate, (n_times,)."""
-    return [one.amplitude * one.clips[0].waveform.samples(RATE_HZ) for one in design.inputs]
+    return [track.amplitude * track.clips[0].waveform.samples(RATE_HZ) for track in design.inputs]
 
 
 def field_of(design):
@@ -31,8 +31,8 @@ def field_of(design):
     drives = drives_of(design)
     n_times = max(map(len, drives)) + limb.n_taps - 1
     total = np.zeros((72, 3, n_times))
-    for one, drive in zip(design.inputs, drives, strict=True):
-        part = fftconvolve(limb.response_to(one.location), drive[None, None], axes=-1)
+    for track, drive in zip(design.inputs, drives, strict=True):
+        part = fftconvolve(limb.response_to(track.location), drive[None, None], axes=-1)
         total[..., : part.shape[-1]] += part
     return total
 
@@ -44,52 +44,52 @@ def measured(design, **changes):
 @pytest.mark.parametrize(("axes", "method"), [("xyz", "pca"), ("xyz", "mag"), ("z", "pca")])
 def test_levels_and_peaks_are_those_of_a_plain_convolution(axes, method):
     design = two_inputs(scaling="relative")
-    found = measured(design, outputs=(19, 40), axes=axes, method=method)
+    metrics = measured(design, outputs=(19, 40), axes=axes, method=method)
     signals = ss.project_axes(field_of(design), axes, method)
     rms = np.sqrt(np.mean(signals**2, axis=-1))
     loudest = int(np.argmax(rms))
-    assert found["loudest_output"] == loudest + 1
+    assert metrics["loudest_output"] == loudest + 1
     for name, which in (("", loudest), ("output_19_", 18), ("output_40_", 39)):
         window_means = np.convolve(signals[which] ** 2, np.ones(130) / 130, mode="valid")
-        assert found[f"{name}rms"] == pytest.approx(rms[which], rel=1e-10)
-        assert found[f"{name}peak"] == pytest.approx(np.abs(signals[which]).max(), rel=1e-10)
-        assert found[f"{name}rms_100ms"] == pytest.approx(np.sqrt(window_means.max()), rel=1e-9)
+        assert metrics[f"{name}rms"] == pytest.approx(rms[which], rel=1e-10)
+        assert metrics[f"{name}peak"] == pytest.approx(np.abs(signals[which]).max(), rel=1e-10)
+        assert metrics[f"{name}rms_100ms"] == pytest.approx(np.sqrt(window_means.max()), rel=1e-9)
 
 
 def test_the_extent_is_that_of_the_rms_of_the_record():
     design = two_inputs(scaling="relative")
-    found = measured(design)
+    metrics = measured(design)
     signals = ss.project_axes(field_of(design), "xyz", "pca")
     rms = np.sqrt(np.mean(signals**2, axis=-1))
     expected = ss.extent(rms, ss.load_limb("synthetic-1"), (7, 3))
     for name in ("mean_distance_mm", "d90_mm", "share_above_12_db", "participation"):
-        assert found[name] == pytest.approx(getattr(expected, name), rel=1e-9)
+        assert metrics[name] == pytest.approx(getattr(expected, name), rel=1e-9)
 
 
 def test_the_drive_is_what_actuators_get():
     design = two_inputs()
-    found = measured(design)
+    metrics = measured(design)
     drives = drives_of(design)
     n_times = max(map(len, drives))
-    channels = np.array([np.pad(one, (0, n_times - len(one))) for one in drives])
-    assert found["duration_s"] == n_times / RATE_HZ
-    assert found["drive_peak"] == pytest.approx(np.abs(channels).max(), rel=1e-12)
-    assert found["drive_rms"] == pytest.approx(np.sqrt(np.mean(channels**2)), rel=1e-12)
-    energies = [np.sum(one**2) for one in drives]
-    shares = [share_outside_band(one, RATE_HZ) for one in drives]
-    assert found["share_outside_band"] == pytest.approx(np.average(shares, weights=energies))
+    channels = np.array([np.pad(drive, (0, n_times - len(drive))) for drive in drives])
+    assert metrics["duration_s"] == n_times / RATE_HZ
+    assert metrics["drive_peak"] == pytest.approx(np.abs(channels).max(), rel=1e-12)
+    assert metrics["drive_rms"] == pytest.approx(np.sqrt(np.mean(channels**2)), rel=1e-12)
+    energies = [np.sum(drive**2) for drive in drives]
+    shares = [share_outside_band(drive, RATE_HZ) for drive in drives]
+    assert metrics["share_outside_band"] == pytest.approx(np.average(shares, weights=energies))
 
 
 def test_inputs_at_one_place_are_one_channel():
     tone = ss.waveforms.Tone(frequency_hz=90.0)
-    apart = ss.Design(
+    separate = ss.Design(
         limb="synthetic-1",
         inputs=(ss.track(7, tone), ss.track(7, tone, amplitude=-1.0), ss.track(8, tone)),
     )
-    found = measured(apart)
+    metrics = measured(separate)
     samples = tone.samples(RATE_HZ)
-    assert found["drive_peak"] == pytest.approx(np.abs(samples).max())
-    assert found["drive_rms"] == pytest.approx(np.sqrt(np.mean(samples**2) / 2))
+    assert metrics["drive_peak"] == pytest.approx(np.abs(samples).max())
+    assert metrics["drive_rms"] == pytest.approx(np.sqrt(np.mean(samples**2) / 2))
 
 
 def test_a_level_is_reached_exactly_and_all_else_follows():
@@ -104,8 +104,8 @@ def test_a_level_is_reached_exactly_and_all_else_follows():
     for name in ("share_outside_band", "mean_distance_mm", "d90_mm", "participation"):
         assert brought[name] == pytest.approx(plain[name], rel=1e-12)
     inputs = tuple(
-        ss.track(one.location, one.clips[0].waveform, amplitude=one.amplitude * factor)
-        for one in design.inputs
+        ss.track(track.location, track.clips[0].waveform, amplitude=track.amplitude * factor)
+        for track in design.inputs
     )
     levels = ss.evaluate(
         ss.Design(limb="synthetic-1", inputs=inputs),
@@ -117,16 +117,16 @@ def test_a_level_is_reached_exactly_and_all_else_follows():
 
 def test_of_silence_nothing_is_said():
     silent = ss.Design(limb="synthetic-1", inputs=(ss.track(7, muted=True),))
-    found = measured(silent, level_db=0.0)
-    assert found["rms"] == 0.0
-    assert found["drive_peak"] == 0.0
-    assert found["factor"] == 1.0
+    metrics = measured(silent, level_db=0.0)
+    assert metrics["rms"] == 0.0
+    assert metrics["drive_peak"] == 0.0
+    assert metrics["factor"] == 1.0
     for name in ("share_outside_band", "loudest_output", "mean_distance_mm", "participation"):
-        assert math.isnan(found[name])
+        assert math.isnan(metrics[name])
     for level in ("loudest_100ms", "above_threshold"):
-        found = measured(silent, level=level, level_db=0.0)
-        assert math.isnan(found["level_100ms_db"])
-        assert math.isnan(found["level_above_threshold_db"])
+        metrics = measured(silent, level=level, level_db=0.0)
+        assert math.isnan(metrics["level_100ms_db"])
+        assert math.isnan(metrics["level_above_threshold_db"])
 
 
 def test_numbers_do_not_depend_on_what_was_measured_before():
@@ -142,7 +142,7 @@ def test_numbers_do_not_depend_on_what_was_measured_before():
 def test_a_design_that_is_predicted_through_an_actuator_is_measured_through_it():
     coil = ss.ActuatorAt(actuator="coil", model=ss.actuators.load("example-voice-coil"))
     design = two_inputs(actuation=ss.Actuation(actuators=(coil,)))
-    found = measured(design, outputs=(19, 40))
+    metrics = measured(design, outputs=(19, 40))
     rms = ss.evaluate(design, "output_rms", view=ss.View(axes="xyz"))["output_rms"]
-    assert found["output_19_rms"] == pytest.approx(rms[18], rel=1e-9)
+    assert metrics["output_19_rms"] == pytest.approx(rms[18], rel=1e-9)
     assert rms[18] != pytest.approx(measured(two_inputs(), outputs=(19,))["output_19_rms"])

@@ -50,26 +50,26 @@ def test_metrics_are_those_of_each_stimulus_alone(name, scaling):
         together = Measurer(plan)
         for number in range(1, 6):
             alone = Plan(designs=(("one", plan.design_of(number)),), outputs=(19,), **changes)
-            expected, found = Measurer(alone).measure(1), together.measure(number)
-            assert list(found) == list(expected)
+            expected, row = Measurer(alone).measure(1), together.measure(number)
+            assert list(row) == list(expected)
             for metric in METRICS:
-                assert found[metric] == pytest.approx(expected[metric], rel=1e-10, nan_ok=True)
+                assert row[metric] == pytest.approx(expected[metric], rel=1e-10, nan_ok=True)
 
 
 @pytest.mark.parametrize("name", ["frequency_hz", "2.frequency_hz"])
 def test_moments_are_those_of_the_prediction(name):
     plan = plan_of(four_inputs(), name, FREQUENCIES)
     limb = ss.load_limb("synthetic-1")
-    _, found = vibrations(plan)
-    second = found.moments.second.reshape(5, 72, 3, 3)
+    _, vibration = vibrations(plan)
+    second = vibration.moments.second.reshape(5, 72, 3, 3)
     for k in range(5):
         design = plan.design_of(k + 1)
         rate_hz = limb.sample_rate_hz
         drives = np.zeros((4, 260))
-        for drive, one in zip(drives, design.inputs, strict=True):
-            start = round(one.clips[0].onset_s * rate_hz)
-            samples = one.clips[0].waveform.samples(rate_hz)
-            drive[start : start + samples.size] = one.amplitude * samples
+        for drive, track in zip(drives, design.inputs, strict=True):
+            start = round(track.clips[0].onset_s * rate_hz)
+            samples = track.clips[0].waveform.samples(rate_hz)
+            drive[start : start + samples.size] = track.amplitude * samples
         field = ss.predict(limb, drives, locations=PLACES, scaling="probe", amplitudes=[1.0] * 4)
         expected = np.einsum("oat,obt->oab", field, field)
         scale = np.einsum("oaa->o", expected)[:, None, None]
@@ -82,8 +82,8 @@ def test_what_the_next_neighbours_have_in_common_is_looked_at_anew():
     together = Measurer(Plan(designs=(("one", four_inputs()),), variables=variables))
     for number in (1, BATCH_SIZE + 1):
         alone = Plan(designs=(("one", together.plan.design_of(number)),))
-        expected, found = Measurer(alone).measure(1), together.measure(number)
-        assert found["rms"] == pytest.approx(expected["rms"], rel=1e-10)
+        expected, row = Measurer(alone).measure(1), together.measure(number)
+        assert row["rms"] == pytest.approx(expected["rms"], rel=1e-10)
 
 
 def test_where_inputs_cancel_no_digits_are_lost():
@@ -103,7 +103,9 @@ def test_where_inputs_cancel_no_digits_are_lost():
 
 
 def test_the_loudest_window_may_be_where_less_is_felt_in_all():
-    tones = [ss.waveforms.Tone(frequency_hz=100.0, duration_s=one) for one in (1.0, 0.1)]
+    tones = [
+        ss.waveforms.Tone(frequency_hz=100.0, duration_s=duration_s) for duration_s in (1.0, 0.1)
+    ]
     design = ss.Design(
         limb="synthetic-1",
         inputs=(ss.track(7, tones[0]), ss.track(18, tones[1], amplitude=2.0)),

@@ -12,7 +12,7 @@ from skinsource.studies.sweeps.plan import Order, Plan, plan_of, trials, varied
 
 
 def design(*locations):
-    tones = (ss.track(one, ss.waveforms.Tone(frequency_hz=100.0)) for one in locations)
+    tones = (ss.track(location, ss.waveforms.Tone(frequency_hz=100.0)) for location in locations)
     return ss.Design(limb="synthetic-1", inputs=tuple(tones))
 
 
@@ -21,28 +21,34 @@ def test_a_field_of_waveforms_is_set_in_every_input_that_has_it():
         limb="synthetic-1",
         inputs=(ss.track(1, ss.waveforms.Tap()), ss.track(2, ss.waveforms.Tone())),
     )
-    found = varied(mixed, "frequency_hz", 320.0)
-    assert found.inputs[0] == mixed.inputs[0]
-    assert found.inputs[1].clips[0].waveform.frequency_hz == 320.0
+    varied_design = varied(mixed, "frequency_hz", 320.0)
+    assert varied_design.inputs[0] == mixed.inputs[0]
+    assert varied_design.inputs[1].clips[0].waveform.frequency_hz == 320.0
 
 
 def test_a_number_before_the_name_means_one_input_alone():
-    found = varied(design(3, 7), "2.frequency_hz", 320.0)
-    assert [one.clips[0].waveform.frequency_hz for one in found.inputs] == [100.0, 320.0]
+    varied_design = varied(design(3, 7), "2.frequency_hz", 320.0)
+    assert [track.clips[0].waveform.frequency_hz for track in varied_design.inputs] == [
+        100.0,
+        320.0,
+    ]
     assert varied(design(3, 7), "1.location", 12).inputs[0].location == 12
 
 
 def test_design_inputs_and_clips_are_varied():
-    found = varied(varied(design(3, 7), "limb", "synthetic-2"), "scaling", "relative")
-    assert (found.limb, found.scaling) == ("synthetic-2", "relative")
-    assert [one.amplitude for one in varied(design(3, 7), "amplitude", 2.0).inputs] == [2.0, 2.0]
-    onsets = [one.clips[0].onset_s for one in varied(design(3), "onset_s", 0.3).inputs]
+    varied_design = varied(varied(design(3, 7), "limb", "synthetic-2"), "scaling", "relative")
+    assert (varied_design.limb, varied_design.scaling) == ("synthetic-2", "relative")
+    assert [track.amplitude for track in varied(design(3, 7), "amplitude", 2.0).inputs] == [
+        2.0,
+        2.0,
+    ]
+    onsets = [track.clips[0].onset_s for track in varied(design(3), "onset_s", 0.3).inputs]
     assert onsets == [0.3]
-    assert [one.location for one in varied(design(3, 7), "location", (5, 9)).inputs] == [5, 9]
+    assert [track.location for track in varied(design(3, 7), "location", (5, 9)).inputs] == [5, 9]
 
 
 @pytest.mark.parametrize(
-    ("name", "value", "words"),
+    ("name", "value", "message"),
     [
         ("colour_of_sky", 1.0, "nothing in the design"),
         ("3.frequency_hz", 1.0, "the design has 2"),
@@ -54,8 +60,8 @@ def test_design_inputs_and_clips_are_varied():
         ("scaling", "loud", "scaling"),
     ],
 )
-def test_what_cannot_be_varied_is_refused(name, value, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_cannot_be_varied_is_refused(name, value, message):
+    with pytest.raises(InvalidInputError, match=message):
         varied(design(3, 7), name, value)
 
 
@@ -106,7 +112,7 @@ def test_another_plan_has_another_digest():
 
 
 @pytest.mark.parametrize(
-    ("changes", "words"),
+    ("changes", "message"),
     [
         ({"designs": ()}, "no design"),
         ({"variables": (("amplitude", ()),)}, "no values"),
@@ -117,8 +123,8 @@ def test_another_plan_has_another_digest():
         ({"axes": "w"}, "axes"),
     ],
 )
-def test_a_plan_that_cannot_be_is_refused(changes, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_a_plan_that_cannot_be_is_refused(changes, message):
+    with pytest.raises(InvalidInputError, match=message):
         Plan(**({"designs": (("a", design(3)),)} | changes))
 
 
@@ -136,19 +142,26 @@ def test_the_inputs_that_neighbours_differ_in_are_known_from_the_plan():
 
 def test_random_blocks_hold_every_stimulus_once_and_follow_the_seed():
     order = Order(kind="random", seed=5, participants=2, blocks=3)
-    found = trials(order, (2, 3, 5, 8))
-    assert len(found) == 24
+    presentations = trials(order, (2, 3, 5, 8))
+    assert len(presentations) == 24
     for participant in (1, 2):
         for block in (1, 2, 3):
             of_block = [
-                one for one in found if (one.participant, one.block) == (participant, block)
+                presentation
+                for presentation in presentations
+                if (presentation.participant, presentation.block) == (participant, block)
             ]
-            assert sorted(one.stimulus for one in of_block) == [2, 3, 5, 8]
-            assert [one.trial for one in of_block] == [1, 2, 3, 4]
-    assert found == trials(order, (2, 3, 5, 8))
+            assert sorted(presentation.stimulus for presentation in of_block) == [2, 3, 5, 8]
+            assert [presentation.trial for presentation in of_block] == [1, 2, 3, 4]
+    assert presentations == trials(order, (2, 3, 5, 8))
     other = trials(Order(kind="random", seed=6, participants=2, blocks=3), (2, 3, 5, 8))
-    assert [one.stimulus for one in found] != [one.stimulus for one in other]
-    sequences = [tuple(one.stimulus for one in found[k : k + 4]) for k in range(0, 24, 4)]
+    assert [presentation.stimulus for presentation in presentations] != [
+        presentation.stimulus for presentation in other
+    ]
+    sequences = [
+        tuple(presentation.stimulus for presentation in presentations[k : k + 4])
+        for k in range(0, 24, 4)
+    ]
     assert len(set(sequences)) > 2
 
 
@@ -156,8 +169,10 @@ def test_random_blocks_hold_every_stimulus_once_and_follow_the_seed():
 def test_counterbalanced_blocks_balance_places_and_what_comes_before(n):
     participants = n if n % 2 == 0 else 2 * n
     order = Order(kind="counterbalanced", seed=11, participants=participants)
-    found = trials(order, range(1, n + 1))
-    sequences = np.array([one.stimulus for one in found]).reshape(participants, n)
+    presentations = trials(order, range(1, n + 1))
+    sequences = np.array([presentation.stimulus for presentation in presentations]).reshape(
+        participants, n
+    )
     for place in sequences.T:
         assert set(Counter(place.tolist()).values()) == {participants // n}
     pairs = Counter(pair for row in sequences.tolist() for pair in pairwise(row))
@@ -166,8 +181,8 @@ def test_counterbalanced_blocks_balance_places_and_what_comes_before(n):
 
 
 def test_given_order_is_that_of_the_sweep():
-    found = trials(Order(blocks=2), (4, 6))
-    assert [one.stimulus for one in found] == [4, 6, 4, 6]
+    presentations = trials(Order(blocks=2), (4, 6))
+    assert [presentation.stimulus for presentation in presentations] == [4, 6, 4, 6]
 
 
 @pytest.mark.parametrize("changes", [{"kind": "odd"}, {"seed": -1}, {"blocks": 0}])

@@ -26,7 +26,7 @@ FREQUENCIES = (50.0, 80.0, 120.0, 200.0, 300.0, 420.0)
 
 def rows_of(table):
     """Rows without errors, with NaN that equal each other."""
-    return [tuple("nan" if one != one else one for one in row) for row in table.rows]
+    return [tuple("nan" if value != value else value for value in row) for row in table.rows]
 
 
 def csv_rows(folder):
@@ -39,8 +39,8 @@ def test_the_table_has_a_row_for_each_stimulus(tmp_path):
     assert table.column("stimulus").tolist() == [1, 2, 3, 4, 5, 6]
     assert table.column("frequency_hz").tolist() == list(FREQUENCIES)
     written = csv_rows(tmp_path)
-    assert [tuple(one) for one in written] == [table.columns] * 6
-    assert [float(one["output_19_rms"]) for one in written] == table.column(
+    assert [tuple(row) for row in written] == [table.columns] * 6
+    assert [float(row["output_19_rms"]) for row in written] == table.column(
         "output_19_rms"
     ).tolist()
 
@@ -51,18 +51,18 @@ def test_a_bad_row_is_reported_and_the_rest_is_measured(tmp_path):
     assert "650 Hz" in table.failed[2]
     assert math.isnan(table.column("rms")[1])
     assert (table.column("rms")[[0, 2]] > 0.0).all()
-    assert [one["error"] != "" for one in csv_rows(tmp_path)] == [False, True, False]
+    assert [row["error"] != "" for row in csv_rows(tmp_path)] == [False, True, False]
 
 
 def test_stopped_it_goes_on_where_it_ended(tmp_path):
-    told = []
+    progress = []
     with pytest.raises(Stopped):
         ss.sweep(
             DESIGN,
             {"frequency_hz": FREQUENCIES},
             out=tmp_path,
-            progress=lambda done, *_: told.append(done),
-            stop=lambda: told[-1:] == [3],
+            progress=lambda done, *_: progress.append(done),
+            stop=lambda: progress[-1:] == [3],
         )
     assert not (tmp_path / "stimuli.csv").exists()
     begun = []
@@ -192,15 +192,15 @@ def test_several_processes_find_the_same_bits():
 
 def test_a_process_that_is_killed_is_started_anew():
     plan = Plan(designs=(("one", DESIGN),), variables=(("frequency_hz", tuple(range(50, 450))),))
-    found, killed = {}, []
+    finished, killed = {}, []
     for number, row in measured(plan, range(1, 401), 1):
-        assert number not in found
-        found[number] = row
-        if len(found) in (3, 35):
+        assert number not in finished
+        finished[number] = row
+        if len(finished) in (3, 35):
             killed.append(_kill_a_worker())
     assert killed == [True, True]
-    assert sorted(found) == list(range(1, 401))
-    assert not [row for row in found.values() if isinstance(row, str)]
+    assert sorted(finished) == list(range(1, 401))
+    assert not [row for row in finished.values() if isinstance(row, str)]
 
 
 def _kill_a_worker():
@@ -236,9 +236,9 @@ def test_a_killed_sweep_loses_nothing_and_doubles_nothing(tmp_path):
     assert sizes == sorted(set(sizes))
     subprocess.run(command, check=True, capture_output=True)
     rows = csv_rows(out)
-    assert [int(one["stimulus"]) for one in rows] == list(range(1, 81))
+    assert [int(row["stimulus"]) for row in rows] == list(range(1, 81))
     whole = ss.sweep(DESIGN, {"frequency_hz": frequencies})
-    assert [float(one["rms"]) for one in rows] == whole.column("rms").tolist()
+    assert [float(row["rms"]) for row in rows] == whole.column("rms").tolist()
 
 
 def _size(path):
@@ -253,9 +253,9 @@ def test_trials_leave_out_what_could_not_be_measured(tmp_path):
         order=Order(kind="random", participants=2, seed=1),
     )
     with (tmp_path / "trials.csv").open() as file:
-        found = list(csv.DictReader(file))
-    assert len(found) == 4
-    assert {one["stimulus"] for one in found} == {"1", "3"}
+        rows = list(csv.DictReader(file))
+    assert len(rows) == 4
+    assert {row["stimulus"] for row in rows} == {"1", "3"}
 
 
 def test_without_a_folder_nothing_can_be_written():
@@ -266,14 +266,14 @@ def test_without_a_folder_nothing_can_be_written():
 def test_parquet_holds_the_same_table(tmp_path):
     parquet = pytest.importorskip("pyarrow.parquet", reason="the extra parquet is not installed")
     table = ss.sweep(DESIGN, {"frequency_hz": (50.0, 700.0)}, out=tmp_path, parquet=True)
-    found = parquet.read_table(tmp_path / "stimuli.parquet").to_pydict()
-    assert tuple(found) == table.columns
-    np.testing.assert_array_equal(found["rms"], table.column("rms"))
-    assert found["error"][0] == ""
+    columns = parquet.read_table(tmp_path / "stimuli.parquet").to_pydict()
+    assert tuple(columns) == table.columns
+    np.testing.assert_array_equal(columns["rms"], table.column("rms"))
+    assert columns["error"][0] == ""
 
 
 @pytest.mark.parametrize(
-    ("vary", "words"),
+    ("vary", "message"),
     [
         ({"frequency_hz": 50.0}, "a list"),
         ({"frequency_hz": [None]}, "numbers or texts"),
@@ -281,6 +281,6 @@ def test_parquet_holds_the_same_table(tmp_path):
         ({"amplitude": [-np.inf]}, "holds -inf, expected finite"),
     ],
 )
-def test_what_is_no_value_is_refused_before_anything_is_measured(vary, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_what_is_no_value_is_refused_before_anything_is_measured(vary, message):
+    with pytest.raises(InvalidInputError, match=message):
         ss.sweep(DESIGN, vary)

@@ -17,13 +17,13 @@ AMPLITUDES = (0.5, 2.0, -1.0)
 
 def test_the_largest_drive_of_all_is_full_scale_in_every_file(tmp_path):
     ss.sweep(DESIGN, {"1.amplitude": AMPLITUDES}, out=tmp_path, files=StimulusFiles())
-    names = sorted(one.name for one in (tmp_path / "stimuli").iterdir())
+    names = sorted(file.name for file in (tmp_path / "stimuli").iterdir())
     assert names == [f"{k}.wav{end}" for k in (1, 2, 3) for end in ("", ".json")]
-    found = [soundfile.read(tmp_path / "stimuli" / f"{k}.wav")[0].T for k in (1, 2, 3)]
-    assert max(np.abs(one).max() for one in found) == pytest.approx(1.0, abs=1e-6)
-    for amplitude, channels in zip(AMPLITUDES, found, strict=True):
+    stimuli = [soundfile.read(tmp_path / "stimuli" / f"{k}.wav")[0].T for k in (1, 2, 3)]
+    assert max(np.abs(stimulus).max() for stimulus in stimuli) == pytest.approx(1.0, abs=1e-6)
+    for amplitude, channels in zip(AMPLITUDES, stimuli, strict=True):
         np.testing.assert_allclose(channels[0], amplitude * channels[1], atol=1e-6)
-        np.testing.assert_allclose(channels[1], found[0][1], atol=1e-7)
+        np.testing.assert_allclose(channels[1], stimuli[0][1], atol=1e-7)
     scales = {
         json.loads((tmp_path / "stimuli" / f"{k}.wav.json").read_text())["full_scale"]
         for k in (1, 2, 3)
@@ -54,7 +54,7 @@ def test_levels_that_were_asked_for_are_those_of_the_files(tmp_path):
 
 
 def test_stopped_the_export_goes_on_with_what_is_missing(tmp_path):
-    told = []
+    progress = []
     vary = {"1.amplitude": AMPLITUDES}
     with pytest.raises(Stopped):
         ss.sweep(
@@ -62,8 +62,8 @@ def test_stopped_the_export_goes_on_with_what_is_missing(tmp_path):
             vary,
             out=tmp_path,
             files=StimulusFiles(),
-            progress=lambda done, total, text: told.append(text),
-            stop=lambda: told[-1:] == ["Exporting 2.wav"],
+            progress=lambda done, total, text: progress.append(text),
+            stop=lambda: progress[-1:] == ["Exporting 2.wav"],
         )
     first = tmp_path / "stimuli" / "1.wav"
     before = first.stat().st_mtime_ns
@@ -76,7 +76,7 @@ def test_stopped_the_export_goes_on_with_what_is_missing(tmp_path):
 def test_what_could_not_be_measured_is_not_exported(tmp_path):
     vary = {"frequency_hz": (60.0, 900.0)}
     ss.sweep(DESIGN, vary, out=tmp_path, files=StimulusFiles())
-    assert sorted(one.name for one in (tmp_path / "stimuli").glob("*.wav")) == ["1.wav"]
+    assert sorted(file.name for file in (tmp_path / "stimuli").glob("*.wav")) == ["1.wav"]
 
 
 @pytest.mark.parametrize("changes", [{"format": "tape"}, {"rate_hz": 0}])
@@ -90,13 +90,13 @@ def test_asked_for_at_another_rate_no_file_of_the_old_one_stays(tmp_path):
     for rate_hz in (8000, 4000):
         ss.sweep(DESIGN, vary, out=tmp_path, files=StimulusFiles(rate_hz=rate_hz))
         files = sorted((tmp_path / "stimuli").glob("*.wav"))
-        assert [soundfile.info(one).samplerate for one in files] == [rate_hz] * 3
-    before = [one.stat().st_mtime_ns for one in files]
+        assert [soundfile.info(file).samplerate for file in files] == [rate_hz] * 3
+    before = [file.stat().st_mtime_ns for file in files]
     ss.sweep(DESIGN, vary, out=tmp_path, files=StimulusFiles(rate_hz=4000))
-    assert [one.stat().st_mtime_ns for one in files] == before
+    assert [file.stat().st_mtime_ns for file in files] == before
     # What a format itself decides is not asked for again and again.
     for _ in range(2):
         ss.sweep(DESIGN, vary, out=tmp_path, files=StimulusFiles(format="bos1901"))
         chips = sorted(p for p in (tmp_path / "stimuli").iterdir() if ".wav" not in p.name)
-        seen = [one.stat().st_mtime_ns for one in chips]
-    assert seen == [one.stat().st_mtime_ns for one in chips]
+        times_before = [chip.stat().st_mtime_ns for chip in chips]
+    assert times_before == [chip.stat().st_mtime_ns for chip in chips]

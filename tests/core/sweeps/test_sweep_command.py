@@ -47,17 +47,17 @@ def test_a_file_says_all_that_a_sweep_does(folder):
         rate_hz = 48000
         """,
     )
-    found = read_sweep(path)
-    assert len(found.plan) == 8
-    assert found.plan.names == ("frequency_hz", "2.amplitude", "location")
-    assert found.plan.outputs == (19, 21)
-    assert (found.plan.axes, found.plan.method, found.plan.level_db) == ("z", "mag", -3.0)
-    assert found.order == Order(kind="counterbalanced", seed=9, participants=4, blocks=2)
-    assert (found.files.format, found.files.rate_hz) == ("wav", 48_000)
+    table = read_sweep(path)
+    assert len(table.plan) == 8
+    assert table.plan.names == ("frequency_hz", "2.amplitude", "location")
+    assert table.plan.outputs == (19, 21)
+    assert (table.plan.axes, table.plan.method, table.plan.level_db) == ("z", "mag", -3.0)
+    assert table.order == Order(kind="counterbalanced", seed=9, participants=4, blocks=2)
+    assert (table.files.format, table.files.rate_hz) == ("wav", 48_000)
 
 
 @pytest.mark.parametrize(
-    ("text", "words"),
+    ("text", "message"),
     [
         ("designs = [", "no TOML"),
         ("", "designs"),
@@ -73,8 +73,8 @@ def test_a_file_says_all_that_a_sweep_does(folder):
         ('designs = ["two.skinsource"]\nvary = 3', "expected a table"),
     ],
 )
-def test_a_file_that_cannot_be_says_where_and_why(folder, text, words):
-    with pytest.raises(FileFormatError, match=words) as refused:
+def test_a_file_that_cannot_be_says_where_and_why(folder, text, message):
+    with pytest.raises(FileFormatError, match=message) as refused:
         read_sweep(written(folder, text))
     assert "sweep.toml" in str(refused.value)
 
@@ -87,10 +87,10 @@ def test_the_command_measures_names_what_it_left_out_and_ends_with_1_then(folder
     for _ in range(2):
         # Run again, it measures nothing anew, and says the same.
         assert main(["sweep", str(path), "--out", str(folder / "out")]) == 1
-    said = capsys.readouterr()
-    assert "2 stimuli, 1 of them left out" in said.out
-    assert "stimulus 2 left out" in said.err
-    assert "650 Hz" in said.err
+    printed = capsys.readouterr()
+    assert "2 stimuli, 1 of them left out" in printed.out
+    assert "stimulus 2 left out" in printed.err
+    assert "650 Hz" in printed.err
     assert (folder / "out" / "stimuli.csv").read_text().count("\n") == 3
 
 
