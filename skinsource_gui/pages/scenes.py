@@ -242,7 +242,7 @@ class ScenesPage(QDialog):
 
 
 def _scrolled(inside: QWidget) -> QScrollArea:
-    """Return a scroll area in which wide pictures scroll sideways too."""
+    """Return an area without a frame that scrolls both ways."""
     area = QScrollArea()
     area.setObjectName("scene_area")
     area.setFrameShape(QFrame.Shape.NoFrame)

@@ -431,9 +431,7 @@ class LimbForm(QObject):
         return *lines, self.axes, *self.numbers.values(), self.left, self.synthetic
 
     def _forget_file(self) -> None:
-        unchanged = {
-            field for field in self._from_file if _value_of(field) == self._from_file[field]
-        }
+        unchanged = {field for field, value in self._from_file.items() if _value_of(field) == value}
         for line in (self.name, self.title, self.note):
             if line in unchanged:
                 line.clear()
