@@ -502,7 +502,7 @@ class OverviewStrip(QWidget):
     """
 
     #: Start and length of the part that is wanted, s.
-    part_wanted = Signal(float, float)
+    part_chosen = Signal(float, float)
 
     def __init__(self, longest_s: float, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -582,7 +582,7 @@ class OverviewStrip(QWidget):
     def _tell(self) -> None:
         self.update()
         start_s, end_s = self._part.start_s, self._part.end_s
-        self.part_wanted.emit(start_s, end_s - start_s)
+        self.part_chosen.emit(start_s, end_s - start_s)
 
     def _paint_extremes(self, painter: QPainter, extremes: Floats) -> None:
         # An offset would leave little height for the signal.

@@ -243,7 +243,7 @@ class ImportPage(QDialog):
         self._bar.setAccessibleName("Progress of reading")
         self._bar.setTextVisible(False)
         self._bar.setRange(0, 0)
-        # Room is kept for it, so that nothing moves.
+        # The hidden bar keeps its room, so that nothing moves.
         policy = self._bar.sizePolicy()
         policy.setRetainSizeWhenHidden(True)
         self._bar.setSizePolicy(policy)
@@ -289,7 +289,7 @@ class ImportPage(QDialog):
         self._form = ChoiceForm(contents, self)
         self._form.changed.connect(self._import)
         self._left.insertWidget(2, self._form)
-        self._strip.part_wanted.connect(self._form.take_part)
+        self._strip.part_chosen.connect(self._form.take_part)
         self._import(self._form.choice)
 
     def _import(self, choice: ImportChoice) -> None:

@@ -78,7 +78,7 @@ class OwnList(QWidget):
     #: A limb was removed.
     changed = Signal()
     #: A `Job`.
-    job_wanted = Signal(object)
+    job_requested = Signal(object)
     #: A sentence.
     failed = Signal(str)
 
@@ -132,7 +132,7 @@ class OwnList(QWidget):
         # A job, since mirroring writes the whole limb again.
         name = self.chosen
         turned = not facts_of(name).mirrored
-        self.job_wanted.emit(Job(f"Mirroring {name}", partial(mirror_limb, name, turned)))
+        self.job_requested.emit(Job(f"Mirroring {name}", partial(mirror_limb, name, turned)))
 
     def _delete(self) -> None:
         name = self.chosen
@@ -149,7 +149,7 @@ class OwnList(QWidget):
         name = self.chosen
         path, _ = QFileDialog.getSaveFileName(self, "Export limb", f"{name}.h5", "HDF5 (*.h5)")
         if path:
-            self.job_wanted.emit(Job(f"Exporting {name}", partial(export_limb, name, Path(path))))
+            self.job_requested.emit(Job(f"Exporting {name}", partial(export_limb, name, Path(path))))
 
     def _show_chosen(self) -> None:
         name = self.chosen
@@ -322,7 +322,7 @@ class LimbPage(QDialog):
         self._close.clicked.connect(self.close)
         self.own.changed.connect(self._limbs.look)
         self.own.failed.connect(self._complain)
-        self.own.job_wanted.connect(self._jobs.add)
+        self.own.job_requested.connect(self._jobs.add)
         self._cancel.clicked.connect(self._jobs.cancel)
         self._jobs.changed.connect(self._show)
         self._jobs.progressed.connect(self._say)

@@ -114,7 +114,7 @@ def setup_of(text: str) -> MeasuringSetup:
     try:
         return MeasuringSetup(**json.loads(text))
     except (ValueError, TypeError, RecursionError):
-        # Nothing is kept yet, or by another version of the studio.
+        # Nothing was saved yet, or another version of the studio saved it.
         return MeasuringSetup()
 
 
