@@ -501,7 +501,7 @@ class OverviewStrip(QWidget):
         Longest part.
     """
 
-    #: Start and length of the part that is wanted, s.
+    #: Start and length of the chosen part, s.
     part_chosen = Signal(float, float)
 
     def __init__(self, longest_s: float, parent: QWidget | None = None) -> None:

@@ -149,7 +149,8 @@ class OwnList(QWidget):
         name = self.chosen
         path, _ = QFileDialog.getSaveFileName(self, "Export limb", f"{name}.h5", "HDF5 (*.h5)")
         if path:
-            self.job_requested.emit(Job(f"Exporting {name}", partial(export_limb, name, Path(path))))
+            work = partial(export_limb, name, Path(path))
+            self.job_requested.emit(Job(f"Exporting {name}", work))
 
     def _show_chosen(self) -> None:
         name = self.chosen
