@@ -1,4 +1,7 @@
-"""Where a recording goes, in words and as an edit."""
+"""Actions that open pages on the open design, and files that are dropped on the window.
+
+Each class of actions opens one page, and carries out what is chosen there.
+"""
 
 import importlib
 from collections.abc import Callable, Iterable, Sequence
@@ -43,11 +46,11 @@ if TYPE_CHECKING:
 
 
 # The page stays open while its design is edited.
-_GONE = Refusal(sentence="That recording is no longer there; import it to another place.")
+_CLIP_REMOVED = Refusal(sentence="That recording is no longer there; import it to another place.")
 
 
 def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[str, str], ...]:
-    """Name and words of each place, the likeliest one first."""
+    """Return name and text of each place that a recording can go to, the likeliest one first."""
     track_options = [
         _track(design, track.id) for track in design.inputs if track.id in _tracks(view, place)
     ]
@@ -64,12 +67,12 @@ def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[
     instead = _instead(design, view)
     if instead is None:
         return (*track_options, *new)
-    option, stands_in = instead
-    return (option, *track_options, *new) if stands_in else (*track_options, option, *new)
+    option, is_placeholder = instead
+    return (option, *track_options, *new) if is_placeholder else (*track_options, option, *new)
 
 
 def _instead(design: Design, view: View) -> tuple[tuple[str, str], bool] | None:
-    """In place of the selected recording; and whether that only stands for one to be chosen."""
+    """Return the option to replace the selected recording, and whether that is a placeholder."""
     if view.selected_input not in design.ids:
         return None
     track = design.input(view.selected_input)
@@ -100,12 +103,12 @@ def _track(design: Design, id: int) -> tuple[str, str]:
 def placed(
     design: Design, view: View, option: str, onset_s: float, recording: Recording
 ) -> Edit | Refusal:
-    """The edit that puts ``recording`` where ``option`` says."""
+    """Return the edit that puts ``recording`` where ``option`` says."""
     what, _, number = option.partition(" ")
     if what == "clip":
         track = next((track for track in design.inputs if _holds(track, int(number))), None)
         if track is None:
-            return _GONE
+            return _CLIP_REMOVED
         chosen = replace(view, selected_inputs=(track.id,), selected_clips=(int(number),))
         return edits.change_waveform(design, chosen, (track.id,), recording)
     if what == "track":
@@ -113,18 +116,10 @@ def placed(
     return edits.place_waveform(design, view, int(number), recording, onset_s)
 
 
-# Files that are dropped on the window: designs, presets, and recordings.
-
-
 class FileDrops(QObject):
-    """Takes files that are dropped on ``window``, and asks its panels where they belong.
+    """Accepts designs, presets and recordings that are dropped on ``window``.
 
-    Parameters
-    ----------
-    window
-        Takes the drops; also the parent.
-    panels
-        Show where a recording would go, and say where it was dropped.
+    The panels show where a file would go, and return the place where it was dropped.
     """
 
     #: A design, `Path`.
@@ -142,8 +137,8 @@ class FileDrops(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         handlers: dict[QEvent.Type, Callable[..., None]] = {
-            QEvent.Type.DragEnter: self._take_along,
-            QEvent.Type.DragMove: self._take_along,
+            QEvent.Type.DragEnter: self._drag,
+            QEvent.Type.DragMove: self._drag,
             QEvent.Type.DragLeave: self._leave,
             QEvent.Type.Drop: self._drop,
         }
@@ -153,7 +148,7 @@ class FileDrops(QObject):
         handler(event)
         return True
 
-    def _take_along(self, event: QDragMoveEvent) -> None:
+    def _drag(self, event: QDragMoveEvent) -> None:
         paths = _paths(event)
         if not paths:
             event.ignore()
@@ -175,7 +170,7 @@ class FileDrops(QObject):
         if not paths:
             event.ignore()
             return
-        # Whoever offers a file to be moved would delete it afterwards.
+        # After a move, the program that offered the file would delete it.
         event.setDropAction(Qt.DropAction.CopyAction)
         event.accept()
         if paths[0].suffix == SUFFIX:
@@ -192,7 +187,7 @@ class FileDrops(QObject):
         return None
 
     def _inside(self, panel: Panel, at: QPoint) -> bool:
-        # Panels in tabs lie above each other; one that floats is a window of its own.
+        # Panels in tabs cover each other; a floating panel is a window of its own.
         visible = panel.isVisible() and panel.window() is self._window
         return visible and panel.rect().contains(panel.mapFrom(self._window, at))
 
@@ -201,23 +196,15 @@ def _paths(event: QDropEvent) -> list[Path]:
     return [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
 
 
-# Importing recordings: asks for a file, opens the page, and places what was chosen.
-
-
 class ImportActions(QObject):
-    """Imports recordings into the open design.
+    """Imports recordings into the open design: asks for a file, opens the page, places a recording.
 
-    Parameters
-    ----------
-    document, preferences
-        Where recordings go; where files were last looked for.
-    window
-        In front of which pages open; also the parent.
+    Pages open in front of ``window``, which is also the parent.
     """
 
-    #: What went well, in a few words.
+    #: What went well, as a short text.
     done = Signal(str)
-    #: What follows might end the studio: unsaved work is to be kept now.
+    #: The next step might end the studio, so unsaved work is to be saved now.
     risk_ahead = Signal()
 
     def __init__(
@@ -250,9 +237,8 @@ class ImportActions(QObject):
             self.open_page(Path(name))
 
     def open_page(self, path: Path, place: DropPlace | None = None) -> None:
-        """Open the page on a file that shall go to ``place``, or where the user says."""
+        """Open the page on a file that is to go to ``place``, or where the user says."""
         self.risk_ahead.emit()
-        # Few import anything; the start of the studio shall not wait for it.
         places = options(self._document.design, self._document.view, place)
         limb = facts_of(self._document.design.limb)
         page = pages.ImportPage(path, limb, places, self._window)
@@ -277,22 +263,11 @@ class ImportActions(QObject):
             page.reject()
 
 
-# Saving what is open to the library, and placing presets whose files are dropped.
-
-
 class LibraryActions(QObject):
-    """Moves presets between the open design and files.
-
-    Parameters
-    ----------
-    document
-        What is open.
-    window
-        In front of which the page opens; also the parent.
-    """
+    """Saves clips of the open design as presets, and places presets whose files are dropped."""
 
     failed = Signal(str)
-    #: What went well, in a few words.
+    #: What went well, as a short text.
     done = Signal(str)
 
     def __init__(self, document: Document, window: QWidget) -> None:
@@ -300,7 +275,7 @@ class LibraryActions(QObject):
         self._document, self._window = document, window
 
     def ask_and_save(self) -> "SavePage | None":
-        """Open the page that asks for a name; None where there is nothing to keep."""
+        """Open the page that asks for a name; None where there is no clip to save."""
         choices = pages.fragments_to_save(self._document.design, self._document.view)
         if not choices:
             self.failed.emit("There is no clip to keep; place one first.")
@@ -342,24 +317,8 @@ class LibraryActions(QObject):
         self._document.apply(outcome, None)
 
 
-# Opens the matching page.
-
-
 class MatchingActions(QObject):
-    """One page at a time, in front of the window.
-
-    Parameters
-    ----------
-    document, preferences, player
-        Whose limb is played; where tables lie; what it is played on, and how loud.
-    window
-        In front of which it opens; also the parent.
-
-    Attributes
-    ----------
-    page
-        The page, while it is open.
-    """
+    """Opens the matching page; ``page`` is that page while it is open."""
 
     def __init__(
         self, document: Document, preferences: Preferences, player: Player, window: QWidget
@@ -370,11 +329,10 @@ class MatchingActions(QObject):
         self.page: Any = None
 
     def show(self) -> None:
-        """Open the page; what the window plays ends."""
+        """Open the page; playback of the window ends."""
         settings = self._player.settings
         if not settings.rig_is_read():
             return
-        # Few match anything; the start of the studio shall not wait for it.
         gain_db = self._player.gain.gain_db
         self._player.stop()
         page = pages.MatchingPage(
@@ -390,7 +348,7 @@ class MatchingActions(QObject):
         page.open()
 
     def end(self) -> None:
-        """Close the page, and let go of the device."""
+        """Close the page, and release the device."""
         if self.page is not None:
             self.page.done(0)
 
@@ -398,26 +356,16 @@ class MatchingActions(QObject):
         self.page = None
 
 
-# Opening scenes in the window, in the arrangement that shows them.
-
-
 class SceneActions(QObject):
-    """Shows the gallery, and opens what is chosen there.
+    """Shows the gallery of scenes, and opens the scene that is chosen there.
 
-    Parameters
-    ----------
-    document, preferences, files, limbs
-        What is open, where and how it is saved, and which limbs there are.
-    arrange
-        Takes up the arrangement of a name, with the panels of some names in sight.
-    window
-        In front of which the gallery opens; also the parent.
+    ``arrange`` takes the name of an arrangement, and the names of the panels to be visible.
     """
 
     failed = Signal(str)
     #: The name of a scene that was opened.
     opened = Signal(str)
-    #: What went well, in a few words.
+    #: What went well, as a short text.
     done = Signal(str)
 
     def __init__(
@@ -443,10 +391,10 @@ class SceneActions(QObject):
         return page
 
     def open(self, name: str, limb: str = "") -> None:
-        """Open a scene in place of what is open, which is asked for if it is not saved.
+        """Open a scene in place of the open design, after a question where that is not saved.
 
-        Levels stay in the colours that were chosen.  ``limb`` is the one that it is played on;
-        empty: those of the paper.
+        Levels keep the chosen colours.  The scene is played on ``limb``; empty: on the limbs of the
+        paper.
         """
         try:
             opened = scenes.open_scene(name, available=self._limbs.names, limb=limb)
@@ -462,29 +410,16 @@ class SceneActions(QObject):
         self._last, self._last_limb = opened.scene.name, limb
         self._arrange(opened.scene.arrangement, opened.scene.panels)
         self.opened.emit(name)
-        words = f"Opened {opened.scene.heading}"
+        text = f"Opened {opened.scene.heading}"
         if opened.synthetic:
-            words += ", on a SYNTHETIC limb"
+            text += ", on a SYNTHETIC limb"
         elif limb:
-            words += f", on {limb_word(limb).title}"
-        self.done.emit(words)
-
-
-# Exporting stimuli: opens the page, asks where to, and tells what came of it.
+            text += f", on {limb_word(limb).title}"
+        self.done.emit(text)
 
 
 class StimulusActions(QObject):
-    """Exports the stimulus of the open design.
-
-    Parameters
-    ----------
-    document, preferences, files
-        What is exported; where files were last written; who asks where to.
-    runner
-        Carries the exports out.
-    window
-        In front of which the page opens; also the parent.
-    """
+    """Exports the stimulus of the open design: opens the page, asks for a file, and runs a job."""
 
     #: Why something was not exported.
     failed = Signal(str)
@@ -507,11 +442,10 @@ class StimulusActions(QObject):
 
     def show(self) -> None:
         """Open the page on the design as it is now."""
-        # Few export anything; the start of the studio shall not wait for it.
         design, view = self._document.design, self._document.view
-        kept = self._preferences.export_text
-        rig = self._preferences.rig_path
-        page = pages.StimulusPage(design, view, self._window, kept, rig)
+        page = pages.StimulusPage(
+            design, view, self._window, self._preferences.export_text, self._preferences.rig_path
+        )
         page.chosen.connect(partial(self._export, design))
         page.finished.connect(self._forget_page)
         self.page = page
@@ -526,18 +460,18 @@ class StimulusActions(QObject):
         self.page = None
 
     def _export(
-        self, design: Design, order: Any, overview: Any, confirmed: bool, kept: str
+        self, design: Design, order: Any, overview: Any, confirmed: bool, settings: str
     ) -> None:
-        # What was right for this one mostly is for the next.
-        self._preferences.export_text = kept
+        # The next export mostly has the same settings.
+        self._preferences.export_text = settings
         kind = order.format
         own = self._document.path
         name = "stimulus" if own is None else own.stem
         start = self._preferences.folder / f"{name}{kind.suffix}"
-        words = "Folder" if kind.folder else kind.title
-        offered = f"{words} (*{kind.suffix})" if kind.suffix else "All files (*)"
-        path = self._files.ask_where("Export stimulus", start, offered, ending=kind.suffix)
-        # It was loaded with the page.
+        title = "Folder" if kind.folder else kind.title
+        filter_text = f"{title} (*{kind.suffix})" if kind.suffix else "All files (*)"
+        path = self._files.ask_where("Export stimulus", start, filter_text, ending=kind.suffix)
+        # The page has imported it already; the start of the studio does not wait for it.
         stimulus_export = importlib.import_module("skinsource.export.stimulus_export")
         if path is None or not self._may_write(
             path, stimulus_export.written_files(path, kind, overview.marks)
@@ -558,13 +492,13 @@ class StimulusActions(QObject):
         self._jobs.add(path, work, written=lambda result: result.files[0])
 
     def _may_write(self, path: Path, written: Iterable[tuple[Path, ...]]) -> bool:
-        """Whether nothing is lost beside ``path``, which the dialog asked about, or may be."""
-        # Who lets a file go lets its sidecar go.
+        """Return whether files other than ``path``, on which the dialog asked, may be replaced."""
+        # A user who has a file replaced has its sidecar replaced too.
         agreed = is_there(path)
         firsts = (
             next(filter(is_there, files), None)
             for files in written
             if not (agreed and files[0] == path)
         )
-        there = [path for path in firsts if path is not None]
-        return not there or may_replace(self._window, there)
+        existing = [file for file in firsts if file is not None]
+        return not existing or may_replace(self._window, existing)

@@ -1,4 +1,7 @@
-"""The motion that is being made up, before it is kept."""
+"""The page that makes up a motion on a path of places and adds its tracks to the design.
+
+A draft holds the motion; the path is clicked on the hand or typed, and fields set the rest.
+"""
 
 from collections.abc import Callable
 from contextlib import suppress
@@ -12,11 +15,9 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import (
     QApplication,
     QDialog,
-    QFrame,
     QHBoxLayout,
     QLabel,
     QLineEdit,
-    QScrollArea,
     QVBoxLayout,
     QWidget,
 )
@@ -41,29 +42,29 @@ from skinsource_gui.panels.hand.layout import HandLayout, Place, paint_occupied
 from skinsource_gui.panels.hand.panel import HandDiagram
 from skinsource_gui.panels.hand.picture import drawing_of
 from skinsource_gui.plots.preview import ClipDrawings, ClipStrip, Lane
-from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.buttons import page_button, page_label, scrolled
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
 from skinsource_gui.state.document import Document
 
 
 class Draft(QObject):
-    """Holds one motion, and those of other kinds as they were left.
+    """Holds the motion that is made up, and the latest motion of each other kind.
 
     Parameters
     ----------
     design
-        What it is to be added to; colours follow from it.
+        Design that the motion is to be added to.
     onset_s
-        When it begins at first.
+        Initial onset.
 
     Attributes
     ----------
     motion
-        As it is; while the path is not one, with the last one that was.
+        The motion; while the path is not valid, with the last valid path.
     path
-        As it was clicked or typed.
+        The path as it was clicked or typed.
     problem
-        Why that is no path for the motion, or "".
+        Why the motion cannot follow that path, or "".
     """
 
     changed = Signal()
@@ -76,34 +77,34 @@ class Draft(QObject):
         self._design, self._limb = design, facts_of(design.limb)
         self._left: dict[str, Motion] = {kind.__name__: kind() for kind in MOTIONS}
         self.motion: Motion = self._left[MOTIONS[0].__name__]
-        # The playhead may stand later than anything can begin.
+        # The playhead may be later than the latest onset.
         with suppress(InvalidInputError):
             self.motion = with_field(self.motion, "onset_s", onset_s)
         self.path, self.problem = self.motion.path, ""
-        # A phantom has room for two places; the way back leads to all of them.
+        # A phantom takes two places only; the next kind gets all of them back.
         self._whole_path = self.path
 
     def change_kind(self, name: str) -> None:
-        """Go over to another kind of motion, along the same path."""
+        """Change to another kind of motion, along the same path."""
         self._left[type(self.motion).__name__] = self.motion
         motion = following(self._left[name], self.motion)
         with suppress(InvalidInputError):
             motion = with_field(motion, "path", self._whole_path)
-        self._take(motion)
+        self._set(motion)
 
     def change_field(self, name: str, value: Any) -> None:
         """Give a field of the motion another value."""
         self._try(lambda: with_field(self.motion, name, value), name, self.field_refused)
 
     def change_path(self, path: tuple[int, ...]) -> None:
-        """Take another path; what is none yet is shown, but not taken."""
+        """Change the path; one that is not valid yet is shown, but the motion does not follow."""
         self._whole_path = path
         problem = _why_no_path(self.motion, path, self._limb.n_inputs)
         if problem:
             self.path, self.problem = path, problem
             self.changed.emit()
         else:
-            self._take(with_field(self.motion, "path", path))
+            self._set(with_field(self.motion, "path", path))
 
     def change_waveform_kind(self, name: str) -> None:
         """Play another kind of waveform."""
@@ -115,21 +116,21 @@ class Draft(QObject):
 
     def change_waveform_field(self, name: str, value: Any) -> None:
         """Give a field of the waveform another value."""
-        recipe: Any = self.motion.waveform
+        waveform: Any = self.motion.waveform
         self._try(
-            lambda: with_field(self.motion, "waveform", replace(recipe, **{name: value})),
+            lambda: with_field(self.motion, "waveform", replace(waveform, **{name: value})),
             name,
             self.waveform_field_refused,
         )
 
     @property
     def waveform_kinds(self) -> tuple[type[Waveform], ...]:
-        """What may play."""
+        """The kinds of waveform that the motion can play."""
         spec = specs_of(self.motion)["waveform"]
         return spec.kinds() if isinstance(spec, ModelSpec) else ()
 
     def lanes(self) -> tuple[Lane, ...]:
-        """Its tracks as they would be added.
+        """Return the tracks of the motion as they would be added.
 
         Raises
         ------
@@ -148,12 +149,12 @@ class Draft(QObject):
             after = after.adding(track)
         added = after.inputs[len(self._design.inputs) :]
         largest = max(abs(track.amplitude) for track in added) or 1.0
-        shown = ClipDrawings(self._limb.sample_rate_hz)
+        drawings = ClipDrawings(self._limb.sample_rate_hz)
         return tuple(
             Lane(
                 place=track.location,
                 colour=track.colour,
-                clips=tuple(shown.of(clip, track.amplitude / largest) for clip in track.clips),
+                clips=tuple(drawings.of(clip, track.amplitude / largest) for clip in track.clips),
             )
             for track in added
         )
@@ -161,22 +162,22 @@ class Draft(QObject):
     def _try(self, change: Callable[[], Motion], name: str, refused: Any) -> None:
         path, problem = self.path, self.problem
         try:
-            self._take(change(), path, problem)
+            self._set(change(), path, problem)
         except InvalidInputError as error:
             refused.emit(name, sentence(str(error)))
 
-    def _take(self, motion: Motion, path: tuple[int, ...] | None = None, problem: str = "") -> None:
+    def _set(self, motion: Motion, path: tuple[int, ...] | None = None, problem: str = "") -> None:
         self.motion = motion
         self.path, self.problem = motion.path if path is None else path, problem
         self.changed.emit()
 
 
 def _why_no_path(motion: Motion, path: tuple[int, ...], n_places: int) -> str:
-    """Why ``motion`` cannot go there; "" where it can."""
+    """Return why ``motion`` cannot follow ``path``; "" where it can."""
     spec: Any = specs_of(motion)["path"]
-    strange = next((place for place in path if not 1 <= place <= n_places), None)
-    if strange is not None:
-        return f"There is no place {strange}; the hand has 1 to {n_places}."
+    unknown = next((place for place in path if not 1 <= place <= n_places), None)
+    if unknown is not None:
+        return f"There is no place {unknown}; the hand has 1 to {n_places}."
     if len(path) < spec.fewest:
         return f"Click {counted(spec.fewest - len(path), 'more place')}."
     if len(path) > spec.most:
@@ -188,14 +189,12 @@ def _why_no_path(motion: Motion, path: tuple[int, ...], n_places: int) -> str:
     return ""
 
 
-# The path of places over the hand on which it is clicked.
-
 _ARROW_PX = 9.0
 _BADGE_PX = 15.0
 
 
 class PathLayer(QWidget):
-    """Lies over a hand, paints a path of places there, and leaves the pointer to the hand."""
+    """Paints a path of places over a hand, which gets the events of the pointer."""
 
     def __init__(self, hand: HandDiagram) -> None:
         super().__init__(hand)
@@ -203,7 +202,7 @@ class PathLayer(QWidget):
         self._path: tuple[int, ...] = ()
         self._colours: dict[int, QColor] = {}
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        # Zoomed or moved, the places are elsewhere.
+        # Places move with the zoom of the hand.
         hand.stage.changed.connect(self.update)
         hand.installEventFilter(self)
         self.setGeometry(hand.rect())
@@ -234,14 +233,14 @@ class PathLayer(QWidget):
             self._paint_order(painter, place)
         painter.end()
 
-    def _paint_place(self, painter: QPainter, site: int) -> None:
+    def _paint_place(self, painter: QPainter, number: int) -> None:
         place = Place(
-            site=site,
-            centre=self._places.centre(site),
-            radius_px=self._places.radius_in_use_px(site),
-            push=self._places.push(site),
+            site=number,
+            centre=self._places.centre(number),
+            radius_px=self._places.radius_in_use_px(number),
+            push=self._places.push(number),
         )
-        colour = self._colours.get(site, QColor(current_theme().accent))
+        colour = self._colours.get(number, QColor(current_theme().accent))
         paint_occupied(painter, place, current_theme(), [colour], silent=False)
 
     def _paint_leg(self, painter: QPainter, here: int, there: int) -> None:
@@ -262,38 +261,29 @@ class PathLayer(QWidget):
         painter.setBrush(QColor(current_theme().accent))
         painter.drawPolygon(QPolygonF([tip, base + half, base - half]))
 
-    def _paint_order(self, painter: QPainter, site: int) -> None:
-        turns = [str(k) for k, place in enumerate(self._path, 1) if place == site]
-        words = ",".join(turns[:3]) + ("…" if len(turns) > 3 else "")
+    def _paint_order(self, painter: QPainter, number: int) -> None:
+        turns = [str(k) for k, place in enumerate(self._path, 1) if place == number]
+        label = ",".join(turns[:3]) + ("…" if len(turns) > 3 else "")
         font = tabular(self.font())
         font.setPixelSize(11)
         painter.setFont(font)
-        width = max(painter.fontMetrics().horizontalAdvance(words) + 6.0, _BADGE_PX)
-        off = 0.75 * self._places.radius_in_use_px(site)
-        corner = self._places.centre(site) + QPointF(off, -off)
+        width = max(painter.fontMetrics().horizontalAdvance(label) + 6.0, _BADGE_PX)
+        off = 0.75 * self._places.radius_in_use_px(number)
+        corner = self._places.centre(number) + QPointF(off, -off)
         area = QRectF(corner.x() - _BADGE_PX / 2, corner.y() - _BADGE_PX / 2, width, _BADGE_PX)
         painter.setPen(QPen(QColor(current_theme().accent), 1.0))
         painter.setBrush(QColor(current_theme().base))
         painter.drawRoundedRect(area, _BADGE_PX / 2, _BADGE_PX / 2)
         painter.setPen(QColor(current_theme().text))
-        painter.drawText(area, Qt.AlignmentFlag.AlignCenter, words)
-
-
-# A path of places as a text, and what can be done to it.
+        painter.drawText(area, Qt.AlignmentFlag.AlignCenter, label)
 
 
 class PathRow(QWidget):
-    """Shows a path, lets it be typed, turned round, shortened and emptied.
+    """Shows a path as text; it can be typed, reversed, shortened and cleared."""
 
-    Attributes
-    ----------
-    field
-        Where it is typed.
-    """
-
-    #: Another path is wanted.
-    path_wanted = Signal(tuple)
-    #: What is typed is no path; why.
+    #: Another path was typed or made by a button.
+    path_changed = Signal(tuple)
+    #: Why the typed text is no path.
     misread = Signal(str)
     #: Typing is over.
     finished = Signal()
@@ -314,25 +304,25 @@ class PathRow(QWidget):
         self.field.textEdited.connect(self._type)
         self.field.editingFinished.connect(self._finish)
         reverse, remove, clear = self._buttons
-        reverse.clicked.connect(lambda: self.path_wanted.emit(self._path[::-1]))
+        reverse.clicked.connect(lambda: self.path_changed.emit(self._path[::-1]))
         remove.clicked.connect(self.remove_last)
-        clear.clicked.connect(lambda: self.path_wanted.emit(()))
+        clear.clicked.connect(lambda: self.path_changed.emit(()))
 
     def show_path(self, path: tuple[int, ...]) -> None:
-        """Show a path; what is being typed and means the same is not written anew."""
+        """Show a path; a text that is being typed and means the same path stays."""
         self._path = path
         if not self.field.hasFocus() or _typed(self.field.text()) != path:
-            self.field.setText(_words(path))
+            self.field.setText(_path_text(path))
         for button in self._buttons:
             button.setEnabled(bool(path))
 
     def append(self, place: int) -> None:
-        """Go on to a place."""
-        self.path_wanted.emit((*self._path, place))
+        """Append a place to the path."""
+        self.path_changed.emit((*self._path, place))
 
     def remove_last(self) -> None:
-        """End one place earlier."""
-        self.path_wanted.emit(self._path[:-1])
+        """Remove the last place of the path."""
+        self.path_changed.emit(self._path[:-1])
 
     def _lay_out(self) -> None:
         label = QLabel("Path")
@@ -349,45 +339,38 @@ class PathRow(QWidget):
 
     def _type(self, text: str) -> None:
         try:
-            self.path_wanted.emit(path_of(text))
+            self.path_changed.emit(path_of(text))
         except InvalidInputError as error:
             self.misread.emit(sentence(str(error)))
 
     def _finish(self) -> None:
-        self.field.setText(_words(self._path))
+        self.field.setText(_path_text(self._path))
         self.finished.emit()
 
 
-def _words(path: tuple[int, ...]) -> str:
+def _path_text(path: tuple[int, ...]) -> str:
     return ", ".join(map(str, path))
 
 
 def _typed(text: str) -> tuple[int, ...] | None:
-    """The path in a text; None where there is none."""
+    """Return the path in a text; None where the text is no path."""
     try:
         return path_of(text)
     except InvalidInputError:
         return None
 
 
-# The fields of one recipe in a grid.
-
 #: Changes a specification to what counts here; None leaves the field out.
 Adapt = Callable[[str, Spec], Spec | None]
 
 
 class MotionFields(QObject):
-    """Cells for the kind and the fields of a recipe, made anew when it is of another kind.
+    """Cells for the kind and the fields of a model, rebuilt when its kind changes.
 
     Parameters
     ----------
     adapt
-        What is allowed here for each field.
-
-    Attributes
-    ----------
-    grid
-        Where the cells stand.
+        Changes the specification of each field, or leaves the field out.
     """
 
     #: Name of a kind.
@@ -407,47 +390,48 @@ class MotionFields(QObject):
         """The kind, and the fields."""
         return self._cells
 
-    def show_recipe(self, recipe: Any, kinds: ChoiceSpec) -> None:
-        """Show a recipe's values; ``kinds`` is what it may be."""
-        if self._built_for != (type(recipe), kinds):
-            self._build(recipe, kinds)
+    def show_model(self, model: Any, kinds: ChoiceSpec) -> None:
+        """Show the values of a model; ``kinds`` is the choice of its kinds."""
+        if self._built_for != (type(model), kinds):
+            self._build(model, kinds)
         kind, *others = self._cells
-        kind.set_value(type(recipe).__name__)
+        kind.set_value(type(model).__name__)
         for cell in others:
-            cell.set_value(getattr(recipe, cell.name))
+            cell.set_value(getattr(model, cell.name))
 
-    def show_refused(self, recipe: Any, name: str, reason: str) -> None:
-        """Show again what ``recipe`` has in this field, and why it stays so."""
+    def show_refused(self, model: Any, name: str, reason: str) -> None:
+        """Show the value of ``model`` in a field again, and why it was not changed."""
         kind, *others = self._cells
         if name == kind.name:
-            kind.set_value(type(recipe).__name__)
+            kind.set_value(type(model).__name__)
             kind.show_reason(reason)
         for cell in others:
             if cell.name == name:
-                cell.set_value(getattr(recipe, name))
+                cell.set_value(getattr(model, name))
                 cell.show_reason(reason)
 
-    def _build(self, recipe: Any, kinds: ChoiceSpec) -> None:
+    def _build(self, model: Any, kinds: ChoiceSpec) -> None:
         old = self._cells
         # The list in which a kind was just chosen keeps the keyboard.
-        kept = old[:1] if self._built_for is not None and self._built_for[1] == kinds else ()
-        kind = kept[0] if kept else FieldCell("kind", kinds)
-        if not kept:
+        if self._built_for is not None and self._built_for[1] == kinds:
+            kind = old[0]
+        else:
+            kind = FieldCell("kind", kinds)
             kind.edited.connect(self._tell_kind)
         cells = [kind]
-        for name, spec in specs_of(recipe).items():
+        for name, spec in specs_of(model).items():
             adapted = self._adapt(name, spec)
             if adapted is not None:
                 cell = FieldCell(name, adapted)
                 cell.edited.connect(self._tell)
                 cells.append(cell)
-        self._cells, self._built_for = tuple(cells), (type(recipe), kinds)
-        gone = [cell for cell in old if cell not in cells]
+        self._cells, self._built_for = tuple(cells), (type(model), kinds)
+        removed = [cell for cell in old if cell not in cells]
         focused = QApplication.focusWidget()
-        if focused is not None and any(cell.isAncestorOf(focused) for cell in gone):
+        if focused is not None and any(cell.isAncestorOf(focused) for cell in removed):
             kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
         self.grid.show_cells(self._cells)
-        for part in (widget for cell in gone for widget in (cell.label, cell)):
+        for part in (widget for cell in removed for widget in (cell.label, cell)):
             part.deleteLater()
 
     def _tell_kind(self, _: str, kind: str, __: object) -> None:
@@ -456,8 +440,6 @@ class MotionFields(QObject):
     def _tell(self, name: str, value: object, _: object) -> None:
         self.edited.emit(name, value)
 
-
-# The page that makes up a motion.
 
 TITLE = "Motion"
 _MOTION_KINDS = ChoiceSpec(
@@ -469,13 +451,7 @@ _HEIGHT_PX = 660
 
 
 class MotionPage(QDialog):
-    """Makes up a motion on a path of places, shows it, and adds it in one step.
-
-    Parameters
-    ----------
-    document
-        What it is added to.
-    """
+    """Makes up a motion on a path of places, shows it, and adds it in one step."""
 
     def __init__(self, document: Document, parent: QWidget) -> None:
         super().__init__(parent)
@@ -495,7 +471,7 @@ class MotionPage(QDialog):
         self.waveform_fields = MotionFields(
             lambda _, spec: spec.at_rate(limb.sample_rate_hz, limb.band_hz), self
         )
-        self._summary, self._about = QLabel(), QLabel()
+        self._summary, self._about = page_label("motion_summary"), page_label("motion_about")
         self._buttons()
         self._lay_out()
         self._connect()
@@ -504,12 +480,7 @@ class MotionPage(QDialog):
     def _buttons(self) -> None:
         self._add = page_button("add_motion", "Add", "Add the tracks to the design, in one step")
         self._cancel = page_button("cancel_motion", "Cancel", "Close; nothing is changed")
-        for label, name in (
-            (self._summary, "motion_summary"),
-            (self._about, "motion_about"),
-        ):
-            label.setObjectName(name)
-            label.setWordWrap(True)
+
         self._about.setTextFormat(Qt.TextFormat.RichText)
         set_tone(self._about, "dim")
 
@@ -524,13 +495,8 @@ class MotionPage(QDialog):
         inside = QWidget()
         inside.setLayout(grids)
         grids.setContentsMargins(0, 0, UNIT_PX, 0)
-        scroll = QScrollArea()
-        scroll.setObjectName("motion_fields")
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setWidgetResizable(True)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll = scrolled(inside, "motion_fields")
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        scroll.setWidget(inside)
         ends = QHBoxLayout()
         ends.addStretch(1)
         ends.addWidget(self._add)
@@ -554,7 +520,7 @@ class MotionPage(QDialog):
         self.hand.add_requested.connect(self.path_row.append)
         self.hand.add_besides_requested.connect(self.path_row.append)
         self.hand.remove_requested.connect(self.path_row.remove_last)
-        self.path_row.path_wanted.connect(self.draft.change_path)
+        self.path_row.path_changed.connect(self.draft.change_path)
         self.path_row.misread.connect(self._show_problem)
         self.path_row.finished.connect(self._show_lanes)
         self.motion_fields.kind_chosen.connect(self.draft.change_kind)
@@ -580,8 +546,8 @@ class MotionPage(QDialog):
 
     def _show(self) -> None:
         motion = self.draft.motion
-        self.motion_fields.show_recipe(motion, _MOTION_KINDS)
-        self.waveform_fields.show_recipe(motion.waveform, _waveform_kinds(self.draft))
+        self.motion_fields.show_model(motion, _MOTION_KINDS)
+        self.waveform_fields.show_model(motion.waveform, _waveform_kinds(self.draft))
         self._summary.setText(motion.summary)
         self._about.setText(_about(motion))
         self.path_row.show_path(self.draft.path)
@@ -616,7 +582,7 @@ class MotionPage(QDialog):
 
 def _about(motion: Motion) -> str:
     parts = (("Law", motion.law), ("Source", motion.source), ("On the palm", motion.limits))
-    return "<br>".join(f"<b>{name}.</b> {escape(words)}" for name, words in parts)
+    return "<br>".join(f"<b>{name}.</b> {escape(text)}" for name, text in parts)
 
 
 def _waveform_kinds(draft: Draft) -> ChoiceSpec:

@@ -1,4 +1,4 @@
-"""The picture of a scene, as large as there is room."""
+"""The page that shows the scenes of the paper: a list, and picture, sentence and source of one."""
 
 from collections.abc import Collection
 from html import escape
@@ -24,6 +24,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource.studies.scenes.catalog import all_scenes, open_scene, why_not_on
 from skinsource.studies.scenes.scene import Scene
 from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.resources import resource_folder
 from skinsource_gui.qt.screen_fit import fit_by_guess
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
@@ -34,7 +35,7 @@ _LEAST_PX = (360, 220)
 
 
 class ScenePicture(QWidget):
-    """Shows a picture on its own white ground, in the middle of its room."""
+    """Shows a picture on a white ground, as large as there is room."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -43,17 +44,17 @@ class ScenePicture(QWidget):
         self.setMinimumSize(*_LEAST_PX)
 
     def sizeHint(self) -> QSize:
-        # As large as there is room, but nothing is scrolled for it.
+        # The picture fills its room, but the page does not scroll to show it larger.
         return QSize(*_LEAST_PX)
 
-    def show_picture(self, picture: QPixmap, words: str) -> None:
-        """Show another picture; ``words`` are read to who cannot see it."""
+    def show_picture(self, picture: QPixmap, text: str) -> None:
+        """Show another picture; a screen reader reads ``text``."""
         self._picture = picture
-        self.setAccessibleName(words)
+        self.setAccessibleName(text)
         self.update()
 
     def area(self) -> QRectF:
-        """Where the picture is drawn; empty where there is none."""
+        """Return the rectangle in which the picture is drawn; empty without a picture."""
         if self._picture.isNull():
             return QRectF()
         room = QRectF(self.rect()).adjusted(_MARGIN_PX, _MARGIN_PX, -_MARGIN_PX, -_MARGIN_PX)
@@ -75,32 +76,30 @@ class ScenePicture(QWidget):
         painter.end()
 
 
-# The page that shows the scenes: a list, and beside it picture, sentence and source.
-
 TITLE = "Scenes"
 _SIZE_PX = (1120, 650)
 _ICON_PX = (72, 44)
 _LIST_PX = 360
-_WORDS_LINES = 11
+_TEXT_LINES = 11
 _OF_THE_PAPER = "The limbs of the paper"
 _PLAYED_ON = "On which limb the scenes are played: those of the paper, or one of your own"
 _PICTURES = "Pictures are computed on synthetic limbs."
 
 
 class ScenesPage(QDialog):
-    """Shows the scenes of the paper, and tells which one is to be opened.
+    """Shows the scenes of the paper, and emits which one is to be opened.
 
     Parameters
     ----------
     limbs
-        Names of the limbs that there are.
-    limb
-        The limb of a lab that scenes are to be played on, at first; empty: those of the paper.
+        Names of the installed limbs.
     selected
-        Name of the scene that is selected at first; the first one where it is not known.
+        Name of the scene that is selected initially; an unknown name selects the first scene.
+    limb
+        Own limb that scenes are played on initially; empty: the limbs of the paper.
     """
 
-    #: Name of a scene, and of the limb that it is to be played on; empty: those of the paper.
+    #: Names of a scene and of the limb that it is to be played on; empty: the limbs of the paper.
     chosen = Signal(str, str)
 
     def __init__(
@@ -132,13 +131,11 @@ class ScenesPage(QDialog):
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.setSpacing(1)
         self.picture = ScenePicture()
-        self.words = QLabel()
-        self.words.setObjectName("scene_words")
-        self.words.setWordWrap(True)
-        self.words.setTextFormat(Qt.TextFormat.RichText)
-        # As high for all, so that the picture stays where it is.
-        self.words.setMinimumHeight(_WORDS_LINES * self.fontMetrics().lineSpacing())
-        self.words.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+        self.text = page_label("scene_words")
+        self.text.setTextFormat(Qt.TextFormat.RichText)
+        # The text has the same height for all scenes, so that the picture does not move.
+        self.text.setMinimumHeight(_TEXT_LINES * self.fontMetrics().lineSpacing())
+        self.text.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         self.buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Open | QDialogButtonBox.StandardButton.Cancel
         )
@@ -159,7 +156,7 @@ class ScenesPage(QDialog):
 
     @property
     def scene(self) -> Scene:
-        """The one that is selected."""
+        """The selected scene."""
         return self._scenes[max(self.list.currentRow(), 0)]
 
     def _lay_out(self) -> None:
@@ -168,7 +165,7 @@ class ScenesPage(QDialog):
         right.setContentsMargins(0, 0, 0, 0)
         right.setSpacing(UNIT_PX)
         right.addWidget(self.picture, 1)
-        right.addWidget(self.words)
+        right.addWidget(self.text)
         columns = QHBoxLayout()
         columns.setSpacing(2 * UNIT_PX)
         left = QVBoxLayout()
@@ -182,6 +179,7 @@ class ScenesPage(QDialog):
         for part in (title, self.played_on):
             part.setVisible(self._any_own)
         columns.addLayout(left)
+        # What has no room on a small screen scrolls, so that the buttons below stay visible.
         columns.addWidget(_scrolled(about), 1)
         rows = QVBoxLayout(self)
         rows.addLayout(columns, 1)
@@ -218,15 +216,15 @@ class ScenesPage(QDialog):
         self.buttons.button(QDialogButtonBox.StandardButton.Open).setEnabled(not reason)
         self.picture.show_picture(picture_of(scene), scene.title)
         lines = [f"<b>{escape(scene.heading)}</b>", escape(scene.sentence), _dim(_source_of(scene))]
-        lines.append(self._not_there(reason) if reason else self._there(scene))
-        self.words.setText("<br>".join(lines))
+        lines.append(self._reason_text(reason) if reason else self._limbs_text(scene))
+        self.text.setText("<br>".join(lines))
 
-    def _not_there(self, reason: str) -> str:
-        words = f"Does not apply on {limb_word(self.played_on.value).title}: {reason}"
-        return f'<span style="color: {current_theme().error}">{escape(words)}</span>'
+    def _reason_text(self, reason: str) -> str:
+        text = f"Does not apply on {limb_word(self.played_on.value).title}: {reason}"
+        return f'<span style="color: {current_theme().error}">{escape(text)}</span>'
 
-    def _there(self, scene: Scene) -> str:
-        """On which limbs it opens, and what must be said of them."""
+    def _limbs_text(self, scene: Scene) -> str:
+        """Return on which limbs a scene opens, and notes on them."""
         limb = self.played_on.value
         opened = open_scene(scene.name, available=self._limbs, limb=limb)
         limbs = dict.fromkeys(each.design.limb for each in opened.conditions)
@@ -238,13 +236,13 @@ class ScenesPage(QDialog):
         name = self.scene.name
         if self._reasons[name]:
             return
-        # The question about unsaved work stands in front of the window, not of this page.
+        # The page closes first: the question about unsaved work appears in front of the window.
         self.accept()
         self.chosen.emit(name, self.played_on.value)
 
 
 def _scrolled(inside: QWidget) -> QScrollArea:
-    """What has no room on a small screen, so that the buttons below stay on it."""
+    """Return an area without a frame that scrolls both ways."""
     area = QScrollArea()
     area.setObjectName("scene_area")
     area.setFrameShape(QFrame.Shape.NoFrame)
@@ -254,12 +252,12 @@ def _scrolled(inside: QWidget) -> QScrollArea:
 
 
 def picture_of(scene: Scene) -> QPixmap:
-    """The picture of a scene."""
+    """Return the picture of a scene."""
     return QPixmap(str(resource_folder() / "scenes" / f"{scene.name}.png"))
 
 
 def _icon_of(scene: Scene) -> QIcon:
-    """Its picture, small, in the middle of a white card; the same while it is selected."""
+    """Return its picture, small, on a white card that looks the same when it is selected."""
     card = QPixmap(QSize(*_ICON_PX))
     card.fill(Qt.GlobalColor.white)
     small = picture_of(scene).scaled(

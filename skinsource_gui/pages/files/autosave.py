@@ -1,4 +1,8 @@
-"""A small picture of the work, by which one knows it again."""
+"""Copies of unsaved work: they are written while the user works, and opened after a crash.
+
+Each copy holds the design, its view, the arrangement of the window, and a small picture by which
+the user recognises the work.
+"""
 
 from collections.abc import Callable, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -29,52 +33,50 @@ _EDGE_PX = 4
 
 
 class WorkPicture:
-    """Remembers what was predicted last, and draws it with the inputs of the present design."""
+    """Draws the latest prediction, with the inputs of the present design."""
 
     def __init__(self) -> None:
         self._maps = SmallMaps()
-        self._shown: SmallMap | None = None
+        self._map: SmallMap | None = None
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        """Take over what the panels show now."""
+        """Remember the map of the results that the panels show now."""
         if "limb_map" in results:
-            self._shown = self._maps.map_of(results)
+            self._map = self._maps.map_of(results)
 
     def image(self, design: Design) -> QImage:
-        """What is known of ``design``; an empty image before anything was predicted."""
-        if self._shown is None:
+        """Return a picture of ``design``; an empty image before anything was predicted."""
+        if self._map is None:
             return QImage()
         image = QImage(SIZE, QImage.Format.Format_RGB32)
         image.fill(QColor(LIGHT.base))
         painter = QPainter(image)
         area = QRectF(image.rect()).adjusted(_EDGE_PX, _EDGE_PX, -_EDGE_PX, -_EDGE_PX)
-        paint_small_map(painter, area, self._shown, design, LIGHT)
+        paint_small_map(painter, area, self._map, design, LIGHT)
         painter.end()
         return image
 
 
 def png_of(image: QImage) -> bytes:
-    """PNG of an image; empty for an empty one."""
+    """Return an image as PNG; empty for an empty image."""
     if image.isNull():
         return b""
     content = QByteArray()
     buffer = QBuffer(content)
     buffer.open(QBuffer.OpenModeFlag.WriteOnly)
-    # The stubs of PySide ask for bytes, which it does not take.
+    # The stubs of PySide ask for bytes, which PySide itself does not accept.
     saved: Any = image
     saved.save(buffer, "PNG")
     return bytes(content.data())
 
 
-# Keeps copies of unsaved work while one works.
-
-#: So soon after the first unsaved edit there is a copy: nothing else holds any of it yet.
+#: Delay of the first copy after the first unsaved edit: no copy holds any of the work yet.
 FIRST_S = 1.0
 
 
 @dataclass(frozen=True, slots=True)
-class _Seen:
-    """What the document held at a time."""
+class _State:
+    """State of the document at a time."""
 
     design: Design
     view: View
@@ -85,29 +87,26 @@ class _Seen:
 class Autosave(QObject):
     """Writes copies of unsaved work, in a thread of its own.
 
-    The first soon after the first unsaved edit, then one at most one interval after an edit.
-
-    Work that is saved, or taken back, has no copies.
+    The first copy is written soon after the first unsaved edit, the next ones at most one interval
+    after an edit.  When the work is saved or undone, its copies are deleted.
 
     Parameters
     ----------
     document
-        The work.
+        The document whose work is copied.
     folder
-        The user's data folder; the copies lie below it.
+        The user's data folder, which contains the copies.
     interval_s
-        The longest time that may be lost.
+        The longest time of work that may be lost.
     first_s
-        The same of the first unsaved edits, where it is shorter.
+        The same for the first unsaved edits, where it is shorter.
     layout, picture
-        Give the window's arrangement, and a picture of a design.
-    parent
-        As in Qt.
+        Return the window's arrangement, and a picture of a design.
     """
 
-    #: Why no copy can be written, in a sentence; once, until one is written again.
+    #: Why no copy can be written, as a sentence; once, until a copy is written again.
     failed = Signal(str)
-    _landed = Signal(object)  # the reason or None, from the worker thread
+    _written = Signal(object)  # the reason or None, from the worker thread
 
     def __init__(
         self,
@@ -123,26 +122,26 @@ class Autosave(QObject):
         self._intervals_s = (min(first_s, interval_s), interval_s)
         self._document, self._layout, self._picture = document, layout, picture
         self._session = Session(folder)
-        self._seen = self._look()
+        self._state = self._look()
         self._worker: ThreadPoolExecutor | None = None
         self._complained = self._ended = False
         # Whether there is a copy of this work already.
         self._has_copy = False
         self._timer = QTimer(self, singleShot=True)
         self._timer.timeout.connect(self._keep_soon)
-        self._landed.connect(self._report, Qt.ConnectionType.QueuedConnection)
+        self._written.connect(self._report, Qt.ConnectionType.QueuedConnection)
         document.changed.connect(self._follow)
         document.title_changed.connect(self._follow)
 
     def keep_now(self) -> bool:
-        """Write a copy of unsaved work before this returns: what follows may end the studio.
+        """Write a copy of unsaved work at once, and return whether all unsaved work has a copy.
 
-        Returns whether nothing is unsaved that has no copy.
+        It is called before a step that might end the studio.
         """
         return not self._document.modified or self._keep(self._look()).result()
 
     def end(self, *, forget: bool = True) -> None:
-        """Stop; ``forget`` the copies where the user has answered for what is not saved."""
+        """Stop; ``forget`` the copies where the user has decided on unsaved work."""
         if self._ended:
             return
         self._ended = True
@@ -154,20 +153,20 @@ class Autosave(QObject):
                 self._worker.submit(self._session.forget)
             self._worker.shutdown(wait=True)
 
-    def _look(self) -> _Seen:
+    def _look(self) -> _State:
         document = self._document
         file = document.path or document.recovered_from
-        return _Seen(document.design, document.view, file, document.modified)
+        return _State(document.design, document.view, file, document.modified)
 
     def _follow(self) -> None:
-        before, self._seen = self._seen, self._look()
-        if not self._seen.modified:
+        before, self._state = self._state, self._look()
+        if not self._state.modified:
             self._timer.stop()
             self._has_copy = False
             if self._worker is not None:
                 self._worker.submit(self._session.forget)
             return
-        if before.modified and before.design.limb != self._seen.design.limb:
+        if before.modified and before.design.limb != self._state.design.limb:
             # Another limb is read and evaluated next.
             self._keep(before).result()
         if not self._timer.isActive():
@@ -180,24 +179,24 @@ class Autosave(QObject):
         if self._document.modified:
             self._keep(self._look())
 
-    def _keep(self, seen: _Seen) -> "Future[bool]":
+    def _keep(self, state: _State) -> "Future[bool]":
         if self._worker is None:
             self._worker = ThreadPoolExecutor(1, thread_name_prefix="skinsource-autosave")
         self._has_copy = True
-        write = partial(self._write, seen, self._layout(), self._picture(seen.design))
+        write = partial(self._write, state, self._layout(), self._picture(state.design))
         return self._worker.submit(write)
 
-    def _write(self, seen: _Seen, layout: bytes, picture: QImage) -> bool:
+    def _write(self, state: _State, layout: bytes, picture: QImage) -> bool:
         try:
-            content = DesignFile(design=seen.design, view=seen.view, layout=layout)
-            self._session.keep(content, seen.path, png_of(picture))
+            content = DesignFile(design=state.design, view=state.view, layout=layout)
+            self._session.keep(content, state.path, png_of(picture))
         except SkinSourceError as error:
-            self._landed.emit(str(error))
+            self._written.emit(str(error))
             return False
-        except Exception as error:  # noqa: BLE001  nobody else would hear of it
-            self._landed.emit(f"The studio made a mistake: {type(error).__name__}: {error}.")
+        except Exception as error:  # noqa: BLE001  it would be lost in the thread
+            self._written.emit(f"The studio made a mistake: {type(error).__name__}: {error}.")
             return False
-        self._landed.emit(None)
+        self._written.emit(None)
         return True
 
     def _report(self, reason: str | None) -> None:
@@ -205,43 +204,39 @@ class Autosave(QObject):
             self.failed.emit(f"No copy of unsaved work could be kept. {reason}")
         self._complained = reason is not None
         if self._complained and not self._ended and self._document.modified:
-            # There may be room later, also where nothing more is edited.
+            # Writing may succeed later, even without another edit.
             self._wait()
 
 
-# Opens what earlier studios left unsaved.
-
-# By then what the work predicts is painted.
+# By then the results of the opened work are painted.
 _SURVIVED_AFTER_MS = 200
 
 
 class Recovery(QObject):
-    """Brings left-over work into the document, as work that is not saved.
+    """Opens work that earlier studios left unsaved, again as unsaved work.
 
-    While a copy is opened a mark lies beside it, until its results are on the screen: where the
-    studio does not survive that, the next one sets the copy aside and offers the one before.
+    While a copy is opened, a mark file next to it says so, until its results are on the screen.
+    Where the studio crashes meanwhile, the next one sets the copy aside and offers an older one.
 
     Parameters
     ----------
     document, engine
-        Where it goes, and who evaluates it.
+        The document that gets the work, and the engine that evaluates it.
     folder
         The user's data folder.
     may_lose_changes
-        Asks before other unsaved work goes.
+        Asks before other unsaved work is lost.
     keep_now
-        Keeps a copy of the present work; whether that went well.
-    parent
-        As in Qt.
+        Writes a copy of the present work; returns whether that went well.
     """
 
-    #: The window's arrangement that a copy holds, bytes.
+    #: The window's arrangement in a copy, bytes.
     opened = Signal(bytes)
     #: The file that the work belonged to, `Path` or None.
     belonged = Signal(object)
-    #: What was opened, in a sentence.
+    #: What was opened, as a sentence.
     done = Signal(str)
-    #: Why a copy was not opened, and where it lies now.
+    #: Why a copy was not opened, and where it is now.
     failed = Signal(str)
 
     def __init__(
@@ -262,11 +257,11 @@ class Recovery(QObject):
         engine.rested.connect(self._settle)
 
     def look(self) -> Found:
-        """What there is to be opened now; nothing of it is."""
+        """Return the work that can be opened; nothing is opened yet."""
         return recovery.find(self._folder)
 
     def open(self, left: UnsavedWork) -> None:
-        """Open the newest copy that can be; those that cannot be are set aside, and named."""
+        """Open the newest readable copy; newer ones are set aside and reported."""
         if not self._may_lose_changes():
             return
         self._adopt()
@@ -276,28 +271,26 @@ class Recovery(QObject):
             try:
                 content = open_design(copy)
             except Exception as error:  # noqa: BLE001  whatever it is, an older copy may be good
-                bad.append(_words_of(copy, error))
+                bad.append(_set_aside(copy, error))
                 continue
             self._opening = left, copy
             self._take_over(content, left.file)
             self.belonged.emit(left.file)
-            words = f"Opened unsaved work on {left.name}, which was kept {left.age()}"
             if bad:
-                before = "An earlier copy was opened instead."
-                self.failed.emit(" ".join([*bad, before]))
+                self.failed.emit(" ".join([*bad, "An earlier copy was opened instead."]))
             else:
-                self.done.emit(words)
+                self.done.emit(f"Opened unsaved work on {left.name}, which was kept {left.age()}")
             if not self._engine.busy:
                 self._survived.start()
             return
         self.failed.emit(" ".join(bad))
 
     def discard(self, left: UnsavedWork) -> None:
-        """Delete it; where that is not possible, it is offered again."""
+        """Delete the work; where that is not possible, it is offered again."""
         recovery.discard(left)
 
     def end(self) -> None:
-        """The studio ends, and has survived what it opened."""
+        """Remove the mark of the opened copy when the studio ends without a crash."""
         if self._opening is not None:
             recovery.mark_opened(self._opening[1])
 
@@ -314,18 +307,19 @@ class Recovery(QObject):
             self._survived.start()
 
     def _adopt(self) -> None:
-        """Let this studio's own copies take the place of what it has opened and survived."""
+        """Delete the opened work once this studio has copies of its own."""
         opening, self._opening = self._opening, None
         if opening is not None:
             left, copy = opening
             recovery.mark_opened(copy)
-            # Taken back, given up or saved by now: then it is not needed any more either.
+            # This also holds where the work was undone, given up or saved meanwhile.
             if self._keep_now():
                 recovery.discard(left)
 
 
-def _words_of(copy: Path, error: Exception) -> str:
-    why = str(error) if isinstance(error, SkinSourceError) else f"{copy.name}: {error!r}"
-    where = recovery.set_aside(copy)
-    kept = f"It was set aside: {named(where)}." if where else "It stays where it is."
-    return f"{sentence(why)} {kept}"
+def _set_aside(copy: Path, error: Exception) -> str:
+    """Set a copy aside that could not be opened; return why, and where it is now."""
+    reason = str(error) if isinstance(error, SkinSourceError) else f"{copy.name}: {error!r}"
+    new_path = recovery.set_aside(copy)
+    place = f"It was set aside: {named(new_path)}." if new_path else "It stays where it is."
+    return f"{sentence(reason)} {place}"

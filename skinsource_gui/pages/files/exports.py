@@ -1,4 +1,7 @@
-"""The one table of exports: menus, shortcuts and the palette are made from it."""
+"""Exports of numbers and pictures: their table, their jobs, and the actions that start them.
+
+Menus, shortcuts and the palette are made from the table `EXPORTS`.
+"""
 
 import logging
 import math
@@ -48,13 +51,13 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
 
-#: By name, what a function that writes may want besides: `PictureOptions`, the part of the skin map
-#: that is in sight, and the path of this machine's rig, or None.
+#: Names of further arguments of functions that write: `PictureOptions`, the visible part of the
+#: skin map, and the path of this machine's rig, or None.
 SIZED, SEEN, WIRED = "options", "seen", "rig_path"
 
 
-#: A function of `skinsource.export.exported_design`: given path, design and view, and by name
-#: ``progress``, ``stop``, ``largest_error`` and what the export wants, it computes and writes.
+#: Computes and writes a file, given path, design and view, and by name ``progress``, ``stop``,
+#: ``largest_error`` and the further arguments of the export.
 Write = Callable[..., Any]
 
 
@@ -67,29 +70,31 @@ class ExportSpec:
     Attributes
     ----------
     name
-        Of the action, after ``export_``.
+        Name of the action, after ``export_``.
     title
-        What the menu says, after "Export".
-    file_name, kinds
-        Suggested name of the file; what can be written, as words and ending, first that of the
-        suggested name.
-    named
-        The name that is suggested instead, of what is open and was chosen.
+        Text in the menu, after "Export".
+    file_name
+        Suggested name of the file.
+    kinds
+        Kinds of files, as title and ending, first that of the suggested name.
     hint
-        What is written, in a sentence.
+        What is written, as a sentence.
     write
         Computes and writes the file.
+    begun
+        Returns the options that are offered first, from the open design and the last options.
+    named
+        Returns another suggested name, from the open design and the chosen options.
     wants
-        What ``write`` is given besides: `SIZED` is asked of the user before, the others are known.
-    begun, remark
-        What is asked of the user begins with these, for what is open and with the sizes of the last
-        time, and says as what it is written; what is said of what is chosen.
+        Further arguments of ``write``: the user is asked for `SIZED`, the others are known.
+    remark
+        Returns a remark on chosen options.
     panel, size_px
-        The panel whose picture is saved, and width and height of that.
+        Panel whose picture is saved, and its width and height.
     package
-        Name of what writes it, and of the extra that it comes with; none where it is always there.
+        Names of the package that writes the file and of its extra; None: no extra is needed.
     enabled
-        Whether there is anything to export; always when not given.
+        Whether there is anything to export; None: always.
     keys, keywords
         As those of an action.
     """
@@ -113,23 +118,23 @@ class ExportSpec:
 
     @property
     def filter(self) -> str:
-        """What the dialog offers."""
+        """The filter of the file dialog."""
         return self.filter_for(self.kinds[0][1])
 
     def filter_for(self, ending: str) -> str:
-        """The same, with one of the endings first: that is the one that it begins with."""
+        """Return the filter with one of the endings first, which the dialog starts with."""
         kinds = sorted(self.kinds, key=lambda kind: kind[1] != ending)
-        return ";;".join(f"{words} (*{ending})" for words, ending in kinds)
+        return ";;".join(f"{title} (*{ending})" for title, ending in kinds)
 
     @property
     def window_title(self) -> str:
-        """Of the windows that ask how and where to."""
+        """The title of the dialogs that ask for options and a file."""
         return f"Export {self.title.removesuffix('…')}"
 
     @property
-    def kind_words(self) -> str:
-        """What can be written, as a sentence goes on: "PNG, SVG or PDF"."""
-        *others, last = (words for words, _ in self.kinds)
+    def kinds_text(self) -> str:
+        """The kinds of files within a sentence: "PNG, SVG or PDF"."""
+        *others, last = (title for title, _ in self.kinds)
         return f"{', '.join(others)} or {last}" if others else last
 
     @property
@@ -155,7 +160,7 @@ def _pack(
     stop: Stop,
     largest_error: float,
 ) -> None:
-    del largest_error  # each table says its own
+    del largest_error  # each table states its own
     rig = None if rig_path is None else rigs.open_rig(rig_path)
     packing.pack(path, design, view, rig=rig, progress=progress, stop=stop)
 
@@ -246,7 +251,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
         name="windows_picture",
         title="picture of the windows…",
         file_name="windows.png",
-        kinds=(("PNG", ".png"), ("SVG", ".svg"), ("PDF", ".pdf")),
+        kinds=_PICTURES,
         hint="Save the strip of windows as PNG, SVG or PDF, with its colour scale and the extent",
         panel="windowed",
         size_px=(1600, 1100),
@@ -274,31 +279,21 @@ EXPORTS: tuple[ExportSpec, ...] = (
 )
 
 
-# What becomes of exports that run as jobs.
-
 _log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, slots=True)
 class _Running:
-    """Where to, which file is named, who answers for an error first, what is said besides."""
+    """A running export, as `ExportJobs.add` got it."""
 
     path: Path
     written: Callable[[Any], Path]
-    answered: Callable[[Exception], bool]
+    handled: Callable[[Exception], bool]
     note: str
 
 
 class ExportJobs(QObject):
-    """Has exports carried out, and tells how each ended.
-
-    Parameters
-    ----------
-    runner, files
-        Who carries them out; who tells of files that were written.
-    parent
-        As in Qt.
-    """
+    """Runs exports as jobs, and reports how each ended."""
 
     #: Why something was not exported.
     failed = Signal(str)
@@ -317,24 +312,26 @@ class ExportJobs(QObject):
         work: Callable[..., Any],
         *,
         written: Callable[[Any], Path] | None = None,
-        answered: Callable[[Exception], bool] = lambda error: False,
+        handled: Callable[[Exception], bool] = lambda error: False,
         note: str = "",
     ) -> None:
         """Export to ``path``.
 
         Parameters
         ----------
-        path, work
-            What is named while it runs; takes what a job's work takes.
+        path
+            File or folder, which names the job.
+        work
+            Work of the job.
         written
-            Says of the result which file to name; ``path`` unless given.
-        answered
-            Is told of an error first; whether nothing more is to be said of it.
+            Returns the file that is reported, given the result; ``path`` unless given.
+        handled
+            Returns whether it has handled an error, which is then not reported.
         note
-            What is said beside the name of the file that was written.
+            Text that follows the name of the written file.
         """
         job = Job(f"Exporting {path.name}", work)
-        self._running[job] = _Running(path, written or (lambda result: path), answered, note)
+        self._running[job] = _Running(path, written or (lambda result: path), handled, note)
         self._runner.add(job)
 
     def _note_written(self, job: Job[Any], result: Any) -> None:
@@ -349,7 +346,7 @@ class ExportJobs(QObject):
 
     def _note_failed(self, job: Job[Any], error: Exception) -> None:
         export = self._running.pop(job, None)
-        if export is None or export.answered(error):
+        if export is None or export.handled(error):
             return
         if isinstance(error, SkinSourceError):
             self.failed.emit(str(error))
@@ -361,46 +358,38 @@ class ExportJobs(QObject):
         )
 
 
-# Exports: where to, and what came of it.
-
-#: Asked for the name of a panel: its picture, with the present results.
+#: Returns the picture of a panel with the present results, given the name of the panel.
 DrawerOf = Callable[[str], WholePicture]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Order:
-    """What is to be exported, as it was when the user asked for it."""
+    """An export, with design and view as they were when the user asked for it."""
 
     spec: ExportSpec
     path: Path
     design: Design
     view: View
     largest_error: float = VISIBLE
-    besides: Mapping[str, Any] = field(default_factory=dict)
+    arguments: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def work(self) -> Callable[..., Any]:
-        """Writes it."""
-        what = self.path, self.design, self.view
+        """The work of the job that writes the file."""
         if self.spec.write is None:
             raise TypeError(f"{self.spec.name} is a picture of a panel: nothing writes it")
-        return partial(self.spec.write, *what, largest_error=self.largest_error, **self.besides)
+        return partial(
+            self.spec.write,
+            self.path,
+            self.design,
+            self.view,
+            largest_error=self.largest_error,
+            **self.arguments,
+        )
 
 
 class ExportActions(QObject):
-    """Exports the present design, and tells what becomes of it.
-
-    Parameters
-    ----------
-    document, preferences, files
-        What is exported; where files were last written; who asks where to.
-    runner
-        Carries the exports out.
-    drawer_of
-        Knows who draws pictures.
-    window
-        In front of which questions are asked; also the parent.
-    """
+    """Exports the present design, and reports how that ended."""
 
     #: Why something was not exported.
     failed = Signal(str)
@@ -422,9 +411,9 @@ class ExportActions(QObject):
         self._picture_options: dict[str, PictureOptions] = {}
 
     def export(self, name: str) -> None:
-        """Ask for a file, and export to it what the table calls ``name``."""
+        """Ask for a file, and write the export ``name`` of the table to it."""
         spec = next(spec for spec in EXPORTS if spec.name == name)
-        # What the user sees now, whatever happens while the dialog is open.
+        # The design as the user sees it now, even if it changes while the dialog is open.
         design, view = self._document.design, self._document.view
         if spec.package is not None:
             try:
@@ -435,22 +424,22 @@ class ExportActions(QObject):
         if spec.panel:
             self._export_picture(spec)
             return
-        besides: dict[str, Any] = {}
+        arguments: dict[str, Any] = {}
         options: PictureOptions | None = None
         if SIZED in spec.wants:
             remark = None if spec.remark is None else partial(spec.remark, design, view)
             options = self._ask_options(spec, spec.size_px, most_px=MOST_PX, remark=remark)
             if options is None:
                 return
-            besides[SIZED] = options
+            arguments[SIZED] = options
         if SEEN in spec.wants:
-            besides[SEEN] = self._drawer_of("skin").seen
+            arguments[SEEN] = self._drawer_of("skin").seen
         if WIRED in spec.wants:
             rig = self._preferences.rig_path
-            besides[WIRED] = Path(rig) if rig else None
+            arguments[WIRED] = Path(rig) if rig else None
         path = self._ask_where(spec, options)
         if path is not None:
-            order = _Order(spec=spec, path=path, design=design, view=view, besides=besides)
+            order = _Order(spec=spec, path=path, design=design, view=view, arguments=arguments)
             self._add(order)
 
     def copy_citation(self) -> None:
@@ -469,7 +458,7 @@ class ExportActions(QObject):
     def _export_picture(self, spec: ExportSpec) -> None:
         picture = self._drawer_of(spec.panel)
         if spec.panel == IN_USE:
-            # Which one that is, is not seen any more behind the windows that ask.
+            # The dialogs cover the window, so their title names the panel.
             name = picture.title.lower().replace(" ", "-")
             spec = replace(
                 spec, title=f"picture of the panel {picture.title}…", file_name=f"{name}.png"
@@ -491,10 +480,10 @@ class ExportActions(QObject):
     def _ask_options(
         self, spec: ExportSpec, size_px: tuple[int, int], **about: Any
     ) -> PictureOptions | None:
-        """Ask how large, and in which colours; the next time it begins with these."""
+        """Ask for size and colours, which are offered the next time too."""
         usual = PictureOptions(width_px=size_px[0], height_px=size_px[1])
         known = self._picture_options.get(spec.name, usual)
-        kinds = spec.kind_words
+        kinds = spec.kinds_text
         if spec.begun is not None:
             known, kinds = spec.begun(self._document.design, self._document.view, known), ""
         about |= {"title": spec.window_title, "kinds": kinds, "shape": size_px}
@@ -504,13 +493,13 @@ class ExportActions(QObject):
         return options
 
     def _add(self, order: _Order) -> None:
-        # Tables and films hold the design, not what makes it as loud as another one.
+        # Tables and films hold the design without the gain that matches its level to another's.
         matched = order.view.match_gain(order.design) != 1.0
         note = "amplitudes are as stored, levels are not matched" if matched else ""
-        answered = partial(self._accepted, order)
-        self._jobs.add(order.path, order.work, answered=answered, note=note)
+        handled = partial(self._export_inaccurate, order)
+        self._jobs.add(order.path, order.work, handled=handled, note=note)
 
-    def _accepted(self, order: _Order, error: Exception) -> bool:
+    def _export_inaccurate(self, order: _Order, error: Exception) -> bool:
         if not isinstance(error, TooInaccurateError):
             return False
         question = f"{order.path.name}: {error} Export it all the same?"

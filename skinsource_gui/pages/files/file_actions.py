@@ -1,4 +1,7 @@
-"""What the open file holds on disk, as far as this studio knows."""
+"""New, open and save: designs move between the document and files, which this studio locks.
+
+Other programs may change the open file; the user is asked before anything is lost.
+"""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -42,7 +45,7 @@ class FileOnDisk:
         self._digest = _digest(path) if path else b""
 
     def state(self) -> State:
-        """Whether the file still holds what it held."""
+        """Return whether the file still holds what it held."""
         if self._path is None:
             return "same"
         stamp = _stamp(self._path)
@@ -72,20 +75,17 @@ def _digest(path: Path) -> bytes:
         return b""
 
 
-# The lock that this studio has on the file that is open.
-
-
 class HeldFile:
-    """Takes and gives up locks on files.
+    """Takes and releases locks on files.
 
-    Where no lock can be written, as in a folder that is read-only, a file is opened without.
+    Where no lock can be written, as in a read-only folder, a file is opened without one.
     """
 
     def __init__(self) -> None:
         self._locks: dict[Path, Lock] = {}
 
     def take(self, path: Path, *, from_other: bool = False) -> Owner | None:
-        """Have ``path``, beside what is held already; returns who has it, or None."""
+        """Lock ``path`` in addition to other files; return who has locked it before, or None."""
         lock = Lock(path)
         try:
             other = lock.take(from_other=from_other)
@@ -96,31 +96,24 @@ class HeldFile:
         return other
 
     def keep_only(self, path: Path | None) -> None:
-        """Give up all but ``path``; None: all."""
-        # A link and what it leads to have one lock.
-        kept = None if path is None else Lock(path).file
-        for held in [held for held in self._locks if held != kept]:
-            self._locks.pop(held).release()
+        """Release all locks but that of ``path``; None: all."""
+        # A link and its target have one lock.
+        remaining = None if path is None else Lock(path).file
+        for file in [file for file in self._locks if file != remaining]:
+            self._locks.pop(file).release()
 
 
 def who_has(path: Path, other: Owner) -> str:
-    """Words such as "tap.skinsource is open in another studio (ana on lab-3, since 10:15)"."""
+    """Return "tap.skinsource is open in another studio (ana on lab-3, since 10:15)"."""
     return f"{path.name} is open in another studio ({other.words})"
 
 
-def may_have_ended(other: Owner) -> bool:
-    """Whether nobody can say here that ``other`` still runs."""
-    return still_runs(other) is None
-
-
-# Files that were opened or saved lately.
-
-#: So many are remembered.
+#: Number of recent files that are remembered.
 MOST_RECENT = 10
 
 
 class RecentFiles:
-    """Paths of recent files, remembered between sessions."""
+    """Remembers the paths of recent files between sessions."""
 
     def __init__(self, preferences: Preferences) -> None:
         self._preferences = preferences
@@ -132,32 +125,30 @@ class RecentFiles:
 
     def remember(self, path: Path) -> None:
         """Put a file at the front."""
-        self._keep([path, *(known for known in self.paths if known != path)])
+        self._store([path, *(known for known in self.paths if known != path)])
 
     def forget(self, path: Path) -> None:
-        """Take a file out."""
-        self._keep([known for known in self.paths if known != path])
+        """Remove a file."""
+        self._store([known for known in self.paths if known != path])
 
-    def _keep(self, paths: list[Path]) -> None:
+    def _store(self, paths: list[Path]) -> None:
         self._preferences.recent_names = [str(path) for path in paths[:MOST_RECENT]]
 
-
-# A design of a file, kept beside the present one to be compared with it.
 
 _LONGEST = 60
 
 
 class SnapshotFiles:
-    """Takes designs of files as snapshots; what is open stays open.
+    """Adds designs of files to the document as snapshots, to be compared with the open design.
 
     Parameters
     ----------
     document, preferences, window
-        Where they are kept, where files were taken from last, and over what is asked.
+        The document, the folder of the last file, and the parent of the dialog.
     kinds
-        Which files are offered.
+        Filter of the dialog.
     fail, tell
-        Say why one was not taken, and that it was.
+        Called with the reason of a failure, and with a text on a new snapshot.
     """
 
     def __init__(
@@ -173,7 +164,7 @@ class SnapshotFiles:
         self._kinds, self._fail, self._tell = kinds, fail, tell
 
     def ask(self) -> None:
-        """Ask for a file and take its design."""
+        """Ask for a file and add its design."""
         folder = self._document.path.parent if self._document.path else self._preferences.folder
         name, _ = QFileDialog.getOpenFileName(
             self._window, "Compare with a design", str(folder), self._kinds
@@ -182,7 +173,7 @@ class SnapshotFiles:
             self.take(Path(name))
 
     def take(self, path: Path) -> None:
-        """Keep the design of ``path`` under the first free number, with its name."""
+        """Add the design of ``path`` as the snapshot of the first free number."""
         try:
             design = open_design(path).design
         except SkinSourceError as error:
@@ -198,8 +189,6 @@ class SnapshotFiles:
             self._tell(f"{path.name} is snapshot {number}; X shows it, and this again")
 
 
-# New, open, save, recent files, and the question before work is lost.
-
 _FILTER = f"SkinSource designs (*{SUFFIX})"
 _READ_ONLY = "It is read-only here: saving asks for another name."
 _MAYBE_ENDED = "Nobody can say here whether that has ended. Replace the file, and have it here?"
@@ -210,14 +199,14 @@ class FileActions(QObject):
     """Moves designs between the document and files."""
 
     failed = Signal(str)
-    #: What went well, in a few words.
+    #: What went well, as a short text.
     done = Signal(str)
     #: A file was opened; the bytes are the window's arrangement that it holds.
     opened = Signal(bytes)
-    #: What is open is new, as at a start.
+    #: A new design was started.
     started_over = Signal()
     recent_changed = Signal()
-    #: What follows might end the studio: unsaved work is to be kept now.
+    #: The next step might end the studio, so unsaved work is to be saved now.
     risk_ahead = Signal()
     #: The folder in which the next file is expected, `Path`.
     folder_changed = Signal(object)
@@ -233,13 +222,13 @@ class FileActions(QObject):
         self._document, self._preferences, self._window = document, preferences, window
         self.recent = RecentFiles(preferences)
         self._arrangement = arrangement
-        self._on_disk, self._told = FileOnDisk(), "same"
+        self._on_disk, self._reported = FileOnDisk(), "same"
         self.held = HeldFile()
-        #: Asks for a file whose design is kept as a snapshot.
+        #: Asks for a file whose design becomes a snapshot.
         self.take_snapshot = SnapshotFiles(
             document, preferences, window, _FILTER, self.failed.emit, self.done.emit
         ).ask
-        #: Where a design without a file is expected to go; None: anywhere.
+        #: Suggested path for a design without a file; None: a usual one.
         self.suggested: Path | None = None
         window.installEventFilter(self)
 
@@ -252,7 +241,7 @@ class FileActions(QObject):
             self.done.emit("Started a new design")
 
     def leave_file(self) -> None:
-        """No file is open any more: others may have the one that was."""
+        """Close the open file, and release its lock."""
         self._note_file(None)
         self.held.keep_only(None)
 
@@ -264,7 +253,7 @@ class FileActions(QObject):
             self.open(Path(name))
 
     def open(self, path: Path) -> None:
-        """Open ``path``; on any fault say so and keep what is open."""
+        """Open ``path``; on a failure report it, and keep what is open."""
         self.risk_ahead.emit()
         on_disk = FileOnDisk()
         on_disk.note(path)
@@ -275,13 +264,13 @@ class FileActions(QObject):
             self.recent_changed.emit()
             self.failed.emit(str(error))
             return
-        # What cannot be opened is said before anything is asked.
+        # A file that cannot be opened is reported before the question about unsaved edits.
         if not self.may_lose_changes():
             return
         other = self.held.take(path)
         self.held.keep_only(path)
         self._document.start_over(content.design, content.view, path, read_only=other is not None)
-        self._on_disk, self._told, self.suggested = on_disk, "same", None
+        self._on_disk, self._reported, self.suggested = on_disk, "same", None
         self.recent.remember(path)
         self._note_folder(path)
         self.recent_changed.emit()
@@ -292,7 +281,7 @@ class FileActions(QObject):
             self.failed.emit(f"{who_has(path, other)}. {_READ_ONLY}")
 
     def save(self) -> bool:
-        """Save where it was saved before, or ask; whether it is saved now."""
+        """Save where it was saved before, or ask; return whether it is saved now."""
         if self._document.path is None:
             return self.ask_and_save()
         path = self._document.path
@@ -301,7 +290,7 @@ class FileActions(QObject):
         return self._may_overwrite(path) and self._save_to(path)
 
     def ask_and_save(self) -> bool:
-        """Ask for a name and save there; whether it is saved now."""
+        """Ask for a name and save there; return whether it is saved now."""
         unnamed = self.suggested or self._preferences.folder / f"design{SUFFIX}"
         start = self._document.path or unnamed
         path = self.ask_where("Save the design", start, _FILTER)
@@ -316,10 +305,10 @@ class FileActions(QObject):
         *,
         ending: str = "",
     ) -> Path | None:
-        """Ask for a file to write; None if there shall be none.
+        """Ask for a file to write; return None if the user cancels.
 
-        It has one of the ``endings``, or that of ``start``; a name without one gets ``ending``
-        where that is longer than a suffix: ``_stim.tsv.gz``.
+        The path has one of the ``endings`` or that of ``start``.  Other names get ``ending``, which
+        may be longer than a suffix, as ``_stim.tsv.gz``, or else that of ``start``.
         """
         name, _ = QFileDialog.getSaveFileName(self._window, title, str(start), kinds)
         if not name:
@@ -335,10 +324,7 @@ class FileActions(QObject):
         return path
 
     def note_written(self, path: Path, note: str = "") -> None:
-        """Remember the folder of a file that was written, and tell that all went well.
-
-        ``note`` is what else is to be said of it.
-        """
+        """Remember the folder of a file that was written, and report the file and ``note``."""
         self._note_folder(path)
         self.done.emit("; ".join(part for part in (f"Saved {named(path)}", note) if part))
 
@@ -347,7 +333,7 @@ class FileActions(QObject):
         self.folder_changed.emit(self._preferences.folder)
 
     def may_lose_changes(self) -> bool:
-        """Whether unsaved edits may go: there are none, they are saved now, or the user agrees."""
+        """Return whether no edits are unsaved, or they are saved now, or the user gives them up."""
         self.look_at_disk()
         if not self._document.modified:
             return True
@@ -355,11 +341,11 @@ class FileActions(QObject):
         return saved_or_given_up(self._window, "Unsaved design", question, self.save)
 
     def look_at_disk(self) -> None:
-        """Tell, once, that another program has changed or deleted the open file."""
+        """Report, once, that another program has changed or deleted the open file."""
         state, path = self._on_disk.state(), self._document.path
-        if path is None or state == self._told:
+        if path is None or state == self._reported:
             return
-        self._told = state
+        self._reported = state
         if state == "gone":
             self._document.mark_lost()
             self.failed.emit(
@@ -375,7 +361,7 @@ class FileActions(QObject):
 
     def _note_file(self, path: Path | None) -> None:
         self._on_disk.note(path)
-        self._told, self.suggested = "same", None
+        self._reported, self.suggested = "same", None
 
     def _may_overwrite(self, path: Path) -> bool:
         return self._on_disk.state() != "changed" or agreed(
@@ -387,11 +373,11 @@ class FileActions(QObject):
     def _save_to(self, path: Path) -> bool:
         document, other = self._document, self.held.take(path)
         if other is not None:
-            words = who_has(path, other)
-            if not may_have_ended(other):
-                self.failed.emit(f"{words}. Save the design under another name.")
+            reason = who_has(path, other)
+            if still_runs(other) is not None:
+                self.failed.emit(f"{reason}. Save the design under another name.")
                 return False
-            if not agreed(self._window, "Replace the file?", f"{words}. {_MAYBE_ENDED}"):
+            if not agreed(self._window, "Replace the file?", f"{reason}. {_MAYBE_ENDED}"):
                 return False
             self.held.take(path, from_other=True)
         try:
@@ -410,6 +396,6 @@ class FileActions(QObject):
 
 
 def _limb_to_start_on(document: Document) -> str:
-    """The one that is open, unless a scene brought it, or it is not here."""
+    """Return the open limb unless it belongs to a scene or is not installed, else the default."""
     limb = document.design.limb
     return limb if not document.scene and limb in available_limbs() else default_limb()

@@ -1,4 +1,8 @@
-"""What a file leaves open about a recording, as fields."""
+"""The form, the preview and the overview strip of the import page.
+
+The form asks what a file leaves open; the strip shows the whole recording, and the part that is
+imported is dragged in it.
+"""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -23,9 +27,9 @@ from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.plots.preview import SpectrumPreview, WaveformPreview
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
 
-#: Of a file that says none, until it is typed.
+#: Sample rate of a file that states none, until one is typed.
 ASSUMED_RATE_HZ = SAMPLE_RATE_HZ
-# Of a longer recording, its beginning to start with.
+# Recordings up to the first length are imported whole at first, of longer ones the beginning.
 _WHOLE_UP_TO_S, _BEGINNING_S = 60.0, 10.0
 _LONGEST_START_S = 1e6
 _STEADY = "steady"
@@ -68,22 +72,22 @@ _DURATION = NumberSpec(
 
 
 class ChoiceForm(QWidget):
-    """Asks only for what ``found`` leaves open; the rest is said by `given`."""
+    """Asks for what a file leaves open about a recording."""
 
-    #: The `ImportChoice` that is wanted now.
+    #: The present `ImportChoice`.
     changed = Signal(object)
 
     def __init__(self, contents: Found, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("import_form")
-        self._found = contents
+        self._contents = contents
         self._series = contents.signals()[0]
         self._choice = suggested(contents)
         self._lasts_s: float | None = None
         self._part_chosen = False
-        # How long the part shall be, also where less is left after its start.
-        self._wanted_s = _BEGINNING_S
-        # Keys of the other axes, by what is chosen.
+        # Chosen length of the part, also where less is left after its start.
+        self._part_s = _BEGINNING_S
+        # Keys of the other axes, by the option.
         self._others: dict[str, tuple[str, ...]] = {"": ()}
         self._signal, self._timing = ChoiceField(_SIGNAL), ChoiceField(_TIMING)
         self._axes = ChoiceField(_AXES)
@@ -116,38 +120,38 @@ class ChoiceForm(QWidget):
 
     @property
     def choice(self) -> ImportChoice:
-        """What is wanted now."""
+        """The present choice."""
         return self._choice
 
     @property
     def series(self) -> Series:
-        """The signal that is chosen."""
+        """The chosen signal."""
         return self._series
 
     @property
     def assumes_rate(self) -> bool:
-        """Whether a rate counts that neither the file nor the user has said."""
-        stated = self._found.rate_of(self._series) is not None
+        """Whether the rate is assumed: neither the file nor the user has stated it."""
+        stated = self._contents.rate_of(self._series) is not None
         return self._choice.time is None and not stated and not self._rate_typed
 
     @property
     def lasts_s(self) -> float | None:
-        """Length of the whole signal; None while only its time stamps know."""
+        """Length of the whole signal; None where it follows from time timestamps not read yet."""
         rate_hz = self._choice.rate_hz
         return self._lasts_s if rate_hz is None else self._series.n_samples / rate_hz
 
     def take_part(self, start_s: float, duration_s: float) -> None:
-        """Want another part, as a user does."""
+        """Choose another part, as a user does."""
         self._start.set_value(start_s)
         self._choose_part(max(duration_s, _DURATION.minimum))
 
     def show_length(self, lasts_s: float) -> None:
-        """Take over how long the whole signal is, and all of it unless a part was chosen."""
+        """Set the length of the whole signal, and choose all of it unless a part was chosen."""
         self._lasts_s = lasts_s
         self._start.set_spec(replace(_START, maximum=lasts_s))
         whole_s = max(lasts_s, _DURATION.minimum) if lasts_s <= _WHOLE_UP_TO_S else _BEGINNING_S
         if not self._part_chosen:
-            self._wanted_s = whole_s
+            self._part_s = whole_s
         before = self._choice
         self._fit()
         if self._choice != before:
@@ -155,8 +159,8 @@ class ChoiceForm(QWidget):
 
     def show_missing(self, n_missing: int) -> None:
         """Offer to count missing numbers as 0, where there are some."""
-        wanted = n_missing > 0 or self._missing.isChecked()
-        self._form.setRowVisible(self._missing, wanted)
+        visible = n_missing > 0 or self._missing.isChecked()
+        self._form.setRowVisible(self._missing, visible)
 
     def _lay_out(self) -> None:
         self._form = QFormLayout(self)
@@ -187,34 +191,34 @@ class ChoiceForm(QWidget):
         self._missing.toggled.connect(self._take_over)
 
     def _choose_signal(self, key: str) -> None:
-        series = self._found.one(key)
+        series = self._contents.one(key)
         if series is not None:
             self._take_series(series)
             self._take_over()
 
     def _take_series(self, series: Series) -> None:
-        """Show what the file says about a signal, and what is likely to be wanted."""
+        """Show a signal with the likeliest choice for it."""
         self._series = series
-        first = suggested(self._found, series)
-        stated = self._found.rate_of(series)
+        first = suggested(self._contents, series)
+        stated = self._contents.rate_of(series)
         self._rate_typed = self._part_chosen = False
         self._lasts_s = None
         others = [
             other
-            for other in self._found.series
+            for other in self._contents.series
             if other.n_samples == series.n_samples and other.key != series.key
         ]
-        # Columns that are not called time may be it, where nothing else says the rate.
-        stamps = [other for other in others if other.is_time or stated is None][:50]
+        # Without a stated rate, any column may hold the times, whatever its name.
+        timestamps = [other for other in others if other.is_time or stated is None][:50]
         steady = "At a steady rate" if stated is None else f"At {stated:g} Hz"
         _fill(
             self._form,
             self._timing,
-            [(_STEADY, steady), *((column.key, f"In {column.name}") for column in stamps)],
+            [(_STEADY, steady), *((column.key, f"In {column.name}") for column in timestamps)],
         )
-        axes = other_axes(self._found, series)
-        together = f"With {' and '.join(axis.name for axis in axes)}, as one (DFT321)"
-        offered = [(" ".join(axis.key for axis in axes), together)] if axes else []
+        axes = other_axes(self._contents, series)
+        combined = f"With {' and '.join(axis.name for axis in axes)}, as one (DFT321)"
+        offered = [(" ".join(axis.key for axis in axes), combined)] if axes else []
         _fill(self._form, self._axes, [("", f"{series.name} alone"), *offered])
         self._others = {"": (), **{key: tuple(axis.key for axis in axes) for key, _ in offered}}
         self._timing.set_value(first.time or _STEADY)
@@ -229,27 +233,27 @@ class ChoiceForm(QWidget):
         if known:
             self._start.set_spec(replace(_START, maximum=lasts_s))
         whole = known and lasts_s <= _WHOLE_UP_TO_S
-        self._wanted_s = max(lasts_s, _DURATION.minimum) if whole else _BEGINNING_S
+        self._part_s = max(lasts_s, _DURATION.minimum) if whole else _BEGINNING_S
         self._start.set_value(0.0)
         self._fit()
         self._show_rows()
 
     def _choose_part(self, length_s: float | None = None) -> None:
         self._part_chosen = True
-        self._wanted_s = self._wanted_s if length_s is None else length_s
+        self._part_s = self._part_s if length_s is None else length_s
         self._take_over()
 
     def _fit(self) -> None:
-        """Take over what the fields say; of the length no more than is left after the start."""
-        # How long all of it is depends on the rate that is chosen.
-        self._choice = self._wanted()
+        """Update the choice; the part is no longer than what is left after its start."""
+        # The length of the whole signal depends on the chosen rate.
+        self._choice = self._choice_in_fields()
         most_s = MOST_PART_S
         if self.lasts_s is not None:
             left_s = self.lasts_s - self._start.value_si
             most_s = min(max(left_s, _DURATION.minimum), MOST_PART_S)
         self._duration.set_spec(replace(_DURATION, maximum=most_s))
-        self._duration.set_value(min(self._wanted_s, most_s))
-        self._choice = self._wanted()
+        self._duration.set_value(min(self._part_s, most_s))
+        self._choice = self._choice_in_fields()
 
     def _take_over(self, *_: object, rate_typed: bool = False) -> None:
         self._rate_typed = self._rate_typed or rate_typed
@@ -259,20 +263,24 @@ class ChoiceForm(QWidget):
 
     def _show_rows(self) -> None:
         steady = self._timing.value == _STEADY
-        stated = self._found.rate_of(self._series) is not None
-        stamps = self._found.one(self._timing.value)
+        stated = self._contents.rate_of(self._series) is not None
+        timestamps = self._contents.one(self._timing.value)
         self._form.setRowVisible(self._rate, steady and not stated)
-        self._form.setRowVisible(self._time_unit, stamps is not None and not stamps.is_time)
+        self._form.setRowVisible(self._time_unit, timestamps is not None and not timestamps.is_time)
 
-    def _wanted(self) -> ImportChoice:
+    def _choice_in_fields(self) -> ImportChoice:
         timing = self._timing.value
-        stamps = self._found.one(timing)
-        unit_s = stamps.time_unit_s if stamps and stamps.is_time else float(self._time_unit.value)
-        stated = self._found.rate_of(self._series)
+        timestamps = self._contents.one(timing)
+        unit_s = (
+            timestamps.time_unit_s
+            if timestamps and timestamps.is_time
+            else float(self._time_unit.value)
+        )
+        stated = self._contents.rate_of(self._series)
         return ImportChoice(
             series=self._series.key,
-            rate_hz=None if stamps else (stated or self._rate.value_si),
-            time=stamps.key if stamps else None,
+            rate_hz=None if timestamps else (stated or self._rate.value_si),
+            time=timestamps.key if timestamps else None,
             time_unit_s=unit_s,
             unit=self._unit.value,
             scale="keep" if self._scale.value == "keep" else "peak",
@@ -286,16 +294,13 @@ class ChoiceForm(QWidget):
 
 def _fill(form: QFormLayout, field: ChoiceField, options: list[tuple[str, str]]) -> None:
     field.clear()
-    for option, words in options:
-        field.addItem(words, option)
+    for option, label in options:
+        field.addItem(label, option)
     form.setRowVisible(field, len(options) > 1)
 
 
-# What a recording will be: its waveform, its spectrum, and some numbers.
-
-
 class ImportPreview(QWidget):
-    """Shows a `Taken`, or a sentence that says why there is none."""
+    """Shows waveform, spectrum and numbers of a `Taken`, or why there is none."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -323,15 +328,15 @@ class ImportPreview(QWidget):
         column.addWidget(self._notes)
 
     @property
-    def words(self) -> str:
-        """All that is said below the pictures, or in their place."""
+    def text(self) -> str:
+        """The text below the pictures, or in their place."""
         return " ".join((self._waveform.words, self._numbers.text(), self._notes.text())).strip()
 
     def sizeHint(self) -> QSize:
         return QSize(440, 420)
 
     def show_taken(self, taken: Taken, choice: ImportChoice, band_hz: Band | None) -> None:
-        """Show what ``choice`` will import, and the band in which the limb was measured."""
+        """Show what ``choice`` imports, and the band in which the limb was measured."""
         samples = taken.samples
         rate = samples.sample_rate_hz
         self._waveform.show_samples(samples.values / (samples.peak or 1.0), rate)
@@ -347,20 +352,20 @@ class ImportPreview(QWidget):
         self._notes.setText(" ".join(taken.notes))
         self.set_pale(False)
 
-    def show_words(self, words: str) -> None:
-        """Show nothing, and say why."""
-        self._waveform.show_words(words)
+    def show_message(self, message: str) -> None:
+        """Show a message in place of the pictures."""
+        self._waveform.show_words(message)
         self._spectrum.show_samples(None)
         self._numbers.clear()
         self._notes.clear()
 
     def set_pale(self, pale: bool) -> None:
-        """Whether something newer is on its way."""
+        """Paint the waveform pale where it is out of date."""
         self._waveform.set_pale(pale)
 
 
 def _in_own_unit(samples: Samples, choice: ImportChoice) -> str:
-    """The peak in the unit of the file, where that is another acceleration: ``" (0.50 g)"``."""
+    """Return the peak in the file's unit of acceleration, if not m/s²: ``" (0.50 g)"``."""
     unit = UNITS[choice.unit]
     if choice.scale != "keep" or unit.factor == 1.0 or unit.derivatives:
         return ""
@@ -380,56 +385,54 @@ def _percent(share: float) -> str:
     return f"{100.0 * share:.1f} %" if share < 0.1 else f"{100.0 * share:.0f} %"
 
 
-# The part of a recording that is taken, dragged along a strip that shows all of it.
-
 _HANDLE_PX = 6
 _LEAST_PX = 3.0
 
 
-class TakenPart:
-    """A part of a recording, and what a drag makes of it.
+class DraggedPart:
+    """The part of a recording that is imported, and how drags in a strip change it.
 
     Parameters
     ----------
     longest_s
-        Of the part.
+        Longest part.
     width_px
-        How wide the strip is.
+        Returns the width of the strip.
 
     Attributes
     ----------
     start_s, end_s
         The part.
     lasts_s
-        How long the recording is.
+        Length of the recording.
     """
 
     def __init__(self, longest_s: float, width_px: Callable[[], int]) -> None:
         self._longest_s, self._width_px = longest_s, width_px
         self.start_s, self.end_s, self.lasts_s = 0.0, 1.0, 1.0
-        # What is dragged: an end, the part, or a new one; and where it was taken, s.
+        # What is dragged ("start", "end", "part" or "new"), and where it was gripped, s.
         self._held: tuple[str, float] | None = None
 
     def show(self, lasts_s: float, start_s: float, duration_s: float) -> None:
-        """Take over another part, of a recording of that length."""
+        """Set the part, and the length of the recording."""
         self.lasts_s = lasts_s
         self.start_s, self.end_s = start_s, min(start_s + duration_s, lasts_s)
 
     def take_all(self) -> None:
-        """Take all, as far as it may be taken."""
+        """Choose the whole recording, up to the longest part."""
         self.start_s, self.end_s = 0.0, min(self.lasts_s, self._longest_s)
 
     @property
     def held(self) -> bool:
-        """Whether it is dragged."""
+        """Whether a drag goes on."""
         return self._held is not None
 
     def hold(self, x_px: float) -> bool:
-        """Begin to drag there; whether the part came there already."""
+        """Begin a drag; return whether the part was moved by that."""
         end = self.end_at(x_px)
         if end:
             self._held = (end, 0.0)
-        elif self._all_is_taken:
+        elif self._is_whole:
             self._held = ("new", self._time_of(x_px))
         elif self.x_of(self.start_s) <= x_px <= self.x_of(self.end_s):
             self._held = ("part", self._time_of(x_px) - self.start_s)
@@ -439,7 +442,7 @@ class TakenPart:
         return False
 
     def drag(self, x_px: float) -> bool:
-        """Follow the pointer; whether there is a part to be told of."""
+        """Follow the pointer; return whether the part was changed."""
         held, offset_s = self._held or ("part", 0.0)
         start_s, end_s = self.start_s, self.end_s
         least_s = self.lasts_s / max(self._width_px(), 1)
@@ -461,52 +464,51 @@ class TakenPart:
         return True
 
     def let_go(self) -> None:
-        """The drag has ended."""
+        """End the drag."""
         self._held = None
 
     def x_of(self, time_s: float) -> float:
-        """Where a time lies, px."""
+        """Return the position of a time, px."""
         return self._width_px() * time_s / self.lasts_s
 
     def end_at(self, x_px: float) -> str:
-        """Which end of the part is meant there: "start" or "end"; empty for none."""
+        """Return the end of the part near a position: "start", "end" or ""."""
         ends = {"start": self.start_s, "end": self.end_s}
         near = [name for name, at_s in ends.items() if abs(self.x_of(at_s) - x_px) <= _HANDLE_PX]
         return near[-1] if near else ""
 
     @property
-    def _all_is_taken(self) -> bool:
+    def _is_whole(self) -> bool:
         return self.x_of(self.start_s) < 1.0 and self.x_of(self.end_s) > self._width_px() - 1.0
 
     def _time_of(self, x_px: float) -> float:
         return min(max(x_px / max(self._width_px(), 1), 0.0), 1.0) * self.lasts_s
 
 
-# All of a recording in a strip, and the part of it that is taken.
-
 _HEIGHT_PX = 44
 _SHADE_ALPHA = 46
 
 
 class OverviewStrip(QWidget):
-    """A drag moves the part, or one of its ends; where all is taken, it chooses a part.
+    """Shows a whole recording; a drag moves the imported part or one of its ends.
 
-    A double click takes all.
+    Where the part is the whole recording, a drag chooses a new part.  A double click chooses the
+    whole recording.
 
     Parameters
     ----------
     longest_s
-        Of the part.
+        Longest part.
     """
 
-    #: Start and length of the part that is wanted, s.
-    part_wanted = Signal(float, float)
+    #: Start and length of the chosen part, s.
+    part_chosen = Signal(float, float)
 
     def __init__(self, longest_s: float, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._extremes: Floats | None = None
         self._landmarks_s: Floats | None = None
-        self._part = TakenPart(longest_s, self.width)
+        self._part = DraggedPart(longest_s, self.width)
         self.setObjectName("import_overview")
         self.setAccessibleName("Whole recording; type the part in Start and Length")
         self.setToolTip(
@@ -521,16 +523,16 @@ class OverviewStrip(QWidget):
 
     @property
     def extremes(self) -> Floats | None:
-        """What is drawn, (2, columns)."""
+        """Least and largest values that are drawn, (2, columns)."""
         return self._extremes
 
     def show_extremes(self, extremes: Floats | None) -> None:
-        """Draw least and largest of each stretch, (2, columns); nothing while unknown."""
+        """Draw least and largest values, (2, columns); None: they are not known yet."""
         self._extremes = extremes
         self.update()
 
     def show_landmarks(self, landmarks_s: Floats | None) -> None:
-        """Take over when samples were that are evenly chosen among all; None: at a steady rate."""
+        """Set the times of samples spaced evenly by number; None: the rate is steady."""
         self._landmarks_s = landmarks_s
         self.update()
 
@@ -540,7 +542,7 @@ class OverviewStrip(QWidget):
         self.update()
 
     def x_of(self, time_s: float) -> float:
-        """Where a time lies, px."""
+        """Return the position of a time, px."""
         return self._part.x_of(time_s)
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -580,10 +582,10 @@ class OverviewStrip(QWidget):
     def _tell(self) -> None:
         self.update()
         start_s, end_s = self._part.start_s, self._part.end_s
-        self.part_wanted.emit(start_s, end_s - start_s)
+        self.part_chosen.emit(start_s, end_s - start_s)
 
     def _paint_extremes(self, painter: QPainter, extremes: Floats) -> None:
-        # An offset would leave no room for what is heard.
+        # An offset would leave little height for the signal.
         known = np.nan_to_num(extremes - np.nanmean(np.nan_to_num(extremes)))
         largest = max(float(np.abs(known).max()), np.finfo(np.float64).tiny)
         middle, reach = self.height() / 2.0, self.height() / 2.0 - 2.0

@@ -1,4 +1,7 @@
-"""Reads one foreign file for a page."""
+"""The page on which a recording is examined and chosen before it is placed in the design.
+
+A worker reads the file; the page shows what the file holds and what would be imported.
+"""
 
 from functools import partial
 from pathlib import Path
@@ -36,29 +39,29 @@ from skinsource_gui.pages.importing.form import (
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.engine import LatestWins
 
-# What takes longer is given up for what is wanted meanwhile.
+# Reading that takes longer is given up for a newer request.
 _PATIENCE_S = 0.5
 _BETWEEN_PROGRESS_S = 0.05
-# Stretches of the picture of all.
+# Columns of the picture of the whole recording.
 _COLUMNS = 600
 
 
 class ReadingWorker(LatestWins):
-    """Looks at a file, and takes parts of it; what need not be read again is not.
+    """Inspects a file and imports parts of it; samples in memory are not read again.
 
-    What failed is an `ImportChoice`, or None while the file is looked at.
+    ``failed`` names the `ImportChoice` that failed, or None for the inspection of the file.
 
     Parameters
     ----------
     path
         The file.
     to_hz
-        The rate of what is taken.
+        Sample rate of the imported parts.
     """
 
     #: `Found`.
     looked = Signal(object)
-    #: `RawPart`: what was read for the choice that is being worked on.
+    #: `RawPart` that was read for the present choice.
     read = Signal(object)
     #: `ImportChoice`, and its `Taken`.
     taken = Signal(object, object)
@@ -79,12 +82,12 @@ class ReadingWorker(LatestWins):
         self.want(None, self._look)
 
     def take(self, choice: ImportChoice) -> None:
-        """Take what ``choice`` means, instead of whatever was wanted before."""
+        """Import ``choice`` in place of the choice before."""
         self.want(choice, partial(self._import, choice))
 
     def survey(self, series: Series) -> None:
-        """Look at all of a series, once nothing else is wanted."""
-        self.want_besides(partial(self._look_at_all, series))
+        """Compute the picture of a whole series once nothing else is to be done."""
+        self.want_besides(partial(self._read_overview, series))
 
     def close(self) -> None:
         super().close()
@@ -98,20 +101,20 @@ class ReadingWorker(LatestWins):
         job = Job(f"Importing {self._path.name}", partial(self._take, choice))
         self.tell(self.taken, choice, job.run(self._progress(), self._stop()))
 
-    def _look_at_all(self, series: Series) -> None:
+    def _read_overview(self, series: Series) -> None:
         try:
             extremes = self._process.overview(
                 self._path, series.key, series.n_samples, _COLUMNS, stop=lambda: self.outdated
             )
         except SkinSourceError as error:
             if isinstance(error, Stopped):
-                raise  # later, unless it is closed
-            return  # what is wrong is said about the part
+                raise  # it is tried again later, unless the page is closed
+            return  # the import of the part reports the error
         self.tell(self.surveyed, series.key, extremes)
 
     def _take(self, choice: ImportChoice, *, progress: Progress, stop: Stop) -> Taken:
         if self._found is None:
-            raise Stopped  # nothing is taken before it is known what there is
+            raise Stopped  # the file was not inspected yet
         if self._raw is None or self._raw.read_for != read_for(choice):
             self._raw = None
             self._raw = read_part(
@@ -130,8 +133,7 @@ class ReadingWorker(LatestWins):
         until_s = monotonic() + _PATIENCE_S
 
         def stop() -> bool:
-            late = self.outdated and monotonic() > until_s
-            return self.closed or late
+            return self.closed or (self.outdated and monotonic() > until_s)
 
         return stop
 
@@ -147,24 +149,22 @@ class ReadingWorker(LatestWins):
         return tell
 
 
-# The page on which a recording is looked at and chosen, before it is placed.
-
 _LEFT_PX = 300
 _READING = "Reading…"
 _ASSUMED = f"The file does not say its sample rate; {ASSUMED_RATE_HZ:g} Hz is assumed."
 
 
 class ImportPage(QDialog):
-    """Shows what a file holds, asks what it leaves open, and shows what will come of it.
+    """Shows what a file holds, asks what it leaves open, and shows what will be imported.
 
     Parameters
     ----------
     path
         The file.
     limb
-        That of the design: its rate and band.
+        Limb of the design, with its rate and band.
     places
-        Name and words of each place it can go to, the likeliest one first.
+        Name and text of each place that the recording can go to, the likeliest one first.
     """
 
     #: `skinsource.design.waveforms.samples.Recording`; the name of its place.
@@ -207,21 +207,21 @@ class ImportPage(QDialog):
 
     @property
     def preview(self) -> ImportPreview:
-        """What is shown of the recording."""
+        """The preview of the recording."""
         return self._preview
 
     @property
     def busy(self) -> bool:
-        """Whether something is read or shown that was not asked for last."""
+        """Whether the latest choice is not shown yet."""
         return self._bar.isVisible()
 
     @property
     def ready(self) -> bool:
-        """Whether what is shown is what will be imported."""
+        """Whether the latest choice is shown and can be imported."""
         return self._import_button.isEnabled()
 
     def done(self, result: int) -> None:
-        """Close it, with or without a recording."""
+        """Close the page, with or without a recording."""
         taken, place = self._taken, self._place.value
         self._worker.close()
         super().done(result)
@@ -243,7 +243,7 @@ class ImportPage(QDialog):
         self._bar.setAccessibleName("Progress of reading")
         self._bar.setTextVisible(False)
         self._bar.setRange(0, 0)
-        # Room is kept for it, so that nothing moves.
+        # The hidden bar keeps its room, so that nothing moves.
         policy = self._bar.sizePolicy()
         policy.setRetainSizeWhenHidden(True)
         self._bar.setSizePolicy(policy)
@@ -271,11 +271,11 @@ class ImportPage(QDialog):
         rows.addLayout(columns, 1)
         rows.addWidget(self._bar)
         rows.addWidget(self._buttons)
-        self._preview.show_words(_READING)
+        self._preview.show_message(_READING)
 
     def _connect(self) -> None:
         worker = self._worker
-        worker.looked.connect(self._show_found)
+        worker.looked.connect(self._show_contents)
         worker.read.connect(self._show_read)
         worker.taken.connect(self._show_taken)
         worker.surveyed.connect(self._show_overview)
@@ -284,15 +284,15 @@ class ImportPage(QDialog):
         self._buttons.accepted.connect(self.accept)
         self._buttons.rejected.connect(self.reject)
 
-    def _show_found(self, contents: Found) -> None:
+    def _show_contents(self, contents: Found) -> None:
         self._about.setText(about(contents))
         self._form = ChoiceForm(contents, self)
-        self._form.changed.connect(self._want)
+        self._form.changed.connect(self._import)
         self._left.insertWidget(2, self._form)
-        self._strip.part_wanted.connect(self._form.take_part)
-        self._want(self._form.choice)
+        self._strip.part_chosen.connect(self._form.take_part)
+        self._import(self._form.choice)
 
-    def _want(self, choice: ImportChoice) -> None:
+    def _import(self, choice: ImportChoice) -> None:
         self._taken = None
         self._import_button.setEnabled(False)
         self._warning.setVisible(self._form is not None and self._form.assumes_rate)
@@ -334,13 +334,13 @@ class ImportPage(QDialog):
         self._import_button.setEnabled(True)
         self._import_button.setDefault(True)
 
-    def _show_failed(self, choice: ImportChoice | None, words: str) -> None:
+    def _show_failed(self, choice: ImportChoice | None, reason: str) -> None:
         if choice is None:
             self._about.setText("This file cannot be imported.")
         elif self._form is None or choice != self._form.choice:
             return
         self._bar.hide()
-        self._preview.show_words(words)
+        self._preview.show_message(reason)
 
     def _show_progress(self, done: int, total: int) -> None:
         self._bar.setRange(0, 1000)
@@ -348,16 +348,16 @@ class ImportPage(QDialog):
 
 
 def about(contents: Found) -> str:
-    """What a file says about itself, in a few lines."""
+    """Return a few lines on the content of a file."""
     signals = contents.signals()
     signal = signals[0]
     rate_hz = contents.rate_of(signal)
     many = f"{len(signals)} signals" if len(signals) > 1 else "one signal"
-    words = [f"{contents.format}, {many} of {counted(signal.n_samples, 'sample')}"]
+    facts = [f"{contents.format}, {many} of {counted(signal.n_samples, 'sample')}"]
     if rate_hz is not None:
-        words.append(f"{rate_hz:g} Hz, {signal.n_samples / rate_hz:.4g} s")
+        facts.append(f"{rate_hz:g} Hz, {signal.n_samples / rate_hz:.4g} s")
     if signal.unit:
-        words.append(f"in {signal.unit}")
+        facts.append(f"in {signal.unit}")
     # Numbers stay with their units.
-    facts = ", ".join(fact.replace(" Hz", "\u00a0Hz").replace(" s", "\u00a0s") for fact in words)
-    return facts + "." + "".join(f"\n{note}" for note in contents.notes[:3])
+    text = ", ".join(fact.replace(" Hz", "\u00a0Hz").replace(" s", "\u00a0s") for fact in facts)
+    return text + "." + "".join(f"\n{note}" for note in contents.notes[:3])

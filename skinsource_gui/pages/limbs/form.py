@@ -1,4 +1,4 @@
-"""The limb that is being put together on the page."""
+"""The draft of an own limb, and the form, the canvas and the reader of the page that edits it."""
 
 import dataclasses
 from collections.abc import Callable
@@ -51,29 +51,31 @@ _NO_POINTS, _TURN = np.empty((0, 2)), np.array((1.0, -1.0))
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Draft:
-    """Files and values as they are chosen.
+    """Files, points and values of a limb, as far as they are chosen.
 
     Attributes
     ----------
     responses
-        Where the responses are; None: not chosen yet.
+        File of the responses; None: not chosen yet.
     shape
-        Of the responses, inputs, outputs, axes and taps, as far as the file says; None: unknown.
+        Shape of the responses: inputs, outputs, axes and taps; None: not known.
     in_layout
-        Whether the file says all that is needed.
+        Whether the file is in the layout of limbs, which states all that is needed.
     outline, inputs, outputs
         Points, (n, 2), as they are drawn: x right, y down where there is a photograph, else up.
     hand
         The two ends of the length of the hand, (n, 2), clicked on a photograph.
     y_down
         Whether y points down: points are pixels of a photograph.
-    tables, turned
-        What of these points comes from files; whether y was turned in it, since the outline is an
-        SVG, where y points down, and the tables beside it are taken to do as it does.
+    tables
+        Which of these points come from files.
+    turned
+        Whether y of these files was turned: the outline is an SVG, where y points down, and the
+        tables are assumed to follow it.
     input_names, output_names
         From tables.
     values
-        What is typed: fields of `skinsource.limbs.own_limbs.OwnLimb`.
+        Typed values: fields of `skinsource.limbs.own_limbs.OwnLimb`.
     """
 
     responses: Path | None = None
@@ -92,13 +94,13 @@ class Draft:
     values: dict[str, Any] = dataclasses.field(default_factory=dict)
 
     def with_point(self, what: str, point: tuple[float, float]) -> "Draft":
-        """With one more point of ``what``: a third end of the hand takes the place of the first."""
+        """Return a draft with one more point; a third end of the hand replaces the first."""
         points = np.vstack((getattr(self, what), [point]))
         changed: dict[str, Any] = {what: points[-2:] if what == "hand" else points}
         return replace(self, **changed)
 
     def with_file(self, what: str, points: Floats, *, y_down: bool) -> "Draft":
-        """With the points of a file, whose y points down or, as far as it says, up."""
+        """Return a draft with the points of a file, whose y points down or up."""
         if self.y_down:
             # Pixels of the photograph.
             as_clicked: dict[str, Any] = {what: points}
@@ -110,7 +112,7 @@ class Draft:
         return replace(self, tables=self.tables | {what}, turned=turned, **changed)
 
     def with_array(self, path: Path) -> "Draft":
-        """With an array for responses: what a file in the layout said of its own ones goes."""
+        """Return a draft with an array of responses, without the points of a file in the layout."""
         nothing: dict[str, Any] = {"responses": path, "shape": None, "in_layout": False}
         if self.in_layout and not self.y_down:
             for what in {"outline", "inputs", "outputs"} - self.tables:
@@ -118,11 +120,11 @@ class Draft:
         return replace(self, **nothing)
 
     def without_last(self, what: str) -> "Draft":
-        """Without the last point of ``what``."""
+        """Return a draft without the last point of ``what``."""
         return replace(self, **{what: getattr(self, what)[:-1]})
 
     def source(self) -> LimbSource:
-        """What is imported; where nothing was chosen, the file's own values stand."""
+        """Return what is imported; the file's own values count where nothing was chosen."""
         if self.responses is None:
             raise ValueError("no responses are chosen")
         values = dict(self.values)
@@ -142,12 +144,12 @@ class Draft:
         )
 
     def missing(self) -> str:
-        """What is still to be done, in a sentence; empty: it can be tried."""
+        """Return what is still to be done, as a sentence; empty: the limb can be imported."""
         if self.responses is None:
             return "Choose the file of the responses."
         placed = (self.inputs, self.outputs, self.outline, self.hand)
         if self.in_layout and self.y_down and not any(map(len, placed)):
-            # Nothing was clicked on the photograph: what the file says stands.
+            # Nothing was clicked on the photograph, so the points of the file count.
             return ""
         if not self.values.get("name"):
             return "Give the limb a name."
@@ -156,9 +158,9 @@ class Draft:
             axes_there = f"{self.shape[2]} ax{'is' if self.shape[2] == 1 else 'es'}"
             return f"The responses have {axes_there}; choose as many."
         for what, index in (("inputs", 0), ("outputs", 1)):
-            n, wanted = len(getattr(self, what)), self.shape[index] if self.shape else 0
-            if wanted and n != wanted:
-                return f"{n} of {wanted} {what} have a place: click them, or open a table."
+            n, expected = len(getattr(self, what)), self.shape[index] if self.shape else 0
+            if expected and n != expected:
+                return f"{n} of {expected} {what} have a place: click them, or open a table."
         if self.in_layout and len(self.outline) < 3:
             return "Click the corners of the outline: the file's has another unit."
         if self.y_down and len(self.hand) != 2:
@@ -166,17 +168,15 @@ class Draft:
         return ""
 
 
-# The photograph, the outline and the places, as they lie; places are clicked here.
-
 _RADIUS_PX, _DOT_PX = 8.0, 4.0
-# In a crowd a mark takes this share of the way to the nearest one of its kind, but stays to be
-# seen; numbers stand in those that are not smaller than this.
+# Radius of a mark in a crowd, as a share of the distance to the nearest mark of its kind; its least
+# radius; and the least radius of a mark with a number.
 _OF_SPACING, _CROWDED_PX, _NUMBERED_PX = 0.44, 2.0, 7.0
 _NOTHING = "Outline and places appear here. Open a photograph to click them."
 
 
 class PlacesCanvas(QWidget):
-    """Shows a draft; tells where it was clicked, in the coordinates of the draft."""
+    """Shows photograph, outline and places of a draft, and emits clicks in its coordinates."""
 
     #: x, y
     clicked = Signal(float, float)
@@ -190,7 +190,7 @@ class PlacesCanvas(QWidget):
         self.setMinimumSize(260, 320)
 
     def show_photograph(self, photograph: QImage) -> None:
-        """Lay a photograph under the places."""
+        """Show a photograph under the places."""
         self._photograph = photograph
         can_click = not photograph.isNull()
         self.setCursor(Qt.CursorShape.CrossCursor if can_click else Qt.CursorShape.ArrowCursor)
@@ -217,7 +217,7 @@ class PlacesCanvas(QWidget):
             self.clicked.emit(at.x(), at.y())
 
     def place_of(self, x: float, y: float) -> QPointF:
-        """Where a point of the draft is on the screen."""
+        """Return the position of a point of the draft on the screen."""
         return self._transform().map(QPointF(x, y))
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -289,7 +289,7 @@ class PlacesCanvas(QWidget):
         return QRectF(QPointF(*low), QPointF(*np.maximum(high, low + 1e-6)))
 
     def _transform(self) -> QTransform:
-        """From the coordinates of the draft to pixels."""
+        """Return the transform from the coordinates of the draft to pixels."""
         bounds = self._bounds()
         room = QRectF(self.rect()).adjusted(UNIT_PX, UNIT_PX, -UNIT_PX, -UNIT_PX)
         if bounds.isEmpty():
@@ -304,14 +304,12 @@ class PlacesCanvas(QWidget):
 
 
 def spacing_of(points: Floats) -> Floats:
-    """From each point to the nearest other one, (n,); infinite where there is none."""
-    apart = np.linalg.norm(points[:, None] - points[None], axis=-1)
-    apart[np.isnan(apart)] = np.inf
-    np.fill_diagonal(apart, np.inf)
-    return np.asarray(apart.min(axis=1, initial=np.inf))
+    """Return the distance of each point to the nearest other, (n,); infinite where none is."""
+    distances = np.linalg.norm(points[:, None] - points[None], axis=-1)
+    distances[np.isnan(distances)] = np.inf
+    np.fill_diagonal(distances, np.inf)
+    return np.asarray(distances.min(axis=1, initial=np.inf))
 
-
-# What a limb is called, how it was measured, and which file says what.
 
 _AXES = ChoiceSpec(
     label="Axes",
@@ -350,7 +348,7 @@ _NUMBERS = {
     ),
 }
 _BAND = ("lowest_hz", "highest_hz")
-# A length is in metres here, as all that fields hold.
+# Number fields hold lengths in metres.
 _METRES = 1e-3
 _STARTS = {"sample_rate_hz": 4000.0, "hand_length_mm": 0.18}
 _FILES = {
@@ -361,7 +359,7 @@ _FILES = {
     "photograph": ("Photograph", "A picture on which places are clicked"),
 }
 
-# What a file in the layout fills, and what is in it.
+# Fields that a file in the layout fills, and their values.
 _Field = QLineEdit | NumberField | ChoiceField | QCheckBox
 _Value = str | float | bool
 
@@ -375,18 +373,12 @@ def _value_of(field: _Field) -> _Value:
 
 
 class LimbForm(QObject):
-    """The fields at the left of the page.
+    """Fields for the name, the measurement and the files of a limb, in ``widget``."""
 
-    Attributes
-    ----------
-    widget
-        Where they stand.
-    """
-
-    #: Something else was typed or chosen.
+    #: A value was typed or chosen.
     changed = Signal()
-    #: A file is wanted for this: "responses", "outline", "inputs", "outputs", "photograph".
-    file_wanted = Signal(str)
+    #: A file is to be chosen: "responses", "outline", "inputs", "outputs" or "photograph".
+    file_requested = Signal(str)
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -399,31 +391,31 @@ class LimbForm(QObject):
         self.axes = ChoiceField(_AXES)
         self.axes.set_value(_STARTING_AXES)
         self.numbers = {name: NumberField(spec) for name, spec in _NUMBERS.items()}
-        # What a file said, by its field: it goes with that file, unless it was changed since.
-        self._said: dict[_Field, _Value] = {}
+        # Values from a file, by field: they go with that file unless they were changed since.
+        self._from_file: dict[_Field, _Value] = {}
         self.left, self.mirrored = QCheckBox("Left hand"), QCheckBox("Show mirrored")
         self.synthetic = QCheckBox("Computed, not measured")
         self.mirrored.setToolTip(tooltip("Show mirrored", "A left hand as a right one"))
         self._lay_out()
 
-    def show_file(self, what: str, words: str) -> None:
-        """Say which file was chosen."""
-        self._chosen[what].setText(words)
+    def show_file(self, what: str, text: str) -> None:
+        """Show which file was chosen."""
+        self._chosen[what].setText(text)
 
     def show_header(self, header: dict[str, Any]) -> None:
-        """Take over what a file in the layout says; all of it can still be changed."""
+        """Show the values of a file in the layout; all of them can be changed."""
         for field, key in ((self.name, "name"), (self.title, "title"), (self.note, "note")):
             field.setText(str(header[key]))
         self.axes.set_value(str(header["axes"]))
-        said = {**header, **dict(zip(_BAND, header["band_hz"] or (0.0, 0.0), strict=True))}
+        values = {**header, **dict(zip(_BAND, header["band_hz"] or (0.0, 0.0), strict=True))}
         for name, field in self.numbers.items():
-            field.set_value(float(said[name]) * (_METRES if name == "hand_length_mm" else 1.0))
+            field.set_value(float(values[name]) * (_METRES if name == "hand_length_mm" else 1.0))
         self.left.setChecked(header["hand"] == "left")
         self.synthetic.setChecked(bool(header["synthetic"]))
-        self._said = {field: _value_of(field) for field in self._filled()}
+        self._from_file = {field: _value_of(field) for field in self._filled()}
 
     def show_plain(self, in_layout: bool, path: Path) -> None:
-        """Ask for what an array does not say."""
+        """Ask for the values that an array does not state."""
         self._rows.setRowVisible(self.order, not in_layout)
         if in_layout:
             return
@@ -431,15 +423,15 @@ class LimbForm(QObject):
         if not self.name.text():
             stem = "".join(letter if letter.isalnum() else "-" for letter in path.stem.lower())
             self.name.setText(stem.strip("-0123456789")[:40])
-            self._said[self.name] = self.name.text()
+            self._from_file[self.name] = self.name.text()
 
     def _filled(self) -> tuple[_Field, ...]:
-        """What a file in the layout fills."""
+        """Return the fields that a file in the layout fills."""
         lines = self.name, self.title, self.note
         return *lines, self.axes, *self.numbers.values(), self.left, self.synthetic
 
     def _forget_file(self) -> None:
-        unchanged = {field for field in self._said if _value_of(field) == self._said[field]}
+        unchanged = {field for field, value in self._from_file.items() if _value_of(field) == value}
         for line in (self.name, self.title, self.note):
             if line in unchanged:
                 line.clear()
@@ -451,10 +443,10 @@ class LimbForm(QObject):
         for box in (self.left, self.synthetic):
             if box in unchanged:
                 box.setChecked(False)
-        self._said = {}
+        self._from_file = {}
 
     def values(self) -> dict[str, Any]:
-        """Fields of `skinsource.limbs.own_limbs.OwnLimb` as they are typed."""
+        """Return the typed fields of `skinsource.limbs.own_limbs.OwnLimb`."""
         numbers = {name: field.value_si for name, field in self.numbers.items()}
         numbers["hand_length_mm"] /= _METRES
         lowest_hz, highest_hz = (numbers.pop(name) for name in _BAND)
@@ -515,10 +507,10 @@ class LimbForm(QObject):
         return take
 
     def _add_file(self, what: str) -> None:
-        words, hint = _FILES[what]
+        label, hint = _FILES[what]
         button: QPushButton = page_button(f"choose_{what}", "Choose…", hint)
-        button.setAccessibleName(f"Choose {words.lower()}")
-        button.clicked.connect(lambda: self.file_wanted.emit(what))
+        button.setAccessibleName(f"Choose {label.lower()}")
+        button.clicked.connect(lambda: self.file_requested.emit(what))
         chosen = QLabel("none")
         chosen.setObjectName(f"chosen_{what}")
         set_tone(chosen, "dim")
@@ -526,24 +518,21 @@ class LimbForm(QObject):
         row = QHBoxLayout()
         row.addWidget(button)
         row.addWidget(chosen, 1)
-        self._rows.addRow(words, row)
-
-
-# Reads what belongs to a limb away from the GUI thread, in child processes with limits.
+        self._rows.addRow(label, row)
 
 
 class LimbReader(QObject):
-    """Looks at responses, and reads outlines and places; one file after another."""
+    """Reads files of a limb one after another, in a thread and in child processes with limits."""
 
-    #: Path, and what the file says: ``header`` and ``arrays``.
+    #: Path, and content of the file: ``header`` and ``arrays``.
     looked = Signal(object, object)
     #: Path, what it is for ("outline", "inputs", "outputs"), and `Points`.
     read = Signal(object, str, object)
     #: Path of a photograph, and the picture, `QImage`.
     pictured = Signal(object, object)
-    #: A sentence.
+    #: Why a file could not be read, as a sentence.
     failed = Signal(str)
-    _told = Signal(object, object)  # from the worker thread: a signal and its arguments
+    _finished = Signal(object, object)  # from the worker thread: a signal and its arguments
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -551,7 +540,7 @@ class LimbReader(QObject):
         self._pictures = photograph.reading_process()
         self._pool = ThreadPoolExecutor(1, thread_name_prefix="skinsource-limb")
         self._waiting = 0
-        self._told.connect(self._tell, Qt.ConnectionType.QueuedConnection)
+        self._finished.connect(self._emit, Qt.ConnectionType.QueuedConnection)
 
     @property
     def busy(self) -> bool:
@@ -559,13 +548,8 @@ class LimbReader(QObject):
         return self._waiting > 0
 
     def look(self, path: Path) -> None:
-        """Find out what a file of responses says."""
-        self._do(
-            lambda: (
-                self.looked,
-                (path, self._process.ask(path, {"do": "limb"})["limb"]),
-            )
-        )
+        """Read header and shapes of a file of responses."""
+        self._do(lambda: (self.looked, (path, self._process.ask(path, {"do": "limb"})["limb"])))
 
     def read_points(self, path: Path, what: str) -> None:
         """Read an outline, or places."""
@@ -576,7 +560,7 @@ class LimbReader(QObject):
         self._do(lambda: (self.pictured, (path, photograph.read(path, self._pictures))))
 
     def end(self) -> None:
-        """Give up what is being read."""
+        """Stop reading."""
         self._process.close()
         self._pictures.close()
         self._pool.shutdown(wait=True, cancel_futures=True)
@@ -586,13 +570,13 @@ class LimbReader(QObject):
 
         def run() -> None:
             try:
-                told = work()
+                outcome = work()
             except SkinSourceError as error:
-                told = self.failed, (str(error),)
-            self._told.emit(*told)
+                outcome = self.failed, (str(error),)
+            self._finished.emit(*outcome)
 
         self._pool.submit(run)
 
-    def _tell(self, signal: Any, arguments: tuple[Any, ...]) -> None:
+    def _emit(self, signal: Any, arguments: tuple[Any, ...]) -> None:
         self._waiting -= 1
         signal.emit(*arguments)

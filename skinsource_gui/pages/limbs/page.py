@@ -1,6 +1,8 @@
-"""Questions before an own limb is lost."""
+"""File > Own limbs: a limb is put together from a lab's files and clicks, and imported.
 
-from collections.abc import Callable
+The page also lists the limbs that were imported; they can be mirrored, exported and removed there.
+"""
+
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -31,7 +33,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.limbs.form import Draft, LimbForm, LimbReader, PlacesCanvas
 from skinsource_gui.qt.asking import agreed
-from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 from skinsource_gui.state.preferences import InstalledLimbs
@@ -41,72 +43,69 @@ _LOST = "Its responses cannot be had back from here"
 
 
 def may_replace(parent: QWidget, name: str) -> bool:
-    """Whether the user gives up the limb of this name for the one that is imported."""
+    """Return whether the user gives up the limb of this name for the one that is imported."""
     return agreed(
         parent,
         "Replace a limb",
-        f"Replace {_words(name)}? {_LOST}, and its designs open read-only unless the new one has "
-        "the same numbers.",
+        f"Replace {_limb_text(name)}? {_LOST}, and its designs open read-only unless the new one "
+        "has the same numbers.",
         otherwise=_NO,
     )
 
 
 def may_remove(parent: QWidget, name: str) -> bool:
-    """Whether the user gives up the limb of this name."""
+    """Return whether the user gives up the limb of this name."""
     return agreed(
         parent,
         "Remove a limb",
-        f"Remove {_words(name)}? {_LOST}, and its designs open read-only.",
+        f"Remove {_limb_text(name)}? {_LOST}, and its designs open read-only.",
         otherwise=_NO,
     )
 
 
-def _words(name: str) -> str:
+def _limb_text(name: str) -> str:
     title = facts_of(name).title
     return f"“{name}”" if title == name else f"“{title}” ({name})"
 
-
-# The limbs that were imported, and what can be done with each.
 
 _NONE = "No limb was imported yet."
 _DAMAGED = "Damaged: import it again."
 
 
 class OwnList(QWidget):
-    """Lists them; mirrors, exports and removes the chosen one."""
+    """Lists the imported limbs; mirrors, exports and removes the chosen one."""
 
-    #: Other limbs are there now, or one looks different.
+    #: A limb was removed.
     changed = Signal()
     #: A `Job`.
-    job_wanted = Signal(object)
+    job_requested = Signal(object)
     #: A sentence.
     failed = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.list, self.words = QListWidget(), QLabel()
+        self.list, self.message = QListWidget(), page_label("own_limb_words")
         self.list.setObjectName("own_limbs")
         self.list.setAccessibleName("Imported limbs")
         self.list.setMaximumHeight(96)
-        self.words.setObjectName("own_limb_words")
-        self.words.setWordWrap(True)
+
         self._mirror = page_button("mirror_limb", "Mirror", "Show a left hand as a right one")
         self._export = page_button("export_limb", "Export…", "Write it as docs/limbs.md says")
         self._remove = page_button("remove_limb", "Remove", "Delete it from this computer")
         row = QHBoxLayout()
-        for button, wanted in (
+        for button, action in (
             (self._mirror, self._turn),
             (self._export, self._ask_and_export),
             (self._remove, self._delete),
         ):
-            button.clicked.connect(wanted)
+            button.clicked.connect(action)
             row.addWidget(button)
         row.addStretch(1)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(UNIT_PX // 2)
         column.addWidget(self.list)
-        column.addWidget(self.words)
+        column.addWidget(self.message)
         column.addLayout(row)
         self.list.currentRowChanged.connect(self._show_chosen)
         self.show_limbs()
@@ -118,7 +117,7 @@ class OwnList(QWidget):
         return names[row] if 0 <= row < len(names) else ""
 
     def show_limbs(self, name: str = "") -> None:
-        """List them anew, and choose ``name``."""
+        """List the limbs again, and choose ``name``."""
         names = own_limb_names()
         self.list.clear()
         for limb in names:
@@ -130,64 +129,53 @@ class OwnList(QWidget):
         self._show_chosen()
 
     def _turn(self) -> None:
-        # All of it is written again.
+        # A job, since mirroring writes the whole limb again.
         name = self.chosen
         turned = not facts_of(name).mirrored
-        self.job_wanted.emit(Job(f"Mirroring {name}", partial(mirror_limb, name, turned)))
+        self.job_requested.emit(Job(f"Mirroring {name}", partial(mirror_limb, name, turned)))
 
     def _delete(self) -> None:
         name = self.chosen
         if not may_remove(self, name):
             return
-        self._try(lambda: remove_limb(name))
+        try:
+            remove_limb(name)
+        except SkinSourceError as error:
+            self.failed.emit(str(error))
+        self.changed.emit()
         self.show_limbs()
 
     def _ask_and_export(self) -> None:
         name = self.chosen
         path, _ = QFileDialog.getSaveFileName(self, "Export limb", f"{name}.h5", "HDF5 (*.h5)")
         if path:
-            self.job_wanted.emit(Job(f"Exporting {name}", partial(export_limb, name, Path(path))))
-
-    def _try(self, work: Callable[[], object]) -> None:
-        try:
-            work()
-        except SkinSourceError as error:
-            self.failed.emit(str(error))
-        self.changed.emit()
+            work = partial(export_limb, name, Path(path))
+            self.job_requested.emit(Job(f"Exporting {name}", work))
 
     def _show_chosen(self) -> None:
         name = self.chosen
         facts = facts_of(name) if name else None
-        self.words.setText(_NONE if facts is None else facts.sentence or _DAMAGED)
+        self.message.setText(_NONE if facts is None else facts.sentence or _DAMAGED)
         for button in (self._mirror, self._export, self._remove):
             button.setEnabled(facts is not None and (facts.known or button is self._remove))
         mirrored = facts is not None and facts.mirrored
         self._mirror.setText("Do not mirror" if mirrored else "Mirror")
 
 
-# What the page is called, and the job that it starts.
-
 TITLE = "Own limbs"
 IMPORTING = "Importing a limb"
 
 
-# The jobs of the page, which stands in front of the bar where others are cancelled.
-
-
 class PageJobs(QObject):
-    """Hands jobs to the runner, and tells what becomes of them.
+    """Adds jobs of the page to the runner, and emits what becomes of them.
 
-    An import that an earlier page began belongs to it too.
-
-    Parameters
-    ----------
-    runner
-        Who carries them out.
+    The page covers the bar where other jobs are cancelled.  An import that an earlier page began is
+    one of its jobs too.
     """
 
-    #: How far the present one is, in words.
-    told = Signal(str)
-    #: There is one more of them, or one fewer.
+    #: Progress of the present job, as a text.
+    progressed = Signal(str)
+    #: A job was added, or has ended.
     changed = Signal()
     #: The job, and its result.
     done = Signal(object, object)
@@ -198,7 +186,7 @@ class PageJobs(QObject):
     def __init__(self, runner: JobRunner, parent: QObject) -> None:
         super().__init__(parent)
         self._runner = runner
-        self._own = [job for job in runner.unfinished if job.title == IMPORTING]
+        self._jobs = [job for job in runner.unfinished if job.title == IMPORTING]
         runner.progressed.connect(self._note_progress)
         runner.done.connect(self._note_done)
         runner.failed.connect(self._note_failed)
@@ -206,25 +194,25 @@ class PageJobs(QObject):
 
     @property
     def busy(self) -> bool:
-        """Whether one of them is not finished."""
-        return bool(self._own)
+        """Whether a job is not finished."""
+        return bool(self._jobs)
 
     def add(self, job: Job[Any]) -> None:
-        """Have a job carried out."""
-        self._own.append(job)
-        self.told.emit(f"{job.title}…")
+        """Run a job."""
+        self._jobs.append(job)
+        self.progressed.emit(f"{job.title}…")
         self.changed.emit()
         self._runner.add(job)
 
     def cancel(self) -> None:
-        """Stop all of them."""
-        for job in tuple(self._own):
+        """Cancel all jobs of the page."""
+        for job in tuple(self._jobs):
             self._runner.cancel(job)
 
     def _note_progress(self, job: Job[Any], progress: JobProgress) -> None:
-        if job in self._own and progress.total:
+        if job in self._jobs and progress.total:
             share = 100 * progress.done // progress.total
-            self.told.emit(f"{job.title}: {share} %")
+            self.progressed.emit(f"{job.title}: {share} %")
 
     def _note_done(self, job: Job[Any], result: object) -> None:
         if self._ended(job):
@@ -239,14 +227,12 @@ class PageJobs(QObject):
             self.cancelled.emit()
 
     def _ended(self, job: Job[Any]) -> bool:
-        if job not in self._own:
+        if job not in self._jobs:
             return False
-        self._own.remove(job)
+        self._jobs.remove(job)
         self.changed.emit()
         return True
 
-
-# File > Own limbs: from a lab's files, and clicks on a photograph, to a limb.
 
 _CLICKS = ChoiceSpec(
     label="A click places",
@@ -268,13 +254,7 @@ _KINDS = {
 
 
 class LimbPage(QDialog):
-    """Puts a limb together and imports it; lists those that were imported.
-
-    Parameters
-    ----------
-    runner, limbs
-        Who imports, and who knows which limbs there are.
-    """
+    """Puts a limb together and imports it; lists the limbs that were imported."""
 
     def __init__(
         self,
@@ -295,9 +275,7 @@ class LimbPage(QDialog):
         self.click.setObjectName("click_places")
         self.click.set_value("inputs")
         self._back = page_button("remove_last", "Take back", "Remove the point clicked last")
-        self._words = QLabel()
-        self._words.setObjectName("limb_words")
-        self._words.setWordWrap(True)
+        self._message = page_label("limb_words")
         self._import = page_button("import_limb", "Import", "Check all of it, and keep it")
         self._cancel = page_button("cancel_import", "Cancel", "Stop it; nothing is kept of it")
         self._close = page_button("close_page", "Close", "Close; an import goes on")
@@ -316,14 +294,14 @@ class LimbPage(QDialog):
         clicks.addWidget(self._back)
         ends = QHBoxLayout()
         ends.addStretch(1)
-        # Left of it, so that a double click on Import does not cancel it.
+        # Cancel is left of Import, so that a double click on Import does not cancel the import.
         ends.addWidget(self._cancel)
         ends.addWidget(self._import)
         ends.addWidget(self._close)
         right = QVBoxLayout()
         right.addLayout(clicks)
         right.addWidget(self.canvas, 1)
-        right.addWidget(self._words)
+        right.addWidget(self._message)
         right.addLayout(ends)
         columns = QHBoxLayout(self)
         columns.setSpacing(2 * UNIT_PX)
@@ -332,7 +310,7 @@ class LimbPage(QDialog):
 
     def _connect(self) -> None:
         self.form.changed.connect(self._show)
-        self.form.file_wanted.connect(self._ask)
+        self.form.file_requested.connect(self._ask)
         self.reader.looked.connect(self._take_responses)
         self.reader.read.connect(self._take_points)
         self.reader.pictured.connect(self._take_photograph)
@@ -345,22 +323,22 @@ class LimbPage(QDialog):
         self._close.clicked.connect(self.close)
         self.own.changed.connect(self._limbs.look)
         self.own.failed.connect(self._complain)
-        self.own.job_wanted.connect(self._jobs.add)
+        self.own.job_requested.connect(self._jobs.add)
         self._cancel.clicked.connect(self._jobs.cancel)
         self._jobs.changed.connect(self._show)
-        self._jobs.told.connect(self._say)
+        self._jobs.progressed.connect(self._say)
         self._jobs.done.connect(self._note_done)
         self._jobs.failed.connect(self._complain)
         self._jobs.cancelled.connect(lambda: self._say("Cancelled. Nothing was changed."))
         self.finished.connect(lambda _: self.reader.end())
 
     def open_file(self, path: Path, what: str) -> None:
-        """Take a file for ``what``."""
+        """Read a file for ``what``."""
         if what == "photograph":
-            self._words.setText(f"Reading {path.name}…")
+            self._message.setText(f"Reading {path.name}…")
             self.reader.read_photograph(path)
         elif what == "responses":
-            self._words.setText(f"Reading {path.name}…")
+            self._message.setText(f"Reading {path.name}…")
             self.reader.look(path)
         else:
             self.reader.read_points(path, what)
@@ -405,7 +383,7 @@ class LimbPage(QDialog):
 
     def _take_photograph(self, path: Path, image: QImage) -> None:
         self.form.show_file("photograph", path.name)
-        # Points are pixels of it from now on; others would not lie where they should.
+        # Points are pixels of the photograph from now on; points in other units are removed.
         nothing = Draft()
         if not self.draft.y_down:
             self.draft = replace(
@@ -437,18 +415,18 @@ class LimbPage(QDialog):
         if not self._jobs.busy:
             self._say(missing or "Ready to import.")
 
-    def _say(self, words: str, tone: str = "") -> None:
-        set_tone(self._words, tone)
-        self._words.setText(words)
+    def _say(self, text: str, tone: str = "") -> None:
+        set_tone(self._message, tone)
+        self._message.setText(text)
 
     def _complain(self, reason: str) -> None:
         self._say(sentence(reason), "error")
 
     def _start(self) -> None:
         name = self.draft.values["name"]
-        taken = name in own_limb_names()
-        if not taken or may_replace(self, name):
-            work = partial(import_limb, self.draft.source(), replace=taken)
+        exists = name in own_limb_names()
+        if not exists or may_replace(self, name):
+            work = partial(import_limb, self.draft.source(), replace=exists)
             self._jobs.add(Job(IMPORTING, work))
 
     def _note_done(self, job: Job[Any], result: object) -> None:
@@ -466,7 +444,7 @@ def _points_of(rows: list[Any]) -> np.ndarray:
 
 
 def _shape(shape: tuple[int, ...], order: str) -> tuple[int, ...] | None:
-    """Inputs, outputs, axes and taps of an array; None where the order does not fit it."""
+    """Return inputs, outputs, axes and taps of an array; None where the order does not fit."""
     order = order or {3: "iot", 4: "ioat"}[len(shape)]
     if len(order) != len(shape) or not set("iot") <= set(order):
         return None

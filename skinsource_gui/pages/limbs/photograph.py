@@ -50,7 +50,7 @@ def read(path: Path, process: ReadingProcess) -> QImage:
         raise _refusal(path, "it holds no pixels")
     pixels = np.ascontiguousarray(np.vstack(blocks)) | np.uint32(0xFF000000)
     rows, columns = pixels.shape
-    # A copy: the numbers are gone before the picture is.
+    # A copy, since the image outlives the array of its pixels.
     return QImage(pixels.data, columns, rows, 4 * columns, QImage.Format.Format_RGB32).copy()
 
 

@@ -1,4 +1,8 @@
-"""The fields of a measurement: the sensor, where it is wired, and the sweep."""
+"""The page on which the response of one channel of a rig is measured.
+
+It asks for the sensor and the sweep, measures in a thread, and plots the response next to that of
+the actuator's model and the one that was measured before.
+"""
 
 import json
 from collections.abc import Sequence
@@ -35,7 +39,7 @@ from skinsource_gui.fields.units import minus
 from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
 from skinsource_gui.plots.signal_view import SignalView
-from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.playing import SoundSettings, SoundThread
 
@@ -44,19 +48,11 @@ _SAME = ("", "The one played on, if it has inputs")
 
 
 class MeasureFields(QObject):
-    """Cells for a `MeasuringSetup`.
+    """Holds a `MeasuringSetup`, and a grid of cells in which it is edited."""
 
-    Attributes
-    ----------
-    grid
-        Where they stand.
-    setup
-        What they say.
-    """
-
-    #: Why a value was not taken.
+    #: Why a value is not valid.
     refused = Signal(str)
-    #: `setup` is another one.
+    #: `setup` was changed.
     changed = Signal()
 
     def __init__(self, setup: MeasuringSetup, parent: QObject) -> None:
@@ -68,7 +64,7 @@ class MeasureFields(QObject):
         self._show()
 
     def cell(self, name: str) -> FieldCell:
-        """The cell of a field."""
+        """Return the cell of a field."""
         return self._cells[name]
 
     def show_inputs(self, devices: Sequence[InputDevice]) -> None:
@@ -88,7 +84,7 @@ class MeasureFields(QObject):
         titles = dict.fromkeys(device.title for device in devices)
         chosen = self.setup.input_device
         if chosen:
-            # One that is not there now may come back.
+            # A chosen device that is not connected now may come back.
             titles.setdefault(chosen)
         options = (_SAME, *((title, title) for title in titles))
         return self._cell(_DEVICE, ChoiceSpec(label="Input device", options=options))
@@ -109,20 +105,18 @@ class MeasureFields(QObject):
 
 
 def setup_text(setup: MeasuringSetup) -> str:
-    """Write down what was said of the sensor and the sweep."""
+    """Return a setup as JSON."""
     return json.dumps(asdict(setup))
 
 
 def setup_of(text: str) -> MeasuringSetup:
-    """Read what `setup_text` wrote; the usual one where that is something else."""
+    """Return the setup that `setup_text` wrote; the default one where it is not readable."""
     try:
         return MeasuringSetup(**json.loads(text))
     except (ValueError, TypeError, RecursionError):
-        # Nothing is kept yet, or by another version of the studio.
+        # Nothing was saved yet, or another version of the studio saved it.
         return MeasuringSetup()
 
-
-# What was measured of an actuator, beside what is known of it.
 
 _MEASURED = CurveName(number=1, short="Measured", full="What was measured now")
 _MODEL = CurveName(number=2, short="Model", full="What the library knows of the actuator")
@@ -130,7 +124,7 @@ _BEFORE = CurveName(number=3, short="Before", full="What the channel has from be
 
 
 def model_of(channel: RigChannel) -> Actuator | None:
-    """How the channel moves as far as a model says; None: there is none."""
+    """Return the model of the channel's actuator; None: there is no model."""
     if channel.model is not None:
         return channel.model
     if channel.actuator in names():
@@ -140,7 +134,7 @@ def model_of(channel: RigChannel) -> Actuator | None:
 
 
 def axis_of(measurement: ChannelMeasurement) -> XAxis:
-    """Frequencies of the measurement."""
+    """Return the frequency axis of a measurement."""
     points = measurement.response.points
     return XAxis(
         titles=("Frequency (Hz)",),
@@ -148,13 +142,13 @@ def axis_of(measurement: ChannelMeasurement) -> XAxis:
         column="frequency_hz",
         extent=(points[0][0], points[-1][0]),
         log=True,
-        # An actuator belongs to no limb: shown is where most know how skin answers.
+        # An actuator belongs to no limb, so the band of the published limbs is shown.
         band=BAND_HZ,
     )
 
 
 def measured_curves(measurement: ChannelMeasurement, channel: RigChannel) -> Curves:
-    """Gains at the points that were measured: measured, of the model, and of the time before."""
+    """Return gains at the measured frequencies: measured now, of the model, measured before."""
     hz = np.array([point[0] for point in measurement.response.points])
     rows: list[tuple[CurveName, Floats]] = [(_MEASURED, _db(measurement.response, hz))]
     model = model_of(channel)
@@ -173,32 +167,30 @@ def measured_curves(measurement: ChannelMeasurement, channel: RigChannel) -> Cur
 
 
 def model_difference_text(measurement: ChannelMeasurement, channel: RigChannel) -> tuple[str, ...]:
-    """How far the gain is from that of the model, as a sentence; nothing without a model."""
+    """Return a sentence on the largest difference from the model; nothing without a model."""
     model = model_of(channel)
     if model is None:
         return ()
     hz = np.array([point[0] for point in measurement.response.points])
-    apart_db = _db(measurement.response, hz) - _db(model, hz)
-    worst = int(np.abs(apart_db).argmax())
-    away = minus(f"{apart_db[worst]:+z.1f} dB")
-    return (f"It is at most {away} from the model, at {hz[worst]:.3g} Hz.",)
+    difference_db = _db(measurement.response, hz) - _db(model, hz)
+    worst = int(np.abs(difference_db).argmax())
+    largest = minus(f"{difference_db[worst]:+z.1f} dB")
+    return (f"It is at most {largest} from the model, at {hz[worst]:.3g} Hz.",)
 
 
 def _db(model: Actuator, hz: Floats) -> Floats:
     return decibels(np.abs(model.response(hz)))
 
 
-# The plot of what was measured.
-
 _NOTHING = "Nothing is measured yet"
 
 
 class MeasuredView(SignalView):
-    """Gain over frequency: what was measured, what the model says, and what there was before."""
+    """Plots gain over frequency: measured now, of the model, and measured before."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("measured-plot", "Measured response", parent)
-        self._found: ChannelMeasurement | None = None
+        self._measurement: ChannelMeasurement | None = None
         self._zoom: tuple[float, float] | None = None
         self._layout = "overlaid"
         self.zoom_requested.connect(self._show_part)
@@ -209,13 +201,13 @@ class MeasuredView(SignalView):
         self,
         measurement: ChannelMeasurement | None,
         channel: RigChannel | None,
-        words: str = _NOTHING,
+        message: str = _NOTHING,
     ) -> None:
-        """Draw what was found of a channel; None: say why there is nothing."""
-        self._found, self._zoom = measurement, None
+        """Plot a measurement of a channel; None: show ``message`` instead."""
+        self._measurement, self._zoom = measurement, None
         self._show_view()
         if measurement is None or channel is None:
-            self.show_message(words)
+            self.show_message(message)
         else:
             self.show_curves(measured_curves(measurement, channel), synthetic=False)
 
@@ -229,11 +221,9 @@ class MeasuredView(SignalView):
 
     def _show_view(self) -> None:
         self.toolbar.show_state(layout=self._layout, zoomed=self._zoom is not None)
-        if self._found is not None:
-            self.set_view(axis_of(self._found), self._zoom, stacked=self._layout == "stacked")
+        if self._measurement is not None:
+            self.set_view(axis_of(self._measurement), self._zoom, stacked=self._layout == "stacked")
 
-
-# The page on which one channel of a rig is measured.
 
 _INTRODUCTION = (
     "Fix the accelerometer to the contactor, and wire it to an input of the sound card. After two "
@@ -245,27 +235,25 @@ _READY = "Start plays on output {output}, at the level above."
 
 
 class MeasurePage(QDialog):
-    """Asks for the sensor, measures, shows what was found, and hands it on where it is kept.
+    """Asks for the sensor, measures a channel, and emits the measurement where it is accepted.
 
     Parameters
     ----------
     channel
-        What is measured.
+        The channel that is measured.
     settings
-        Of playing: the device where the channel names none, its rate and delay; and what was said
-        of the sensor last.
+        Playback settings: the device where the channel names none, its rate and delay, and the
+        sensor of the last measurement.
 
     Attributes
     ----------
-    fields, plot, words
-        Its parts.
-    found
-        What was measured last; None: nothing was.
+    measurement
+        The latest measurement; None: nothing was measured.
     """
 
-    #: The `ChannelMeasurement` that shall be kept.
-    kept = Signal(object)
-    _told = Signal(int, int, str)  # from the thread
+    #: The `ChannelMeasurement` that was accepted.
+    measured = Signal(object)
+    _progressed = Signal(int, int, str)  # from the thread
 
     def __init__(
         self,
@@ -281,13 +269,11 @@ class MeasurePage(QDialog):
         self._channel, self._settings = channel, settings
         self._thread, self._stop = SoundThread(self), Event()
         self._running = self._looking = False
-        self.found: ChannelMeasurement | None = None
+        self.measurement: ChannelMeasurement | None = None
         self.fields = MeasureFields(setup_of(settings.sensor_text), self)
         self.plot = MeasuredView()
-        self.words, self._bar = QLabel(), QProgressBar()
-        self.words.setObjectName("measure_words")
-        self.words.setWordWrap(True)
-        self.words.setTextFormat(Qt.TextFormat.PlainText)
+        self.message, self._bar = page_label("measure_words"), QProgressBar()
+        self.message.setTextFormat(Qt.TextFormat.PlainText)
         self.start = page_button("measure_start", "Start", _START)
         self.stop = page_button("measure_stop", "Stop", "Silence at once; nothing is kept")
         self.keep = page_button("measure_keep", "Keep", "Put it into the channel, with the date")
@@ -297,8 +283,8 @@ class MeasurePage(QDialog):
         self._look()
 
     def done(self, result: int) -> None:
-        """Fall silent, and close."""
-        # Devices that are found from now on are nobody's business here.
+        """Stop playback, and close the page."""
+        # Devices that are listed from now on do not concern this page.
         self._looking = False
         self._stop.set()
         self._thread.end(lambda: None)
@@ -306,7 +292,7 @@ class MeasurePage(QDialog):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self._running:
-            # What is heard ends first; pressed again, the page closes.
+            # The first press ends the measurement, the next one closes the page.
             self._stop.set()
         else:
             super().keyPressEvent(event)
@@ -315,9 +301,9 @@ class MeasurePage(QDialog):
         about = QLabel(_INTRODUCTION)
         about.setWordWrap(True)
         self._bar.setTextVisible(False)
-        kept = self._bar.sizePolicy()
-        kept.setRetainSizeWhenHidden(True)
-        self._bar.setSizePolicy(kept)
+        policy = self._bar.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self._bar.setSizePolicy(policy)
         self._bar.setAccessibleName("Progress")
         foot = QHBoxLayout()
         for button in (self.start, self.stop):
@@ -330,7 +316,7 @@ class MeasurePage(QDialog):
         whole.addWidget(about)
         whole.addWidget(self.fields.grid)
         whole.addWidget(self.plot, 1)
-        whole.addWidget(self.words)
+        whole.addWidget(self.message)
         whole.addLayout(foot)
 
     def _connect(self) -> None:
@@ -339,14 +325,14 @@ class MeasurePage(QDialog):
         self.keep.clicked.connect(self._keep)
         self._close.clicked.connect(self.reject)
         self.fields.refused.connect(self._say)
-        self.fields.changed.connect(self._say_whether)
+        self.fields.changed.connect(self._say_readiness)
         self.plot.exports.failed.connect(self._say)
         self.plot.exports.written.connect(self._say)
-        self._told.connect(self._show_progress, Qt.ConnectionType.QueuedConnection)
+        self._progressed.connect(self._show_progress, Qt.ConnectionType.QueuedConnection)
         self._settings.changed.connect(self._list_inputs)
 
     def _look(self) -> None:
-        """Look for devices: what is played ends, and the sound card is free."""
+        """Look for devices, which ends playback and frees the sound card."""
         self._looking = True
         self._say(self._missing or _LOOKING)
         self._settings.look()
@@ -361,7 +347,7 @@ class MeasurePage(QDialog):
         self, devices: tuple[InputDevice, ...] | None, error: SkinSourceError | None
     ) -> None:
         self.fields.show_inputs(devices or ())
-        self._say_whether()
+        self._say_readiness()
         if error is not None and not self._missing:
             self._say(str(error))
 
@@ -369,7 +355,7 @@ class MeasurePage(QDialog):
         setup, channel = self.fields.setup, self._channel
         self._settings.sensor_text = setup_text(setup)
         self._stop.clear()
-        self._running, self.found = True, None
+        self._running, self.measurement = True, None
         self.plot.show_measured(None, None, "Measuring…")
         self._say("Two seconds of silence first.")
         self._show_state()
@@ -379,13 +365,13 @@ class MeasurePage(QDialog):
             channel.place,
             setup,
             output=self._settings.output,
-            progress=self._told.emit,
+            progress=self._progressed.emit,
             stop=self._stop.is_set,
         )
         self._thread.do(work, self._take)
 
     def _take(self, measurement: ChannelMeasurement | None, error: SkinSourceError | None) -> None:
-        self._running, self.found = False, measurement
+        self._running, self.measurement = False, measurement
         self.plot.show_measured(measurement, self._channel)
         if measurement is not None:
             self._say(
@@ -396,38 +382,38 @@ class MeasurePage(QDialog):
         self._show_state()
 
     def _keep(self) -> None:
-        if self.found is not None:
-            self.kept.emit(self.found)
+        if self.measurement is not None:
+            self.measured.emit(self.measurement)
             self.accept()
 
     @property
     def _missing(self) -> str:
-        """Why it cannot be measured, whatever devices there are; or ""."""
+        """Why the channel cannot be measured with any device; or ""."""
         try:
             measurable(self._channel, self.fields.setup, self._settings.output.sample_rate_hz)
         except InvalidInputError as error:
             return sentence(str(error))
         return ""
 
-    def _say_whether(self) -> None:
-        """Say that it can begin, or why it cannot; what was measured stays said."""
-        if not self._looking and (self._missing or self.found is None):
+    def _say_readiness(self) -> None:
+        """Say that the measurement can start, or why not; a text on a result stays."""
+        if not self._looking and (self._missing or self.measurement is None):
             self._say(self._missing or _READY.format(output=self._channel.output))
         self._show_state()
 
-    def _show_progress(self, done: int, total: int, words: str) -> None:
+    def _show_progress(self, done: int, total: int, text: str) -> None:
         if self._running:
             self._bar.setRange(0, total)
             self._bar.setValue(done)
-            self._say(f"{words}…")
+            self._say(f"{text}…")
 
     def _show_state(self) -> None:
         self.fields.grid.setEnabled(not self._running)
         self.start.setEnabled(not (self._running or self._looking or self._missing))
         self.start.setToolTip(self._missing or _START)
         self.stop.setEnabled(self._running)
-        self.keep.setEnabled(self.found is not None)
+        self.keep.setEnabled(self.measurement is not None)
         self._bar.setVisible(self._running)
 
-    def _say(self, words: str) -> None:
-        self.words.setText(words if words.endswith(("…", ".")) else sentence(words))
+    def _say(self, text: str) -> None:
+        self.message.setText(text if text.endswith(("…", ".")) else sentence(text))

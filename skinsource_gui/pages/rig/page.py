@@ -1,4 +1,4 @@
-"""The fields of one channel of a rig, and of its limits."""
+"""The page of rigs: a rig file is opened, edited channel by channel, and saved."""
 
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -11,13 +11,11 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QDialog,
     QFileDialog,
-    QFrame,
     QHBoxLayout,
     QLabel,
     QLineEdit,
     QListWidget,
     QPushButton,
-    QScrollArea,
     QVBoxLayout,
     QWidget,
 )
@@ -45,52 +43,47 @@ from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.rig_field import RESPONSE_FILES
 from skinsource_gui.pages.rig.measuring import MeasurePage
 from skinsource_gui.qt.asking import saved_or_given_up
-from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.buttons import page_button, page_label, scrolled
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing import SoundSettings, SoundThread
 
 _LIMIT = "limit "
-_OWN = (
+_FIELDS = (
     "place", "actuator", "device", "output", "full_scale_v", "amplifier_gain", "polarity",
     "delay_s", "measured_on",
 )  # fmt: skip
 
 
 class ChannelFields(QObject):
-    """Cells for a channel; 0 stands for what is not known.
+    """Cells for the fields of a channel and of its limits; 0 means that a value is not known.
 
     Attributes
     ----------
     widget
-        Where they stand.
-    measured, measure, from_file, forget
-        What is known of the response, and the buttons that measure it, take it from a file, or
-        forget it.
+        Holds the cells, the text on the response, and its buttons.
     """
 
     #: The new `RigChannel`.
     edited = Signal(object)
-    #: Why a value was not taken.
+    #: Why a value is not valid.
     refused = Signal(str)
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._channel: RigChannel | None = None
-        specs = {name: spec for name, spec in specs_of(RigChannel).items() if name in _OWN}
+        specs = {name: spec for name, spec in specs_of(RigChannel).items() if name in _FIELDS}
         specs["actuator"] = _actuators()
         limits = {f"{_LIMIT}{name}": spec for name, spec in specs_of(Limits).items()}
         self._cells = {name: _cell(name, spec) for name, spec in {**specs, **limits}.items()}
         for cell in self._cells.values():
             cell.edited.connect(self._edit)
-        self.measured = QLabel()
-        self.measured.setObjectName("rig_measured")
-        self.measured.setWordWrap(True)
+        self.measured = page_label("rig_measured")
         self.from_file = page_button(
             "rig_from_file",
             "Response from a file…",
             "A table with frequency_hz, gain and phase, or sound with the voltage of a sweep and "
-            "what the accelerometer said",
+            "what the accelerometer noted",
         )
         self.measure = page_button(
             "rig_measure",
@@ -101,17 +94,18 @@ class ChannelFields(QObject):
         self.widget = self._laid_out()
 
     def cell(self, name: str) -> FieldCell:
-        """The cell of a field of the channel, or of ``"limit "`` and one of its limits."""
+        """Return the cell of a field of the channel, or of ``"limit "`` and one of its limits."""
         return self._cells[name]
 
     def show_channel(self, channel: RigChannel | None) -> None:
-        """Show these values; None: there is no channel."""
+        """Show the values of ``channel``; None: there is no channel."""
         self._channel = channel
         self.widget.setEnabled(channel is not None)
-        # Without one, what the first would begin with.
+        # Without a channel, the cells show the defaults.
         channel = channel or RigChannel(place=1, output=1)
         for name, cell in self._cells.items():
-            cell.set_value(_shown(_value(channel, name)))
+            value = _value(channel, name)
+            cell.set_value(0.0 if value is None else value)
         points = () if channel.measured is None else channel.measured.points
         self.measured.setText(
             f"Response: {len(points)} points, {points[0][0]:.4g} to {points[-1][0]:.4g} Hz"
@@ -125,7 +119,7 @@ class ChannelFields(QObject):
         column = QVBoxLayout(widget)
         column.setContentsMargins(0, 0, UNIT_PX, 0)
         own, limits = FieldGrid(), FieldGrid()
-        own.show_cells([self._cells[name] for name in _OWN])
+        own.show_cells([self._cells[name] for name in _FIELDS])
         limits.show_cells([cell for name, cell in self._cells.items() if name.startswith(_LIMIT)])
         heading = QLabel("Limits at the actuator; 0: not known")
         parts = (own, self.measured, self.measure, self.from_file, self.forget, heading, limits)
@@ -156,16 +150,18 @@ class ChannelFields(QObject):
 
 
 def title_of(channel: RigChannel, limb: str) -> str:
-    """Words for a channel in a list; places are called what the limb calls them."""
+    """Return the text of a channel in a list; places have the names of the limb."""
     return f"{channel.place} · {input_name(channel.place, limb).name}, output {channel.output}"
 
 
 def _cell(name: str, spec: Spec) -> FieldCell:
-    of = spec.of if isinstance(spec, OptionalSpec) else spec
-    if isinstance(spec, OptionalSpec) and isinstance(of, NumberSpec):
+    if not isinstance(spec, OptionalSpec):
+        return FieldCell(name, spec)
+    inner = spec.of
+    if isinstance(inner, NumberSpec):
         hint = f"{spec.hint}; 0: not known"
-        of = replace(of, label=spec.label, minimum=0.0, logarithmic=False, hint=hint)
-    return FieldCell(name, of)
+        inner = replace(inner, label=spec.label, minimum=0.0, logarithmic=False, hint=hint)
+    return FieldCell(name, inner)
 
 
 def _actuators() -> ChoiceSpec:
@@ -183,33 +179,26 @@ def _value(channel: RigChannel, name: str) -> Any:
     return getattr(channel, name)
 
 
-def _shown(value: Any) -> Any:
-    return 0.0 if value is None else value
-
-
-# The rig that is edited on the page, and the file it belongs to.
-
-
 class RigDraft(QObject):
-    """A rig, changed channel by channel; what cannot be is refused.
+    """Holds the rig that is edited, and its file; invalid changes are refused.
 
     Parameters
     ----------
     rig, path
-        What is edited at first, and its file; None: a new one.
+        Initial rig and its file; None: a new rig.
     design
-        Its places are those that are wired first, and its limb has the others.
+        Its places are wired first, then the other places of its limb.
 
     Attributes
     ----------
     rig, path
-        What is edited, and the file it came from or went to.
+        The present rig, and the file that it was read from or written to.
     """
 
     #: The row of the channel that is to be shown now.
     changed = Signal(int)
-    #: What there is to say.
-    said = Signal(str)
+    #: A message, mostly why a change was refused.
+    noted = Signal(str)
 
     def __init__(self, rig: Rig | None, path: Path | None, design: Design, parent: QObject) -> None:
         super().__init__(parent)
@@ -229,40 +218,40 @@ class RigDraft(QObject):
         try:
             self.rig = replace(self.rig, title=title)
         except InvalidInputError as error:
-            self.said.emit(str(error))
+            self.noted.emit(str(error))
 
     def take_channel(self, row: int, channel: RigChannel) -> None:
-        """Put another channel in the place of one."""
+        """Replace the channel of a row."""
         channels = list(self.rig.channels)
         channels[row] = channel
         self._change(tuple(channels), row, row)
 
     def add(self, row: int) -> None:
-        """Add a channel for the next place, of the design first, and output that are free."""
-        there = self.rig.channels
-        last = there[-1] if there else None
-        places = {channel.place for channel in there}
-        free = [place for place in self._places if place not in places]
+        """Add a channel for the next free place, of the design first, and the next free output."""
+        channels = self.rig.channels
+        last = channels[-1] if channels else None
+        wired = {channel.place for channel in channels}
+        free = [place for place in self._places if place not in wired]
         if not free:
-            self.said.emit("All places are wired already.")
+            self.noted.emit("All places are wired already.")
             return
         device = "" if last is None else last.device
-        outputs = {channel.output for channel in there if channel.device == device}
-        output = next(k for k in range(1, len(there) + 2) if k not in outputs)
+        outputs = {channel.output for channel in channels if channel.device == device}
+        output = next(k for k in range(1, len(channels) + 2) if k not in outputs)
         if last is None:
             new = RigChannel(place=free[0], output=output)
         else:
-            # Most channels of a rig are alike; what was measured is of one alone.
+            # Most channels of a rig have the same settings, but each has its own response.
             new = replace(last, place=free[0], output=output, measured=None, measured_on="")
-        self._change((*there, new), row, len(there))
+        self._change((*channels, new), row, len(channels))
 
     def remove(self, row: int) -> None:
-        """Take a channel out."""
+        """Remove a channel."""
         left = tuple(channel for k, channel in enumerate(self.rig.channels) if k != row)
         self._change(left, row, max(row - 1, 0))
 
     def take_response(self, row: int, response: MeasuredResponse | None) -> None:
-        """Let a channel answer as it was measured today; None: as if it was not."""
+        """Set the response of a channel as measured today; None: forget it."""
         if 0 <= row < len(self.rig.channels):
             today = "" if response is None else datetime.now(UTC).date().isoformat()
             changed = replace(self.rig.channels[row], measured=response, measured_on=today)
@@ -273,37 +262,35 @@ class RigDraft(QObject):
         try:
             self.rig = self._saved = open_rig(path)
         except SkinSourceError as error:
-            self.said.emit(str(error))
+            self.noted.emit(str(error))
             return
         self.path = path
         self.changed.emit(0)
 
     def save(self, path: Path) -> bool:
-        """Write it to a file; whether that went well."""
+        """Write the rig to a file; return whether that went well."""
         try:
             save_rig(path, self.rig)
         except SkinSourceError as error:
-            self.said.emit(str(error))
+            self.noted.emit(str(error))
             return False
         self.path, self._saved = path, self.rig
         return True
 
     def give_up(self) -> None:
-        """Changes need not be kept."""
+        """Count the present rig as saved: its changes need not be kept."""
         self._saved = self.rig
 
     def _change(self, channels: tuple[RigChannel, ...], row: int, after: int) -> None:
-        """Take over other channels; refused where they cannot be."""
+        """Set the channels, or emit why they are not valid; then ask to show a row."""
         try:
             self.rig = replace(self.rig, channels=channels)
         except InvalidInputError as error:
             self.changed.emit(row)
-            self.said.emit(str(error))
+            self.noted.emit(str(error))
         else:
             self.changed.emit(after)
 
-
-# The page of rigs.
 
 _KINDS = f"Rigs (*{SUFFIX});;All files (*)"
 _ENDS = (("open", "Open…"), ("save", "Save…"), ("close", "Close"))
@@ -316,14 +303,9 @@ class RigPage(QDialog):
     Parameters
     ----------
     document
-        What can be predicted through it.
+        Holds the design, which can be predicted through the rig.
     settings
-        Of playing: what this machine plays for.
-
-    Attributes
-    ----------
-    draft
-        What is edited.
+        Playback settings, among them the rig of this machine.
     """
 
     def __init__(
@@ -349,9 +331,7 @@ class RigPage(QDialog):
         self.channels.setObjectName("rig_channels")
         self.channels.setAccessibleName("Channels")
         self.fields = ChannelFields(self)
-        self.words = QLabel()
-        self.words.setObjectName("rig_words")
-        self.words.setWordWrap(True)
+        self.message = page_label("rig_words")
         self._use = QCheckBox("Play for it on this machine")
         self._use.setObjectName("rig_use")
         self._use.setChecked(True)
@@ -360,14 +340,14 @@ class RigPage(QDialog):
         self._show(0)
 
     def done(self, result: int) -> None:
-        """Close it; what was not saved is asked about."""
-        if self.draft.unsaved and not self._agreed():
+        """Close the page, after a question where changes are not saved."""
+        if self.draft.unsaved and not self._may_lose_changes():
             return
-        self._thread.end(_nothing)
+        self._thread.end(lambda: None)
         super().done(result)
 
     def button(self, name: str) -> QPushButton:
-        """One of its buttons."""
+        """Return the button ``rig_{name}``."""
         return self.findChildren(QPushButton, f"rig_{name}")[0]
 
     def _lay_out(self) -> None:
@@ -375,20 +355,15 @@ class RigPage(QDialog):
         left.addWidget(self._title)
         left.addWidget(self.channels, 1)
         left.addLayout(_row(("add", "Add channel"), ("remove", "Remove channel")))
-        scroll = QScrollArea()
-        scroll.setObjectName("rig_fields")
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setWidgetResizable(True)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll = scrolled(self.fields.widget, "rig_fields")
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        scroll.setWidget(self.fields.widget)
         both = QHBoxLayout()
         both.setSpacing(2 * UNIT_PX)
         both.addLayout(left, 2)
         both.addWidget(scroll, 3)
         whole = QVBoxLayout(self)
         whole.addLayout(both, 1)
-        whole.addWidget(self.words)
+        whole.addWidget(self.message)
         ends = _row(("predict", "Predict through it"), *_ENDS)
         ends.insertWidget(0, self._use)
         ends.insertStretch(1, 1)
@@ -396,7 +371,7 @@ class RigPage(QDialog):
 
     def _connect(self) -> None:
         self.draft.changed.connect(self._show)
-        self.draft.said.connect(self._say)
+        self.draft.noted.connect(self._say)
         self._title.textEdited.connect(self.draft.entitle)
         self.channels.currentRowChanged.connect(self._show_channel)
         self.fields.edited.connect(
@@ -435,8 +410,8 @@ class RigPage(QDialog):
     def _show_channel(self, row: int) -> None:
         self.fields.show_channel(self.draft.rig.channels[row] if row >= 0 else None)
 
-    def _say(self, words: str) -> None:
-        self.words.setText(sentence(words))
+    def _say(self, text: str) -> None:
+        self.message.setText(sentence(text))
 
     def _add(self) -> None:
         self.draft.add(self.channels.currentRow())
@@ -455,7 +430,7 @@ class RigPage(QDialog):
         row = self.channels.currentRow()
         channel = self.draft.rig.channels[row]
         page = MeasurePage(channel, self._settings, self)
-        page.kept.connect(lambda measurement: self._take_response(measurement.response))
+        page.measured.connect(lambda measurement: self._take_response(measurement.response))
         page.open()
 
     def _take_response(
@@ -467,7 +442,7 @@ class RigPage(QDialog):
             self.draft.take_response(self.channels.currentRow(), response)
 
     def _open(self) -> None:
-        if self.draft.unsaved and not self._agreed():
+        if self.draft.unsaved and not self._may_lose_changes():
             return
         name, _ = QFileDialog.getOpenFileName(self, "Open a rig", "", _KINDS)
         if name:
@@ -485,7 +460,7 @@ class RigPage(QDialog):
             self._say(f"Saved {named(Path(path.name))}")
 
     def _predict(self) -> None:
-        """Let the design be predicted through these actuators, equalised as it was."""
+        """Predict the design through these actuators, with the equaliser that it has."""
         design, view = self._document.design, self._document.view
         known = design.actuation
         equaliser = RegularisedInverse() if known is None else known.equaliser
@@ -501,8 +476,8 @@ class RigPage(QDialog):
             self._document.apply(outcome)
             self._say(f"Predicted through {through.words}")
 
-    def _agreed(self) -> bool:
-        """Whether changes may go: they are saved now, or the user gives them up."""
+    def _may_lose_changes(self) -> bool:
+        """Return whether changes may go: they are saved now, or the user gives them up."""
 
         def save() -> bool:
             self._save()
@@ -514,10 +489,6 @@ class RigPage(QDialog):
 
 def _row(*buttons: tuple[str, str]) -> QHBoxLayout:
     row = QHBoxLayout()
-    for name, words in buttons:
-        row.addWidget(page_button(f"rig_{name}", words))
+    for name, text in buttons:
+        row.addWidget(page_button(f"rig_{name}", text))
     return row
-
-
-def _nothing() -> None:
-    """Nothing is left to do."""

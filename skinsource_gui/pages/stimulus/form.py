@@ -1,4 +1,7 @@
-"""What is to be exported, as it was chosen on the page."""
+"""The form of the stimulus page: its fields, the order that they make, and what is remembered.
+
+Rows that do not apply to the chosen format, rig or actuator are hidden.
+"""
 
 import dataclasses
 import json
@@ -8,7 +11,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from PySide6.QtCore import QObject, QSignalBlocker, Signal
-from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QLineEdit, QWidget
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QLineEdit, QWidget
 
 from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.catalog import load, names, profile
@@ -36,24 +39,24 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
-from skinsource_gui.qt.theme import set_tone
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.tooltips import tooltip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Order:
-    """One export.
+    """One export of a stimulus.
 
     Attributes
     ----------
-    format
-        As what.
     rate_hz
-        None: the usual one of the format.
-    options
-        How.
-    actuation, rig, equaliser
-        Actuators, where no rig says them; what is wired; what makes volts of accelerations.
+        Sample rate; None: the usual rate of the format.
+    actuation
+        Actuators, where no rig states them.
+    rig
+        Rig that is wired to the device; None: not known.
+    equaliser
+        Makes volts of accelerations; None: nothing does.
     """
 
     format: StimulusFormat = FORMATS[0]
@@ -63,8 +66,6 @@ class Order:
     rig: Rig | None = None
     equaliser: Equaliser | None = None
 
-
-# What each field of the page of stimuli can be.
 
 #: Rates that devices know; any other can be typed.
 RATES_HZ = (round(SAMPLE_RATE_HZ), 2000, 8000, 44_100, 48_000, 96_000, 192_000)
@@ -129,7 +130,7 @@ EQUALISER = ChoiceSpec(
 
 
 def part_spec(design: Design, view: View) -> ChoiceSpec:
-    """Which tracks and clips can be exported."""
+    """Return the choice of tracks and clips."""
     options = [("all", "All that is heard")]
     if view.selected_inputs:
         options.append(("tracks", "Selected tracks"))
@@ -139,7 +140,7 @@ def part_spec(design: Design, view: View) -> ChoiceSpec:
 
 
 def time_spec(design: Design) -> ChoiceSpec:
-    """Which part of the time can be exported."""
+    """Return the choice of the part of the time."""
     options = [("whole", "Whole design")]
     if design.loop_s is not None:
         options.append(("loop", "Loop"))
@@ -148,17 +149,17 @@ def time_spec(design: Design) -> ChoiceSpec:
 
 
 def end_s(design: Design) -> float:
-    """When the last clip ends."""
+    """Return when the last clip ends."""
     return max((clip.end_s for clip in design.clips), default=1.0)
 
 
 def time_number(label: str, design: Design) -> NumberSpec:
-    """A time within the design."""
+    """Return the specification of a time within the design."""
     return NumberSpec(label=label, unit="s", minimum=0.0, maximum=end_s(design), step=0.005)
 
 
 def scale_number(unit: str) -> NumberSpec:
-    """A drive, in its unit."""
+    """Return the specification of a drive in its unit."""
     return NumberSpec(
         label="Drive at full scale",
         unit=unit if unit in ("V", "m/s²", ARBITRARY_UNIT) else "",
@@ -168,28 +169,24 @@ def scale_number(unit: str) -> NumberSpec:
     )
 
 
-# For which rig or actuator a stimulus is exported, and through which equaliser.
-
 _PANEL = "panel"
 
 
 class RigFields(QObject):
-    """Lists to choose a rig file, an actuator and an equaliser with.
+    """Lists from which a rig file, an actuator and an equaliser are chosen.
 
     They start with what the panel Actuator shows, or what the design is predicted through.
 
     Attributes
     ----------
-    rig_field, actuator_field, equaliser_field
-        The lists.
     chosen
-        What was chosen in the panel; None where it shows what it starts with.
+        Actuation that was chosen in the panel; None where the panel was not changed.
     rig, path
-        What the file holds, and where it is; None without one.
+        Content and path of the rig file; None without a file.
     """
 
     changed = Signal()
-    #: Why a file was not taken.
+    #: Why a file was not opened.
     refused = Signal(str)
 
     def __init__(self, design: Design, view: View, parent: QWidget) -> None:
@@ -206,23 +203,23 @@ class RigFields(QObject):
         self.rig_field.setObjectName("stimulus_rig")
         self.actuator_field.setObjectName("stimulus_actuator")
         self.equaliser_field.setObjectName("stimulus_equaliser")
-        self.rig_field.wanted.connect(self.take)
+        self.rig_field.wanted.connect(self.open_rig)
         self.actuator_field.chosen.connect(self.changed)
         self.equaliser_field.chosen.connect(self.changed)
 
     def _offer(self, chosen: Actuation, design: Design) -> None:
-        """Start with what was chosen, where the drives are accelerations."""
+        """Offer the actuation of the panel, and start with it."""
         self.actuator_field.insertItem(1, f"{chosen.title} (as in the panel)", _PANEL)
         self.actuator_field.set_value(_PANEL)
         if chosen.equaliser is not None:
-            words = "As in the panel" if design.actuated is None else "As predicted"
-            self.equaliser_field.insertItem(1, words, _PANEL)
+            label = "As in the panel" if design.actuated is None else "As predicted"
+            self.equaliser_field.insertItem(1, label, _PANEL)
             if drive_unit(design) == "m/s²":
                 self.equaliser_field.set_value(_PANEL)
 
     @property
     def can_choose_actuator(self) -> bool:
-        """Whether an equaliser may be made for an actuator, and no rig says for which."""
+        """Whether an actuator can be chosen: drives are no volts, and no rig states one."""
         return not self._volts and self.rig is None
 
     @property
@@ -232,7 +229,7 @@ class RigFields(QObject):
 
     @property
     def actuation(self) -> Actuation | None:
-        """The actuator that was chosen."""
+        """The chosen actuator."""
         name = self.actuator_field.value
         if name == "none":
             return None
@@ -243,25 +240,25 @@ class RigFields(QObject):
 
     @property
     def equaliser(self) -> Equaliser | None:
-        """The equaliser that was chosen."""
+        """The chosen equaliser."""
         kind = self.equaliser_field.value
         if not self.can_equalise or kind == "none":
             return None
         if kind != _PANEL or self.chosen is None:
             return RegularisedInverse(phase=kind)
-        equaliser, other = self.chosen.equaliser, self.actuation
+        equaliser, actuation = self.chosen.equaliser, self.actuation
         if (
             isinstance(equaliser, PolePairReplacement)
-            and other is not None
-            and other != self.chosen
+            and actuation is not None
+            and actuation != self.chosen
         ):
             # Its pole pair is that of one actuator.
-            (actuator,) = other.actuators
+            (actuator,) = actuation.actuators
             return PolePairReplacement(*resonance_of(actuator.model), equaliser.new_quality)
         return equaliser
 
-    def take(self, path: Path | None) -> None:
-        """Export for the rig of a file; None: for none."""
+    def open_rig(self, path: Path | None) -> None:
+        """Export for the rig of a file; None: without a rig."""
         try:
             rig = None if path is None else open_rig(path)
         except SkinSourceError as error:
@@ -274,38 +271,33 @@ class RigFields(QObject):
 
 
 def _chosen_in_panel(view: View) -> Actuation | None:
-    """Actuator and equaliser that the panel Actuator shows; None where it is as it starts."""
+    """Return actuator and equaliser of the panel Actuator; None where it was not changed."""
     actuation = actuation_of(settings_of(view, "actuator", ActuatorSettings))
     return None if actuation == actuation_of(ActuatorSettings()) else actuation
 
 
-# How a stimulus is exported, as fields.
-
-#: Of dither; the sidecar names it.
+#: Seed of dither; the sidecar names it.
 _SEED = 1
 
 
 class StimulusForm(QWidget):
-    """Fields for format, rate and options; rows that mean nothing now are hidden.
+    """Fields for format, rate and options; rows that do not apply now are hidden.
 
     Parameters
     ----------
     design, view
-        What is exported, and what is selected there.
+        The design that is exported, and what is selected in it.
     """
 
     #: The `Order` that the fields make.
     changed = Signal(object)
-    #: Why they make none.
+    #: Why the fields make no order.
     refused = Signal(str)
 
     def __init__(self, design: Design, view: View, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._design, self._view = design, view
-        self._about = QLabel()
-        self._about.setWordWrap(True)
-        self._about.setObjectName("stimulus_format_hint")
-        set_tone(self._about, "dim")
+        self._about = page_label("stimulus_format_hint", tone="dim")
         self._choices: dict[str, ChoiceField] = {}
         self._fields: dict[str, ChoiceField] = {
             "format": ChoiceField(FORMAT),
@@ -331,7 +323,7 @@ class StimulusForm(QWidget):
         self._name_parts()
         self._lay_out()
         self._connect()
-        self.take_format()
+        self.show_format()
 
     @property
     def format(self) -> StimulusFormat:
@@ -339,15 +331,15 @@ class StimulusForm(QWidget):
         return format_named(self._fields["format"].value, Path())
 
     def field(self, name: str) -> QWidget:
-        """The widget of a row."""
+        """Return the widget of a row."""
         rows: dict[str, QWidget] = {**self._fields, **self._numbers, **self._choices}
         rows |= {"map": self._map, "sync": self._sync, "dither": self._dither}
         rows |= {"rig": self.rigs.rig_field, "actuator": self.rigs.actuator_field}
         rows |= {"equaliser": self.rigs.equaliser_field}
         return rows[name]
 
-    def want(self) -> None:
-        """Tell what the fields make."""
+    def emit_order(self) -> None:
+        """Emit the order that the fields make, or why they make none."""
         self._show_rows()
         try:
             order = self._order()
@@ -359,7 +351,7 @@ class StimulusForm(QWidget):
     def _name_parts(self) -> None:
         for name, widget in (*self._fields.items(), *self._numbers.items()):
             widget.setObjectName(f"stimulus_{name}")
-        for name, words in (
+        for name, label in (
             ("from", "From"),
             ("to", "To"),
             ("fade_in", "Fade in"),
@@ -368,7 +360,7 @@ class StimulusForm(QWidget):
             ("other_rate", "Other rate"),
             ("full_scale", "Drive at full scale"),
         ):
-            self._numbers[name].setAccessibleName(words)
+            self._numbers[name].setAccessibleName(label)
         self._numbers["to"].set_value(end_s(self._design))
         self._numbers["other_rate"].set_value(48_000)
         self._numbers["full_scale"].set_value(1.0)
@@ -421,18 +413,18 @@ class StimulusForm(QWidget):
     def _connect(self) -> None:
         for name, field in self._fields.items():
             if name == "format":
-                field.chosen.connect(self.take_format)
+                field.chosen.connect(self.show_format)
             else:
-                field.chosen.connect(self.want)
+                field.chosen.connect(self.emit_order)
         for number in self._numbers.values():
-            number.edited.connect(self.want)
-        self.rigs.changed.connect(self.want)
+            number.edited.connect(self.emit_order)
+        self.rigs.changed.connect(self.emit_order)
         self.rigs.refused.connect(self.refused)
-        self._map.textChanged.connect(self.want)
+        self._map.textChanged.connect(self.emit_order)
         for box in (self._sync, self._dither):
-            box.toggled.connect(self.want)
+            box.toggled.connect(self.emit_order)
 
-    def take_format(self) -> None:
+    def show_format(self) -> None:
         """Show the choices of the format, and its usual rate."""
         format = self.format
         for field in self._choices.values():
@@ -442,7 +434,7 @@ class StimulusForm(QWidget):
         for row, (name, spec) in enumerate(format.choices.items(), start=position[0] + 1):
             field = ChoiceField(spec)
             field.setObjectName(f"stimulus_choice_{name}")
-            field.chosen.connect(self.want)
+            field.chosen.connect(self.emit_order)
             self._form.insertRow(row, spec.label, field)
             self._choices[name] = field
         self._fields["rate"].set_value(str(format.rate_hz or RATES_HZ[0]))
@@ -453,7 +445,7 @@ class StimulusForm(QWidget):
             before = field
         self.setTabOrder(before, self._fields["rate"])
         self._about.setText(f"{format.hint}.")
-        self.want()
+        self.emit_order()
 
     def _show_rows(self) -> None:
         format, chosen = self.format, self.chosen
@@ -478,7 +470,7 @@ class StimulusForm(QWidget):
 
     @property
     def chosen(self) -> dict[str, str]:
-        """What was chosen of what the format offers."""
+        """The chosen options of the format, by their names."""
         return {name: field.value for name, field in self._choices.items()}
 
     def _order(self) -> Order:
@@ -518,7 +510,7 @@ class StimulusForm(QWidget):
 
     @property
     def _scale_is_known(self) -> bool:
-        """Whether the rig says what full scale is."""
+        """Whether the rig states what full scale is."""
         return self.rigs.equaliser is not None and self.rigs.rig is not None
 
     def _rate_hz(self) -> int:
@@ -535,25 +527,22 @@ class StimulusForm(QWidget):
 
 
 def channel_map_of(text: str) -> tuple[int, ...]:
-    """The numbers in a text, apart by commas or spaces.
+    """Return the whole numbers in a text, with commas or spaces between.
 
     Raises
     ------
     InvalidInputError
-        There is something else in it.
+        The text holds something else.
     """
-    words = text.replace(",", " ").split()
     try:
-        return tuple(int(word) for word in words)
+        return tuple(int(number) for number in text.replace(",", " ").split())
     except ValueError:
         raise InvalidInputError(
             f"Channel map is {quoted(text)}, expected whole numbers such as 2, 1, 0, 3"
         ) from None
 
 
-# What the page remembers from one export to the next, on this machine.
-
-# What is a matter of one design, its times, channels and drives, is not among them.
+# Fields that are remembered; times, drives and channel maps belong to one design.
 _LISTS = ("format", "rate", "channels", "equaliser")
 _NUMBERS = ("other_rate", "fade_in", "fade_out", "lead_in")
 _BOXES = ("sync", "dither")
@@ -561,49 +550,47 @@ _MOST_CHARACTERS = 10_000
 
 
 def remembered(form: StimulusForm, machine_rig: str = "") -> str:
-    """Write down how ``form`` exports, and for which rig this machine played then."""
-    held: dict[str, Any] = {}
-    for name in (*_LISTS, *_NUMBERS, *_BOXES):
-        held[name] = _value(form.field(name))
-    held["choices"] = form.chosen
-    held["rig"] = "" if form.rigs.path is None else str(form.rigs.path)
-    held["machine_rig"] = machine_rig
-    return json.dumps(held)
+    """Return the settings of ``form`` and the rig that this machine plays for now, as JSON."""
+    settings = {name: _value(form.field(name)) for name in (*_LISTS, *_NUMBERS, *_BOXES)}
+    settings["choices"] = form.chosen
+    settings["rig"] = "" if form.rigs.path is None else str(form.rigs.path)
+    settings["machine_rig"] = machine_rig
+    return json.dumps(settings)
 
 
 def recall(form: StimulusForm, text: str, machine_rig: str = "") -> None:
-    """Let ``form`` export as it was written down; what is not known is left as it is.
+    """Restore the settings of ``form`` from `remembered`; unknown values are left out.
 
-    A rig that this machine has played for only since then goes before the one of then.
+    A rig that this machine has come to play for since then replaces the remembered rig.
     """
-    held = _held(text)
-    rig = held.get("rig")
-    if machine_rig and machine_rig != held.get("machine_rig"):
+    settings = _settings_in(text)
+    rig = settings.get("rig")
+    if machine_rig and machine_rig != settings.get("machine_rig"):
         rig = machine_rig
     if rig and isinstance(rig, str):
-        form.rigs.take(Path(rig))
-    if not held:
+        form.rigs.open_rig(Path(rig))
+    if not settings:
         return
-    # The format first: it decides which choices there are.
-    _put(form.field("format"), held.get("format"))
-    form.take_format()
-    choices = held.get("choices")
+    # The format comes first: it decides which choices there are.
+    _put(form.field("format"), settings.get("format"))
+    form.show_format()
+    choices = settings.get("choices")
     for name, value in choices.items() if isinstance(choices, dict) else ():
         if name in form.chosen:
             _put(form.field(name), value)
     for name in (*_LISTS[1:], *_NUMBERS, *_BOXES):
-        # What was chosen in the panel Actuator goes before the equaliser of another design.
+        # A choice in the panel Actuator replaces the equaliser of another design.
         if name != "equaliser" or form.rigs.chosen is None:
-            _put(form.field(name), held.get(name))
+            _put(form.field(name), settings.get(name))
 
 
-def _held(text: str) -> dict[str, Any]:
-    """What was written down; nothing where another version of the studio wrote it."""
+def _settings_in(text: str) -> dict[str, Any]:
+    """Return remembered settings; nothing where another version of the studio wrote them."""
     try:
-        held = json.loads(text[:_MOST_CHARACTERS]) if text else {}
+        settings = json.loads(text[:_MOST_CHARACTERS]) if text else {}
     except (ValueError, RecursionError):
         return {}
-    return held if isinstance(held, dict) else {}
+    return settings if isinstance(settings, dict) else {}
 
 
 def _value(widget: QWidget) -> Any:

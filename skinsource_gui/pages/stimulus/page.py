@@ -1,4 +1,8 @@
-"""The channels of a stimulus below each other: their picture, peak, and what would clip."""
+"""The page on which a stimulus is examined before it is written.
+
+A worker prepares the stimulus that the form orders; the page shows its channels with their peaks
+and the samples that would clip, and what the export loses.
+"""
 
 from collections.abc import Mapping
 from functools import partial
@@ -11,12 +15,10 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QDialog,
     QDialogButtonBox,
-    QFrame,
     QGraphicsOpacityEffect,
     QHBoxLayout,
     QLabel,
     QProgressBar,
-    QScrollArea,
     QSizePolicy,
     QVBoxLayout,
     QWidget,
@@ -35,12 +37,13 @@ from skinsource.export.stimulus_export.preparing import (
     prepare_stimulus,
 )
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
+from skinsource_gui.qt.buttons import scrolled
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
 from skinsource_gui.state.engine import LatestWins
 
 _ROW_PX, _GAP_PX = 58, 6
-_WORDS_PX = 208
+_TEXT_PX = 208
 _LEAST_PX = 160
 
 
@@ -58,30 +61,27 @@ class ChannelsView(QWidget):
 
     @property
     def overview(self) -> Overview | None:
-        """What is painted."""
+        """The overview that is painted."""
         return self._overview
 
     def sizeHint(self) -> QSize:
         n = len(self._overview.channels) if self._overview else 0
-        return QSize(_WORDS_PX + 2 * _LEAST_PX, n * (_ROW_PX + _GAP_PX))
+        return QSize(_TEXT_PX + 2 * _LEAST_PX, n * (_ROW_PX + _GAP_PX))
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(_WORDS_PX + _LEAST_PX, self.sizeHint().height())
+        return QSize(_TEXT_PX + _LEAST_PX, self.sizeHint().height())
 
     def show_overview(self, overview: Overview | None, colours: Mapping[int, int]) -> None:
         """Paint ``overview``; ``colours`` has the number of the colour of each input."""
         self._overview, self._colours, self._pale = overview, colours, False
-        words = (
-            [line for channel in overview.channels for line in channel_lines(channel)]
-            if overview
-            else []
-        )
-        self.setAccessibleDescription("; ".join(words))
+        channels = overview.channels if overview else ()
+        lines = [line for channel in channels for line in channel_lines(channel)]
+        self.setAccessibleDescription("; ".join(lines))
         self.updateGeometry()
         self.update()
 
     def set_pale(self, pale: bool) -> None:
-        """Say that what is painted is about to change."""
+        """Paint the channels pale where they are out of date."""
         self._pale = pale
         self.update()
 
@@ -93,13 +93,13 @@ class ChannelsView(QWidget):
         for row, channel in enumerate(self._overview.channels):
             top = row * (_ROW_PX + _GAP_PX)
             if event.rect().intersects(QRectF(0, top, self.width(), _ROW_PX).toRect()):
-                self._paint_words(painter, channel, top)
-                area = QRectF(_WORDS_PX, top, self.width() - _WORDS_PX, _ROW_PX)
+                self._paint_text(painter, channel, top)
+                area = QRectF(_TEXT_PX, top, self.width() - _TEXT_PX, _ROW_PX)
                 self._paint_picture(painter, channel, area)
 
-    def _paint_words(self, painter: QPainter, channel: ChannelOverview, top: float) -> None:
+    def _paint_text(self, painter: QPainter, channel: ChannelOverview, top: float) -> None:
         title, peak, clipped = (*channel_lines(channel), "")[:3]
-        room = QRectF(0, top, _WORDS_PX - UNIT_PX, _ROW_PX / 3)
+        room = QRectF(0, top, _TEXT_PX - UNIT_PX, _ROW_PX / 3)
         left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
         painter.setFont(tabular(self.font()))
         metrics = painter.fontMetrics()
@@ -108,10 +108,10 @@ class ChannelsView(QWidget):
             (peak, current_theme().dim),
             (clipped, current_theme().error),
         )
-        for number, (words, colour) in enumerate(rows):
+        for number, (text, colour) in enumerate(rows):
             painter.setPen(QColor(colour))
-            shown = metrics.elidedText(words, Qt.TextElideMode.ElideRight, int(room.width()))
-            painter.drawText(room.translated(0, number * _ROW_PX / 3), left, shown)
+            elided = metrics.elidedText(text, Qt.TextElideMode.ElideRight, int(room.width()))
+            painter.drawText(room.translated(0, number * _ROW_PX / 3), left, elided)
 
     def _paint_picture(self, painter: QPainter, channel: ChannelOverview, area: QRectF) -> None:
         painter.fillRect(area, QColor(current_theme().base))
@@ -145,45 +145,43 @@ class ChannelsView(QWidget):
 
 
 def joined(extremes: Floats) -> Floats:
-    """Least and largest of each stretch, (2, n_columns), up to where the stretch before it ends.
+    """Return least and largest values, (2, n_columns), extended to meet the stretch before.
 
-    Stretches of few samples would be dots that nothing holds together.
+    Otherwise stretches of few samples would be painted as separate dots.
     """
     low, high = extremes
-    met = extremes.copy()
-    met[0, 1:] = np.minimum(low[1:], high[:-1])
-    met[1, 1:] = np.maximum(high[1:], low[:-1])
-    return met
+    extended = extremes.copy()
+    extended[0, 1:] = np.minimum(low[1:], high[:-1])
+    extended[1, 1:] = np.maximum(high[1:], low[:-1])
+    return extended
 
 
 def channel_lines(channel: ChannelOverview) -> list[str]:
-    """Lines on a channel: what it is, how strong, and what would be cut off."""
+    """Return lines on a channel: its title, its strength, and how many samples would clip."""
     title = channel.title if channel.place is None else f"Place {channel.place}, {channel.title}"
     peak = "silent" if channel.peak == 0.0 else f"peak {20.0 * np.log10(channel.peak):z.1f} dB"
     rms = "" if channel.rms == 0.0 else f", RMS {20.0 * np.log10(channel.rms):z.1f} dB"
-    words = [f"{channel.number}  {title}", f"{peak}{rms}".replace("-", "\u2212")]
+    lines = [f"{channel.number}  {title}", f"{peak}{rms}".replace("-", "\u2212")]
     if channel.clipped:
-        words.append(f"{channel.clipped} sample{'' if channel.clipped == 1 else 's'} would clip")
-    return words
+        lines.append(f"{channel.clipped} sample{'' if channel.clipped == 1 else 's'} would clip")
+    return lines
 
-
-# How far the computation of a stimulus is that is not shown yet.
 
 _BAR_PX = 96
 
 
 class PreparingRow(QWidget):
-    """A word and a bar, hidden while nothing is computed.
+    """Shows a label and a bar while a stimulus is computed.
 
-    What takes no time is not told: the word would only flicker.
+    It appears with a delay, so that it does not flicker during short computations.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("stimulus_preparing")
-        self._words = QLabel()
-        self._words.setObjectName("stimulus_computing")
-        self._words.setFont(tabular(self.font()))
+        self._label = QLabel()
+        self._label.setObjectName("stimulus_computing")
+        self._label.setFont(tabular(self.font()))
         self._bar = QProgressBar()
         self._bar.setObjectName("stimulus_progress")
         self._bar.setAccessibleName("Progress")
@@ -192,48 +190,39 @@ class PreparingRow(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(UNIT_PX)
-        row.addWidget(self._words)
+        row.addWidget(self._label)
         row.addWidget(self._bar)
         row.addStretch(1)
         policy = self.sizePolicy()
-        # What stands beside it stays where it is.
+        # The buttons next to it stay where they are.
         policy.setRetainSizeWhenHidden(True)
         self.setSizePolicy(policy)
-        self.lateness = Staleness(self)
-        self.lateness.changed.connect(self.setVisible)
+        self.staleness = Staleness(self)
+        self.staleness.changed.connect(self.setVisible)
         self.begin()
         self.hide()
 
     def begin(self) -> None:
-        """Something is computed from now on, of which nothing is known yet."""
+        """Note that a computation begins, whose progress is not known yet."""
         self.show_progress(0, 0)
-        self.lateness.set_stale(True)
+        self.staleness.set_stale(True)
 
     def end(self) -> None:
-        """Nothing is computed any more."""
-        self.lateness.set_stale(False)
+        """Note that the computation has ended."""
+        self.staleness.set_stale(False)
 
     def show_progress(self, done: int, total: int) -> None:
-        """Show how much is done, of how much; a total of 0: not known."""
-        # A bar of which nothing is known looks full.
+        """Show how much of the total is done; a total of 0: not known."""
+        # A bar whose total is not known looks full.
         self._bar.setVisible(bool(total))
         self._bar.setMaximum(max(total, 1))
         self._bar.setValue(done)
         percent = f" {100 * done // total} %" if total else ""
-        self._words.setText(f"Computing\u2026{percent}")
-
-
-# Prepares a stimulus for the page.
+        self._label.setText(f"Computing\u2026{percent}")
 
 
 class PreparingWorker(LatestWins):
-    """Computes how the order that is wanted last would look, for one design.
-
-    Parameters
-    ----------
-    design
-        What is exported.
-    """
+    """Prepares the stimulus of the latest order, for one design."""
 
     #: The `Order` and its `skinsource.export.stimulus_export.preparing.Overview`.
     ready = Signal(object, object)
@@ -245,14 +234,14 @@ class PreparingWorker(LatestWins):
         self._design = design
 
     def prepare(self, order: Order) -> None:
-        """Look at ``order``, instead of whatever was wanted before."""
+        """Prepare ``order`` in place of the order before."""
         self.want(order, partial(self._prepare, order))
 
     def _prepare(self, order: Order) -> None:
         def stop() -> bool:
             return self.outdated
 
-        made = prepare_stimulus(
+        stimulus = prepare_stimulus(
             self._design,
             Path(f"stimulus{order.format.suffix}"),
             order.format,
@@ -264,33 +253,31 @@ class PreparingWorker(LatestWins):
             progress=partial(self._tell_progress, order, 0),
             stop=stop,
         )
-        looked_at = overview_of(made, progress=partial(self._tell_progress, order, 1), stop=stop)
-        self.tell(self.ready, order, looked_at)
+        overview = overview_of(stimulus, progress=partial(self._tell_progress, order, 1), stop=stop)
+        self.tell(self.ready, order, overview)
 
     def _tell_progress(self, order: Order, half: int, done: int, total: int, _text: str) -> None:
-        """Tell how far it is: channels are made, and then looked at."""
+        """Emit progress: the first half prepares channels, the second makes the overview."""
         self.tell(self.progressed, order, half * total + done, 2 * total)
 
-
-# The page on which a stimulus is looked at, before it is written.
 
 _LEFT_PX = 300
 
 
 class StimulusPage(QDialog):
-    """Shows the channels as they will be, and asks how and as what they are written.
+    """Shows the channels as they will be written, and asks for format and options.
 
     Parameters
     ----------
     design, view
-        What is exported, and what is selected there.
-    kept
-        How the last one was exported, as ``chosen`` told.
+        The design that is exported, and what is selected in it.
+    last_settings
+        Settings of the last export, as ``chosen`` emitted them.
     machine_rig
         Rig file that this machine plays for; empty: none.
     """
 
-    #: The `Order` and its `Overview`; whether what clips was confirmed; what is remembered.
+    #: The `Order` and its `Overview`; whether clipping was confirmed; settings to remember.
     chosen = Signal(object, object, bool, str)
 
     def __init__(
@@ -298,7 +285,7 @@ class StimulusPage(QDialog):
         design: Design,
         view: View,
         parent: QWidget | None = None,
-        kept: str = "",
+        last_settings: str = "",
         machine_rig: str = "",
     ) -> None:
         super().__init__(parent)
@@ -307,7 +294,7 @@ class StimulusPage(QDialog):
         self.setWindowTitle("Export stimulus")
         self.resize(960, 680)
         self._colours = {track.id: track.colour for track in design.inputs}
-        self._wanted: Order | None = None
+        self._ordered: Order | None = None
         self._shown: tuple[Order, Overview] | None = None
         self.form = StimulusForm(design, view)
         self.channels = ChannelsView()
@@ -321,29 +308,29 @@ class StimulusPage(QDialog):
         self._lay_out()
         self._worker = PreparingWorker(design, self)
         self._connect()
-        recall(self.form, kept, machine_rig)
+        recall(self.form, last_settings, machine_rig)
         self._machine_rig = machine_rig
-        self.form.want()
+        self.form.emit_order()
 
     @property
     def busy(self) -> bool:
-        """Whether something is wanted that is not shown yet."""
-        return self._wanted is not None and self._shown is None
+        """Whether the order that is prepared is not shown yet."""
+        return self._ordered is not None and self._shown is None
 
     @property
     def ready(self) -> bool:
-        """Whether what is shown can be written."""
+        """Whether the stimulus that is shown can be written."""
         return self._export_button.isEnabled()
 
     def done(self, result: int) -> None:
-        """Close it, with or without an export."""
+        """Close the page, with or without an export."""
         shown, confirmed = self._shown, self._confirm.isChecked()
-        kept = remembered(self.form, self._machine_rig)
-        # It is gone at once, whatever is still computed.
+        settings = remembered(self.form, self._machine_rig)
+        # The page closes before the worker, which may take time to stop.
         super().done(result)
         self._worker.close()
         if result == QDialog.DialogCode.Accepted and shown is not None:
-            self.chosen.emit(*shown, confirmed, kept)
+            self.chosen.emit(*shown, confirmed, settings)
 
     def _name_parts(self) -> None:
         self._export_button = self._buttons.button(QDialogButtonBox.StandardButton.Ok)
@@ -364,12 +351,12 @@ class StimulusPage(QDialog):
         self._problem.hide()
 
     def _lay_out(self) -> None:
-        left = _scrolled(self.form, "stimulus_fields")
+        left = scrolled(self.form, "stimulus_fields")
         left.setFixedWidth(_LEFT_PX)
         left.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         right = QVBoxLayout()
         right.setSpacing(UNIT_PX)
-        pictures = _scrolled(self.channels, "stimulus_scroll")
+        pictures = scrolled(self.channels, "stimulus_scroll")
         pictures.setAccessibleName("Channels; arrow keys scroll")
         right.addWidget(pictures, 1)
         for part in (self._summary, self._loses, self._problem, self._confirm):
@@ -387,7 +374,7 @@ class StimulusPage(QDialog):
         rows.addLayout(foot)
 
     def _connect(self) -> None:
-        self.form.changed.connect(self._want)
+        self.form.changed.connect(self._prepare)
         self.form.refused.connect(self._show_refused)
         self._worker.ready.connect(self._show_ready)
         self._worker.progressed.connect(self._show_progress)
@@ -396,9 +383,9 @@ class StimulusPage(QDialog):
         self._buttons.accepted.connect(self.accept)
         self._buttons.rejected.connect(self.reject)
 
-    def _want(self, order: Order) -> None:
-        self._wanted, self._shown = order, None
-        # What was confirmed was about something else.
+    def _prepare(self, order: Order) -> None:
+        self._ordered, self._shown = order, None
+        # Clipping was confirmed for another order.
         self._confirm.setChecked(False)
         self._set_pale(True)
         self._preparing.begin()
@@ -406,7 +393,7 @@ class StimulusPage(QDialog):
         self._worker.prepare(order)
 
     def _show_ready(self, order: Order, overview: Overview) -> None:
-        if order is not self._wanted:
+        if order is not self._ordered:
             return
         self._shown = order, overview
         self._preparing.end()
@@ -419,11 +406,11 @@ class StimulusPage(QDialog):
         self._show_problem(" ".join(overview.objections), ask=bool(overview.objections))
 
     def _show_progress(self, order: Order, done: int, total: int) -> None:
-        if order is self._wanted:
+        if order is self._ordered:
             self._preparing.show_progress(done, total)
 
     def _set_pale(self, pale: bool) -> None:
-        """Say whether what is shown and said is about to change."""
+        """Show channels and texts pale where they are out of date."""
         self.channels.set_pale(pale)
         for label in (self._summary, self._loses, self._problem):
             effect = label.graphicsEffect()
@@ -432,50 +419,50 @@ class StimulusPage(QDialog):
                 label.setGraphicsEffect(effect)
             effect.setEnabled(pale)
 
-    def _show_failed(self, order: Order, words: str) -> None:
-        if order is self._wanted:
-            self._show_refused(words)
+    def _show_failed(self, order: Order, reason: str) -> None:
+        if order is self._ordered:
+            self._show_refused(reason)
 
-    def _show_refused(self, words: str) -> None:
-        self._wanted = self._shown = None
+    def _show_refused(self, reason: str) -> None:
+        self._ordered = self._shown = None
         self._preparing.end()
         self._set_pale(False)
         self.channels.show_overview(None, {})
         self._summary.setText("")
         self._loses.setText("")
-        self._show_problem(sentence(words), ask=False)
+        self._show_problem(sentence(reason), ask=False)
 
-    def _show_problem(self, words: str, *, ask: bool) -> None:
-        self._problem.setText(words)
-        self._problem.setVisible(bool(words))
+    def _show_problem(self, text: str, *, ask: bool) -> None:
+        self._problem.setText(text)
+        self._problem.setVisible(bool(text))
         self._confirm.setVisible(ask)
         self._show_button()
 
     def _show_button(self) -> None:
-        agreed = self._confirm.isHidden() or self._confirm.isChecked()
-        self._export_button.setEnabled(self._shown is not None and agreed)
+        may_export = self._confirm.isHidden() or self._confirm.isChecked()
+        self._export_button.setEnabled(self._shown is not None and may_export)
         self._export_button.setDefault(self._export_button.isEnabled())
 
 
 def summary_of(overview: Overview) -> str:
-    """How much will be written, what full scale stands for, and what it is equalised for."""
+    """Return how much will be written, what full scale means, and how it is equalised."""
     n = len(overview.channels)
     many = "" if overview.n_files == 1 else f" in {overview.n_files} files"
     rate = f"{overview.rate_hz:,g}".replace(",", " ")
     unit = "" if overview.unit == "1" else f" {overview.unit}"
-    # What the design wants is no volts of a device before a rig says so.
-    stands = "shall be" if _wants_volts(overview) else "is"
+    # Without a rig, it is not known that the device gives the volts that the actuators need.
+    verb = "shall be" if _lacks_rig(overview) else "is"
     size = sentence(
         f"{n} channel{'' if n == 1 else 's'}{many}, {duration_text(overview.duration_s)} at "
-        f"{rate} Hz, about {size_text(overview.n_bytes)}. Full scale {stands} "
+        f"{rate} Hz, about {size_text(overview.n_bytes)}. Full scale {verb} "
         f"{overview.full_scale:.4g}{unit}"
     )
     return f"{size} {sentence(overview.equalised)}"
 
 
 def calibration_of(overview: Overview) -> str:
-    """Whether accelerations follow from the samples, as a sentence."""
-    if _wants_volts(overview):
+    """Return a sentence on whether accelerations follow from the samples."""
+    if _lacks_rig(overview):
         return (
             "Uncalibrated: no rig says how many volts output and amplifier give. Choose one, or "
             "set the amplifier so that full scale is as many."
@@ -483,31 +470,21 @@ def calibration_of(overview: Overview) -> str:
     return sentence(f"{overview.calibration[:1].upper()}{overview.calibration[1:]}")
 
 
-def _wants_volts(overview: Overview) -> bool:
-    """Whether volts are known that the actuators shall get, and none that they will."""
+def _lacks_rig(overview: Overview) -> bool:
+    """Return whether the actuators need known volts, and no rig states those of the device."""
     return overview.unit == "V" and overview.calibration == UNCALIBRATED
 
 
 def duration_text(time_s: float) -> str:
-    """A length of time as people read it: ms below a second."""
+    """Return a duration as text, in ms below a second."""
     if time_s < 1e-3:
         return f"{1e3 * time_s:.2g} ms"
     return in_ms(time_s) if time_s < 1.0 else f"{time_s:.4g} s"
 
 
 def size_text(n_bytes: int) -> str:
-    """A number of bytes as people read it."""
+    """Return a number of bytes as text."""
     for factor, unit in ((1e9, "GB"), (1e6, "MB"), (1e3, "kB")):
         if n_bytes >= factor:
             return f"{n_bytes / factor:.3g} {unit}"
     return f"{n_bytes} bytes"
-
-
-def _scrolled(inside: QWidget, name: str) -> QScrollArea:
-    scroll = QScrollArea()
-    scroll.setObjectName(name)
-    scroll.setFrameShape(QFrame.Shape.NoFrame)
-    scroll.setWidgetResizable(True)
-    scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    scroll.setWidget(inside)
-    return scroll

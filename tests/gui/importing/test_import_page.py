@@ -26,7 +26,7 @@ def test_what_is_shown_is_placed_in_one_step(window, settle, page_on, sound):
     before, steps = window.document.design, window.document.undo_stack.count()
     page = page_on(sound, DropPlace(location=13))
     assert page.ready
-    assert "0.5 s" in page.preview.words
+    assert "0.5 s" in page.preview.text
     page.accept()
     design = window.document.design
     new = design.inputs[-1]
@@ -70,8 +70,8 @@ def test_choices_change_what_is_shown_and_placed(desk, page_at, qtbot, sound):
     assert page.form.choice.scale == "peak"
     choose(page, qtbot, "unit", "g")
     assert page.form.choice.scale == "keep"
-    assert "peak 3.89" in page.preview.words
-    assert "m/s²" in page.preview.words
+    assert "peak 3.89" in page.preview.text
+    assert "m/s²" in page.preview.text
     page.accept()
     waveform = desk.document.design.inputs[-1].clips[-1].waveform
     assert waveform.samples.unit == "m/s²"
@@ -87,13 +87,13 @@ def test_an_acceleration_in_g_keeps_its_size_and_is_said_in_both_units(
     rows = "\n".join(f"{t:.9f},{x:.9f}" for t, x in zip(time_s, accel_g, strict=True))
     (tmp_path / "accel_g.csv").write_text(f"time (s),acceleration (g)\n{rows}\n")
     page = page_at(tmp_path / "accel_g.csv")
-    assert "peak 4.88 m/s² (0.50 g)" in page.preview.words
+    assert "peak 4.88 m/s² (0.50 g)" in page.preview.text
     page.accept()
     samples = desk.document.design.inputs[-1].clips[-1].waveform.samples
     assert (samples.unit, samples.peak) == ("m/s²", pytest.approx(4.88, abs=0.01))
     page = page_at(tmp_path / "accel_g.csv")
     choose(page, qtbot, "scale", "peak")
-    assert "peak 1 ·" in page.preview.words
+    assert "peak 1 ·" in page.preview.text
 
 
 def test_a_rate_that_is_assumed_is_said_so_until_it_is_typed(page_at, qtbot, tmp_path):
@@ -108,7 +108,7 @@ def test_a_rate_that_is_assumed_is_said_so_until_it_is_typed(page_at, qtbot, tmp
     qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
     QApplication.processEvents()
     assert not warning.isVisible()
-    assert page.preview.words.startswith("1 s")
+    assert page.preview.text.startswith("1 s")
 
 
 def test_missing_numbers_are_a_choice(page_at, qtbot, tmp_path):
@@ -117,14 +117,14 @@ def test_missing_numbers_are_a_choice(page_at, qtbot, tmp_path):
     np.save(tmp_path / "raw.npy", values)
     page = page_at(tmp_path / "raw.npy")
     assert not page.ready
-    assert "the first is number 8" in page.preview.words
+    assert "the first is number 8" in page.preview.text
     box = page.form.findChild(object, "import_missing")
     assert box.isVisible()
     box.setChecked(True)
     qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
     QApplication.processEvents()
     assert page.ready
-    assert "1 missing numbers count as 0" in page.preview.words
+    assert "1 missing numbers count as 0" in page.preview.text
 
 
 def test_a_file_that_is_none_says_why_and_imports_nothing(desk, page_at, tmp_path):
@@ -132,7 +132,7 @@ def test_a_file_that_is_none_says_why_and_imports_nothing(desk, page_at, tmp_pat
     before = desk.document.design
     page = page_at(tmp_path / "bad.wav")
     assert not page.ready
-    assert "bad.wav: cannot be read" in page.preview.words
+    assert "bad.wav: cannot be read" in page.preview.text
     page.reject()
     assert desk.document.design is before
 
@@ -159,7 +159,7 @@ def test_the_whole_is_shown_and_its_part_is_dragged(page_at, qtbot, tmp_path):
     assert choice.duration_s == pytest.approx(7.0, abs=0.1)
     assert choice.start_s == pytest.approx(1.0, abs=0.1)
     qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
-    assert page.preview.words.startswith("7")
+    assert page.preview.text.startswith("7")
 
 
 def drag(qtbot, strip, *times_s):
@@ -198,7 +198,7 @@ def test_time_stamps_say_how_long_a_table_is(page_at, qtbot, tmp_path):
     qtbot.waitUntil(lambda: page.ready, timeout=60_000)
     assert page.form.choice.duration_s == pytest.approx(4.999 * 2000 / 1999, abs=1e-6)
     assert page.form.lasts_s == page.form.choice.duration_s
-    assert page.preview.words.startswith("5 s")
+    assert page.preview.text.startswith("5 s")
     strip = page.findChild(object, "import_overview")
     assert strip.isVisible()
     qtbot.waitUntil(lambda: strip.extremes is not None, timeout=30_000)
@@ -301,7 +301,7 @@ def test_three_axes_are_offered_as_one(desk, page_at, qtbot, tmp_path):
     ]
     choose(page, qtbot, "axes", "1 2")
     qtbot.waitUntil(lambda: page.ready, timeout=60_000)
-    assert "DFT321, Landin et al. 2010" in page.preview.words
+    assert "DFT321, Landin et al. 2010" in page.preview.text
     assert page.form.choice.others == ("1", "2")
     page.accept()
     waveform = desk.document.design.inputs[-1].clips[-1].waveform

@@ -2,13 +2,13 @@
 
 import pytest
 
-from skinsource_gui.pages.importing.form import TakenPart
+from skinsource_gui.pages.importing.form import DraggedPart
 
 
 @pytest.fixture
 def part():
     """From 2 to 4 s."""
-    made = TakenPart(5.0, lambda: 800)
+    made = DraggedPart(5.0, lambda: 800)
     made.show(8.0, 2.0, 2.0)
     return made
 

@@ -10,7 +10,7 @@ from skinsource_gui.state.job_runner import JobProgress, JobRunner
 def test_nothing_is_said_of_a_job_of_another_page(qtbot):
     runner, gate, said, ended = JobRunner(), Event(), [], []
     page = PageJobs(runner, runner)
-    page.told.connect(said.append)
+    page.progressed.connect(said.append)
     for signal in (page.done, page.failed, page.cancelled):
         signal.connect(lambda *_: ended.append(1))
     own = Job("Importing a limb", lambda progress, stop: gate.wait(30.0))

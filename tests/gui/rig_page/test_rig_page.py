@@ -203,7 +203,7 @@ def test_places_are_those_of_the_limb_of_the_design_the_driven_ones_first(user_d
     parent = QObject()
     draft = RigDraft(None, None, edit.design, parent)
     said = []
-    draft.said.connect(said.append)
+    draft.noted.connect(said.append)
     for _ in range(N_INPUTS + 1):
         draft.add(0)
     assert [one.place for one in draft.rig.channels] == [5, 2, 1, 3, 4, 6, 7]

@@ -32,8 +32,8 @@ def test_a_scene_is_opened_on_a_limb_of_ones_own(lab_window, qtbot):
     assert page.played_on.shown_text == "The limbs of the paper"
     page.played_on.choose("lab-1")
     selected(page, "2F")
-    assert "Opens on Lab 1." in page.words.text()
-    assert "played at its places 1 in place of 8, 2 in place of 13" in page.words.text()
+    assert "Opens on Lab 1." in page.text.text()
+    assert "played at its places 1 in place of 8, 2 in place of 13" in page.text.text()
     page.buttons.button(OPEN).click()
     qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
     window.catch_up()
@@ -53,7 +53,7 @@ def test_a_scene_that_does_not_apply_says_why_and_is_not_opened(lab_window):
     page = lab_window.scenes.show()
     page.played_on.choose("lab-1")
     selected(page, "1G")
-    assert "Does not apply on Lab 1: It compares 4 people" in page.words.text()
+    assert "Does not apply on Lab 1: It compares 4 people" in page.text.text()
     assert not page.buttons.button(OPEN).isEnabled()
     page._choose()
     assert lab_window.document.design is before
@@ -62,7 +62,7 @@ def test_a_scene_that_does_not_apply_says_why_and_is_not_opened(lab_window):
     assert "It compares 4 people" in rows["1G"].toolTip()
     page.played_on.choose("")
     assert page.buttons.button(OPEN).isEnabled()
-    assert "Opens on Synthetic 1" in page.words.text()
+    assert "Opens on Synthetic 1" in page.text.text()
     page.reject()
 
 

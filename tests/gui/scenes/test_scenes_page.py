@@ -71,13 +71,13 @@ def test_the_gallery_lists_all_scenes_and_shows_the_selected_one(window):
     headings = [page.list.item(row).text() for row in range(page.list.count())]
     assert headings == [one.heading for one in ss.scenes.all_scenes()]
     page.list.setCurrentRow(headings.index("2F · Two inputs interfere"))
-    words = page.words.text()
+    words = page.text.text()
     assert ss.scenes.scene("2F").sentence in words
     assert "Fig. 2F" in words
     assert "Opens on Synthetic 3 (185 mm)." in words
     assert "SYNTHETIC" in words
     page.list.setCurrentRow(headings.index("2H · A sensation that contracts"))
-    assert "Inferred: kind, frequencies" in page.words.text()
+    assert "Inferred: kind, frequencies" in page.text.text()
     page.reject()
 
 
@@ -89,7 +89,7 @@ def test_every_picture_has_its_room(window):
         assert shown.width() > 300
         assert page.picture.rect().toRectF().contains(shown)
         assert not picture_of(page.scene).isNull()
-        assert page.words.height() >= page.words.heightForWidth(page.words.width())
+        assert page.text.height() >= page.text.heightForWidth(page.text.width())
     page.reject()
 
 

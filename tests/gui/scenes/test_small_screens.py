@@ -43,7 +43,7 @@ def test_it_scrolls_inside_where_the_screen_is_small(window, settle, screen, sca
         assert_whole(page)
         # What is said of a scene is all there, in sight or scrolled to.
         area = page.findChild(QScrollArea, "scene_area")
-        assert page.words.height() >= page.words.heightForWidth(page.words.width())
+        assert page.text.height() >= page.text.heightForWidth(page.text.width())
         hidden = area.widget().height() - area.viewport().height()
         assert area.verticalScrollBar().maximum() == max(hidden, 0)
         page.reject()

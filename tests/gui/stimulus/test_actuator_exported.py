@@ -40,7 +40,7 @@ def form_on(qtbot):
 def order_of(form):
     found = []
     form.changed.connect(found.append)
-    form.want()
+    form.emit_order()
     return found[-1]
 
 
@@ -120,7 +120,7 @@ def test_what_is_remembered_does_not_replace_what_the_panel_shows(form_on, last)
 
 def test_full_scale_of_equalised_drives_is_in_volts(form_on):
     form = form_on(DESIGN, view_of(actuator=FINGERTIP))
-    form.want()
+    form.emit_order()
     assert form.field("full_scale").spec.unit == "V"
     form.field("equaliser").choose("none")
     assert form.field("full_scale").spec.unit == "m/s²"

@@ -40,7 +40,7 @@ def other(qtbot):
 def orders(form):
     found = []
     form.changed.connect(found.append)
-    form.want()
+    form.emit_order()
     return found[-1]
 
 
@@ -51,7 +51,7 @@ def test_the_next_page_exports_as_the_last_one_did(form, other, tmp_path):
     form.field("rate").choose("96000")
     form.field("lead_in").set_value(0.25)
     form.field("sync").setChecked(True)
-    form.rigs.take(tmp_path / "bench.skinrig")
+    form.rigs.open_rig(tmp_path / "bench.skinrig")
     form.field("equaliser").choose("minimum")
     recall(other, remembered(form))
     assert orders(other) == orders(form)
@@ -82,7 +82,7 @@ def test_what_is_not_known_is_left_as_it_is(form, other, text):
 def test_a_rig_that_is_gone_is_said_and_the_rest_is_kept(form, other, tmp_path):
     save_rig(tmp_path / "bench.skinrig", Rig(channels=(RigChannel(place=7),)))
     form.field("format").choose("flac")
-    form.rigs.take(tmp_path / "bench.skinrig")
+    form.rigs.open_rig(tmp_path / "bench.skinrig")
     text = remembered(form)
     (tmp_path / "bench.skinrig").unlink()
     said = []
@@ -101,7 +101,7 @@ def test_the_rig_of_the_machine_goes_before_until_another_is_chosen(form, other,
     recall(form, "", bench)
     assert str(form.rigs.path) == bench
     # What was chosen for an export stays for the next one ...
-    form.rigs.take(None)
+    form.rigs.open_rig(None)
     recall(other, remembered(form, bench), bench)
     assert other.rigs.path is None
     # ... until the machine plays for another rig.
