@@ -14,6 +14,7 @@ from dataclasses import replace
 from time import perf_counter
 
 from skinsource.base.allocation import keep_freed_memory
+from skinsource.design.clips import Clip
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
@@ -29,7 +30,7 @@ Edit = Callable[[Design, int], Design]
 EDITS: dict[str, Edit] = {
     "amplitude": lambda design, k: design.with_input(0, amplitude=1.0 + k / 1000),
     "waveform": lambda design, k: design.with_input(
-        0, waveform=Tone(frequency_hz=100.0 + k / 100, duration_s=1.0)
+        0, clips=(Clip(waveform=Tone(frequency_hz=100.0 + k / 100, duration_s=1.0)),)
     ),
 }
 
