@@ -22,7 +22,7 @@ from skinsource.design.labels import limb_word
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.spec import ChoiceSpec
 from skinsource.studies.scenes.catalog import all_scenes, open_scene, why_not_on
-from skinsource.studies.scenes.scene import Scene
+from skinsource.studies.scenes.opened_scene import Scene
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.resources import resource_folder

@@ -7,14 +7,14 @@ from skinsource.design.panel_settings import SpectrogramSettings
 from skinsource.engine.actuator_demand import ActuatorSettings
 from skinsource.perception.thresholds import PerceptionSettings
 from skinsource.specs.models import specs_of
-from skinsource_gui.panels.frequency_and_amplitude.panel import ControlSettings
-from skinsource_gui.panels.linearity.content import LinearitySettings
-from skinsource_gui.panels.side_by_side.content import SideBySideSettings
+from skinsource_gui.panels.frequency_and_amplitude.settings import ControlSettings
+from skinsource_gui.panels.linearity.settings import LinearitySettings
+from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.spectra.panel import SpectraSettings
 from skinsource_gui.panels.timeline.content import TimelineSettings
 from skinsource_gui.panels.traces.panel import TracesSettings
-from skinsource_gui.panels.transfer.panel import TransferSettings
+from skinsource_gui.panels.transfer.settings import TransferSettings
 from skinsource_gui.shell.arrangement_spec import Behind, Place
 from skinsource_gui.state.panel import LazyPanel, Panel
 

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.actuators import measuring
+from skinsource import actuators
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.quoting import printable
 from skinsource.design.edits.edit import Refusal
@@ -153,7 +153,9 @@ class RigPages(QObject):
         )
         if name:
             path = Path(name)
-            self._thread.do(partial(measuring.open_response, path), partial(self._look_at, path))
+            self._thread.do(
+                partial(actuators.measuring.open_response, path), partial(self._look_at, path)
+            )
 
     def end(self) -> None:
         """Open nothing more."""

@@ -15,12 +15,12 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
+from skinsource import lab
 from skinsource.actuators import rigs
 from skinsource.base.errors import InvalidInputError, SkinSourceError
 from skinsource.design import edits
 from skinsource.design.comparing import louder
 from skinsource.design.design import Design
-from skinsource.lab.playing import devices, session
 from skinsource.lab.playing.devices import Output, output_from_text, outputs_by_place
 from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB, START_DB
 from skinsource_gui.state.document import Document
@@ -132,7 +132,7 @@ class LazySession:
     def made(self) -> "Session":
         """The session, which is made now if it was not used before."""
         if self._session is None:
-            self._session = session.Session(self._finished)
+            self._session = lab.playing.session.Session(self._finished)
         return self._session
 
     def close(self) -> None:
@@ -495,11 +495,11 @@ class SoundSettings(QObject):
         if not self.looked:
             return
         try:
-            device = devices.device_of(self.output, self.devices)
+            device = lab.playing.devices.device_of(self.output, self.devices)
         except SkinSourceError as error:
             self.missing = self.missing or str(error)
             return
-        self._thread.do(partial(devices.rates_of, device), self._receive_rates)
+        self._thread.do(partial(lab.playing.devices.rates_of, device), self._receive_rates)
 
     def _receive_rates(
         self, rates_hz: tuple[int, ...] | None, error: SkinSourceError | None

@@ -4,9 +4,15 @@ Budgets hold for all graphs that share values together.  Limbs with the response
 and the latest result of each rule, come on top.
 """
 
+import mmap
 from collections import OrderedDict
 from collections.abc import Callable, Hashable
+from math import prod
 from typing import Generic, TypeVar
+
+import numpy as np
+
+from skinsource.base.arrays import Complexes
 
 V = TypeVar("V")
 
@@ -87,3 +93,12 @@ TOTAL_BYTES = (
 PREDICT_BYTES = 128 * _MIB
 #: Gains that it remembers.
 PREDICT_GAINS_BYTES = 1 * _MIB
+
+
+def untouched_array(shape: tuple[int, ...]) -> Complexes:
+    """Return an array whose parts take memory once they are written; their values mean nothing.
+
+    It comes from the system directly: memory that the process used before is there in whole.
+    """
+    n_bytes = max(prod(shape), 1) * np.dtype(np.complex128).itemsize
+    return np.frombuffer(mmap.mmap(-1, n_bytes), np.complex128, prod(shape)).reshape(shape)

@@ -33,7 +33,7 @@ from skinsource.base.work import tally
 from skinsource.design.signal_path import LARGEST, Drive, check_drive, drive_of, first_unusable
 from skinsource.engine.drives import active_samples
 from skinsource.engine.gains import exceeds_rounding, unit_gains
-from skinsource.engine.memory import PREDICT_BYTES, PREDICT_GAINS_BYTES, Memory
+from skinsource.engine.memory import PREDICT_BYTES, PREDICT_GAINS_BYTES, Memory, untouched_array
 from skinsource.engine.spectra import (
     Norms,
     ResponseSpectra,
@@ -110,7 +110,7 @@ class _Places:
     def __init__(self, limb: Limb, n_fft: int, most_places: int) -> None:
         self.n_fft = n_fft
         self._shape = limb.n_outputs, limb.n_axes, n_fft // 2 + 1
-        self._values = np.empty((most_places, *self._shape), np.complex128)
+        self._values = untouched_array((most_places, *self._shape))
         self.known: dict[int, ResponseSpectrum] = {}
 
     @property

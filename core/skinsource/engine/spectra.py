@@ -15,7 +15,12 @@ from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.work import tally
 from skinsource.design.signal_path import LARGEST, first_unusable
-from skinsource.engine.memory import EXACT_SPECTRA_BYTES, RESPONSE_SPECTRA_BYTES, Memory
+from skinsource.engine.memory import (
+    EXACT_SPECTRA_BYTES,
+    RESPONSE_SPECTRA_BYTES,
+    Memory,
+    untouched_array,
+)
 from skinsource.engine.transforms import Channel, driven, forward
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling, per_probe_acceleration
@@ -115,7 +120,7 @@ class _Places:
     def __init__(self, limb: Limb, n_fft: int) -> None:
         self._n_fft = n_fft
         shape = limb.n_inputs, limb.n_outputs, limb.n_axes, n_fft // 2 + 1
-        self._values = np.empty(shape, np.complex128)
+        self._values = untouched_array(shape)
         self._known: dict[int, ResponseSpectrum] = {}
 
     @property

@@ -1,2 +1,3 @@
 from . import matching as matching
+from . import playing as playing
 from . import rig_measuring as rig_measuring

@@ -1,7 +1,5 @@
 """The panel of frequency and amplitude of the selected track, large, for presenting."""
 
-from dataclasses import dataclass
-
 from PySide6.QtCore import QRect, Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
@@ -14,13 +12,20 @@ from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, amplitude_sp
 from skinsource.design.edits.edit import clip_of
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
-from skinsource.specs import fields
 from skinsource.specs.models import specs_of
-from skinsource.specs.spec import ChoiceSpec, Spec
+from skinsource.specs.spec import Spec
 from skinsource.studies import scenes
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.inputs import EMPTY, stretched_text
+from skinsource_gui.panels.frequency_and_amplitude.settings import (
+    ALL,
+    AMPLITUDE,
+    CONTROL,
+    FREQUENCY,
+    ONSET,
+    ControlSettings,
+)
 from skinsource_gui.qt.labels import how_to_add, how_to_select_input
 from skinsource_gui.qt.room import FoldingRow, RoomOrText
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
@@ -61,35 +66,6 @@ class Heading(QLabel):
     def _height_of(self, text: str) -> int:
         room = QRect(0, 0, self.contentsRect().width(), _ANY_HEIGHT_PX)
         return self.fontMetrics().boundingRect(room, _WRAPPED, text).height()
-
-
-ALL, FREQUENCY, AMPLITUDE, ONSET = "all", "frequency", "amplitude", "onset"
-CONTROL = ChoiceSpec(
-    label="Turn",
-    options=(
-        (ALL, "All"),
-        (FREQUENCY, "Frequency"),
-        (AMPLITUDE, "Amplitude"),
-        (ONSET, "Onset"),
-    ),
-    hint="What this scene is about: the one number that is shown and turned; saved with the design",
-)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ControlSettings:
-    """Which number is changed in front of an audience.
-
-    Attributes
-    ----------
-    control
-        `ALL`, or the one number that is shown.
-    """
-
-    control: str = fields.choice(ALL, CONTROL)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
 
 _FREQUENCY, _ONSET = "frequency_hz", "onset_s"

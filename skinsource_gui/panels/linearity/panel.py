@@ -27,10 +27,6 @@ from skinsource.studies.checking import (
 )
 from skinsource_gui.panels.figure_panel import SILENT, FigurePanel
 from skinsource_gui.panels.linearity.content import (
-    BANDS,
-    EVERY_OUTPUT,
-    VELOCITY,
-    LinearitySettings,
     StrengthUnit,
     diagrams_of_proportion,
     diagrams_of_superposition,
@@ -41,6 +37,12 @@ from skinsource_gui.panels.linearity.content import (
     superposition_text,
 )
 from skinsource_gui.panels.linearity.diagram import DiagramsPicture
+from skinsource_gui.panels.linearity.settings import (
+    BANDS,
+    EVERY_OUTPUT,
+    VELOCITY,
+    LinearitySettings,
+)
 from skinsource_gui.qt.asking import copied
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.keys import shortcut_text

@@ -13,12 +13,10 @@ from skinsource.base.published import Axes
 from skinsource.base.quoting import printable
 from skinsource.design.comparing import (
     EDITED,
-    MOST_BESIDE,
     Snapshot,
     difference_db,
     end_db,
     mean_and_spread_over,
-    related_limbs,
     same_outputs,
     shown,
     why_no_comparison,
@@ -36,10 +34,9 @@ from skinsource.design.view import View
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.own_limbs import axes_on
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
-from skinsource.specs import fields
-from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec
 from skinsource.studies import scenes
 from skinsource_gui.fields.units import output_text
+from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from skinsource_gui.plots.colour_maps import DIVERGING
 from skinsource_gui.plots.small_map import (
     SILENT,
@@ -416,62 +413,8 @@ def _synthetic(side: Compared) -> bool:
     return side.values is not None and bool(side.values["limb_data"].synthetic)
 
 
-OF = ChoiceSpec(
-    label="Of",
-    options=(("limbs", "Limbs"), ("snapshots", "Snapshots"), ("axes", "Axes")),
-    hint="The present design on several limbs; snapshots: of this design, and designs of files; or "
-    "the present design along each axis of the sensors",
-)
-SHOWN = ChoiceSpec(
-    label="Shown",
-    options=(
-        ("levels", "Levels"),
-        ("difference", "Difference"),
-        ("mean", "Mean, spread"),
-    ),
-    hint="The levels of each, in the same colours; how much louder each of the others is than the "
-    "one in the window; or the mean of all and their standard deviation",
-)
-OWN_MAXIMUM = SwitchSpec(
-    label="Each to its maximum",
-    hint="Draw the levels of each map relative to its own loudest output: how far each reaches is "
-    "seen where the others are louder",
-)
-LIMBS = TextSpec(label="Limbs", longest=200, one_line=True)
 #: Fewer are not side by side.
 LEAST_BESIDE = 2
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SideBySideSettings:
-    """What is compared, and how.
-
-    Attributes
-    ----------
-    of
-        ``"limbs"``, ``"snapshots"`` or ``"axes"``.
-    shown
-        ``"levels"``, ``"difference"`` or ``"mean"``; of axes always the levels.
-    own_maximum
-        Whether the levels of each are drawn relative to its own loudest output.
-    limbs
-        Names of the chosen limbs with spaces between; empty: those that are related to the one of
-        the design, see `skinsource.design.comparing.related_limbs`.
-    """
-
-    of: str = fields.choice("limbs", OF)
-    shown: str = fields.choice("levels", SHOWN)
-    own_maximum: bool = fields.switch(False, OWN_MAXIMUM)
-    limbs: str = fields.text("", LIMBS)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
-
-    def chosen(self, limb: str) -> tuple[str, ...]:
-        """Return the names of the limbs that are shown while a design is on ``limb``."""
-        if not self.limbs.strip():
-            return related_limbs(limb)
-        return tuple(dict.fromkeys(self.limbs.split()))[:MOST_BESIDE]
 
 
 #: Quantities of a map of levels.

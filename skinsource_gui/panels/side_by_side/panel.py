@@ -19,9 +19,6 @@ from skinsource.limbs.catalogue import available_limbs
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.panels.side_by_side.content import (
     LEAST_BESIDE,
-    OF,
-    OWN_MAXIMUM,
-    SHOWN,
     Cell,
     Cells,
     Kind,
@@ -29,9 +26,9 @@ from skinsource_gui.panels.side_by_side.content import (
     OfLimbs,
     OfSnapshots,
     SideBySideContent,
-    SideBySideSettings,
     tab_separated,
 )
+from skinsource_gui.panels.side_by_side.settings import OF, OWN_MAXIMUM, SHOWN, SideBySideSettings
 from skinsource_gui.panels.side_by_side.view import MapsView, paint_page
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.asking import CopyButton

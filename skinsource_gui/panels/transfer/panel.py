@@ -15,10 +15,9 @@ from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.limbs.locations import input_name
 from skinsource.signals.analysis.transfer import LEAST_COHERENCE, Transfer
-from skinsource.specs import fields
-from skinsource.specs.spec import SwitchSpec
 from skinsource_gui.fields.units import minus
 from skinsource_gui.panels.figure_panel import FigurePanel
+from skinsource_gui.panels.transfer.settings import TransferSettings
 from skinsource_gui.plots.figure import Axes, Axis, Figure, draw_legend, fitted_axes
 from skinsource_gui.plots.ranges import LEVEL_SPAN_DB, SteadyRange
 from skinsource_gui.qt.asking import copied
@@ -152,19 +151,6 @@ def bar_sizes(n: int, height_px: float) -> tuple[float, float]:
     """Return the step from one of ``n`` bars to the next, and their thickness, px."""
     step = min(_BAR_PX + 1.0, _BARS_PART * height_px / max(n, 1))
     return step, step * _BAR_PX / (_BAR_PX + 1.0)
-
-
-COHERENCE = SwitchSpec(label="Coherence", hint="In place of the magnitude")
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class TransferSettings:
-    """Whether ``coherence`` is drawn in place of the magnitude."""
-
-    coherence: bool = fields.switch(False, COHERENCE)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
 
 #: What has to be known for it.

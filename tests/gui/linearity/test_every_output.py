@@ -7,11 +7,8 @@ import skinsource as ss
 from skinsource.design.panel_settings import settings_of
 from skinsource.engine.evaluation import evaluate
 from skinsource.studies.figures.figures import lines_of
-from skinsource_gui.panels.linearity.content import (
-    LinearitySettings,
-    diagrams_of_proportion,
-    of_amplitudes,
-)
+from skinsource_gui.panels.linearity.content import diagrams_of_proportion, of_amplitudes
+from skinsource_gui.panels.linearity.settings import LinearitySettings
 from tests.gui.linearity.test_linearity_content import ROWS, TIME_S, bent
 from tests.gui.linearity.test_linearity_panel import OUTPUTS, STRENGTHS, settled, show
 from tests.gui.linearity.test_strengths_and_bands import switch

@@ -13,7 +13,7 @@ from skinsource.design.panel_settings import settings_of
 from skinsource.engine.evaluation import evaluate
 from skinsource.perception.validity import probe_velocity
 from skinsource.studies.figures.figures import lines_of
-from skinsource_gui.panels.linearity.content import LinearitySettings
+from skinsource_gui.panels.linearity.settings import LinearitySettings
 from skinsource_gui.plots.figure import Axis, fitted_axes
 from tests.gui.linearity.test_linearity_panel import OUTPUTS, PARTS, STRENGTHS, kept, settled, show
 

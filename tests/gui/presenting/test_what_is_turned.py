@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QLabel
 import skinsource as ss
 from skinsource.design.panel_settings import with_settings
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.panels.frequency_and_amplitude.panel import ControlSettings
+from skinsource_gui.panels.frequency_and_amplitude.settings import ControlSettings
 
 
 def test_a_scene_says_what_is_turned(make_window, design):

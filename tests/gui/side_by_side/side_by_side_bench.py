@@ -7,7 +7,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource_gui.panels.side_by_side.content import SideBySideSettings
+from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 
 
 def choose(window, **changes):

@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from skinsource.design.design import Design, track
 from skinsource.design.panel_settings import with_settings
 from skinsource.signals.map_range import map_range_db
-from skinsource_gui.panels.side_by_side.content import SideBySideSettings
+from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from tests.core.own_limbs.lab_bench import installed
 from tests.gui.side_by_side.side_by_side_bench import point_at, shown
 

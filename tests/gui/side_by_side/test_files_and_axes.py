@@ -12,7 +12,7 @@ from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
-from skinsource_gui.panels.side_by_side.content import SideBySideSettings
+from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from tests.core.own_limbs.lab_bench import installed
 from tests.gui.side_by_side.side_by_side_bench import shown
 

@@ -11,7 +11,8 @@ from PySide6.QtTest import QTest
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.panel_settings import settings_of
 from skinsource.signals.map_range import MAP_RANGE_DB
-from skinsource_gui.panels.side_by_side.content import Cells, SideBySideSettings
+from skinsource_gui.panels.side_by_side.content import Cells
+from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from skinsource_gui.panels.skin.settings import SkinSettings
 from tests.gui.side_by_side.test_side_by_side import choose, point_at, shown
 

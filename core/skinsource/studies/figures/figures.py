@@ -57,7 +57,7 @@ from skinsource.studies.figures.sheet import (
     magnitudes_at,
     normal_of,
 )
-from skinsource.studies.scenes.scene import OpenedScene
+from skinsource.studies.scenes.opened_scene import OpenedScene
 from skinsource.studies.validation import pearson, straight_lines
 
 _SHOWN_BANDS_HZ = (50.0, 100.0, 200.0, 400.0)

@@ -18,7 +18,7 @@ from skinsource.base.files import write_bytes
 from skinsource.export.plot import module
 from skinsource.studies.figures.writing import draw_figure
 from skinsource.studies.scenes.catalog import all_scenes, open_scene
-from skinsource.studies.scenes.scene import OpenedScene, Scene
+from skinsource.studies.scenes.opened_scene import OpenedScene, Scene
 
 #: Width of a picture, px.
 WIDTH_PX = 900

@@ -29,7 +29,7 @@ from skinsource.export.plot import (
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.perception.validity import Judged, in_full
 from skinsource.signals.projection import magnitude
-from skinsource.studies.scenes.scene import OpenedScene
+from skinsource.studies.scenes.opened_scene import OpenedScene
 
 
 def setup_text(opened: OpenedScene) -> str:

@@ -15,7 +15,7 @@ from skinsource.export.tables import CsvTable
 from skinsource.studies.figures.figures import FIGURES
 from skinsource.studies.figures.sheet import Drawn, condition_lines, limbs_of
 from skinsource.studies.scenes.catalog import names, open_scene, scene, why_not_on
-from skinsource.studies.scenes.scene import OpenedScene
+from skinsource.studies.scenes.opened_scene import OpenedScene
 from skinsource.version import __version__
 
 

@@ -13,26 +13,6 @@ skinsource.studies.scenes``.
 True
 """
 
-from skinsource.studies.scenes.catalog import (
-    all_scenes,
-    names,
-    open_scene,
-    scene,
-    scenes_folder,
-    title_of,
-    why_not_on,
-)
-from skinsource.studies.scenes.scene import Condition, OpenedScene, Scene
+import lazy_loader
 
-__all__ = [
-    "Condition",
-    "OpenedScene",
-    "Scene",
-    "all_scenes",
-    "names",
-    "open_scene",
-    "scene",
-    "scenes_folder",
-    "title_of",
-    "why_not_on",
-]
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -15,7 +15,7 @@ from skinsource.design.design import Design
 from skinsource.design.design_file import SUFFIX, DesignFile, open_design
 from skinsource.limbs.catalogue import available_limbs
 from skinsource.limbs.limb import PUBLISHED
-from skinsource.studies.scenes.scene import (
+from skinsource.studies.scenes.opened_scene import (
     PROBE_UNITS,
     Condition,
     OpenedScene,

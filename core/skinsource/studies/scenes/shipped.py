@@ -20,7 +20,7 @@ from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
 from skinsource.design.waveforms.tones import Chirp, Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.limbs.scaling import Scaling
-from skinsource.studies.scenes.scene import Scene, design_title
+from skinsource.studies.scenes.opened_scene import Scene, design_title
 
 #: The panel that changes numbers in front of an audience.
 CONTROLS = "frequency_and_amplitude"

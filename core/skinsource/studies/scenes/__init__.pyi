@@ -1,0 +1,10 @@
+from .catalog import all_scenes as all_scenes
+from .catalog import names as names
+from .catalog import open_scene as open_scene
+from .catalog import scene as scene
+from .catalog import scenes_folder as scenes_folder
+from .catalog import title_of as title_of
+from .catalog import why_not_on as why_not_on
+from .opened_scene import Condition as Condition
+from .opened_scene import OpenedScene as OpenedScene
+from .opened_scene import Scene as Scene
