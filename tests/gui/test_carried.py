@@ -51,7 +51,7 @@ def drawn(window, name, path, size=(900, 700)):
 def test_below_each_panel_stands_once_each_condition_that_is_not_kept(window, tmp_path):
     for name in EVERY:
         words = drawn(window, name, tmp_path / f"{name}.svg")
-        assert {one: words.count(one) for one in SAID} == dict.fromkeys(SAID, 1), name
+        assert {phrase: words.count(phrase) for phrase in SAID} == dict.fromkeys(SAID, 1), name
         assert words.count(GUESSED) == (name in MAPS), name
         assert "Tone 400 Hz" in words, name
         assert "Limb" in words, name
@@ -105,7 +105,7 @@ def test_snapshots_that_do_not_keep_a_condition_are_named_with_it(window, settle
     assert "The probe moves" not in window.pictures.picture_of("windowed").caption
 
 
-@pytest.mark.parametrize("layout", LAYOUTS, ids=lambda one: one.name)
+@pytest.mark.parametrize("layout", LAYOUTS, ids=lambda layout: layout.name)
 def test_no_layout_gives_a_picture_less_room_for_its_caption(window, layout):
     picture = window.pictures.picture_of("windowed")
     usual = picture.size_px or (1600, 1100)
@@ -214,8 +214,8 @@ def test_a_scene_that_was_changed_is_not_called_what_it_was(tones, settle):
     settle()
     assert heading._phrases[0] == f"{title} · 50 Hz · Tone at place 7"
     tone = ss.waveforms.Tone(frequency_hz=300.0)
-    one = tones.document.design.inputs[0]
-    changed = replace(one, clips=(replace(one.clips[0], waveform=tone),))
+    track = tones.document.design.inputs[0]
+    changed = replace(track, clips=(replace(track.clips[0], waveform=tone),))
     tones.document.edit("Frequency", replace(tones.document.design, inputs=(changed,)))
     settle()
     assert heading._phrases[0] == f"{title} · edited · Tone at place 7"

@@ -16,19 +16,19 @@ from skinsource_gui.state.panel import Panel, PanelRegistry
 
 
 def loudness(inputs):
-    if any(one.amplitude == 13 for one in inputs):
+    if any(track.amplitude == 13 for track in inputs):
         raise InvalidInputError("thirteen is refused")
-    if any(one.amplitude == 14 for one in inputs):
+    if any(track.amplitude == 14 for track in inputs):
         raise ValueError("shapes (3,) (4,)")
-    return np.array([one.amplitude for one in inputs])
+    return np.array([track.amplitude for track in inputs])
 
 
 def colours(inputs):
-    return tuple(one.colour for one in inputs)
+    return tuple(track.colour for track in inputs)
 
 
 def unplayable_inputs(inputs):
-    return tuple(UnplayableInput(one.id, "too loud") for one in inputs if one.amplitude == 15)
+    return tuple(UnplayableInput(track.id, "too loud") for track in inputs if track.amplitude == 15)
 
 
 class Recorder(Panel):

@@ -157,7 +157,7 @@ def lines_of_menu(field, at, reason=QContextMenuEvent.Reason.Mouse):
     event = QContextMenuEvent(reason, at.toPoint(), field.mapToGlobal(at.toPoint()))
     QApplication.sendEvent(field, event)
     menu = field.findChildren(QMenu, "point_menu")[-1]
-    return menu, {one.text(): one for one in menu.actions() if one.text()}
+    return menu, {action.text(): action for action in menu.actions() if action.text()}
 
 
 def test_the_menu_of_a_point_removes_it_or_bends_the_curve_and_beside_it_adds_one(field):

@@ -30,25 +30,25 @@ def wanted(window):
 
 def test_the_menu_of_a_title_lists_panels_as_view_panels_does(window):
     listed = next(
-        one
-        for one in window.menuBar().findChildren(QMenu)
-        if one.title().replace("&", "") == "Panels"
+        menu
+        for menu in window.menuBar().findChildren(QMenu)
+        if menu.title().replace("&", "") == "Panels"
     )
     menu = window.createPopupMenu()
-    titles_of = [one.text() for one in menu.actions()]
-    assert titles_of == [one.panel.title for one in PANELS]
-    assert [one.text() for one in listed.actions()][: len(titles_of)] == titles_of
+    titles_of = [action.text() for action in menu.actions()]
+    assert titles_of == [panel.panel.title for panel in PANELS]
+    assert [action.text() for action in listed.actions()][: len(titles_of)] == titles_of
     menu.deleteLater()
 
 
 @pytest.mark.parametrize("name", GUESTS)
 def test_a_panel_without_a_place_of_its_own_takes_no_room_from_traces_and_spectra(window, name):
-    before = {one: window.docks[one].geometry() for one in ("traces", "spectra", "timeline")}
+    before = {name: window.docks[name].geometry() for name in ("traces", "spectra", "timeline")}
     window.docks[name].bring_forward()
     QApplication.processEvents()
     assert name in in_sight(window)
     assert "inspector" not in in_sight(window)
-    assert {one: window.docks[one].geometry() for one in before} == before
+    assert {name: window.docks[name].geometry() for name in before} == before
 
 
 def test_every_panel_comes_up_in_every_arrangement_and_squeezes_none(window, settle):
@@ -140,7 +140,7 @@ def test_tabs_of_the_last_session_are_tabs_again(qtbot, preferences):
         window = MainWindow(
             start_design("synthetic-1"), preferences=preferences, available_limbs=available_limbs()
         )
-        qtbot.addWidget(window, before_close_func=lambda one: one.runner.close())
+        qtbot.addWidget(window, before_close_func=lambda window: window.runner.close())
         window.show()
         qtbot.waitExposed(window)
         qtbot.waitUntil(lambda: not window.engine.busy)
@@ -188,18 +188,18 @@ def test_whatever_is_done_to_docks_just_those_in_front_are_shown(window, settle,
     saved = [window.saveState()]
 
     def act():
-        one, other = chance.sample(docks, 2)
+        dock, other = chance.sample(docks, 2)
         way = chance.choice(list(Qt.Orientation))
         arrangement = chance.choice(ARRANGEMENTS).name
         chance.choice(
             [
-                lambda: window.tabifyDockWidget(one, other),
-                lambda: window.splitDockWidget(one, other, way),
-                lambda: one.setFloating(not one.isFloating()),
-                one.hide,
-                one.show,
-                one.raise_,
-                one.bring_forward,
+                lambda: window.tabifyDockWidget(dock, other),
+                lambda: window.splitDockWidget(dock, other, way),
+                lambda: dock.setFloating(not dock.isFloating()),
+                dock.hide,
+                dock.show,
+                dock.raise_,
+                dock.bring_forward,
                 lambda: window.arrangements.show(arrangement),
                 lambda: saved.append(window.saveState()),
                 lambda: window.restoreState(chance.choice(saved)),
@@ -209,11 +209,11 @@ def test_whatever_is_done_to_docks_just_those_in_front_are_shown(window, settle,
 
     for _ in range(40):
         act()
-        found = [bar for bar in bars(window) if bar.count() > 1]
+        shared_bars = [bar for bar in bars(window) if bar.count() > 1]
         for dock in docks:
             seen = dock.isFloating() or not dock.visibleRegion().isEmpty()
             assert dock.panel.isVisible() == (dock.isVisible() and seen), dock.objectName()
-        assert all(bar.focusPolicy() == Qt.FocusPolicy.NoFocus for bar in found)
+        assert all(bar.focusPolicy() == Qt.FocusPolicy.NoFocus for bar in shared_bars)
     settle()
 
 

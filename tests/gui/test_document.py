@@ -138,7 +138,7 @@ def test_whoever_selects_another_input_ends_the_gesture(document):
     document.edit("a", document.design.with_input(1, amplitude=3.0), gesture=7)
     assert document.undo_stack.count() == 3
     document.undo_stack.undo()
-    assert [one.amplitude for one in document.design.inputs] == [3.0, 1.0]
+    assert [track.amplitude for track in document.design.inputs] == [3.0, 1.0]
 
 
 def test_what_was_taken_back_in_the_middle_of_a_gesture_is_not_joined_to_what_follows(document):

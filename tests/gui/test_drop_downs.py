@@ -49,7 +49,7 @@ def entry_colours(field, row):
         picture.pixel(x, y) for y in range(picture.height()) for x in range(picture.width())
     )
     ground = QColor(counted.most_common(1)[0][0])
-    ink = max((QColor(argb) for argb in counted), key=lambda one: contrast(one, ground))
+    ink = max((QColor(argb) for argb in counted), key=lambda colour: contrast(colour, ground))
     return ground, ink
 
 
@@ -95,9 +95,11 @@ def test_a_name_ends_in_an_ellipsis_only_where_there_is_no_room(field, qtbot):
 
 def test_the_wheel_alone_gives_the_focus_to_nothing_that_it_would_change(window):
     """Qt gives the focus before it delivers the wheel, which sent events do not do."""
-    for one in window.findChildren(QWidget):
-        if isinstance(one, QComboBox | QAbstractSpinBox | QLineEdit | QAbstractSlider):
-            assert not one.focusPolicy() & Qt.FocusPolicy.WheelFocus & ~Qt.FocusPolicy.StrongFocus
+    for widget in window.findChildren(QWidget):
+        if isinstance(widget, QComboBox | QAbstractSpinBox | QLineEdit | QAbstractSlider):
+            assert (
+                not widget.focusPolicy() & Qt.FocusPolicy.WheelFocus & ~Qt.FocusPolicy.StrongFocus
+            )
     assert window.findChildren(ChoiceField)
 
 

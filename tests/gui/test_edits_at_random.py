@@ -210,7 +210,7 @@ def test_nothing_raises_and_undo_and_redo_lead_through_the_same_states(qapp, seq
         assert len(set(design.ids)) == len(design.ids)
         assert 0 not in design.ids
         assert set(document.view.selected_inputs) <= set(design.ids)
-        clip_ids = [one.id for one in design.clips]
+        clip_ids = [clip.id for clip in design.clips]
         assert len(set(clip_ids)) == len(clip_ids)
         assert 0 not in clip_ids
         assert set(document.view.selected_clips) <= set(clip_ids)

@@ -147,8 +147,10 @@ def killed(tmp_path_factory):
         studio.kill()
         rest, _ = studio.communicate()
         told += [Told.of(line) for line in rest.splitlines(keepends=True) if line.endswith("\n")]
-        found = recovery.find(folder)
-        mine = [one for one in found.left if f"-{studio.pid}-" in str(one.copies[0].parent)]
+        copies = recovery.find(folder)
+        mine = [
+            unsaved for unsaved in copies.left if f"-{studio.pid}-" in str(unsaved.copies[0].parent)
+        ]
         all_told.append((told, notice, mine))
     return folder, all_told
 
@@ -157,9 +159,9 @@ def test_a_killed_studio_loses_at_most_one_interval(killed):
     _, all_told = killed
     kept_any = 0
     for told, _, mine in all_told:
-        edits_s = [one.at_s for one in told if one.what == "edit"]
-        asked_s = [one.at_s for one in told if one.what == "asked"]
-        written = [one.number for one in told if one.what == "kept"]
+        edits_s = [entry.at_s for entry in told if entry.what == "edit"]
+        asked_s = [entry.at_s for entry in told if entry.what == "asked"]
+        written = [entry.number for entry in told if entry.what == "kept"]
         kept_any += bool(written)
         # What was written is there.
         assert (round(8 * kept_amplitude(mine[0])) if mine else 0) >= max(written, default=0)
@@ -177,9 +179,9 @@ def test_the_next_start_offers_what_killed_studios_left_with_pictures(killed):
     assert [notice.startswith("1 of 3: ") for notice in notices] == [True] + 4 * [False]
     assert any("before your work on untitled was saved" in notice for notice in notices[1:])
     assert any("Copies were kept of" in notice for notice in notices[1:])
-    found = recovery.find(folder)
-    assert found.set_aside == ()
-    pictures = [one.picture() for one in found.left]
+    copies = recovery.find(folder)
+    assert copies.set_aside == ()
+    pictures = [unsaved.picture() for unsaved in copies.left]
     assert sum(picture.startswith(b"\x89PNG") for picture in pictures) >= len(pictures) // 2
     leftovers = [path.name for path in Path(folder).rglob("*.part")]
     assert leftovers == []
@@ -199,5 +201,7 @@ def test_a_copy_that_ends_the_studio_is_set_aside_by_the_next_start(killed):
     assert f"{newest.name} stopped the studio when it was opened" in notice
     (aside,) = (folder / "unsaved" / recovery.ASIDE).iterdir()
     assert aside.read_bytes() == content
-    copies = {copy for one in before.left for copy in one.copies}
-    assert {copy for one in recovery.find(folder).left for copy in one.copies} == copies - {newest}
+    copies = {copy for unsaved in before.left for copy in unsaved.copies}
+    assert {copy for unsaved in recovery.find(folder).left for copy in unsaved.copies} == copies - {
+        newest
+    }

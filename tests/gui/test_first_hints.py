@@ -25,7 +25,9 @@ def document():
 
 def press(window, words):
     (button,) = [
-        one for one in window.findChildren(QPushButton) if one.text() == words and one.isVisible()
+        button
+        for button in window.findChildren(QPushButton)
+        if button.text() == words and button.isVisible()
     ]
     button.click()
 

@@ -22,8 +22,8 @@ LEADS = {"on the hand": "hand", "in the timeline": "timeline", "on the skin map"
 
 def words_of(panel):
     """All sentences of a panel that ask for something."""
-    labels = (one.text() for one in panel.findChildren(QLabel) if one.isVisibleTo(panel))
-    plots = (one.message for one in panel.findChildren(Plot))
+    labels = (label.text() for label in panel.findChildren(QLabel) if label.isVisibleTo(panel))
+    plots = (plot.message for plot in panel.findChildren(Plot))
     return [w for w in (*labels, *plots) if w.startswith(("Click ", "Press ", "Select ", "Show "))]
 
 
@@ -60,7 +60,7 @@ def test_what_is_said_without_a_hand_adds_an_input(window, settle, qtbot):
     held = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
     QTest.keyClick(window, Qt.Key.Key_N, held)
     settle()
-    assert [one.location for one in window.document.design.inputs] == [7]
+    assert [track.location for track in window.document.design.inputs] == [7]
     assert not empty.isVisible()
     window.do("clear_inputs")
     window.do("arrange_design")

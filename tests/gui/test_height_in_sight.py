@@ -10,14 +10,14 @@ HIGH_PX = 600
 
 @pytest.fixture
 def area(qtbot):
-    found = QScrollArea()
-    qtbot.addWidget(found)
-    found.setFrameShape(QScrollArea.Shape.NoFrame)
+    area = QScrollArea()
+    qtbot.addWidget(area)
+    area.setFrameShape(QScrollArea.Shape.NoFrame)
     panel = QWidget()
     panel.resize(200, HIGH_PX)
-    found.setWidget(panel)
-    found.resize(300, 250)
-    return found
+    area.setWidget(panel)
+    area.resize(300, 250)
+    return area
 
 
 def test_of_what_is_higher_than_its_area_as_much_is_in_sight_as_that_shows(area):

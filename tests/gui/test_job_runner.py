@@ -54,7 +54,7 @@ def test_orders_are_carried_out_one_after_another_away_from_this_thread(qtbot, j
     writers = [Writer(), Writer()]
     for name, writer in zip("ab", writers, strict=True):
         jobs.add(order(tmp_path / name, writer))
-    assert [one.title for one in jobs.unfinished] == ["a", "b"]
+    assert [job.title for job in jobs.unfinished] == ["a", "b"]
     assert writers[0].started.wait(5)
     assert not writers[1].started.is_set()
     writers[0].go_on.set()

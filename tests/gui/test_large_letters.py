@@ -42,7 +42,7 @@ def test_nothing_lies_on_the_map_or_on_the_ends_of_its_range(large, settle, arra
     assert layout.room.contains(layout.palmar_card)
     fields = [bar.high_field, bar.strip, bar.low_field]
     shown = [*fields, *([bar.auto_button] if bar.auto_button.isVisible() else [])]
-    places = [of(one, bar) for one in shown]
+    places = [of(widget, bar) for widget in shown]
     for above, below in pairwise(places):
         assert above.bottom() < below.top()
     assert places[-1].bottom() <= bar.height()

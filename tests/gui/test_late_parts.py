@@ -1,7 +1,7 @@
 """Lamps and buttons that belong to an older design."""
 
 from skinsource_gui.qt.asking import CopyButton
-from skinsource_gui.shell.validity_lamps import ValidityLamps, _words_of
+from skinsource_gui.shell.validity_lamps import ValidityLamps, _lamp_text
 from tests.gui.analysis.test_validity_lamps import FINDINGS
 
 
@@ -12,7 +12,7 @@ def test_lamps_that_are_late_say_so(qtbot):
     assert "updating" not in lamps.accessibleDescription()
     lamps.set_stale(True)
     qtbot.waitUntil(lambda: lamps.accessibleDescription().startswith("updating: of an older"))
-    assert "updating" in _words_of(FINDINGS[0], late=True).splitlines()[0]
+    assert "updating" in _lamp_text(FINDINGS[0], stale=True).splitlines()[0]
     lamps.set_stale(False)
     assert "updating" not in lamps.accessibleDescription()
 

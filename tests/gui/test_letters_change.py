@@ -19,9 +19,9 @@ def enlarge(widget, scale=2.5):
 
 @pytest.fixture
 def host(qtbot):
-    found = QWidget()
-    qtbot.addWidget(found)
-    return found
+    widget = QWidget()
+    qtbot.addWidget(widget)
+    return widget
 
 
 def test_a_label_says_less_in_the_same_room(host):
@@ -85,7 +85,7 @@ def test_a_number_keeps_its_digits(qtbot, made):
         assert before.strip(".…")
         enlarge(field, 2.2)
         # Layouts follow once the event loop runs.
-        qtbot.waitUntil(lambda one=field, said=before: one.text() == said)
+        qtbot.waitUntil(lambda label=field, said=before: label.text() == said)
 
 
 def test_the_difference_goes_below_the_cards_where_it_has_no_room_beside_them(qtbot):

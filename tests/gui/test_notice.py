@@ -164,7 +164,9 @@ def test_what_is_offered_is_done_once_and_the_notice_goes(window):
     assert done == ["open"]
     assert window.notice.text == ""
     window.notice.say("Something else")
-    assert not [one for one in window.findChildren(QPushButton, "notice_choice") if one.isVisible()]
+    assert not [
+        button for button in window.findChildren(QPushButton, "notice_choice") if button.isVisible()
+    ]
 
 
 def test_what_went_well_is_forgotten_when_another_design_is_begun(window):

@@ -22,9 +22,9 @@ def width(window, name):
 
 @pytest.fixture
 def said(window):
-    found = []
-    window.layout_of_docks.done.connect(found.append)
-    return found
+    answers = []
+    window.layout_of_docks.done.connect(answers.append)
+    return answers
 
 
 @pytest.fixture
@@ -97,7 +97,7 @@ def test_ones_own_outlives_the_session(qtbot, preferences):
         window = MainWindow(
             start_design("synthetic-1"), preferences=preferences, available_limbs=available_limbs()
         )
-        qtbot.addWidget(window, before_close_func=lambda one: one.runner.close())
+        qtbot.addWidget(window, before_close_func=lambda window: window.runner.close())
         window.show()
         qtbot.waitUntil(lambda: not window.engine.busy)
         return window

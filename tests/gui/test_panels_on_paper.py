@@ -58,9 +58,9 @@ def test_the_hand_is_printed_finer_than_it_is_shown(make_window, settle, tmp_pat
     settle()
     page = page_of(window, "hand", tmp_path / "a.pdf")
     widths = [
-        int(re.search(rb"/Width (\d+)", one)[1])
-        for one in page.objects.values()
-        if b"/Subtype /Image" in one
+        int(re.search(rb"/Width (\d+)", pdf_object)[1])
+        for pdf_object in page.objects.values()
+        if b"/Subtype /Image" in pdf_object
     ]
     assert max(widths) >= 6 * window.panel("hand").width()
 
@@ -73,6 +73,6 @@ def test_curves_that_panels_hold_are_as_wide_as_other_lines(make_window, settle,
         save_drawing(tmp_path / "a.svg", picture.draw, *(picture.size_px or (900, 600)))
         drawing = (tmp_path / "a.svg").read_text("utf-8")
         paths = re.findall(r"<(?:path|polyline)[^>]*>", drawing)
-        curves = [one for one in paths if len(one) > 2000]
+        curves = [path for path in paths if len(path) > 2000]
         assert curves, name
-        assert not any("non-scaling-stroke" in one for one in curves), name
+        assert not any("non-scaling-stroke" in curve for curve in curves), name

@@ -94,8 +94,8 @@ def test_a_picture_of_transfer_functions_tells_which_output_is_which(make_window
     path = tmp_path / "a.svg"
     save_drawing(path, window.pictures.picture_of("transfer").draw, *SLIDE_PX)
     words = texts_of(path)
-    for one in ("Outputs", "20", "26"):
-        assert one in words
+    for text in ("Outputs", "20", "26"):
+        assert text in words
     # Below the line of its legend, not over it.
     qtbot.waitUntil(lambda: panel.picture.axes is not None)
     assert panel.picture.axes.frame.top() > QFontMetricsF(panel.picture.font()).height()

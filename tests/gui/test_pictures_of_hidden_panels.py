@@ -46,7 +46,7 @@ def test_what_nobody_looked_at_is_drawn_whole_and_stays_where_it_was(
     for name, expected in SAYS.items():
         assert name not in window.panels
         words = words_of(window, name, tmp_path / "a.svg")
-        assert [one for one in expected if one not in words] == [], name
+        assert [text for text in expected if text not in words] == [], name
         panel, dock = window.panel(name), window.docks[name]
         assert dock.isAncestorOf(panel)
         assert not panel.isVisible()
@@ -78,13 +78,13 @@ def test_nothing_in_a_picture_has_the_keyboard(window, qtbot):
     window.activateWindow()
     panel = window.panel("hand")
     with_focus, without = [], []
-    for found, focus in ((without, "traces"), (with_focus, "hand")):
+    for pictures, focus in ((without, "traces"), (with_focus, "hand")):
         other = window.panel(focus)
         other.setFocus(Qt.FocusReason.OtherFocusReason)
         qtbot.waitUntil(lambda part=other: part.isAncestorOf(window.focusWidget()))
         picture = window.pictures.picture_of("hand")
-        found.append(drawn_image(picture.draw, 400, 400))
-        found.append(panel.grab().toImage())
+        pictures.append(drawn_image(picture.draw, 400, 400))
+        pictures.append(panel.grab().toImage())
     assert with_focus[0] == without[0]
     # On the screen it is seen.
     assert with_focus[1] != without[1]

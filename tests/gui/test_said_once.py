@@ -133,7 +133,7 @@ def test_words_of_inputs_on_the_hand_are_made_for_those_that_changed(qtbot, monk
     inputs = tuple(track(location=k, waveform=Tone(100.0)) for k in (3, 7, 12))
     design, view, made = Design(limb="synthetic-1", inputs=inputs), View(), []
     words = hand_panel._text
-    monkeypatch.setattr(hand_panel, "_text", lambda one: made.append(one.id) or words(one))
+    monkeypatch.setattr(hand_panel, "_text", lambda track: made.append(track.id) or words(track))
     panel = hand_panel.HandPanel()
     qtbot.addWidget(panel)
     panel.show_state(design, view)
@@ -166,7 +166,7 @@ def test_edits_lay_nothing_out_in_the_window(window, qtbot, qapp):
         label._show_text()
     qapp.removeEventFilter(spy)
     assert told
-    assert [one for one in spy.seen if one[1] == "LayoutRequest"] == []
+    assert [event for event in spy.seen if event[1] == "LayoutRequest"] == []
 
 
 def test_a_long_time_has_room(window):

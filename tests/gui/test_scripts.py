@@ -30,13 +30,13 @@ for path in sys.argv[1:]:
 
 
 def run(*arguments, paths=(), folder=ROOT):
-    found = os.pathsep.join(str(one) for one in (ROOT / "core", ROOT, *paths))
+    python_path = os.pathsep.join(str(path) for path in (ROOT / "core", ROOT, *paths))
     return subprocess.run(
         [sys.executable, *map(str, arguments)],
         capture_output=True,
         text=True,
         cwd=folder,
-        env={**os.environ, "PYTHONPATH": found, "QT_QPA_PLATFORM": "offscreen"},
+        env={**os.environ, "PYTHONPATH": python_path, "QT_QPA_PLATFORM": "offscreen"},
         timeout=300,
     )
 

@@ -33,7 +33,7 @@ def test_words_stand_on_a_page_letter_by_letter_with_blanks_between_them(page):
 
 def test_what_fonts_say_is_mended_in_an_update_that_readers_find(page):
     written = page.read_bytes()
-    first, second = (int(one) for one in re.findall(rb"startxref\s+(\d+)", written))
+    first, second = (int(offset) for offset in re.findall(rb"startxref\s+(\d+)", written))
     assert written[second:].startswith(b"xref")
     assert written[first:].startswith(b"xref")
     assert b"/Prev %d" % first in written[second:]

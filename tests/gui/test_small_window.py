@@ -46,7 +46,7 @@ def test_what_passes_a_limit_of_the_actuator_is_seen_without_scrolling(window):
     panel = bring(window, "actuator")
     words = panel.figures.limits.text()
     assert words.startswith("Beyond its limit: ")
-    passed = [one.label.lower() for one in panel.figures.table.figures if one.passed]
+    passed = [figure.label.lower() for figure in panel.figures.table.figures if figure.passed]
     assert passed
     assert words.endswith(", ".join(passed))
     assert seen(panel, panel.figures.limits)

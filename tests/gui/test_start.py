@@ -202,8 +202,9 @@ class Watch(QObject):
         return False
 
 def tell():
-    visible = [one for one in window.findChildren(QWidget) if not one.visibleRegion().isEmpty()]
-    print(len(visible), [one.objectName() for one in visible if one not in painted])
+    widgets = window.findChildren(QWidget)
+    visible = [widget for widget in widgets if not widget.visibleRegion().isEmpty()]
+    print(len(visible), [widget.objectName() for widget in visible if widget not in painted])
     print([name for name in names if name in sys.modules])
     sys.stdout.flush()
     os._exit(0)
@@ -249,7 +250,7 @@ def note(module):
 inspect.getsource = note
 ended = main(["--render", sys.argv[1]])
 print(ended, "pyqtgraph" in sys.modules, "scipy.fft" in sys.modules)
-print(*(name for name, one in sys.modules.items() if type(one).__name__ == "_LazyModule"))
+print(*(name for name, module in sys.modules.items() if type(module).__name__ == "_LazyModule"))
 print(*read)
 import numpy.testing
 numpy.testing.assert_allclose(1.0, 1.0)

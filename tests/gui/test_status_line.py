@@ -135,14 +135,17 @@ def test_nothing_in_the_status_bar_is_clipped(window, qtbot, size):
     qtbot.waitUntil(lambda: window.status_line.error.text() != "", timeout=5000)
     window.status_line.show_error(TraceError(estimate=9e-16, bound=3e-13))
     QApplication.processEvents()
-    shown = [one for one in window.statusBar().findChildren(QLabel) if one.isVisible()]
-    assert {one.objectName() for one in shown} == {"timing", "work", "trace_error", "limb_note"}
-    for one in shown:
-        if one.objectName() != "limb_note":
-            assert one.fontMetrics().horizontalAdvance(one.text()) <= one.contentsRect().width()
+    shown = [label for label in window.statusBar().findChildren(QLabel) if label.isVisible()]
+    assert {label.objectName() for label in shown} == {"timing", "work", "trace_error", "limb_note"}
+    for status_label in shown:
+        if status_label.objectName() != "limb_note":
+            assert (
+                status_label.fontMetrics().horizontalAdvance(status_label.text())
+                <= status_label.contentsRect().width()
+            )
         else:
-            assert one.sizeHint().width() <= one.width()
-    places = sorted((one.mapTo(window, QPoint()).x(), one.width()) for one in shown)
+            assert status_label.sizeHint().width() <= status_label.width()
+    places = sorted((label.mapTo(window, QPoint()).x(), label.width()) for label in shown)
     for (left, width), (following, _) in pairwise(places):
         assert left + width <= following
     assert work_words(window) == "1 input · up to date"
@@ -166,8 +169,8 @@ def test_transforms_beyond_those_of_channels_and_search_are_the_maps():
 
 
 def test_every_phrasing_is_shorter_than_the_one_before():
-    for one in (scope(), scope(streamed=True), scope(has_map=False), scope(inputs=0, audible=0)):
-        lengths = [len(words) for words in one.phrases()]
+    for sample in (scope(), scope(streamed=True), scope(has_map=False), scope(inputs=0, audible=0)):
+        lengths = [len(words) for words in sample.phrases()]
         assert lengths == sorted(set(lengths), reverse=True)
 
 
@@ -199,22 +202,22 @@ def test_times_have_two_digits(seconds, words):
 
 
 def test_waiting_is_what_is_neither_computing_nor_drawing():
-    one = EditTime(compute_s=0.003, draw_s=0.005, total_s=0.009)
-    assert one.queue_s == pytest.approx(0.001)
-    assert one.sentence() == (
+    edit_time = EditTime(compute_s=0.003, draw_s=0.005, total_s=0.009)
+    assert edit_time.queue_s == pytest.approx(0.001)
+    assert edit_time.sentence() == (
         "On screen 9.0 ms after the edit: 1.0 ms waiting, 3.0 ms computing, 5.0 ms drawing."
     )
 
 
 @pytest.fixture
 def sparkline(qtbot):
-    one = Sparkline(lambda: "about them")
-    qtbot.addWidget(one)
-    one.resize(one.sizeHint())
-    one.show()
-    qtbot.waitExposed(one)
+    sparkline = Sparkline(lambda: "about them")
+    qtbot.addWidget(sparkline)
+    sparkline.resize(sparkline.sizeHint())
+    sparkline.show()
+    qtbot.waitExposed(sparkline)
     QApplication.processEvents()
-    return one
+    return sparkline
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK])

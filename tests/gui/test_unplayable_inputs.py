@@ -18,7 +18,7 @@ from tests.gui.curve_panels.bench import plot_of
 TONE = track(7, Tone(frequency_hz=100.0))
 HEARTBEAT = Input(
     location=6,
-    clips=next(one for one in SHIPPED if one.name == "Heartbeat").fragment.lanes[0].clips,
+    clips=next(preset for preset in SHIPPED if preset.name == "Heartbeat").fragment.lanes[0].clips,
 )
 COIL = ActuatorAt(actuator="Coil", model=ss.actuators.load("kastor-2023-air"))
 EQUALISED = Actuation(actuators=(COIL,), equaliser=RegularisedInverse())
@@ -98,7 +98,7 @@ def test_muted_it_is_neither_said_nor_marked(window, design, settle):
 def test_lamps_stay_lit_and_say_what_is_left_out(window, settle, qtbot):
     lamps = window.validity.lamps
     qtbot.waitUntil(lambda: bool(lamps.findings), timeout=30_000)
-    states = {one.name: one.state for one in lamps.findings}
+    states = {finding.name: finding.state for finding in lamps.findings}
     assert states["inputs"] == "left"
     assert states["band"] == "kept"
     assert "cannot be played" in window.panel("skin").caption()
@@ -128,6 +128,6 @@ def test_a_muted_clip_that_cannot_be_sampled_does_not_matter(make_window, qtbot)
         assert set(content(window).waveforms) == {design.clips[0].id}
         assert content(window).lanes[1].problem == ""
         expected = ss.evaluate(replace(muted, inputs=muted.inputs[:1]), "output_levels_db")
-        found = window.panel("skin").map.content.values
-        np.testing.assert_allclose(found, expected["output_levels_db"], atol=1e-9)
+        levels_db = window.panel("skin").map.content.values
+        np.testing.assert_allclose(levels_db, expected["output_levels_db"], atol=1e-9)
         window.close()

@@ -28,9 +28,9 @@ def delivered(window):
 
 def test_the_first_window_plays_a_tone_on_the_pad_of_digit_ii():
     design = start_design("synthetic-3")
-    (one,) = design.inputs
-    assert (design.limb, design.scaling, one.location) == ("synthetic-3", "probe", 7)
-    assert one.clips[0].waveform == Tone(frequency_hz=100.0)
+    (track,) = design.inputs
+    assert (design.limb, design.scaling, track.location) == ("synthetic-3", "probe", 7)
+    assert track.clips[0].waveform == Tone(frequency_hz=100.0)
 
 
 def test_the_first_window_shows_a_prediction_of_the_start_design(window, settle, delivered):

@@ -71,20 +71,20 @@ def painted(label, width):
     painter = Painter(image)
     StepDelegate().paint(painter, option, model.index(1, 0))
     painter.end()
-    return [one for one in seen if one]
+    return [text for text in seen if text]
 
 
 def test_a_long_step_of_the_history_is_cut_beside_its_time_and_goes_before_it_in_little_room(qapp):
     assert len(painted("Add input", 300)) == 2
     words = "Change frequency of input at 7 (II pad)"
-    assert any(one.startswith("Change frequency") for one in painted(words, 250))
+    assert any(text.startswith("Change frequency") for text in painted(words, 250))
     assert len(painted(words, 250)) == 2
     (label,) = painted(words, 120)
     assert label.startswith("Change")
 
 
 def test_the_sheet_of_an_export_writes_a_minus(qapp):
-    one = ChannelOverview(
+    overview = ChannelOverview(
         file="",
         number=1,
         title="Palm",
@@ -95,7 +95,7 @@ def test_the_sheet_of_an_export_writes_a_minus(qapp):
         rms=0.25,
         clipped=0,
     )
-    assert channel_lines(one)[1] == "peak −6.0 dB, RMS −12.0 dB"
+    assert channel_lines(overview)[1] == "peak −6.0 dB, RMS −12.0 dB"
 
 
 def test_a_limb_that_others_installed_is_told_of(window, monkeypatch):

@@ -105,4 +105,4 @@ def test_the_right_button_of_the_pen_opens_no_menu(flat):
         QContextMenuEvent.Reason.Mouse, at, flat.canvas.viewport().mapToGlobal(at)
     )
     QApplication.sendEvent(flat.canvas.viewport(), event)
-    assert not [one for one in flat.canvas.findChildren(QMenu) if one.isVisible()]
+    assert not [menu for menu in flat.canvas.findChildren(QMenu) if menu.isVisible()]

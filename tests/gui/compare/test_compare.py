@@ -29,7 +29,7 @@ def test_keys_store_and_toggle_and_arrangements_have_moved(window, qtbot, settle
     edit(window, 2.0)
     QTest.keyClick(window, KEY.Key_4, CTRL)
     settle()
-    assert [one.number for one in window.document.view.snapshots] == [1, 4]
+    assert [snapshot.number for snapshot in window.document.view.snapshots] == [1, 4]
     QTest.keyClick(window, KEY.Key_X)
     assert window.document.design == first
     QTest.keyClick(window, KEY.Key_X)

@@ -21,7 +21,7 @@ def panel(window, settle):
 
 
 def card(panel, number):
-    return next(one for one in panel.cards if one.number == number)
+    return next(card for card in panel.cards if card.number == number)
 
 
 def test_a_snapshot_on_a_limb_that_was_missing_is_predicted_once_it_is_installed(
@@ -83,12 +83,12 @@ def test_a_silent_snapshot_has_no_colours(window, settle, panel):
     window.document.edit("a", Design(limb="synthetic-1"))
     window.do("store_snapshot_1")
     settle()
-    one = card(panel, 1)
-    assert is_silent(one.compared)
-    one.resize(140, 200)
-    lowest = colour_table(one._scale.colours)[0]
+    panel_card = card(panel, 1)
+    assert is_silent(panel_card.compared)
+    panel_card.resize(140, 200)
+    lowest = colour_table(panel_card._scale.colours)[0]
     lowest = QColor(int(lowest)).rgb()
-    picture = one.grab().toImage()
+    picture = panel_card.grab().toImage()
     seen = {
         picture.pixel(x, y)
         for x in range(0, picture.width(), 2)

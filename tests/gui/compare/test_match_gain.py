@@ -26,13 +26,13 @@ def matched(window, settle):
 
 
 def amplitudes(design):
-    return [one.amplitude.hex() for one in design.inputs]
+    return [track.amplitude.hex() for track in design.inputs]
 
 
 def test_amplitudes_come_back_to_the_last_bit_however_often_one_goes_to_and_fro(
     window, settle, matched
 ):
-    stored = {one.number: one.design for one in window.document.view.snapshots}
+    stored = {snapshot.number: snapshot.design for snapshot in window.document.view.snapshots}
     for number in (1, 2, 1, 2):
         window.do("toggle_snapshots")
         settle()
@@ -43,7 +43,9 @@ def test_amplitudes_come_back_to_the_last_bit_however_often_one_goes_to_and_fro(
 def test_a_file_holds_the_amplitudes_that_were_stored(window, matched, tmp_path):
     window.files._save_to(tmp_path / "a.skinsource")
     kept = open_design(tmp_path / "a.skinsource")
-    stored = next(one.design for one in window.document.view.snapshots if one.number == 2)
+    stored = next(
+        snapshot.design for snapshot in window.document.view.snapshots if snapshot.number == 2
+    )
     assert kept.design == stored
     assert amplitudes(kept.design) == amplitudes(stored)
     assert not window.document.modified
@@ -87,7 +89,7 @@ def test_it_stays_as_loud_where_levels_are_taken_otherwise(window, settle, match
         settle()
         before, gain = gain, document.view.match_gain(document.design)
         assert gain != before, looked
-    first = next(one.design for one in document.view.snapshots if one.number == 1)
+    first = next(snapshot.design for snapshot in document.view.snapshots if snapshot.number == 1)
     window.do("toggle_snapshots")
     settle()
     assert document.design == first
@@ -175,5 +177,5 @@ def test_tables_hold_the_design_as_it_is_stored_and_say_so(
     lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
     rows = list(csv.DictReader(lines))
     name = "level_db_re_1_m_per_s2"
-    found = np.array([float(row[name]) for row in rows])
-    np.testing.assert_allclose(found, levels(window.document.design), rtol=0, atol=1e-3)
+    copied_levels_db = np.array([float(row[name]) for row in rows])
+    np.testing.assert_allclose(copied_levels_db, levels(window.document.design), rtol=0, atol=1e-3)

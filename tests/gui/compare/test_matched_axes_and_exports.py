@@ -33,9 +33,9 @@ def words(window, settle, monkeypatch):
     show_matched(window, settle)
     gain = document.view.match_gain(document.design)
     assert gain < 0.9
-    found = match_text(gain)
-    assert found == f"\N{MINUS SIGN}{-20 * np.log10(gain):.1f} dB, matched"
-    return found
+    text = match_text(gain)
+    assert text == f"\N{MINUS SIGN}{-20 * np.log10(gain):.1f} dB, matched"
+    return text
 
 
 def brought_forward(window, settle, name):

@@ -22,7 +22,7 @@ def average(panel):
     """Choose it in the menu of the plot."""
     panel.findChild(SignalView)._open_menu(QPoint(0, 0))
     menu = panel.findChild(QMenu, "plot-menu")
-    next(one for one in menu.actions() if one.text() == "Mean of 10 bins").trigger()
+    next(action for action in menu.actions() if action.text() == "Mean of 10 bins").trigger()
     menu.close()
 
 
@@ -53,12 +53,12 @@ def test_a_spectrum_can_be_drawn_as_the_mean_of_neighbouring_bins(show):
 
 def test_peaks_are_those_of_the_means_that_are_drawn(show):
     panel = show()
-    found = noisy()
-    panel.show_results({**results_for(LINEAR), "selected_spectra": found})
+    spectra = noisy()
+    panel.show_results({**results_for(LINEAR), "selected_spectra": spectra})
     average(panel)
     click(panel, "relative")
-    within = (found[0] >= 25.0) & (found[0] <= 600.0)
-    peaks = mean_of_bins(found[1], MEAN_OF_BINS)[:, within].max(axis=-1)
+    within = (spectra[0] >= 25.0) & (spectra[0] <= 600.0)
+    peaks = mean_of_bins(spectra[1], MEAN_OF_BINS)[:, within].max(axis=-1)
     assert plot_of(panel).curves.peaks == pytest.approx(peaks)
 
 

@@ -27,7 +27,7 @@ def test_the_peaks_to_which_curves_are_relative_are_said_with_their_unit(show):
     assert legend.text.readings == ()
     click(panel, "relative")
     assert (legend.text.where, legend.text.unit) == ("peak", "m/s²")
-    read = [float(one.replace("\N{THIN SPACE}", "")) for one in legend.text.readings]
+    read = [float(reading.replace("\N{THIN SPACE}", "")) for reading in legend.text.readings]
     assert read == pytest.approx(peaks, rel=5e-3)
     first, second, *_ = legend.text.lines().splitlines()
     assert first == "peak"

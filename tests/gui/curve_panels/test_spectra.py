@@ -140,8 +140,8 @@ def test_shading_is_spoken_of_where_some_is_in_view(show, log):
         panel.show_state(
             start_design("synthetic-1"), seen(LINEAR, log_frequency=log, frequency_range_hz=zoom)
         )
-        assert any("shaded" in one for one in titles()) == shaded, zoom
-        assert any("band 25 to 600 Hz" in one for one in titles()), zoom
+        assert any("shaded" in title for title in titles()) == shaded, zoom
+        assert any("band 25 to 600 Hz" in title for title in titles()), zoom
 
 
 @pytest.mark.parametrize(

@@ -32,17 +32,17 @@ def settings(panel):
 def along_axes(view, peaks=PEAKS):
     """Results of two outputs that move at 100 Hz by ``peaks`` along x, y and z."""
     time_s = np.arange(650) / 1300
-    found = magnitude_spectrum(peaks[..., None] * np.sin(2 * np.pi * 100 * time_s), 1300.0)
-    return {**results_for(view), "selected_axis_spectra": found}
+    spectra = magnitude_spectrum(peaks[..., None] * np.sin(2 * np.pi * 100 * time_s), 1300.0)
+    return {**results_for(view), "selected_axis_spectra": spectra}
 
 
 @pytest.fixture
 def panel(show):
     """On the axes of both outputs."""
-    found = show()
-    click(found, "axes")
-    found.show_results(along_axes(found.views[-1]))
-    return found
+    panel = show()
+    click(panel, "axes")
+    panel.show_results(along_axes(panel.views[-1]))
+    return panel
 
 
 def test_each_output_can_be_drawn_relative_to_its_own_peak(show):
@@ -95,14 +95,14 @@ def test_the_peaks_are_said_with_their_unit(show, panel, tmp_path):
     click(alone, "relative")
     legend = alone.findChild(SignalView).legend
     assert (legend.text.where, legend.text.unit) == ("peak", "m/s²")
-    assert [float(one) for one in legend.text.readings] == pytest.approx([0.5, 0.05])
+    assert [float(reading) for reading in legend.text.readings] == pytest.approx([0.5, 0.05])
     click(panel, "relative")
     panel.show_results(along_axes(panel.views[-1]))
     save_table(tmp_path / "spectra.csv", plot_of(panel), "Spectra")
     words = (tmp_path / "spectra.csv").read_text("utf-8").split("peaks in m/s²: ")[1]
-    assert [float(one.split(": ")[1]) for one in words.splitlines()[0].rstrip('"').split(", ")] == (
-        pytest.approx(PEAKS.max(axis=-1))
-    )
+    assert [
+        float(reading.split(": ")[1]) for reading in words.splitlines()[0].rstrip('"').split(", ")
+    ] == (pytest.approx(PEAKS.max(axis=-1)))
 
 
 def test_scales_need_nothing_that_was_not_there(show):
@@ -123,9 +123,9 @@ def test_rows_have_a_curve_for_each_axis_in_colours_that_no_output_has(panel):
     assert len(plot.stack.rows) == 2
     assert [row.n_curves for row in plot.stack.rows] == [3, 3]
     assert plot.curves.y.max(axis=-1) == pytest.approx(PEAKS.ravel())
-    pens = [[one.pen.color() for one in row.curves[:3]] for row in plot.stack.rows]
+    pens = [[curve.pen.color() for curve in row.curves[:3]] for row in plot.stack.rows]
     assert pens[0] == pens[1] == [current_theme().axis_colour(k) for k in range(3)]
-    assert not {one.name() for one in pens[0]} & {
+    assert not {pen.name() for pen in pens[0]} & {
         current_theme().output_colour(k).name() for k in range(8)
     }
     assert [row.number.text for row in plot.stack.rows] == ["29", "52"]
@@ -212,7 +212,7 @@ def test_who_looks_at_the_scale_alone_computes_nothing(window, settle):
     settle()
     asked = []
     ask = window.engine.request
-    window.engine.request = lambda one: (asked.append(one.wanted), ask(one))
+    window.engine.request = lambda request: (asked.append(request.wanted), ask(request))
     panel = window.panel("spectra")
     before = panel._results["selected_spectra"]
     for name in ("relative", "log-magnitude", "relative", "stacked"):
@@ -221,14 +221,14 @@ def test_who_looks_at_the_scale_alone_computes_nothing(window, settle):
         assert panel._results["selected_spectra"] is before
     click(panel, "axes")
     settle()
-    assert any("selected_axis_spectra" in one for one in asked)
+    assert any("selected_axis_spectra" in request for request in asked)
     window.docks["spectra"].toggleViewAction().trigger()
     settle()
     asked.clear()
     window.document.edit("Louder", window.document.design.with_input(0, amplitude=3.0))
     settle()
     assert asked
-    assert not any("selected_axis_spectra" in one for one in asked)
+    assert not any("selected_axis_spectra" in request for request in asked)
 
 
 @pytest.mark.parametrize("name", ["1D", "2D"])

@@ -281,5 +281,5 @@ def test_a_table_of_curves_relative_to_their_peaks_says_so_and_which_these_are(s
     save_table(tmp_path / "traces.csv", plot_of(panel), "Traces")
     table = (tmp_path / "traces.csv").read_text("utf-8")
     assert "output_29_of_its_peak" in table
-    (line,) = [one for one in table.splitlines() if one.startswith("# peaks in m/s²: ")]
+    (line,) = [line for line in table.splitlines() if line.startswith("# peaks in m/s²: ")]
     assert f"29: {peak!r}" in line

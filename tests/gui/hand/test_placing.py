@@ -25,8 +25,8 @@ def test_a_click_on_an_empty_site_places_an_input_there_and_selects_it(studio, s
 
 def test_sites_are_far_enough_apart_to_be_hit_at_the_smallest_size(studio):
     points = [studio.diagram.site_centre(site) for site in range(1, 21)]
-    for one, other in combinations(points, 2):
-        apart = one - other
+    for first, other in combinations(points, 2):
+        apart = first - other
         assert apart.x() ** 2 + apart.y() ** 2 >= 22**2
     for site, point in enumerate(points, start=1):
         for off in (QPoint(0, 11), QPoint(0, -11), QPoint(11, 0), QPoint(-11, 0)):

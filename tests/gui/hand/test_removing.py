@@ -81,7 +81,7 @@ def test_the_menu_of_one_of_several_acts_on_all(studio):
     actions = studio.menu(7, QContextMenuEvent.Reason.Mouse)
     assert studio.view.selected_inputs == (1, 2)
     actions["Mute 2 inputs"].trigger()
-    assert [one.muted for one in studio.design.inputs] == [True, True, False]
+    assert [track.muted for track in studio.design.inputs] == [True, True, False]
     studio.close_menu()
     assert studio.menu(8, QContextMenuEvent.Reason.Mouse)["Mute 2 inputs"].isChecked()
     studio.close_menu()

@@ -33,7 +33,7 @@ class Bench:
         qtbot.waitUntil(self.panel.isActiveWindow)
 
     @property
-    def one(self):
+    def track(self):
         return self.design.input(self.view.selected_input)
 
     @property
@@ -70,7 +70,7 @@ class Bench:
         QTest.keyClicks(box, words)
 
     def results(self):
-        waveforms = tuple(one.waveform.samples(1300.0) for one in self.design.clips)
+        waveforms = tuple(clip.waveform.samples(1300.0) for clip in self.design.clips)
         return {"input_waveforms": waveforms, "sample_rate_hz": 1300.0}
 
     def _edit(self, outcome, gesture):

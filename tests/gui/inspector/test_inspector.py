@@ -15,11 +15,11 @@ def test_mute_and_solo_are_buttons(bench):
     for name, field in (("mute_button", "muted"), ("solo_button", "solo")):
         button = bench.panel.findChild(LetterButton, name)
         QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-        assert getattr(bench.one, field)
+        assert getattr(bench.track, field)
         assert button.isChecked()
         button.setFocus()
         QTest.keyClick(button, Qt.Key.Key_Space)
-        assert not getattr(bench.one, field)
+        assert not getattr(bench.track, field)
     assert bench.labels == [
         "Mute input at 7 (II pad)",
         "Unmute input at 7 (II pad)",

@@ -97,11 +97,11 @@ def test_a_picture_has_the_colour_of_the_words_beside_it(theme, use_theme):
     for mode, colour in ((QIcon.Mode.Normal, theme.text), (QIcon.Mode.Active, theme.on_accent)):
         image = icon.pixmap(PICTURE_PX, 1.0, mode).toImage()
         drawn = [image.pixelColor(x, y) for x in range(30) for y in range(18)]
-        darkest = max(drawn, key=lambda one: one.alpha())
+        darkest = max(drawn, key=lambda colour: colour.alpha())
         assert darkest.alpha() > 128
         assert all(
-            abs(found - wanted) <= 2
-            for found, wanted in zip(
+            abs(channel - wanted) <= 2
+            for channel, wanted in zip(
                 darkest.getRgb()[:3], bytes.fromhex(colour.removeprefix("#")), strict=True
             )
         )
@@ -146,7 +146,11 @@ def test_a_kind_that_is_chosen_is_told_by_its_name(menu):
 @pytest.mark.parametrize("kind", [COMMON[2], MORE[1]])
 def test_the_present_kind_and_the_way_to_it_are_bold(menu, kind):
     fill_kind_menu(menu, str, current=kind.__name__)
-    bold = [one.text() for one in (*menu.actions(), *more_of(menu).actions()) if one.font().bold()]
+    bold = [
+        action.text()
+        for action in (*menu.actions(), *more_of(menu).actions())
+        if action.font().bold()
+    ]
     assert bold == ([kind.title] if kind in COMMON else ["More", kind.title])
 
 
@@ -192,9 +196,9 @@ def test_the_field_shows_the_picture_of_its_kind_in_each_theme(field, use_theme)
         use_theme(theme)
         for kind in KINDS:
             field.set_value(kind.__name__)
-            found, expected = field.itemIcon(field.currentIndex()), waveform_icon(kind)
-            assert np.array_equal(ink(found), ink(expected))
-            assert found.cacheKey() == expected.cacheKey()
+            icon, expected = field.itemIcon(field.currentIndex()), waveform_icon(kind)
+            assert np.array_equal(ink(icon), ink(expected))
+            assert icon.cacheKey() == expected.cacheKey()
 
 
 def test_where_nothing_is_chosen_the_field_says_so(qtbot):

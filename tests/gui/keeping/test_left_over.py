@@ -17,7 +17,7 @@ ENDED = to_bytes(replace(this_process(), started_s=1000.0))
 
 def choose(window, words):
     buttons = window.notice.buttons.findChildren(QPushButton)
-    next(one for one in buttons if one.text() == words).click()
+    next(button for button in buttons if button.text() == words).click()
 
 
 @pytest.fixture

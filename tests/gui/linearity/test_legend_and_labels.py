@@ -35,16 +35,16 @@ CURVES = tuple(
 def painter(qapp):
     del qapp
     image = QImage(400, 300, QImage.Format.Format_RGB32)
-    one = QPainter(image)
-    yield one
-    one.end()
+    painter = QPainter(image)
+    yield painter
+    painter.end()
 
 
 @pytest.mark.parametrize("size", [(160, 90), (230, 130), (500, 400)])
 @pytest.mark.parametrize("letters_px", [11, 14])
 @pytest.mark.parametrize("height", [1.0, 0.008], ids=["high", "at the bottom"])
 def test_labels_of_bands_are_whole_inside_the_plot_and_apart(painter, size, letters_px, height):
-    curves = tuple(replace(one, y=height * one.y) for one in CURVES)
+    curves = tuple(replace(curve, y=height * curve.y) for curve in CURVES)
     font = QFont(painter.font())
     font.setPixelSize(letters_px)
     metrics, room = QFontMetricsF(font), QRectF(0, 0, *size)
@@ -68,7 +68,7 @@ def test_labels_of_bands_are_whole_inside_the_plot_and_apart(painter, size, lett
 def test_labels_that_have_room_stand_at_their_curves(painter):
     metrics = QFontMetricsF(painter.font())
     axes = fitted_axes(QRectF(0, 0, 600, 400), X, Y, metrics)
-    apart = [replace(one, y=one.y / 4.0**k) for k, one in enumerate(CURVES[:4])]
+    apart = [replace(curve, y=curve.y / 4.0**k) for k, curve in enumerate(CURVES[:4])]
     _, places = places_of_labels(axes, tuple(apart), painter.font())
     for place, curve in places:
         end = axes.to_screen(curve.x[-1:], curve.y[-1:])[0, 1]

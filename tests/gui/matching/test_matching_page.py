@@ -35,14 +35,14 @@ def page(studio, qtbot, tmp_path):
     studio.playback.matching.end()
 
 
-def filled(found, qtbot, tmp_path):
+def filled(page, qtbot, tmp_path):
     """The page with a plan of four matches."""
-    qtbot.waitExposed(found)
-    found.form.field("person").setText("Anna")
-    found.form.field("frequencies").setText("60")
-    found.form.field("places").setText("3; 12")
-    found.form.table.setText(str(tmp_path / "matches.csv"))
-    return found
+    qtbot.waitExposed(page)
+    page.form.field("person").setText("Anna")
+    page.form.field("frequencies").setText("60")
+    page.form.field("places").setText("3; 12")
+    page.form.table.setText(str(tmp_path / "matches.csv"))
+    return page
 
 
 def press(page, name):

@@ -57,7 +57,7 @@ def press_keys(hands):
 
 def in_numbers(hands):
     panel = seen(hands, hands.one_of(("inspector", "inspector", "timeline")))
-    fields = [one for one in panel.findChildren(NumberField) if one.isVisible()]
+    fields = [field for field in panel.findChildren(NumberField) if field.isVisible()]
     if not fields:
         return ()
     field, way = hands.one_of(fields), hands.one_of(("type", "type", "keys", "wheel", "drag"))
@@ -85,9 +85,11 @@ def in_lists(hands):
     if hands.chance(0.6):
         place = seen(hands, "inspector")
     fields = [
-        one
-        for one in place.findChildren(QComboBox)
-        if one.isVisible() and one.isEnabled() and (one.objectName() != "limb" or hands.chance(0.3))
+        combo_box
+        for combo_box in place.findChildren(QComboBox)
+        if combo_box.isVisible()
+        and combo_box.isEnabled()
+        and (combo_box.objectName() != "limb" or hands.chance(0.3))
     ]
     if not fields:
         return ()
@@ -102,7 +104,9 @@ def on_buttons(hands):
     """Click on any button in sight."""
     panel = seen(hands, hands.one_of(("inspector", "timeline", "clip_editor", "skin", "library")))
     buttons = [
-        one for one in panel.findChildren(QAbstractButton) if one.isVisible() and one.isEnabled()
+        button
+        for button in panel.findChildren(QAbstractButton)
+        if button.isVisible() and button.isEnabled()
     ]
     if not buttons:
         return ()
@@ -151,7 +155,9 @@ def in_pages(hands):
     """Open a page, type and press something there, and close it or agree to it."""
     name = hands.one_of(("find_action", "make_motion", "make_motion", "save_to_library"))
     hands.window.do(name)
-    page = next((one for one in hands.window.findChildren(QDialog) if one.isVisible()), None)
+    page = next(
+        (dialog for dialog in hands.window.findChildren(QDialog) if dialog.isVisible()), None
+    )
     if page is None:
         return (name, "nothing")
     if name == "make_motion":
@@ -167,8 +173,8 @@ def in_pages(hands):
 def _make_motion(hands, page):
     for _ in range(int(hands.random.integers(1, 5))):
         hands.click(page.hand, page.hand.site_centre(int(hands.random.integers(1, 21))))
-    numbers = [one for one in page.findChildren(NumberField) if one.isVisible()]
-    lists = [one for one in page.findChildren(QComboBox) if one.isVisible()]
+    numbers = [field for field in page.findChildren(NumberField) if field.isVisible()]
+    lists = [combo_box for combo_box in page.findChildren(QComboBox) if combo_box.isVisible()]
     if lists:
         hands.one_of(lists).setFocus(Qt.FocusReason.TabFocusReason)
         hands.key(_Key.Key_Down)

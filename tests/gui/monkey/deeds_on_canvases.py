@@ -25,7 +25,7 @@ def on_hand(hands):
     if way == "click":
         hands.click(diagram, here, held)
     elif way == "drag":
-        taken = [diagram.site_centre(one.location) for one in hands.document.design.inputs]
+        taken = [diagram.site_centre(track.location) for track in hands.document.design.inputs]
         hands.drag(diagram, hands.one_of(taken or [here]), there, held)
     else:
         way = hands.menu_of(diagram, here)

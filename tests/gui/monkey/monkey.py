@@ -172,7 +172,7 @@ class Monkey:
 
     def _check_state(self) -> None:
         design, view = self.document.design, self.document.view
-        clips = [one.id for one in design.clips]
+        clips = [clip.id for clip in design.clips]
         self._expect(len(set(design.ids)) == len(design.ids), "two inputs have one id")
         self._expect(len(set(clips)) == len(clips), "two clips have one id")
         self._expect(set(view.selected_inputs) <= set(design.ids), "a ghost input is selected")
@@ -219,13 +219,13 @@ class Monkey:
             self._expect(bool(said), f"predict refuses ({error}), the studio says nothing")
             return
         self._expect(not shown.outdated, "the map is outdated at rest")
-        found = shown.values
-        if found is None:
+        values = shown.values
+        if values is None:
             self._expect(False, f"no levels are shown at rest; notice: {self.window.notice.text}")
             return
-        difference = float(np.max(np.abs(np.asarray(found) - expected)))
+        difference = float(np.max(np.abs(np.asarray(values) - expected)))
         self.tally.compared += 1
-        self.tally.silent += not any(one.clips for one in design.inputs)
+        self.tally.silent += not any(track.clips for track in design.inputs)
         self.tally.largest_difference_db = max(self.tally.largest_difference_db, difference)
         self._expect(
             difference <= _TOLERANCE_DB,
@@ -271,11 +271,11 @@ class Monkey:
             QApplication.processEvents()
             QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         gc.collect()
-        found = Counter(type(one).__name__ for one in self.window.findChildren(QObject))
-        found["windows"] = len(QApplication.topLevelWidgets())
-        self.tally.objects.append(found)
+        counts = Counter(type(item).__name__ for item in self.window.findChildren(QObject))
+        counts["windows"] = len(QApplication.topLevelWidgets())
+        self.tally.objects.append(counts)
         self.tally.threads.append(threading.active_count())
-        more = found - self.tally.objects[0]
+        more = counts - self.tally.objects[0]
         self._expect(more.total() <= KEPT_LATE, f"more than half way: {more.most_common(12)}")
         late = self.tally.threads[-1] - self.tally.threads[0]
         self._expect(late <= THREADS_LATE, f"threads: {self.tally.threads}")

@@ -54,5 +54,5 @@ class Watch:
 
     def _said(self, kind: QtMsgType, _context, words: str) -> None:
         loud = kind not in (QtMsgType.QtDebugMsg, QtMsgType.QtInfoMsg)
-        if loud and not any(one in words for one in _HARMLESS):
+        if loud and not any(phrase in words for phrase in _HARMLESS):
             self.faults.append(f"Qt: {words}")

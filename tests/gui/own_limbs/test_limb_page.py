@@ -68,7 +68,7 @@ def test_a_file_in_the_layout_is_imported_and_can_be_chosen_at_once(
 
 
 def test_names_on_the_page_are_selected_by_the_first_click(page):
-    assert all(isinstance(one, NameLine) for one in (page.form.name, page.form.title))
+    assert all(isinstance(field, NameLine) for field in (page.form.name, page.form.title))
 
 
 def test_a_limb_of_the_same_name_is_replaced_after_a_question(

@@ -171,7 +171,7 @@ def test_of_a_limb_that_goes_the_unit_is_not_known_until_it_is_back(opened, qtbo
 def test_strengths_of_snapshots_are_told_in_it(limbs, make_window, qtbot, limb, unit):
     design, view = on(limb)
     kept = [design.with_input(0, amplitude=k) for k in (1.0, 2.0, 4.0)]
-    snapshots = tuple(Snapshot(number=k, design=one) for k, one in enumerate(kept, 1))
+    snapshots = tuple(Snapshot(number=k, design=design) for k, design in enumerate(kept, 1))
     window = make_window(design, replace(view, snapshots=snapshots, levels_matched=False))
     window.docks["linearity"].bring_forward()
     panel = window.panel("linearity")
@@ -187,7 +187,7 @@ def test_pages_ask_for_drives_in_it(limbs, make_desk, qtbot, monkeypatch, limb, 
     use(monkeypatch, MadeUpLibrary(Two=2))
     desk = make_desk(*on(limb))
     motion = desk.show_motion()
-    cells = {one.name: one for one in motion.motion_fields.cells}
+    cells = {cell.name: cell for cell in motion.motion_fields.cells}
     assert symbol_of(cells["amplitude"].field) == unit
     motion.reject()
     desk.stimuli.show()

@@ -136,7 +136,7 @@ def test_space_plays_once_a_waveform_is_chosen_and_opens_the_list_when_one_comes
 ):
     QTest.mouseClick(kind, LEFT)
     menu = kind.findChild(QMenu, "kind_menu")
-    menu.setActiveAction(next(one for one in menu.actions() if "Noise" in one.text()))
+    menu.setActiveAction(next(action for action in menu.actions() if "Noise" in action.text()))
     QTest.keyClick(menu, Qt.Key.Key_Return)
     assert isinstance(studio.document.design.inputs[0].clips[0].waveform, Noise)
     kind = studio.panel("inspector").findChild(QComboBox, "kind_field")

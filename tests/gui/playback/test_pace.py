@@ -20,11 +20,11 @@ def test_slow_motion_runs_in_silence_and_complains_of_nothing(sound, studio, pla
 
 
 def test_faster_and_slower_go_through_the_paces(studio):
-    document, found = studio.document, []
+    document, factors = studio.document, []
     for _ in range(9):
         studio.do("play_slower")
-        found.append(document.view.slow_motion)
-    assert found == [2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 200.0, 200.0]
+        factors.append(document.view.slow_motion)
+    assert factors == [2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 200.0, 200.0]
     document.look(replace(document.view, slow_motion=30.0))
     studio.do("play_faster")
     assert document.view.slow_motion == 20.0

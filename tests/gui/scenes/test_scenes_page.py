@@ -20,15 +20,15 @@ every = pytest.mark.parametrize("name", ss.scenes.names())
 def texts_of(content: bytes) -> dict[str, str]:
     """Words that a PNG file holds, by what they are called."""
     assert content.startswith(b"\x89PNG\r\n\x1a\n")
-    found, at = {}, 8
+    texts_by_key, at = {}, 8
     while at < len(content):
         (size,) = struct.unpack(">I", content[at : at + 4])
         kind, held = content[at + 4 : at + 8], content[at + 8 : at + 8 + size]
         if kind == b"tEXt":
             key, _, words = held.partition(b"\0")
-            found[key.decode("latin-1")] = words.decode("latin-1")
+            texts_by_key[key.decode("latin-1")] = words.decode("latin-1")
         at += 12 + size
-    return found
+    return texts_by_key
 
 
 @every
@@ -57,10 +57,10 @@ def test_the_page_of_the_documents_shows_every_scene():
 def test_each_names_an_arrangement_and_panels_with_settings_that_there_are(name):
     scene = ss.scenes.scene(name)
     panels = {spec.panel.name: spec for spec in PANELS}
-    assert scene.arrangement in {one.name for one in ARRANGEMENTS}
+    assert scene.arrangement in {arrangement.name for arrangement in ARRANGEMENTS}
     assert set(scene.panels) <= panels.keys()
     view = synthetic_scene(name).view
-    for panel, held in (one for one in view.panels if one[0] in panels):
+    for panel, held in (panel for panel in view.panels if panel[0] in panels):
         settings = settings_of(view, panel, panels[panel].settings)
         for field, value in held:
             assert getattr(settings, field) == value, f"{panel}.{field}"
@@ -69,7 +69,7 @@ def test_each_names_an_arrangement_and_panels_with_settings_that_there_are(name)
 def test_the_gallery_lists_all_scenes_and_shows_the_selected_one(window):
     page = window.scenes.show()
     headings = [page.list.item(row).text() for row in range(page.list.count())]
-    assert headings == [one.heading for one in ss.scenes.all_scenes()]
+    assert headings == [scene.heading for scene in ss.scenes.all_scenes()]
     page.list.setCurrentRow(headings.index("2F · Two inputs interfere"))
     words = page.words.text()
     assert ss.scenes.scene("2F").sentence in words
@@ -107,7 +107,7 @@ def test_a_scene_is_opened_with_the_keyboard(window, qtbot, settle):
     assert window.document.view == opened.view
     assert window.docks["side_by_side"].in_sight
     maps = window.panel("side_by_side").maps
-    qtbot.waitUntil(lambda: sum(one.small is not None for one in maps.content.cells) == 4)
+    qtbot.waitUntil(lambda: sum(cell.small is not None for cell in maps.content.cells) == 4)
     called = [cell.headings[1] for cell in maps.content.cells]
     assert called == [f"Snapshot {k} · {hz} Hz" for k, hz in enumerate((50, 100, 200, 400), 1)]
 
@@ -169,6 +169,6 @@ def test_the_page_that_is_cancelled_changes_nothing(window):
 
 def test_the_file_menu_leads_to_the_gallery(window, qtbot):
     window.do("show_scenes")
-    pages = [one for one in window.children() if one.objectName() == "scenes_page"]
+    pages = [page for page in window.children() if page.objectName() == "scenes_page"]
     assert len(pages) == 1
     pages[0].reject()

@@ -17,7 +17,9 @@ LONG = tuple(f"Snapshot {k} on Synthetic {k} minus Edited on Synthetic 4" for k 
 
 
 def headed(*headings):
-    return SideBySideContent(cells=tuple(Cell(headings=(one,), limb="") for one in headings))
+    return SideBySideContent(
+        cells=tuple(Cell(headings=(heading,), limb="") for heading in headings)
+    )
 
 
 def test_long_headings_of_three_have_the_lines_they_need_and_short_ones_have_one(qapp):
@@ -76,15 +78,15 @@ def test_snapshots_of_a_scene_are_told_by_what_their_titles_do_not_share():
         return Compared(snapshot=Snapshot(number=number, design=design))
 
     tones = [stored(1, "Fig. 2B: Far · 50 Hz"), stored(2, "Fig. 2B: Far · 100 Hz")]
-    one, two = snapshot_names(tones, "xyz")
-    assert one == (
+    first, second = snapshot_names(tones, "xyz")
+    assert first == (
         "Snapshot 1 · Fig. 2B: Far · 50 Hz",
         "Snapshot 1 · 50 Hz",
         "1 · 50 Hz",
         "Snapshot 1",
         "1",
     )
-    assert two[1] == "Snapshot 2 · 100 Hz"
+    assert second[1] == "Snapshot 2 · 100 Hz"
     # What is the same throughout is said; nothing is taken from titles that share nothing.
     assert snapshot_names([tones[0], tones[0]], "xyz")[0][1] == "Snapshot 1 · 50 Hz"
     assert snapshot_names([tones[0], stored(2, "Other")], "xyz")[1] == (

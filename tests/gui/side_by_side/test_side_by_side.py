@@ -28,7 +28,7 @@ def levels(window, limb):
 def ring(maps, index, output):
     """Pixels around an output in one of the maps, as they are painted."""
     image = maps.grab().toImage()
-    x, y = (round(one) for one in maps.visible_maps.points_of(index)[output - 1])
+    x, y = (round(coordinate) for coordinate in maps.visible_maps.points_of(index)[output - 1])
     return [image.pixel(x + dx, y + dy) for dx in range(-9, 10) for dy in range(-9, 10)]
 
 
@@ -128,7 +128,7 @@ def test_it_costs_nothing_while_hidden_and_follows_edits_while_seen(window, pane
     qtbot.waitUntil(lambda: not any("limb" in slot.name for slot in graphs))
     asked = []
     ask = window.engine.request
-    window.engine.request = lambda one: (asked.append(one.slot.name), ask(one))
+    window.engine.request = lambda request: (asked.append(request.slot.name), ask(request))
     window.document.edit("Softer", design.with_input(0, amplitude=0.5))
     settle()
     assert asked == ["A"]

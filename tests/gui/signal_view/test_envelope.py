@@ -94,9 +94,9 @@ def test_a_tone_reaches_its_peak_everywhere_whatever_its_samples_miss(
         low, high = signals.plot.value_scale.values
         near = EXTREMES_ERROR * peak + (high - low) / signals.plot.places.row(0).height()
         seen, printed = envelope(signals.plot, rank), envelope(paper, rank)
-        for found in (seen, printed):
-            assert found.min() >= peak - near
-            assert found.max() <= peak + near
+        for picture in (seen, printed):
+            assert picture.min() >= peak - near
+            assert picture.max() <= peak + near
         np.testing.assert_allclose(seen, printed, rtol=0, atol=near)
     assert paper.value_scale.values == signals.plot.value_scale.values
 

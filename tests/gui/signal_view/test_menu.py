@@ -26,7 +26,7 @@ def open_menu(signals):
 
 def choose(signals, words):
     menu = open_menu(signals)
-    action = next(one for one in menu.actions() if one.text().startswith(words))
+    action = next(action for action in menu.actions() if action.text().startswith(words))
     menu.close()
     action.trigger()
 

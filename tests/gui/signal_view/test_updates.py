@@ -18,13 +18,13 @@ def test_ranges_do_not_change_while_data_change_a_little(signals):
 
 def test_an_edit_that_keeps_times_and_zoom_finds_no_columns_anew(signals):
     signals.show_curves(waves(2, n_points=6000), synthetic=False)
-    found = signals.plot.columns.made
+    n_made = signals.plot.columns.made
     for amplitude in (0.1, 0.2, 5.0):
         signals.show_curves(waves(3, n_points=6000, amplitude=amplitude), synthetic=False)
-    assert signals.plot.columns.made == found
+    assert signals.plot.columns.made == n_made
     signals.set_view(TIME, (0.1, 4.0), stacked=False)
     signals.show_curves(waves(2, n_points=6001), synthetic=False)
-    assert signals.plot.columns.made == found + 2
+    assert signals.plot.columns.made == n_made + 2
 
 
 def test_values_that_are_not_finite_empty_the_picture(signals):

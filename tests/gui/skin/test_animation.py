@@ -253,9 +253,9 @@ def test_the_sizes_of_pictures_are_offered_for_films_and_none_is_too_large(qtbot
         PictureOptions(width_px=900, height_px=1200), kinds="MP4 or GIF", most_px=MOST_PX
     )
     qtbot.addWidget(dialog)
-    for one in LAYOUTS:
-        dialog._take("layout", one.name, None)
+    for layout in LAYOUTS:
+        dialog._take("layout", layout.name, None)
         assert max(frame_size(dialog.options)) <= MOST_PX
-        assert dialog.options.layout == one.name
+        assert dialog.options.layout == layout.name
     words = [label.text() for label in dialog.findChildren(QLabel)]
     assert "The next step asks where to, and whether as MP4 or GIF." in words

@@ -132,7 +132,7 @@ def test_what_cannot_be_written_says_why_and_cannot_be_saved(qtbot):
     )
     qtbot.addWidget(form)
     form.show()
-    save = next(one for one in form.findChildren(QPushButton) if one.text() == "Save as…")
+    save = next(button for button in form.findChildren(QPushButton) if button.text() == "Save as…")
     assert "expected at most 36000: 10 minutes" in said(form)
     assert not save.isEnabled()
     QTest.keyClick(form.findChild(NumberField, "width_px_field"), Qt.Key.Key_Return)

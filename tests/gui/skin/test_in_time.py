@@ -128,8 +128,8 @@ def test_with_the_delay_removed_the_wave_comes_so_much_earlier(make_window, look
     window = make_window(SHORT)
     there = look(window, playhead_s=0.08, quantity=Z).values
     window.do("remove_delay")
-    found = look(window, playhead_s=0.08 - PRE_TRIGGER_DELAY_S).values
-    assert found == pytest.approx(there, abs=1e-9)
+    levels_db = look(window, playhead_s=0.08 - PRE_TRIGGER_DELAY_S).values
+    assert levels_db == pytest.approx(there, abs=1e-9)
     end_s = window.panel("skin").time.frames.end_s(window.document.view)
     assert end_s == pytest.approx((260 + 522 - 2) / 1300 - PRE_TRIGGER_DELAY_S)
 

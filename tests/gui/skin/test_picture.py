@@ -91,10 +91,10 @@ def test_every_place_of_the_skin_is_drawn_where_it_is(qtbot):
             at = QPoint(int(x), int(y))
             centre = QPointF(at.x() + 0.5, at.y() + 0.5)
             level = frame.to_drawing(centre)[0 if along_x else 1] / 2.0
-            found = [row_of_colour[c] for c in near(picture.pixel(at), row_of_colour)]
+            rows = [row_of_colour[c] for c in near(picture.pixel(at), row_of_colour)]
             expected = level / 64.0 * 255
             # Half a pixel of the field is two rows of the table.
-            assert min(abs(k - expected) for k in found) <= 1.6
+            assert min(abs(k - expected) for k in rows) <= 1.6
 
 
 def near(argb, colours):

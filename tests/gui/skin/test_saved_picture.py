@@ -63,7 +63,7 @@ def test_pictures_say_what_strokes_mean_where_there_are_some(window, monkeypatch
     for noisy in ((), (3, 4)):
         window.panel.show_noisy(noisy)
         window.panel.picture(300, 400)
-    assert ["hatched" in one.details for one in said] == [False, True]
+    assert ["hatched" in cell.details for cell in said] == [False, True]
     assert said[1].details.endswith("hatched: less than 6 dB above the noise")
 
 
@@ -104,6 +104,6 @@ def test_pictures_of_lines_look_like_those_of_pixels(window, tmp_path):
 def test_words_on_a_slide_are_read_from_afar(window, tmp_path, size, least_px):
     save_drawing(tmp_path / "a.svg", window.panel.draw_picture, *size)
     drawing = (tmp_path / "a.svg").read_text("utf-8")
-    sizes = [float(one) for one in re.findall(r'<text[^>]*font-size="([\d.]+)"', drawing)]
+    sizes = [float(size) for size in re.findall(r'<text[^>]*font-size="([\d.]+)"', drawing)]
     assert max(sizes) >= least_px
     assert min(sizes) >= 0.7 * least_px

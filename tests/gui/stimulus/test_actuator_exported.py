@@ -30,18 +30,18 @@ def view_of(**settings):
 @pytest.fixture
 def form_on(qtbot):
     def make(design, view):
-        found = StimulusForm(design, view)
-        qtbot.addWidget(found)
-        return found
+        form = StimulusForm(design, view)
+        qtbot.addWidget(form)
+        return form
 
     return make
 
 
 def order_of(form):
-    found = []
-    form.changed.connect(found.append)
+    changes = []
+    form.changed.connect(changes.append)
     form.want()
-    return found[-1]
+    return changes[-1]
 
 
 def test_what_was_chosen_in_the_panel_is_exported_and_said(make_window, qtbot, save_as):

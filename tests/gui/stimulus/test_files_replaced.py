@@ -22,7 +22,7 @@ def asked(monkeypatch):
 
 
 def contents(folder):
-    return {one.name: one.read_bytes() for one in folder.iterdir() if one.is_file()}
+    return {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()}
 
 
 def test_the_file_of_another_channel_is_replaced_only_if_the_user_says_so(

@@ -52,7 +52,7 @@ class Bench:
 
     @property
     def places(self):
-        return [one.location for one in self.design.inputs]
+        return [track.location for track in self.design.inputs]
 
     def show(self, design):
         self.design = design
@@ -97,6 +97,6 @@ def click(widget, at=None):
 def results_of(design):
     """What the engine would tell of a design, so far as the panel needs it."""
     waveforms = tuple(
-        tuple(clip.waveform.samples(1300.0) for clip in one.clips) for one in design.inputs
+        tuple(clip.waveform.samples(1300.0) for clip in track.clips) for track in design.inputs
     )
     return {"clip_waveforms": waveforms, "inputs": design.inputs, "sample_rate_hz": 1300.0}

@@ -26,12 +26,12 @@ def active(window, qtbot):
 
 
 def waveforms(window):
-    return [one.waveform for one in window.document.design.clips]
+    return [clip.waveform for clip in window.document.design.clips]
 
 
 def test_they_stand_in_the_menu_and_say_the_keys_of_the_timeline(active):
-    menus = [one for one in active.findChildren(QMenu) if one.title().replace("&", "") == "Edit"]
-    hints = {one.text(): one.statusTip() for menu in menus for one in menu.actions()}
+    menus = [menu for menu in active.findChildren(QMenu) if menu.title().replace("&", "") == "Edit"]
+    hints = {action.text(): action.statusTip() for menu in menus for action in menu.actions()}
     for words, key in (
         ("Cut clips", "Ctrl+X"),
         ("Copy clips", "Ctrl+C"),
@@ -45,9 +45,9 @@ def test_they_stand_in_the_menu_and_say_the_keys_of_the_timeline(active):
 def test_the_palette_calls_them_by_their_names_with_the_keys_at_the_right(active):
     palette = Palette(list(active.actions_by_name.values()), active)
     palette.line.setText("cut cl")
-    found = palette.list.item(0)
-    assert found.text() == "Cut clips"
-    assert _state_and_keys(palette.list.indexFromItem(found)) == "Ctrl+X"
+    row = palette.list.item(0)
+    assert row.text() == "Cut clips"
+    assert _state_and_keys(palette.list.indexFromItem(row)) == "Ctrl+X"
     palette.deleteLater()
 
 
@@ -89,7 +89,7 @@ def test_of_no_clips_and_an_empty_clipboard_they_say_so(active):
 
 def test_where_one_types_the_keys_are_about_the_words(active):
     field = next(
-        one for one in active.panel("inspector").findChildren(NumberField) if one.isVisible()
+        field for field in active.panel("inspector").findChildren(NumberField) if field.isVisible()
     )
     field.setFocus()
     QTest.keyClick(field, Qt.Key.Key_C, CONTROL)

@@ -154,7 +154,7 @@ def test_a_clip_that_the_inspector_showed_already_is_seen_to_be_selected(bench):
 
 
 def test_the_clip_that_the_inspector_shows_is_another_one_where_tracks_stay_selected(bench):
-    first, second = (one.id for one in bench.design.inputs[:2])
+    first, second = (track.id for track in bench.design.inputs[:2])
     bench._look(replace(bench.view, selected_inputs=(first, second)))
     settled(bench)
     shown = picture(bench)
@@ -168,11 +168,11 @@ def test_what_was_not_repainted_looks_as_if_everything_were(bench, name):
     before = picture(bench)
     EDITS[name](bench)
     settled(bench)
-    found = picture(bench)
-    assert found != before
+    zoomed_picture = picture(bench)
+    assert zoomed_picture != before
     bench.lanes.item.update()
     settled(bench)
-    assert found == picture(bench)
+    assert zoomed_picture == picture(bench)
 
 
 def test_only_clips_that_changed_are_asked_for_their_length(bench):
@@ -253,7 +253,7 @@ def test_a_marked_clip_is_painted_however_little_of_its_lane_is_in_sight(bench):
     bench.view = replace(bench.view, selected_inputs=(10,))
     bench.show(Design(limb="synthetic-1", inputs=tracks))
     bars = bench.panel.findChildren(QScrollBar)
-    (bar,) = (one for one in bars if one.accessibleName() == "Tracks shown")
+    (bar,) = (bar for bar in bars if bar.accessibleName() == "Tracks shown")
     in_sight = set()
     for scrolled in range(bar.maximum() + 1):
         bar.setValue(scrolled)
@@ -264,7 +264,7 @@ def test_a_marked_clip_is_painted_however_little_of_its_lane_is_in_sight(bench):
     assert set(range(8)) <= in_sight
 
 
-def most_apart(one, other):
+def most_apart(first, other):
     """Largest difference of two pictures in any colour of any pixel."""
-    pixels = [np.array(each.constBits(), np.int16) for each in (one, other)]
+    pixels = [np.array(each.constBits(), np.int16) for each in (first, other)]
     return np.abs(pixels[0] - pixels[1]).max()

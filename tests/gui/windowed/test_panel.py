@@ -20,10 +20,10 @@ TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
 def panel(make_window):
     window = make_window(TRAIN, ss.View(method="mag", windows_cut="length", window_s=0.12))
     window.docks["windowed"].bring_forward()
-    found = window.panel("windowed")
+    panel = window.panel("windowed")
     window.catch_up()
-    found.window_of_test = window
-    return found
+    panel.window_of_test = window
+    return panel
 
 
 @pytest.fixture
@@ -37,10 +37,10 @@ def settle(window, qtbot):
 
 def test_it_shows_what_was_computed_in_one_scale(panel, studio):
     content = panel.strip.content
-    found = ss.evaluate(TRAIN, "rms_of_windows", "extents_of_windows", view=studio.document.view)
+    energies = ss.evaluate(TRAIN, "rms_of_windows", "extents_of_windows", view=studio.document.view)
     assert content.windows.count == 5
-    assert (content.levels_db == ss.decibels(found["rms_of_windows"])).all()
-    assert content.extents == found["extents_of_windows"]
+    assert (content.levels_db == ss.decibels(energies["rms_of_windows"])).all()
+    assert content.extents == energies["extents_of_windows"]
     assert content.scale.range_db[1] >= content.levels_db.max() > content.scale.range_db[1] - 5.0
     assert content.synthetic
 
@@ -51,8 +51,8 @@ def test_every_map_has_a_cell_of_its_own_within_the_panel(panel):
     room = panel.strip.rect().toRectF()
     areas = [*places.cells, places.scale, places.plot]
     assert all(room.contains(area) for area in areas)
-    for k, one in enumerate(areas):
-        assert not any(one.adjusted(1, 1, -1, -1).intersects(other) for other in areas[k + 1 :])
+    for k, cell in enumerate(areas):
+        assert not any(cell.adjusted(1, 1, -1, -1).intersects(other) for other in areas[k + 1 :])
 
 
 @pytest.mark.parametrize("count", [1, 7, 24, 60])
