@@ -127,10 +127,10 @@ def test_words_are_written_smaller_before_they_are_cut(qtbot):
     qtbot.addWidget(field)
     field.choose("m")
     whole_px = field.fontMetrics().horizontalAdvance("Medium")
-    font, words = field.fitted_text(whole_px)
-    assert (font, words) == (field.font(), "Medium")
-    font, words = field.fitted_text(round(0.8 * whole_px))
-    assert words == "Medium"
+    font, text = field.fitted_text(whole_px)
+    assert (font, text) == (field.font(), "Medium")
+    font, text = field.fitted_text(round(0.8 * whole_px))
+    assert text == "Medium"
     assert QFontInfo(font).pixelSize() < QFontInfo(field.font()).pixelSize()
     assert QFontMetrics(font).horizontalAdvance("Medium") <= round(0.8 * whole_px)
     smallest, cut = field.fitted_text(whole_px // 2)

@@ -23,8 +23,8 @@ def make_cell(qtbot):
         qtbot.addWidget(cell)
         cell.show()
         cell.set_value(value)
-        cell.told = []
-        cell.edited.connect(lambda name, value, gesture: cell.told.append((name, value)))
+        cell.edits = []
+        cell.edited.connect(lambda name, value, gesture: cell.edits.append((name, value)))
         return cell
 
     return make
@@ -34,31 +34,31 @@ def test_a_number_is_typed(make_cell):
     cell = make_cell(FREQUENCY, 100.0)
     QTest.keyClicks(cell.field, "250")
     QTest.keyClick(cell.field, Qt.Key.Key_Return)
-    assert cell.told == [("one", 250.0)]
+    assert cell.edits == [("one", 250.0)]
 
 
 def test_a_choice_is_chosen(make_cell):
     spec = ChoiceSpec(label="Size", options=(("s", "Small"), ("l", "Large")))
     cell = make_cell(spec, "s")
     QTest.keyClick(cell.field, Qt.Key.Key_Down)
-    assert cell.told == [("one", "l")]
+    assert cell.edits == [("one", "l")]
 
 
 def test_a_switch_is_switched_by_the_user_only(make_cell):
     cell = make_cell(SwitchSpec(label="Mute"), True)
     assert cell.field.isChecked()
-    assert cell.told == []
+    assert cell.edits == []
     QTest.keyClick(cell.field, Qt.Key.Key_Space)
-    assert cell.told == [("one", False)]
+    assert cell.edits == [("one", False)]
 
 
 def test_a_text_is_told_once_when_it_is_finished_and_not_if_it_stays(make_cell):
     cell = make_cell(TextSpec(label="Name", longest=5, one_line=True), "a")
     QTest.keyClick(cell.field, Qt.Key.Key_Return)
-    assert cell.told == []
+    assert cell.edits == []
     QTest.keyClicks(cell.field, "bcdefgh")
     QTest.keyClick(cell.field, Qt.Key.Key_Return)
-    assert cell.told == [("one", "abcde")]
+    assert cell.edits == [("one", "abcde")]
     QTest.keyClick(cell.field, Qt.Key.Key_Backspace)
     cell.forget_typing()
     assert cell.field.text() == "abcde"
@@ -74,7 +74,7 @@ def test_a_kind_of_field_without_an_editor_is_shown_and_never_taken_for_another_
     cell = make_cell(PlainSpec(label="Shape"), (1.0, 2.0))
     assert type(cell.field) is QLabel
     assert cell.field.text() == "(1.0, 2.0)"
-    assert cell.told == []
+    assert cell.edits == []
 
 
 FORMULA = Formula.__dataclass_fields__["text"].metadata["spec"]
@@ -84,7 +84,7 @@ def test_a_formula_is_told_with_each_key_that_leaves_it_readable(make_cell):
     cell = make_cell(FORMULA, "t")
     cell.field.moveCursor(QTextCursor.MoveOperation.End)
     QTest.keyClicks(cell.field, "+12")
-    assert [value for _, value in cell.told] == ["t+1", "t+12"]
+    assert [value for _, value in cell.edits] == ["t+1", "t+12"]
     assert cell.note == ""
     assert cell.field.text() == "t+12"
 
@@ -93,7 +93,7 @@ def test_a_formula_that_cannot_be_read_says_why_under_it_and_marks_the_column(ma
     cell = make_cell(FORMULA, "t")
     cell.field.moveCursor(QTextCursor.MoveOperation.End)
     QTest.keyClicks(cell.field, " + sim(t)")
-    assert [value for _, value in cell.told] == ["t "]
+    assert [value for _, value in cell.edits] == ["t "]
     assert cell.note == 'formula "t + sim(t)", column 5: found sim, expected sin'
     (mark,) = cell.field.extraSelections()
     assert (mark.cursor.selectionStart(), mark.cursor.selectionEnd()) == (4, 5)
@@ -102,7 +102,7 @@ def test_a_formula_that_cannot_be_read_says_why_under_it_and_marks_the_column(ma
     assert cell.field.text() == "t + sim(t)"
     QTest.keyClick(cell.field, Qt.Key.Key_Escape)
     assert (cell.field.text(), cell.note, cell.field.extraSelections()) == ("t", "", [])
-    assert len(cell.told) == 1
+    assert len(cell.edits) == 1
 
 
 def test_a_formula_that_is_refused_stays_as_it_is_typed(make_cell):
@@ -111,7 +111,7 @@ def test_a_formula_that_is_refused_stays_as_it_is_typed(make_cell):
     QTest.keyClicks(cell.field, "1")
     cell.set_value("1")
     QTest.keyClicks(cell.field, "/t")
-    assert cell.told[-1] == ("one", "1/t")
+    assert cell.edits[-1] == ("one", "1/t")
     cell.set_value("1")
     cell.show_reason('formula "1/t", column 2: / is infinite at 0 s, expected finite numbers')
     assert cell.field.text() == "1/t"
@@ -145,5 +145,5 @@ def test_a_long_formula_is_wrapped_and_pasted_lines_become_one(make_cell):
     cell.field.selectAll()
     QApplication.clipboard().setText("1 +\n 2*t\n")
     cell.field.paste()
-    assert cell.told[-1] == ("one", "1 + 2*t")
+    assert cell.edits[-1] == ("one", "1 + 2*t")
     assert cell.field.height() == flat

@@ -196,14 +196,14 @@ def test_plots_suggest_the_folder_of_the_last_file(window, answers, tmp_path, mo
     window.do("save_design")
     asked = []
 
-    def ask(*words):
-        asked.append(words)
+    def ask(*arguments):
+        asked.append(arguments)
         return "", ""
 
     monkeypatch.setattr(QFileDialog, "getSaveFileName", ask)
     for name in ("traces", "spectra"):
         window.panel(name).findChild(SignalView).exports.save_picture()
-    assert [Path(words[2]).parent for words in asked] == [tmp_path, tmp_path]
+    assert [Path(text[2]).parent for text in asked] == [tmp_path, tmp_path]
 
 
 def test_a_name_with_a_point_keeps_it_and_gets_the_ending(window, answers, tmp_path):

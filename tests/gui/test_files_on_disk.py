@@ -26,8 +26,8 @@ def asked(monkeypatch):
 
     questions = Asked()
 
-    def question(_window, _title, words, *_):
-        questions.append(words)
+    def question(_window, _title, text, *_):
+        questions.append(text)
         return questions.answer
 
     monkeypatch.setattr(QMessageBox, "question", question)
@@ -91,11 +91,11 @@ def test_two_windows_on_one_file_notice_each_other(window, make_window, opened, 
 
 def test_what_changed_on_disk_is_told_once(window, opened):
     save_design(opened, OTHER)
-    told = []
-    window.files.failed.connect(told.append)
+    messages = []
+    window.files.failed.connect(messages.append)
     activate(window)
     activate(window)
-    assert len(told) == 1
+    assert len(messages) == 1
 
 
 def test_a_design_whose_file_was_deleted_counts_as_modified(window, opened, asked):

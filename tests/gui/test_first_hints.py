@@ -23,11 +23,11 @@ def document():
     return Document(ss.Design(limb="synthetic-1"))
 
 
-def press(window, words):
+def press(window, text):
     (button,) = [
         button
         for button in window.findChildren(QPushButton)
-        if button.text() == words and button.isVisible()
+        if button.text() == text and button.isVisible()
     ]
     button.click()
 

@@ -24,8 +24,8 @@ def smallest_px(path):
     """Of all letters of a drawing, the height of the smallest, as they are on the page."""
     sizes, scale = [], 1.0
     drawing = path.read_text("utf-8")
-    words = re.compile(r'<g [^>]*matrix\(([^,]+),([^,]+),|<text [^>]*font-size="([\d.]+)"')
-    for match in words.finditer(drawing):
+    pattern = re.compile(r'<g [^>]*matrix\(([^,]+),([^,]+),|<text [^>]*font-size="([\d.]+)"')
+    for match in pattern.finditer(drawing):
         if match[1]:
             scale = hypot(float(match[1]), float(match[2]))
         else:

@@ -28,8 +28,8 @@ def make_cell(qtbot):
     def make(spec, value):
         cell = FieldCell("many", spec)
         qtbot.addWidget(cell)
-        cell.told = []
-        cell.edited.connect(lambda name, value, gesture: cell.told.append(value))
+        cell.edits = []
+        cell.edited.connect(lambda name, value, gesture: cell.edits.append(value))
         cell.set_value(value)
         cell.show()
         qtbot.waitExposed(cell)
@@ -57,7 +57,7 @@ def test_numbers_are_read_as_one_writes_them(text, values):
 
 
 @pytest.mark.parametrize(
-    ("text", "words"),
+    ("text", "reason"),
     [
         ("50, x", "“x” is not a number"),
         ("50, 0", "0 Hz is too low"),
@@ -65,8 +65,8 @@ def test_numbers_are_read_as_one_writes_them(text, values):
         ("", "0 typed. Allowed: 1 to 1000 numbers"),
     ],
 )
-def test_numbers_that_are_not_allowed_are_refused_in_words(text, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_numbers_that_are_not_allowed_are_refused_in_words(text, reason):
+    with pytest.raises(InvalidInputError, match=reason):
         read_numbers(text, FREQUENCIES)
 
 
@@ -79,7 +79,7 @@ def test_times_in_lists_and_points_are_in_milliseconds_throughout():
 
 
 @pytest.mark.parametrize(
-    ("text", "words"),
+    ("text", "reason"),
     [
         ("0 60 0; 100 60", "“100 60” has 2 numbers. Each point has 3: time in ms, frequency in Hz"),
         ("0 60 0", "1 typed. Allowed: 2 to 2000 points"),
@@ -87,8 +87,8 @@ def test_times_in_lists_and_points_are_in_milliseconds_throughout():
         ("0 60 0; 100 60 2", "2 is too high"),
     ],
 )
-def test_points_that_are_not_allowed_are_refused_in_words(text, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_points_that_are_not_allowed_are_refused_in_words(text, reason):
+    with pytest.raises(InvalidInputError, match=reason):
         read_points(text, POINTS)
 
 
@@ -96,7 +96,7 @@ def test_a_list_is_told_while_it_is_typed_and_stays_as_it_is_typed(make_cell):
     cell = make_cell(FREQUENCIES, (50.0, 84.1))
     assert cell.line.text() == "50, 84.1"
     QTest.keyClicks(cell.line, ",70")
-    assert cell.told[-1] == (50.0, 84.1, 70.0)
+    assert cell.edits[-1] == (50.0, 84.1, 70.0)
     cell.set_value((50.0, 84.1, 70.0))
     assert cell.line.text() == "50, 84.1,70"
     cell.set_value((60.0,))
@@ -106,7 +106,7 @@ def test_a_list_is_told_while_it_is_typed_and_stays_as_it_is_typed(make_cell):
 def test_half_a_list_says_what_is_missing_and_esc_brings_it_back(make_cell):
     cell = make_cell(FREQUENCIES, (50.0, 84.1))
     QTest.keyClicks(cell.line, ", 90z")
-    assert cell.told[-1] == (50.0, 84.1, 90.0)
+    assert cell.edits[-1] == (50.0, 84.1, 90.0)
     assert cell.note == "Frequency: “z” is not one of its units. Units: Hz, kHz."
     QTest.keyClick(cell.line, Qt.Key.Key_Escape)
     assert cell.line.text() == "50, 84.1"
@@ -117,7 +117,7 @@ def test_what_was_refused_stays_typed_beside_the_reason(make_cell):
     cell = make_cell(GAINS, ())
     assert cell.line.text() == ""
     QTest.keyClicks(cell.line, "-3, 2")
-    assert cell.told[-1] == (-3.0, 2.0)
+    assert cell.edits[-1] == (-3.0, 2.0)
     cell.set_value(())
     cell.show_reason("WaveletTrain.gains_db has 2 gains, expected one for each")
     assert cell.line.text() == "-3, 2"
@@ -138,13 +138,13 @@ def test_a_limb_allows_only_frequencies_below_half_its_rate(make_cell):
     assert "too high" in cell.note
     cell.set_spec(FREQUENCIES.at_rate(2000.0))
     QTest.keyClicks(cell.line, ".5")
-    assert cell.told[-1] == (50.0, 650.5)
+    assert cell.edits[-1] == (50.0, 650.5)
 
 
 def test_points_are_typed_too(make_cell):
     cell = make_cell(POINTS, ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0)))
     QTest.keyClicks(cell.line, "; 200 80 1")
-    assert cell.told[-1] == ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0), (0.2, 80.0, 1.0))
+    assert cell.edits[-1] == ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0), (0.2, 80.0, 1.0))
     assert "time in ms, frequency in Hz, amplitude" in cell.line.toolTip()
 
 
@@ -163,16 +163,16 @@ def test_a_sweep_replaces_the_list_once_it_is_accepted(qtbot, make_cell):
     dialog.spacing.choose("linear")
     dialog.order.choose("up")
     assert dialog.findChild(QLabel, "sweep_list").text() == "50, 225, 400 Hz"
-    assert cell.told == []
+    assert cell.edits == []
     dialog.accept()
-    assert cell.told == [(50.0, 225.0, 400.0)]
+    assert cell.edits == [(50.0, 225.0, 400.0)]
 
 
 def test_a_sweep_that_is_cancelled_changes_nothing(qtbot, make_cell):
     cell = make_cell(FREQUENCIES, (50.0, 400.0))
     cell.findChild(QPushButton).click()
     cell.window().findChild(SweepDialog).reject()
-    assert cell.told == []
+    assert cell.edits == []
 
 
 def test_ends_of_a_sweep_may_be_typed_either_way_round(qtbot):
@@ -210,7 +210,7 @@ def test_a_point_that_is_dragged_moves_its_curve_and_not_the_other(make_cell):
     for down_px in (4, 8):
         QTest.mouseMove(curve, at + QPoint(0, -down_px))
     QTest.mouseRelease(curve, Qt.MouseButton.LeftButton, pos=at + QPoint(0, -8))
-    points = cell.told[-1]
+    points = cell.edits[-1]
     assert curve_of(points, "frequency")[1][1] > 70.0
     assert curve_of(points, "amplitude") == curve_of(Glide().points, "amplitude")
     assert cell.line.text() == points_text(points, POINTS)
@@ -224,7 +224,7 @@ def test_a_new_point_stays_though_it_bends_nothing_yet(make_cell):
     assert len(curve.value) == 3
     QTest.mouseMove(curve, between + QPoint(0, 20))
     QTest.mouseRelease(curve, Qt.MouseButton.LeftButton, pos=between + QPoint(0, 20))
-    bends = curve_of(cell.told[-1], "frequency")
+    bends = curve_of(cell.edits[-1], "frequency")
     assert len(bends) == 3
     assert bends[1][1] < 80.0
     assert bends[0][1] == bends[2][1] == 100.0
@@ -251,14 +251,14 @@ def test_times_of_points_are_shown_short_and_stay_exact_when_others_are_typed(qt
     gain = NumberSpec(label="Gain", minimum=0, maximum=4)
     cell = FieldCell("gain_curve", CurveSpec(label="Gain curve", x=time, y=gain, most=9))
     qtbot.addWidget(cell)
-    told = []
-    cell.edited.connect(lambda name, value, gesture: told.append(value))
+    edits = []
+    cell.edited.connect(lambda name, value, gesture: edits.append(value))
     cell.set_value(((0.509010598, 1.0), (0.917761532, 0.0)))
     assert cell.field.text() == "509.01 1; 917.76 0"
     cell.field.setPlainText("509.01 1; 917.76 2")
-    assert told == [((0.509010598, 1.0), (0.917761532, 2.0))]
+    assert edits == [((0.509010598, 1.0), (0.917761532, 2.0))]
     cell.field.setPlainText("509.02 1; 917.76 2")
-    assert told[1:] == [((0.50902, 1.0), (0.917761532, 2.0))]
+    assert edits[1:] == [((0.50902, 1.0), (0.917761532, 2.0))]
     # Rounded, these would be one.
     cell.set_value(((0.509010598, 1.0), (0.509010599, 0.0)))
     assert cell.field.text() == "509.010598 1; 509.010599 0"

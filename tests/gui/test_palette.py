@@ -87,8 +87,8 @@ def test_every_action_of_the_table_stands_in_its_menu_under_its_words(window):
     for spec in ACTIONS:
         action = window.actions_by_name[spec.name]
         assert action in menus[spec.submenu or spec.menu].actions(), spec.name
-        words = action.text().partition("\t")[0]
-        assert words == spec.text or spec.name in ("undo", "redo")
+        text = action.text().partition("\t")[0]
+        assert text == spec.text or spec.name in ("undo", "redo")
         assert spec.hint in action.toolTip()
         assert [keys.toString() for keys in action.shortcuts()] == [
             QKeySequence(keys).toString() for keys in spec.keys
@@ -131,9 +131,9 @@ def listed_for(window, qtbot, letters):
     window.do("find_action")
     palette = next(palette for palette in window.findChildren(Palette) if palette.isVisible())
     qtbot.keyClicks(palette.line, letters)
-    words = [palette.list.item(row).text() for row in range(palette.list.count())]
+    texts = [palette.list.item(row).text() for row in range(palette.list.count())]
     palette.reject()
-    return words
+    return texts
 
 
 def test_other_words_for_an_action_find_it(window, qtbot):
@@ -167,8 +167,8 @@ def test_a_name_that_begins_so_comes_before_one_that_says_it_later(qapp):
 
 
 def test_a_gesture_of_the_mouse_is_found_and_leads_to_where_the_keys_page_says_it(window, qtbot):
-    words = listed_for(window, qtbot, "stretch")
-    assert any(text.startswith("Mouse: stretch a clip") and "Shift" in text for text in words)
+    texts = listed_for(window, qtbot, "stretch")
+    assert any(text.startswith("Mouse: stretch a clip") and "Shift" in text for text in texts)
     window.do("find_action")
     palette = next(palette for palette in window.findChildren(Palette) if palette.isVisible())
     qtbot.keyClicks(palette.line, "stretch a clip")
@@ -188,9 +188,9 @@ def test_a_later_heading_of_the_keys_page_is_scrolled_to(window, qtbot):
 
 
 def test_where_nothing_is_found_the_palette_says_so_and_enter_does_nothing(window, qtbot):
-    words = listed_for(window, qtbot, "qqqq")
-    assert words[0] == "Nothing found"
-    assert "F1" in words[-1]
+    texts = listed_for(window, qtbot, "qqqq")
+    assert texts[0] == "Nothing found"
+    assert "F1" in texts[-1]
     window.do("find_action")
     palette = next(palette for palette in window.findChildren(Palette) if palette.isVisible())
     qtbot.keyClicks(palette.line, "qqqq")
@@ -247,7 +247,7 @@ def test_colours_of_levels_are_found_by_their_names_and_used(window, qtbot, type
     qtbot.addWidget(palette)
     palette.line.setText(typed)
     listed = [palette.list.item(k).text() for k in range(palette.list.count())]
-    assert any(f"Colours: {name}" in words for words in listed), listed
+    assert any(f"Colours: {name}" in text for text in listed), listed
 
 
 def test_the_colours_in_use_are_checked_however_they_were_chosen(window):

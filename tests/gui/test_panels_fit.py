@@ -42,11 +42,11 @@ def room_of(combo):
     return combo.style().subControlRect(control, option, field, combo).width()
 
 
-def cut_words(panel):
+def cut_texts(panel):
     """What of the words of a panel is not written, or lies outside of it."""
     cut = []
-    seen = [item for item in panel.findChildren(object) if getattr(item, "isVisible", bool)()]
-    for widget in seen:
+    visible = [item for item in panel.findChildren(object) if getattr(item, "isVisible", bool)()]
+    for widget in visible:
         if isinstance(widget, NoteLabel):
             if widget.shown != widget.text or widget.height() < widget.heightForWidth(
                 widget.width()
@@ -86,9 +86,9 @@ def cut_cells(table):
         width = header.sectionSize(column)
         for row in range(model.rowCount()):
             index = model.index(row, column)
-            words = str(index.data(SHORT_NAME) or index.data())
-            if table.fontMetrics().horizontalAdvance(words) > width:
-                cut.append(words)
+            text = str(index.data(SHORT_NAME) or index.data())
+            if table.fontMetrics().horizontalAdvance(text) > width:
+                cut.append(text)
     return cut
 
 
@@ -108,15 +108,15 @@ def test_no_result_is_cut_in_a_dock_of_any_width(window, settle, qtbot):
             for _ in range(4):
                 QApplication.processEvents()
             assert panel.width() <= width, name
-            words = cut_words(panel)
+            texts = cut_texts(panel)
             if name == "statistics":
                 # Names yield to numbers, and only where they have to.
                 whole = panel.table.fontMetrics().horizontalAdvance("29  II nail rad.")
                 assert (panel.table.columnWidth(0) < whole) == (width == 300)
             if dock.widget().horizontalScrollBar().maximum():
-                words.append("the dock scrolls sideways")
-            if words:
-                cut[name, width] = words
+                texts.append("the dock scrolls sideways")
+            if texts:
+                cut[name, width] = texts
         dock.setFloating(False)
         dock.hide()
     assert cut == {}
@@ -149,8 +149,8 @@ def test_outputs_with_the_same_band_are_said_together():
         band_hz = (25.0, 600.0)
         usable_hz = ((27.2, 599.0), (27.4, 598.9), (float("nan"),) * 2, (27.0, 599.3))
 
-    words = _usable_text(Found, (29, 30, 33, 35))
-    assert words.endswith("from 25 to 600 Hz: 29, 30, 35: 27–599 Hz · 33: nowhere")
+    text = _usable_text(Found, (29, 30, 33, 35))
+    assert text.endswith("from 25 to 600 Hz: 29, 30, 35: 27–599 Hz · 33: nowhere")
 
 
 def test_many_outputs_with_the_same_band_are_said_as_ranges():
@@ -158,5 +158,5 @@ def test_many_outputs_with_the_same_band_are_said_as_ranges():
         band_hz = (25.0, 600.0)
         usable_hz = ((27.2, 599.0),) * 66
 
-    words = _usable_text(Found, (*range(1, 61), *range(67, 73)))
-    assert words.endswith("600 Hz: 66 outputs (1–60, 67–72): 27–599 Hz")
+    text = _usable_text(Found, (*range(1, 61), *range(67, 73)))
+    assert text.endswith("600 Hz: 66 outputs (1–60, 67–72): 27–599 Hz")

@@ -22,15 +22,15 @@ def page_of(window, name, path):
 
 
 @pytest.mark.parametrize(
-    ("name", "words"),
+    ("name", "labels"),
     [("timeline", ("100150200", "Tone")), ("clip_editor", ("0.8", "200 ms", "−60"))],
 )
-def test_axes_and_names_of_clips_are_words_on_a_page(make_window, settle, tmp_path, name, words):
+def test_axes_and_names_of_clips_are_words_on_a_page(make_window, settle, tmp_path, name, labels):
     window = make_window(DESIGN)
     settle()
     page = page_of(window, name, tmp_path / "a.pdf")
     text = page.text()
-    assert [word for word in words if word not in text] == [], text
+    assert [word for word in labels if word not in text] == [], text
     # Nothing is a picture of the screen, and no colour is changed.
     assert b"DCTDecode" not in page.images()
 
@@ -47,10 +47,10 @@ def test_what_is_kept_as_a_picture_on_the_screen_is_so_afterwards(make_window, s
             for view in views
         ]
 
-    before, seen = modes(), panel.grab().toImage()
+    before, image = modes(), panel.grab().toImage()
     drawn_image(window.pictures.picture_of("timeline").draw, 900, 300)
     assert modes() == before
-    assert panel.grab().toImage() == seen
+    assert panel.grab().toImage() == image
 
 
 def test_the_hand_is_printed_finer_than_it_is_shown(make_window, settle, tmp_path):

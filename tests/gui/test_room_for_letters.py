@@ -155,11 +155,11 @@ def test_large_letters_of_the_last_session_are_those_of_all_words(
     try:
         window = make_window()
         settle()
-        wanted = QApplication.font().pointSizeF()
-        assert wanted == pytest.approx(2.0 * font.pointSizeF())
+        expected_pt = QApplication.font().pointSizeF()
+        assert expected_pt == pytest.approx(2.0 * font.pointSizeF())
         parts = [window.menuBar(), window.statusBar(), window.setup_bar]
         for widget in (*parts, *window.docks.values(), *window.panels):
-            assert widget.font().pointSizeF() == wanted, widget.objectName()
+            assert widget.font().pointSizeF() == expected_pt, widget.objectName()
     finally:
         window.appearance.reset_text()
         qapp.setStyleSheet(sheet)
@@ -198,7 +198,7 @@ def test_words_in_a_narrow_map_are_written_smaller_rather_than_cut(qapp):
 def test_buttons_of_docks_are_as_light_or_dark_as_words(window, settle, theme):
     window.appearance.use_theme(theme)
     settle()
-    wanted = QColor(THEMES[theme].text)
+    text_colour = QColor(THEMES[theme].text)
     try:
         for name in ("close", "float"):
             (button,) = window.docks["skin"].findChildren(
@@ -212,7 +212,7 @@ def test_buttons_of_docks_are_as_light_or_dark_as_words(window, settle, theme):
                 if image.pixelColor(x, y).alpha() == 255
             ]
             assert drawn
-            assert set(map(QColor.name, drawn)) == {wanted.name()}
+            assert set(map(QColor.name, drawn)) == {text_colour.name()}
     finally:
         window.appearance.use_theme("light")
 
@@ -262,8 +262,8 @@ def test_columns_that_are_too_narrow_yield_in_their_order():
 
 
 def test_gaps_between_panels_are_no_room_of_theirs():
-    wanted = needs(400, 310)
-    widths, (height, below), heights = room_of(folded(COLUMNS, ("foot",), wanted), wanted)
+    needed = needs(400, 310)
+    widths, (height, below), heights = room_of(folded(COLUMNS, ("foot",), needed), needed)
     assert sum(widths) + 2 * 5 in (399, 400)
     assert height + below + 5 in (309, 310)
     assert sum(heights[2]) + 5 <= height

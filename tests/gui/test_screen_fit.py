@@ -178,8 +178,8 @@ def _check_status_bar(window):
     line.show_error(TraceError(estimate=2e-15, bound=3e-13))
     QApplication.processEvents()
     for label in (line.error, line.findChild(QLabel, "work")):
-        words = label.fontMetrics().horizontalAdvance(label.text())
-        assert words <= label.width(), label.text()
+        width_px = label.fontMetrics().horizontalAdvance(label.text())
+        assert width_px <= label.width(), label.text()
     note = window.findChild(LimbNote)
     document = QTextDocument()
     document.setDefaultFont(note.font())
@@ -214,8 +214,8 @@ def test_a_narrow_bar_keeps_its_actions_in_a_menu_and_its_choices_to_be_read(
         assert min(map(shown_whole, choices)) > least
         parts = (*choices, window.playback.bar, fold.more)
         assert all(part.visibleRegion().boundingRect() == part.rect() for part in parts)
-        kept = [action for action in fold.more.menu().actions() if not action.isSeparator()]
-        assert kept == [window.actions_by_name[name] for name in names]
+        actions = [action for action in fold.more.menu().actions() if not action.isSeparator()]
+        assert actions == [window.actions_by_name[name] for name in names]
     window.do("reset_text")
     window.resize(1366, 728)
     settle()

@@ -63,10 +63,10 @@ def test_benchmarks_explain_themselves():
     paths = [ROOT / "benchmarks" / f"{name}.py" for name in SPEAKING]
     done = run("-c", EXPLAIN_ALL, *paths, paths=(ROOT / "benchmarks",))
     assert done.returncode == 0, done.stderr
-    *told, rest = done.stdout.split("ended 0\n")
+    *outputs, rest = done.stdout.split("ended 0\n")
     assert rest == ""
-    for path, words in zip(paths, told, strict=True):
-        assert words.startswith(f"usage: {path.name} "), words
+    for path, usage in zip(paths, outputs, strict=True):
+        assert usage.startswith(f"usage: {path.name} "), usage
 
 
 @pytest.mark.parametrize("by", ["mouse", "keyboard"])

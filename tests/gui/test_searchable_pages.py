@@ -52,7 +52,7 @@ def test_the_picture_of_a_panel_can_be_searched(make_window, tmp_path):
     window = make_window(ss.Design(limb="synthetic-1", inputs=(ss.track(7, tone),)))
     picture = window.pictures.picture_of("skin")
     save_drawing(tmp_path / "a.pdf", picture.draw, 600, 900)
-    words = Paper(tmp_path / "a.pdf").text()
+    text = Paper(tmp_path / "a.pdf").text()
     # Lines of the caption are put one by one, and end where there is no room.
-    assert "scaling: probe" in words
-    assert "Limb: Synthetic 1 (175 mm)" in words
+    assert "scaling: probe" in text
+    assert "Limb: Synthetic 1 (175 mm)" in text

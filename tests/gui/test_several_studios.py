@@ -41,8 +41,8 @@ def other_runs(monkeypatch):
 def answers(monkeypatch):
     given = {"save": "", "agreed": QMessageBox.StandardButton.Cancel, "asked": []}
 
-    def question(_window, _title, words, *_):
-        given["asked"].append(words)
+    def question(_window, _title, text, *_):
+        given["asked"].append(text)
         return given["agreed"]
 
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (given["save"], ""))

@@ -105,14 +105,14 @@ def test_without_a_display_a_design_that_is_missing_is_one_sentence(tmp_path, ru
 
 
 @pytest.mark.parametrize(
-    ("content", "words"),
+    ("content", "message"),
     [
         (b"junk", "not a SkinSource design"),
         (design(limb="absent"), "absent"),
         (design(frequency_hz=2000.0), "650 Hz"),
     ],
 )
-def test_what_cannot_be_rendered_is_one_sentence_and_leaves_no_file(tmp_path, content, words):
+def test_what_cannot_be_rendered_is_one_sentence_and_leaves_no_file(tmp_path, content, message):
     path = tmp_path / "d.skinsource"
     if isinstance(content, bytes):
         path.write_bytes(content)
@@ -121,7 +121,7 @@ def test_what_cannot_be_rendered_is_one_sentence_and_leaves_no_file(tmp_path, co
     done = run("--render", tmp_path / "folder", path)
     assert (done.returncode, done.stdout, len(done.stderr.splitlines())) == (1, "", 1)
     assert done.stderr.startswith("skinsource-gui: ")
-    assert words in done.stderr
+    assert message in done.stderr
     assert list(tmp_path.iterdir()) == [path]
 
 

@@ -28,19 +28,19 @@ def test_ctrl_tab_shows_what_shares_the_place_of_the_keyboard_and_takes_it_along
     active.docks["history"].bring_forward()
     settle()
     active.panel("history").setFocus()
-    seen = []
+    visited = []
     for _ in range(3):
         active.do("next_tab")
         settle()
         focused = QApplication.focusWidget()
-        seen.append(next(p.name for p in active.panels if p.isAncestorOf(focused)))
-        assert seen[-1] in in_sight(active)
-    names = [active.panel(name).title for name in seen]
+        visited.append(next(p.name for p in active.panels if p.isAncestorOf(focused)))
+        assert visited[-1] in in_sight(active)
+    names = [active.panel(name).title for name in visited]
     row = titles(bar_with(active, "Library"))
     start = row.index("History") + 1
     assert names == row[start:] + row[:start]
     active.do("previous_tab")
-    assert seen[-2] in in_sight(active)
+    assert visited[-2] in in_sight(active)
 
 
 def test_ctrl_tab_from_elsewhere_goes_to_the_panels_that_share_a_place(active, settle):

@@ -104,8 +104,8 @@ def test_the_key_lists_the_tabs_where_the_keyboard_is(crowded, settle):
 
 
 def test_without_tabs_the_key_says_what_brings_some(window, settle):
-    told = []
-    window.dock_tabs.done.connect(told.append)
+    messages = []
+    window.dock_tabs.done.connect(messages.append)
     for dock in window.docks.values():
         if window.tabifiedDockWidgets(dock):
             dock.hide()
@@ -113,4 +113,4 @@ def test_without_tabs_the_key_says_what_brings_some(window, settle):
     assert not [bar for bar in bars(window) if bar.isVisible() and bar.count() > 1]
     window.do("list_tabs")
     assert open_list(window) is None
-    assert told == ["No panel shares its place with another one; View > Panels brings more"]
+    assert messages == ["No panel shares its place with another one; View > Panels brings more"]

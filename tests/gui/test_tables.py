@@ -13,7 +13,7 @@ from skinsource_gui.shell.dock_layout import shared
 from skinsource_gui.shell.panels import PANELS
 
 
-def words(menu):
+def title_of(menu):
     return menu.title().replace("&", "")
 
 
@@ -23,7 +23,9 @@ def entries(menu):
 
 def test_menus_hold_each_action_once_in_the_order_of_the_table(window):
     for title in MENUS:
-        menu = next(menu for menu in window.menuBar().findChildren(QMenu) if words(menu) == title)
+        menu = next(
+            menu for menu in window.menuBar().findChildren(QMenu) if title_of(menu) == title
+        )
         action_names = [action.objectName() for action in menu.actions() if action.objectName()]
         names = [spec.name for spec in ACTIONS if spec.menu == title and not spec.submenu]
         assert [name for name in action_names if name in names] == names
@@ -31,11 +33,11 @@ def test_menus_hold_each_action_once_in_the_order_of_the_table(window):
 
 def test_the_keys_page_lists_each_action_with_keys(window):
     window.do("show_keys")
-    words = window.findChild(QTextBrowser, "page_text").toPlainText()
+    text = window.findChild(QTextBrowser, "page_text").toPlainText()
     for spec in ACTIONS:
         if spec.keys:
-            assert spec.text in words
-            assert spec.hint in words
+            assert spec.text in text
+            assert spec.hint in text
 
 
 def test_each_export_is_an_action(window):
@@ -58,10 +60,10 @@ def test_conditions_follow_the_document(window):
 
 
 def test_an_action_is_a_command_or_an_edit_not_both_and_not_neither():
-    words = {"name": "a", "menu": "File", "text": "A", "hint": "A"}
+    fields = {"name": "a", "menu": "File", "text": "A", "hint": "A"}
     for more in ({}, {"command": "files.new", "edit": lambda design, view: None}):
         with pytest.raises(ValueError, match="either a command or an edit"):
-            ActionSpec(**words, **more)
+            ActionSpec(**fields, **more)
 
 
 def test_each_arrangement_places_the_panels_of_the_table(window, settle):

@@ -65,9 +65,9 @@ def test_hidden_panels_ask_for_nothing(window, settle, delivered):
     settle()
     window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
     settle()
-    wanted = delivered[-1].request.wanted
-    assert not wanted & {"surface_levels_db", "output_levels_db", "selected_spectra"}
-    assert "selected_traces" in wanted
+    quantities = delivered[-1].request.wanted
+    assert not quantities & {"surface_levels_db", "output_levels_db", "selected_spectra"}
+    assert "selected_traces" in quantities
 
 
 def test_a_sensors_only_map_does_not_interpolate(window, settle, delivered):

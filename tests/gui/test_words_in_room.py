@@ -53,7 +53,7 @@ def beside_the_ruler(parent):
 def above_a_plot(parent):
     bar = PlotToolbar(parent)
     for name in ("Remove 52 ms delay", "Envelope", "Principal axis"):
-        bar.add_switch(name, name, name, lambda wanted: None)
+        bar.add_switch(name, name, name, lambda on: None)
     bar.show_state(layout="overlaid", zoomed=True)
     return bar
 
@@ -111,7 +111,7 @@ def test_switches_take_a_second_row_where_the_plot_is_high_enough_or_they_would_
     # In large letters: small ones leave room in any plot.
     view.setFont(scaled(view.font(), 2.0))
     for name in ("Remove 52 ms delay", "Each to its peak"):
-        view.toolbar.add_switch(name, name, name, lambda wanted: None)
+        view.toolbar.add_switch(name, name, name, lambda on: None)
     view.toolbar.show_state(layout="overlaid", zoomed=False)
     view.show()
     QApplication.processEvents()
@@ -151,7 +151,7 @@ def test_the_way_out_of_a_zoom_moves_nothing(qtbot, scale, high):
     bar.show_state(layout="overlaid", zoomed=False)
     staying = [button for button in bar.findChildren(QToolButton) if button.isVisibleTo(bar)]
     everything = bar.findChild(QToolButton, "show-all")
-    seen = set()
+    row_counts = set()
     for width in range(int(800 * scale), 150, -11):
         bar.resize(width, bar.sizeHint().height())
         settle()
@@ -163,10 +163,10 @@ def test_the_way_out_of_a_zoom_moves_nothing(qtbot, scale, high):
         assert bar.sizeHint().height() <= height, width
         if bar.width() >= bar.minimumWidth():
             assert everything.width() >= everything.sizeHint().width()
-        seen.add(n_rows)
+        row_counts.add(n_rows)
         bar.show_state(layout="overlaid", zoomed=False)
         settle()
-    assert seen == {1, 2}
+    assert row_counts == {1, 2}
 
 
 def test_a_scroll_bar_sends_no_switches_below(qtbot):
@@ -175,7 +175,7 @@ def test_a_scroll_bar_sends_no_switches_below(qtbot):
     area.setWidget(view)
     area.setWidgetResizable(True)
     for name in ("Remove 52 ms delay", "Each to its peak"):
-        view.toolbar.add_switch(name, name, name, lambda wanted: None)
+        view.toolbar.add_switch(name, name, name, lambda on: None)
     view.toolbar.show_state(layout="overlaid", zoomed=False)
     area.show()
     settle()
@@ -219,7 +219,7 @@ def test_what_scrolls_has_no_more_room_than_is_in_sight(qtbot):
     area.setWidgetResizable(True)
     view.setFont(scaled(view.font(), 2.0))
     for name in ("Remove 52 ms delay", "Each to its peak"):
-        view.toolbar.add_switch(name, name, name, lambda wanted: None)
+        view.toolbar.add_switch(name, name, name, lambda on: None)
     view.toolbar.show_state(layout="overlaid", zoomed=False)
     view.setMinimumHeight(800)
     area.show()

@@ -38,10 +38,10 @@ def test_the_spectrogram_reads_its_times_with_the_delay_and_without_it(show, rem
     row, column = np.unravel_index(np.argmax(spectrogram.amplitude), spectrogram.amplitude.shape)
     time_s = spectrogram.time_s[column] + picture.content.first_s
     place = picture.axes.to_screen(np.array([time_s]), spectrogram.frequency_hz[[row]])[0]
-    words = picture.read(QPointF(*place))
-    assert words.startswith(f"{time_s * 1e3:.1f} ms · {spectrogram.frequency_hz[row]:.1f} Hz")
+    text = picture.read(QPointF(*place))
+    assert text.startswith(f"{time_s * 1e3:.1f} ms · {spectrogram.frequency_hz[row]:.1f} Hz")
     level_db = 20.0 * np.log10(spectrogram.amplitude.max())
-    assert words.endswith(f"{level_db:.1f} dB re 1 m/s²".replace("-", "\N{MINUS SIGN}"))
+    assert text.endswith(f"{level_db:.1f} dB re 1 m/s²".replace("-", "\N{MINUS SIGN}"))
     assert (picture.axes.x.title, picture.axes.x.factor) == ("Time (ms)", 1e3)
 
 
@@ -97,19 +97,19 @@ def test_a_spectrogram_is_in_seconds_from_where_traces_are(show):
         )
         picture.grab()
         assert picture.axes.x.title == title
-        said = picture.read(picture.axes.frame.center())
-        assert title.endswith(f"({said.split()[1]})")
+        text = picture.read(picture.axes.frame.center())
+        assert title.endswith(f"({text.split()[1]})")
 
 
 def test_the_playhead_of_the_spectrogram_has_the_colour_of_every_playhead(show):
     picture = show("spectrogram", playhead_s=0.2).picture
-    seen = picture.grab().toImage()
+    image = picture.grab().toImage()
     x, y = picture.axes.to_screen(np.array([0.2]), np.array([300.0]))[0]
-    row = [seen.pixelColor(round(x) + k, round(y)) for k in (-1, 0, 1)]
+    row = [image.pixelColor(round(x) + k, round(y)) for k in (-1, 0, 1)]
     reddest = max(row, key=lambda colour: colour.red() - colour.blue())
-    wanted = QColor(current_theme().error)
-    assert abs(reddest.red() - wanted.red()) < 60
-    assert abs(reddest.blue() - wanted.blue()) < 60
+    expected = QColor(current_theme().error)
+    assert abs(reddest.red() - expected.red()) < 60
+    assert abs(reddest.blue() - expected.blue()) < 60
 
 
 def test_a_number_of_the_statistics_has_three_digits_whatever_they_are():

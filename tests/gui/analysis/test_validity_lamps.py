@@ -121,7 +121,7 @@ def test_hidden_lamps_cost_nothing_and_the_map_hatches_noise(window, qtbot, sett
     assert skin.picture(300, 500) != before
 
 
-def said(lamps):
+def written_names(lamps):
     """Names of the lamps that have words."""
     return [lamp.name for lamp, place in lamps.places if place.width() > 9]
 
@@ -134,7 +134,7 @@ def test_lamps_have_words_as_there_is_room_and_the_worst_one_always(lamps, use_t
     rows = []
     for width in range(wide.width(), narrow.width() - 1, -1):
         lamps.resize(width, wide.height())
-        rows.append(said(lamps))
+        rows.append(written_names(lamps))
         assert all(place.right() <= width for _, place in lamps.places)
     assert [group for group, _ in groupby(rows)] == [
         ["band", "drive", "noise"],
@@ -143,7 +143,7 @@ def test_lamps_have_words_as_there_is_room_and_the_worst_one_always(lamps, use_t
     ]
     lamps.show_findings(tuple(replace(finding, state="kept") for finding in FINDINGS))
     lamps.resize(lamps.minimumSizeHint())
-    assert said(lamps) == []
+    assert written_names(lamps) == []
     use_theme(DARK)
     lamps.grab()
 
@@ -167,7 +167,7 @@ def test_the_card_offers_a_button_only_where_something_can_be_done(qtbot):
     assert names == {"mend_band", "mend_drive"}
     card.open_above(QPoint(50, 500))
     card.grab()
-    wanted = []
-    card.repair_wanted.connect(wanted.append)
+    repairs = []
+    card.repair_wanted.connect(repairs.append)
     card.findChild(QPushButton, "mend_drive").click()
-    assert wanted == [FINDINGS[1]]
+    assert repairs == [FINDINGS[1]]

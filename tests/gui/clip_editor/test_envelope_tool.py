@@ -229,10 +229,10 @@ def test_a_menu_on_one_of_several_chosen_points_is_about_all_of_them(tone):
 
 
 def test_how_to_begin_stands_above_the_waveform_until_something_has_begun(tone):
-    words = tone.panel.findChild(FittingLabel, "clip_words")
-    assert "a new point" in words.toolTip()
+    label = tone.panel.findChild(FittingLabel, "clip_words")
+    assert "a new point" in label.toolTip()
     tone.press(tone.at(0.1, 1.0))
     QTest.mouseRelease(tone.canvas.viewport(), LEFT, NONE, whole(tone.at(0.1, 1.0)))
-    assert "a new point" not in words.toolTip()
+    assert "a new point" not in label.toolTip()
     tone.panel.use("look")
-    assert "a new point" not in words.toolTip()
+    assert "a new point" not in label.toolTip()

@@ -56,8 +56,8 @@ def test_escape_takes_the_stroke_back(flat):
 
 def test_what_is_drawn_is_what_is_predicted_from(flat):
     flat.drag((0.05, 0.0), (0.08, 0.5), (0.12, -0.3))
-    (felt,) = evaluate(flat.design, "input_waveforms", view=flat.view)["input_waveforms"]
-    np.testing.assert_array_equal(felt, flat.drawn)
+    (waveform,) = evaluate(flat.design, "input_waveforms", view=flat.view)["input_waveforms"]
+    np.testing.assert_array_equal(waveform, flat.drawn)
     np.testing.assert_array_equal(flat.canvas.content.played, flat.drawn)
 
 

@@ -82,9 +82,9 @@ def test_words_under_the_pointer_name_the_output_and_its_difference(window, pane
     shown = panel.map.difference.shown
     area = panel.map._areas()[1]
     places = small_frame(shown.limb_map, area).to_screen(shown.limb_map.output_positions)
-    words = panel.map.text_at(QPointF(*places[28]))
-    assert words.startswith("Output 29, ")
-    assert words.endswith(f"{shown.levels_db[28]:+.1f} dB".replace("-", "−"))
+    text = panel.map.text_at(QPointF(*places[28]))
+    assert text.startswith("Output 29, ")
+    assert text.endswith(f"{shown.levels_db[28]:+.1f} dB".replace("-", "−"))
     assert panel.map.text_at(QPointF(-500, -500)) == ""
 
 

@@ -61,9 +61,9 @@ def test_what_is_silent_is_not_said_to_be_as_loud(window, settle, panel):
     window.document.edit("b", Design(limb="synthetic-1", inputs=(track(7),)))
     window.do("store_snapshot_2")
     settle()
-    words = panel.words.text()
-    assert "sil " not in words
-    assert words == "Snapshot 1 is silent: levels cannot be matched to it"
+    text = panel.words.text()
+    assert "sil " not in text
+    assert text == "Snapshot 1 is silent: levels cannot be matched to it"
     # 60 dB below the other one, as if that were its level, would be said of it.
     assert panel.map.difference.shown is None
     assert panel.map.difference.text == SILENCE
@@ -89,9 +89,9 @@ def test_a_silent_snapshot_has_no_colours(window, settle, panel):
     lowest = colour_table(panel_card._scale.colours)[0]
     lowest = QColor(int(lowest)).rgb()
     picture = panel_card.grab().toImage()
-    seen = {
+    colours = {
         picture.pixel(x, y)
         for x in range(0, picture.width(), 2)
         for y in range(picture.height() // 4, picture.height() * 3 // 4)
     }
-    assert lowest not in seen
+    assert lowest not in colours

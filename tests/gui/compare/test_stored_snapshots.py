@@ -41,12 +41,12 @@ def test_a_snapshot_of_what_was_saved_is_nothing_that_could_be_lost(window, tmp_
 
 def test_what_is_said_of_a_stored_snapshot_names_the_other_one_if_there_is_one(window):
     window.do("store_snapshot_1")
-    said = window.statusBar().currentMessage()
-    assert said == "Stored snapshot 1; change the design, and X goes to and fro"
+    message = window.statusBar().currentMessage()
+    assert message == "Stored snapshot 1; change the design, and X goes to and fro"
     edit(window, 2.0)
     window.do("store_snapshot_2")
-    said = window.statusBar().currentMessage()
-    assert said == "Stored snapshot 2; X shows snapshot 1, and this again"
+    message = window.statusBar().currentMessage()
+    assert message == "Stored snapshot 2; X shows snapshot 1, and this again"
 
 
 def test_what_is_undone_later_takes_no_snapshot_away(window):

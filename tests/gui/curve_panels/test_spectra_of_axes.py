@@ -13,7 +13,7 @@ from skinsource.signals.spectra import magnitude_spectrum
 from skinsource_gui.panels.spectra.panel import SpectraSettings
 from skinsource_gui.plots.signal_view import SignalView, save_table
 from skinsource_gui.qt.theme import current_theme
-from tests.gui.curve_panels.bench import click, plot_of, said_above
+from tests.gui.curve_panels.bench import click, header_of, plot_of
 from tests.gui.curve_panels.spectra_bench import LINEAR, opener, results_for
 
 AXES = "xyz"
@@ -53,10 +53,10 @@ def test_each_output_can_be_drawn_relative_to_its_own_peak(show):
     assert settings(panel).relative
     assert plot.curves.y.max(axis=-1) == pytest.approx([1.0, 1.0])
     assert plot.value_scale.values == (0.0, 1.1)
-    assert said_above(panel).unit == "of its peak"
+    assert header_of(panel).unit == "of its peak"
     click(panel, "log-magnitude")
     assert plot.curves.y.max(axis=-1) == pytest.approx([0.0, 0.0], abs=1e-9)
-    assert said_above(panel).unit == "dB re its peak"
+    assert header_of(panel).unit == "dB re its peak"
     assert plot.value_scale.values == (-80.0, 0.0)
     click(panel, "relative")
     click(panel, "log-magnitude")
@@ -66,8 +66,8 @@ def test_each_output_can_be_drawn_relative_to_its_own_peak(show):
 def test_a_peak_is_one_of_the_measured_band(show):
     panel = show()
     time_s = np.arange(650) / 1300
-    drift, felt = (np.sin(2 * np.pi * hz * time_s) for hz in (10.0, 100.0))
-    traces = np.stack((9.0 * drift + felt, 0.1 * felt))
+    drift, vibration = (np.sin(2 * np.pi * hz * time_s) for hz in (10.0, 100.0))
+    traces = np.stack((9.0 * drift + vibration, 0.1 * vibration))
     panel.show_results(
         {**results_for(LINEAR), "selected_spectra": magnitude_spectrum(traces, 1300.0)}
     )
@@ -99,9 +99,9 @@ def test_the_peaks_are_said_with_their_unit(show, panel, tmp_path):
     click(panel, "relative")
     panel.show_results(along_axes(panel.views[-1]))
     save_table(tmp_path / "spectra.csv", plot_of(panel), "Spectra")
-    words = (tmp_path / "spectra.csv").read_text("utf-8").split("peaks in m/s²: ")[1]
+    text = (tmp_path / "spectra.csv").read_text("utf-8").split("peaks in m/s²: ")[1]
     assert [
-        float(reading.split(": ")[1]) for reading in words.splitlines()[0].rstrip('"').split(", ")
+        float(reading.split(": ")[1]) for reading in text.splitlines()[0].rstrip('"').split(", ")
     ] == (pytest.approx(PEAKS.max(axis=-1)))
 
 
@@ -154,7 +154,7 @@ def test_axes_say_so_whatever_was_chosen_and_nothing_of_rectified_magnitudes(pan
     view = replace(panel.views[-1], method="mag", axes="xyz")
     panel.show_state(None, view)
     panel.show_results(along_axes(view))
-    assert said_above(panel).notes == ()
+    assert header_of(panel).notes == ()
     curves = plot_of(panel).curves
     assert "along each axis of the sensors" in curves.heading
     assert "axes: each axis of the sensors, by itself" in curves.about()
@@ -175,9 +175,9 @@ def test_a_picture_has_the_colours_of_axes(panel):
     painter = QPainter(image)
     panel.draw_picture(painter, 800, 600)
     painter.end()
-    seen = {image.pixel(x, y) & 0xFFFFFF for x in range(800) for y in range(600)}
+    colours = {image.pixel(x, y) & 0xFFFFFF for x in range(800) for y in range(600)}
     theme = current_theme()
-    assert {QColor(theme.axis_colour(k)).rgb() & 0xFFFFFF for k in range(2)} <= seen
+    assert {QColor(theme.axis_colour(k)).rgb() & 0xFFFFFF for k in range(2)} <= colours
 
 
 def test_back_from_axes_the_chosen_ones_are_waited_for(panel):

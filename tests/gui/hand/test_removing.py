@@ -69,7 +69,7 @@ def test_the_menu_of_a_site_selects_mutes_solos_removes_and_adds(studio, reason)
 
 def test_the_menu_of_an_empty_site_only_adds(studio):
     actions = studio.menu(12, QContextMenuEvent.Reason.Mouse)
-    assert [words for words, action in actions.items() if action.isEnabled()] == ["Add input here"]
+    assert [text for text, action in actions.items() if action.isEnabled()] == ["Add input here"]
     actions["Add input here"].trigger()
     assert studio.sites == [12]
     studio.close_menu()

@@ -40,8 +40,10 @@ def test_what_is_shown_is_placed_in_one_step(window, settle, page_on, sound):
     assert window.document.undo_stack.count() == steps + 1
     settle()
     inspector = window.panel("inspector")
-    words = [inspector.findChild(QLabel, f"{name}_field") for name in ("samples", "source_rate_hz")]
-    assert [label.text() for label in words] == ["650 at 1300 Hz", "48000 Hz"]
+    labels = [
+        inspector.findChild(QLabel, f"{name}_field") for name in ("samples", "source_rate_hz")
+    ]
+    assert [label.text() for label in labels] == ["650 at 1300 Hz", "48000 Hz"]
     window.do("undo")
     assert window.document.design == before
 

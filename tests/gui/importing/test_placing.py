@@ -33,10 +33,10 @@ def test_a_recording_whose_place_went_while_its_page_was_open_is_refused(desk, p
     )
     clip = document.design.inputs[0].clips[0]
     document.apply(edits.select_clips(document.design, document.view, (clip.id,)), None)
-    page, said = page_at(sound), []
-    document.refused.connect(said.append)
+    page, messages = page_at(sound), []
+    document.refused.connect(messages.append)
     document.apply(edits.remove_clips(document.design, document.view, (clip.id,)), None)
     without = document.design
     page.accept()
-    assert said == ["That recording is no longer there; import it to another place."]
+    assert messages == ["That recording is no longer there; import it to another place."]
     assert document.design == without

@@ -14,7 +14,7 @@ def bench(qtbot):
 def test_a_place_that_is_not_on_this_hand_is_named_and_can_be_left(bench):
     bench.show(bench.design.with_input(0, location=25))
     assert (
-        bench.words("inspector_heading").toolTip() == "Input place 25: Place 25, not on this hand"
+        bench.label("inspector_heading").toolTip() == "Input place 25: Place 25, not on this hand"
     )
     box = bench.choice("location")
     assert (box.value, box.shown_text) == ("25", "25 (not available)")
@@ -30,7 +30,7 @@ def test_frequencies_end_at_half_the_rate_of_the_limb(bench):
     bench.type("frequency_hz", "1500")
     assert bench.track.clips[0].waveform.frequency_hz == 1500.0
     bench.type("frequency_hz", "2000")
-    assert "to 1999 Hz" in bench.words("frequency_hz_note").text()
+    assert "to 1999 Hz" in bench.label("frequency_hz_note").text()
     assert bench.track.clips[0].waveform.frequency_hz == 1500.0
 
 

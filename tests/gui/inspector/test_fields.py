@@ -18,17 +18,17 @@ from skinsource_gui.fields.grid import FieldGrid
 
 
 def test_the_heading_names_the_place(bench):
-    assert bench.words("inspector_heading").text() == "Digit II, pad"
+    assert bench.label("inspector_heading").text() == "Digit II, pad"
     bench.show(selected_inputs=(2,))
-    assert bench.words("inspector_heading").text() == "Digit III, pad"
+    assert bench.label("inspector_heading").text() == "Digit III, pad"
 
 
 def test_without_a_selected_input_it_says_what_to_do(bench):
     bench.show(selected_inputs=())
-    assert bench.words("inspector_empty").isVisible()
-    assert "Select an input" in bench.words("inspector_empty").text()
+    assert bench.label("inspector_empty").isVisible()
+    assert "Select an input" in bench.label("inspector_empty").text()
     bench.show(Design(limb="synthetic-1"), selected_inputs=(4,))
-    assert bench.words("inspector_empty").text() == "Click a place on the hand to add an input"
+    assert bench.label("inspector_empty").text() == "Click a place on the hand to add an input"
     assert not bench.preview.isVisible()
 
 
@@ -78,7 +78,7 @@ def test_the_place_can_be_chosen_by_its_number(bench):
     # The list follows each key, in one gesture.
     assert bench.labels[-1].endswith(" to 15 (V base)")
     assert len({gesture for _, _, gesture in bench.edits}) == 1
-    assert bench.words("inspector_heading").text() == "Digit V, base"
+    assert bench.label("inspector_heading").text() == "Digit V, base"
 
 
 def test_choosing_what_is_chosen_already_edits_nothing(bench):
@@ -115,13 +115,13 @@ def test_a_whole_number_stays_whole(bench):
 
 
 @pytest.mark.parametrize(
-    ("index", "words"), [(2, "16.2 ms (21 samples), fixed"), (3, "one sample, fixed")]
+    ("index", "text"), [(2, "16.2 ms (21 samples), fixed"), (3, "one sample, fixed")]
 )
-def test_a_length_that_is_fixed_is_told_in_words(bench, index, words):
+def test_a_length_that_is_fixed_is_told_in_words(bench, index, text):
     bench.show(selected_inputs=(index + 1,))
-    assert bench.words("fixed_length").text() == words
+    assert bench.label("fixed_length").text() == text
     bench.show(selected_inputs=(1,))
-    assert bench.words("fixed_length") is None or not bench.words("fixed_length").isVisible()
+    assert bench.label("fixed_length") is None or not bench.label("fixed_length").isVisible()
 
 
 @pytest.mark.parametrize(
@@ -129,7 +129,7 @@ def test_a_length_that_is_fixed_is_told_in_words(bench, index, words):
 )
 def test_a_frequency_outside_the_measured_band_is_remarked(bench, frequency, warned):
     bench.type("frequency_hz", frequency)
-    note = bench.words("frequency_hz_note")
+    note = bench.label("frequency_hz_note")
     assert note.isVisible() is warned
     assert ("outside the measured band (25 to 600 Hz)" in note.text()) is warned
     assert bench.track.clips[0].waveform.frequency_hz == float(frequency)
@@ -137,7 +137,7 @@ def test_a_frequency_outside_the_measured_band_is_remarked(bench, frequency, war
 
 def test_a_number_that_is_not_allowed_says_why_below_it_and_edits_nothing(bench):
     bench.type("frequency_hz", "9000")
-    note = bench.words("frequency_hz_note")
+    note = bench.label("frequency_hz_note")
     assert note.isVisible()
     assert "to 649 Hz" in note.text()
     assert bench.edits == []
@@ -158,7 +158,7 @@ def test_how_long_a_clip_lasts_with_its_effects_is_said_where_it_differs(bench):
     design = bench.design
     clip = design.inputs[0].clips[0]
     bench.show(design.with_clip(clip.id, effects=(Trim(start_s=0.0, duration_s=0.1),)))
-    lasts = bench.words("played_length")
+    lasts = bench.label("played_length")
     assert lasts.isVisible()
     assert lasts.text() == "100 ms with its effects"
     # The waveform's own length can still be changed, and typing it is not ended by the row.
@@ -177,7 +177,7 @@ def test_a_recording_that_keeps_its_size_has_a_gain_without_a_unit_and_the_peak(
         return cell.label.text(), cell.field.spec.unit
 
     def peak():
-        return bench.words("peak").text() if bench.words("peak") else ""
+        return bench.label("peak").text() if bench.label("peak") else ""
 
     assert strength() == ("Amplitude", "m/s²")
     samples = Samples(values=4.88 * np.hanning(301), sample_rate_hz=1300.0, unit="m/s²")
@@ -191,4 +191,4 @@ def test_a_recording_that_keeps_its_size_has_a_gain_without_a_unit_and_the_peak(
     normalised = replace(samples, values=samples.values / 4.88, unit="")
     bench.show(bench.design.with_clip(clip.id, waveform=Recording(normalised)))
     assert strength() == ("Amplitude", "m/s²")
-    assert not bench.words("peak").isVisible()
+    assert not bench.label("peak").isVisible()

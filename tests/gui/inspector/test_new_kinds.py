@@ -97,7 +97,7 @@ def test_numbers_that_do_not_go_together_are_refused_with_the_reason(qtbot):
     bench.type("low_hz", "95")
     assert bench.edits == []
     assert bench.number("low_hz").value_si == 50.0
-    assert bench.words("low_hz_note").text() == "a sweep goes from a lower to a higher frequency."
+    assert bench.label("low_hz_note").text() == "a sweep goes from a lower to a higher frequency."
 
 
 @pytest.mark.parametrize("kind", [waveforms.WaveletTrain, waveforms.Glide, waveforms.Formula])
@@ -113,13 +113,13 @@ def test_fields_that_hold_much_fit_the_panel_whatever_was_shown_before(qtbot, ki
 
 def test_a_length_that_follows_from_other_fields_is_said_anew(qtbot):
     bench = Bench(qtbot, design_of(waveforms.Gabor()))
-    assert bench.words("fixed_length").text() == "50.9 ms (66 samples)"
+    assert bench.label("fixed_length").text() == "50.9 ms (66 samples)"
     bench.type("cycles", "8")
-    assert bench.words("fixed_length").text() == "102 ms (132 samples)"
+    assert bench.label("fixed_length").text() == "102 ms (132 samples)"
 
 
 @pytest.mark.parametrize(
-    ("waveform", "words"),
+    ("waveform", "text"),
     [
         (waveforms.WaveletTrain(), "Wavelet train 50–400 Hz"),
         (waveforms.WaveletTrain((84.1,)), "Wavelet train 84.1 Hz"),
@@ -130,12 +130,12 @@ def test_a_length_that_follows_from_other_fields_is_said_anew(qtbot):
         (waveforms.Gabor(), "Gabor wavelet 100 Hz"),
     ],
 )
-def test_a_waveform_is_named_with_what_tells_most_of_it(waveform, words):
-    assert figure_text(waveform) == words
+def test_a_waveform_is_named_with_what_tells_most_of_it(waveform, text):
+    assert figure_text(waveform) == text
 
 
 @pytest.mark.parametrize(
-    ("waveform", "words"),
+    ("waveform", "text"),
     [
         (waveforms.Tone(), "Tone 100 Hz"),
         (waveforms.Impulse(), "Impulse"),
@@ -150,8 +150,8 @@ def test_a_waveform_is_named_with_what_tells_most_of_it(waveform, words):
         (waveforms.Layers(), "Layers (Tone 100 Hz)"),
     ],
 )
-def test_who_cannot_look_is_told_all_numbers_of_a_waveform_but_phases(waveform, words):
-    assert full_label(waveform) == words
+def test_who_cannot_look_is_told_all_numbers_of_a_waveform_but_phases(waveform, text):
+    assert full_label(waveform) == text
 
 
 @pytest.mark.parametrize("kind", waveforms.KINDS, ids=lambda kind: kind.__name__)

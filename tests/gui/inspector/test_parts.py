@@ -103,8 +103,8 @@ def test_buttons_move_and_remove_parts_each_as_one_step(bench):
     press(bench, 1, "remove_button")
     assert bench.parts == (B, A)
     assert bench.titles == ["1 · Noise", "2 · Tone"]
-    words = ["Reorder", "Reorder", "Remove from"]
-    assert bench.labels == [f"{name} parts of input at 7 (II pad)" for name in words]
+    verbs = ["Reorder", "Reorder", "Remove from"]
+    assert bench.labels == [f"{name} parts of input at 7 (II pad)" for name in verbs]
     assert [gesture for _, _, gesture in bench.edits] == [None] * 3
 
 
@@ -131,8 +131,8 @@ def test_a_part_is_dragged_to_another_place(bench, qtbot):
     def laid_out():
         # On a busy machine the window is laid out after it is shown, and not all at once.
         tops = [title.mapToGlobal(QPoint()).y() for title in titles]
-        apart = all(b - a >= title.fontMetrics().height() for a, b in pairwise(tops))
-        return apart and bench.panel.rect().contains(target.mapTo(bench.panel, QPoint(20, 20)))
+        separate = all(b - a >= title.fontMetrics().height() for a, b in pairwise(tops))
+        return separate and bench.panel.rect().contains(target.mapTo(bench.panel, QPoint(20, 20)))
 
     qtbot.waitUntil(laid_out)
     # To the title itself: over other windows, a pointer that is moved is theirs.
@@ -257,11 +257,11 @@ def test_what_no_design_may_hold_is_refused_below_the_list(bench):
 
 def test_the_tab_key_goes_along_the_rows(bench):
     bench.editor.field.findChild(QToolButton, "add_part").setFocus()
-    seen = []
+    visited = []
     for _ in range(4):
         QTest.keyClick(QApplication.focusWidget(), _Key.Key_Tab)
-        seen.append(QApplication.focusWidget().accessibleName())
-    assert seen == ["1 · Tone", "Move down", "Remove clip 1", "2 · Noise"]
+        visited.append(QApplication.focusWidget().accessibleName())
+    assert visited == ["1 · Tone", "Move down", "Remove clip 1", "2 · Noise"]
 
 
 def test_two_inputs_that_differ_are_marked_and_colours_are_taken_over(bench, use_theme):

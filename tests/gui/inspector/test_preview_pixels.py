@@ -37,8 +37,8 @@ def test_one_loud_sample_in_a_minute_is_seen(preview):
     preview.show_samples(samples, 1300.0)
     picture = preview.grab().toImage()
     # Right of the middle, just below the top.
-    seen = [column for column in range(420) if picture.pixelColor(column, 20).blue() > 150]
-    inked = [column for column in seen if picture.pixelColor(column, 20).red() < 120]
+    drawn = [column for column in range(420) if picture.pixelColor(column, 20).blue() > 150]
+    inked = [column for column in drawn if picture.pixelColor(column, 20).red() < 120]
     assert inked
     assert all(215 <= column <= 225 for column in inked)
 

@@ -26,7 +26,7 @@ def two(qtbot):
 
 def test_the_heading_says_how_many_and_fields_say_where_they_differ(qtbot):
     bench = two(qtbot)
-    assert bench.words("inspector_heading").text().startswith("2 inputs, last: ")
+    assert bench.label("inspector_heading").text().startswith("2 inputs, last: ")
     assert label_of(bench, "frequency_hz") == "Frequency ≠"
     assert label_of(bench, "amplitude") == "Amplitude"
     bench.show(selected_inputs=(1,))

@@ -17,5 +17,5 @@ def copies(folder):
             return sorted(copies, key=lambda path: path.stat().st_mtime_ns)
 
 
-def kept_amplitudes(folder):
+def saved_amplitudes(folder):
     return [open_design(path).design.inputs[0].amplitude for path in copies(folder)]

@@ -96,9 +96,9 @@ def test_a_damaged_file_that_is_dropped_is_refused_in_a_sentence(window, panel, 
     path.write_text("{}")
     before = window.document.design
     with pytest.MonkeyPatch.context() as patch:
-        told = []
-        patch.setattr(window.reports, "complain", told.append)
-        window.library.failed.connect(told.append)
+        messages = []
+        patch.setattr(window.reports, "complain", messages.append)
+        window.library.failed.connect(messages.append)
         window.library.place_file(path, None)
-    assert "bad.skinpreset" in told[0]
+    assert "bad.skinpreset" in messages[0]
     assert window.document.design is before

@@ -27,7 +27,7 @@ def played(*places, amplitude=1.0):
     return ss.Design(limb="synthetic-1", inputs=tracks, scaling="probe")
 
 
-def kept(*designs):
+def snapshots_of(*designs):
     return tuple(Snapshot(number=k, design=design) for k, design in enumerate(designs, 1))
 
 
@@ -41,7 +41,7 @@ def show(make_window, qtbot):
 
     def opened(designs, **view):
         looked = View(**{"axes": "z", "outputs": OUTPUTS, "levels_matched": False, **view})
-        window = make_window(designs[-1], replace(looked, snapshots=kept(*designs)))
+        window = make_window(designs[-1], replace(looked, snapshots=snapshots_of(*designs)))
         window.docks["linearity"].bring_forward()
         panel = window.panel("linearity")
         qtbot.waitUntil(lambda: settled(window, panel), timeout=30_000)
@@ -116,14 +116,14 @@ def test_snapshots_count_alone_where_the_design_in_the_window_is_something_else(
 def test_while_snapshots_are_computed_anew_what_is_drawn_is_told_to_be_of_others(show, qtbot):
     window, panel = show(STRENGTHS)
     assert not panel.late
-    panel.show_snapshots([Compared(snapshot=snapshot) for snapshot in kept(*STRENGTHS)])
+    panel.show_snapshots([Compared(snapshot=snapshot) for snapshot in snapshots_of(*STRENGTHS)])
     qtbot.waitUntil(lambda: panel.late)
     assert panel.result is not None
     assert not panel.copy.isEnabled()
     window.document.look(replace(window.document.view, outputs=(30,)))
     qtbot.waitUntil(lambda: not panel.late)
     assert panel.copy.isEnabled()
-    panel.show_snapshots([Compared(snapshot=snapshot) for snapshot in kept(*STRENGTHS)])
+    panel.show_snapshots([Compared(snapshot=snapshot) for snapshot in snapshots_of(*STRENGTHS)])
     qtbot.waitUntil(lambda: panel.late)
     panel.show_snapshots([])
     assert "with Ctrl+1 to Ctrl+4" in panel.figure.message
@@ -177,8 +177,8 @@ def test_a_part_is_the_same_whether_the_delay_is_removed_or_not(show, qtbot, des
 def test_rms_are_copied_by_strength_output_and_axis(show):
     _, panel = show(STRENGTHS, axes="xz")
     head, *rows = (line.split("\t") for line in panel.table().splitlines())
-    wanted = [f"rms_{output}_{axis}_m_per_s2" for output in OUTPUTS for axis in "xz"]
-    assert head == ["strength", *wanted]
+    columns = [f"rms_{output}_{axis}_m_per_s2" for output in OUTPUTS for axis in "xz"]
+    assert head == ["strength", *columns]
     table = np.array(rows, float)
     traces = ss.evaluate(STRENGTHS[0], "axis_traces", view=View(axes="xz", outputs=OUTPUTS))
     rms = np.sqrt(np.mean(traces["axis_traces"] ** 2, axis=-1)).ravel()
@@ -199,7 +199,7 @@ def test_what_cannot_be_held_against_each_other_says_what_to_store(show, qtbot):
     assert panel.table() == ""
     assert not panel.copy.isEnabled()
     document = window.document
-    document.look(replace(document.view, snapshots=kept(*PARTS)))
+    document.look(replace(document.view, snapshots=snapshots_of(*PARTS)))
     document.edit("Both", PARTS[2])
     qtbot.waitUntil(lambda: panel.result is not None, timeout=30_000)
 

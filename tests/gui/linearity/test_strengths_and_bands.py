@@ -15,7 +15,14 @@ from skinsource.perception.validity import probe_velocity
 from skinsource.studies.figures.figures import lines_of
 from skinsource_gui.panels.linearity.content import LinearitySettings
 from skinsource_gui.plots.figure import Axis, fitted_axes
-from tests.gui.linearity.test_linearity_panel import OUTPUTS, PARTS, STRENGTHS, kept, settled, show
+from tests.gui.linearity.test_linearity_panel import (
+    OUTPUTS,
+    PARTS,
+    STRENGTHS,
+    settled,
+    show,
+    snapshots_of,
+)
 
 __all__ = ["show"]
 
@@ -120,7 +127,7 @@ def test_the_switches_compute_no_prediction_and_are_about_strengths(show, qtbot)
         drawn = panel._drawn[-len(STRENGTHS) :]
         assert all(trace is other for trace, other in zip(traces, drawn, strict=True))
     assert not any("snapshot" in request for request in asked)
-    window.document.look(replace(window.document.view, snapshots=kept(*PARTS)))
+    window.document.look(replace(window.document.view, snapshots=snapshots_of(*PARTS)))
     window.document.edit("Both", PARTS[2])
     qtbot.waitUntil(lambda: len(panel.picture.diagrams) == 2, timeout=30_000)
     assert not panel.velocity.isVisible()

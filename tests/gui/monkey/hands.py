@@ -134,9 +134,9 @@ class Hands:
             return ""
         chosen = self.one_of(lines)
         menu.setActiveAction(chosen)
-        words = chosen.text()
+        text = chosen.text()
         QTest.keyClick(menu, Qt.Key.Key_Return)
-        return words
+        return text
 
     def wait(self, holds: Callable[[], bool]) -> None:
         """Let the window live until something holds; a minute at most."""

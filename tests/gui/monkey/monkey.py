@@ -130,8 +130,8 @@ class Monkey:
         hands = self.hands
         deed = fields.import_recording if k % _IMPORTED_EVERY == 0 else hands.one_of(DEEDS)
         hands.done.append((k, deed.__name__))
-        told = deed(hands)
-        hands.done[-1] = (k, deed.__name__, told)
+        detail = deed(hands)
+        hands.done[-1] = (k, deed.__name__, detail)
         self.tally.deeds[deed.__name__] += 1
         if k % _PAINTED_EVERY == 0:
             QApplication.processEvents()
@@ -195,7 +195,7 @@ class Monkey:
             mute()
 
     def _mute_clip(self) -> None:
-        canvases.seen(self.hands, "timeline").findChild(LanesView).setFocus()
+        canvases.shown_panel(self.hands, "timeline").findChild(LanesView).setFocus()
         self.hands.key(Qt.Key.Key_M)
 
     def _mute_track(self) -> None:
@@ -215,8 +215,8 @@ class Monkey:
         except ss.SkinSourceError as error:
             # Only what the studio refuses too.
             self.tally.impossible += 1
-            said = self.window.notice.text
-            self._expect(bool(said), f"predict refuses ({error}), the studio says nothing")
+            message = self.window.notice.text
+            self._expect(bool(message), f"predict refuses ({error}), the studio says nothing")
             return
         self._expect(not shown.outdated, "the map is outdated at rest")
         values = shown.values
@@ -280,6 +280,6 @@ class Monkey:
         late = self.tally.threads[-1] - self.tally.threads[0]
         self._expect(late <= THREADS_LATE, f"threads: {self.tally.threads}")
 
-    def _expect(self, holds: bool, words: str) -> None:
+    def _expect(self, holds: bool, fault: str) -> None:
         if not holds:
-            self.tally.faults.append(words)
+            self.tally.faults.append(fault)

@@ -19,16 +19,16 @@ def plain_levels(design: ss.Design, view: ss.View):
     limb = ss.load_limb(design.limb)
     rate_hz = limb.sample_rate_hz
     solo = any(track.solo for track in design.inputs)
-    heard = [track for track in design.inputs if (track.solo or not solo) and not track.muted]
-    drives = [_drive(track, rate_hz) for track in heard]
+    audible = [track for track in design.inputs if (track.solo or not solo) and not track.muted]
+    drives = [_drive(track, rate_hz) for track in audible]
     n_times = max((drive.size for drive in drives), default=0)
     if not n_times:
         return ss.decibels(np.zeros(limb.n_outputs))
     vibration = ss.predict(
         limb,
         [np.pad(drive, (0, n_times - drive.size)) for drive in drives],
-        [track.location for track in heard],
-        [view.match_gain(design) * track.amplitude for track in heard],
+        [track.location for track in audible],
+        [view.match_gain(design) * track.amplitude for track in audible],
         design.scaling,
         design.actuated,
     )

@@ -183,11 +183,11 @@ def test_every_step_changes_the_value_and_stays_allowed(spec, size, direction):
 
 def test_keys_that_mean_nothing_to_a_number_are_left_to_the_panel(make_bench, qtbot):
     bench = make_bench(AMPLITUDE, 1.0)
-    heard = []
-    bench.keyPressEvent = lambda event: heard.append(event.text())
+    keys = []
+    bench.keyPressEvent = lambda event: keys.append(event.text())
     bench.field.setFocus()
     QTest.keyClicks(bench.field, "ms")
-    assert heard == ["m", "s"]
+    assert keys == ["m", "s"]
     assert not bench.field.editing
 
 

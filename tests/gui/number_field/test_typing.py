@@ -55,7 +55,7 @@ def test_other_units_are_understood(text, spec, value):
 
 
 @pytest.mark.parametrize(
-    ("text", "spec", "words"),
+    ("text", "spec", "reason"),
     [
         ("abc", FREQUENCY, "Frequency: “abc” is not a number. Allowed: 1 to 649 Hz."),
         ("", FREQUENCY, "nothing typed"),
@@ -76,10 +76,10 @@ def test_other_units_are_understood(text, spec, value):
         ("1e-999999999", DURATION, "is too low"),
     ],
 )
-def test_what_is_not_allowed_is_refused_with_what_is(text, spec, words):
+def test_what_is_not_allowed_is_refused_with_what_is(text, spec, reason):
     with pytest.raises(InvalidInputError) as error:
         parse_number(text, spec)
-    assert words in str(error.value)
+    assert reason in str(error.value)
 
 
 @pytest.mark.parametrize(
@@ -268,7 +268,7 @@ def test_a_number_with_too_little_room_is_never_shown_as_another_one(make_bench,
 
 def test_a_long_time_is_shown_typed_and_copied_in_seconds(make_bench):
     bench = make_bench(DURATION, 0.2)
-    for typed, meant in (
+    for typed, value_si in (
         ("2.5 s", 2.5),
         ("3", 3.0),
         ("800 ms", 0.8),
@@ -276,7 +276,7 @@ def test_a_long_time_is_shown_typed_and_copied_in_seconds(make_bench):
         ("12.5s", 12.5),
     ):
         bench.type(typed)
-        assert bench.edits[-1] == (meant, None)
+        assert bench.edits[-1] == (value_si, None)
     assert bench.field.text() == "12.5"
     QTest.keyClick(bench.field, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
     assert QApplication.clipboard().text() == "12.5 s"

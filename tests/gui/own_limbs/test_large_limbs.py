@@ -62,17 +62,17 @@ def test_clips_have_their_waveforms_and_follow_edits(large_window, qtbot):
 
 
 def test_no_response_is_read_for_it_and_nothing_is_judged(large, make_window, qtbot):
-    told, judged = [], []
+    results, judged = [], []
     window = make_window(large.design, large.view)
-    window.engine.finished.connect(told.append)
+    window.engine.finished.connect(results.append)
     rested(window, qtbot)
     window.validity._judge()
     window.document.edit("Softer", window.document.design.with_input(0, amplitude=0.5))
     rested(window, qtbot)
     window.validity._judge()
     rested(window, qtbot)
-    judged = [result for result in told if result.request.purpose is Purpose.JUDGE]
-    shown = [result for result in told if result.request.place == (FIRST_SLOT, Purpose.SHOW)]
+    judged = [result for result in results if result.request.purpose is Purpose.JUDGE]
+    shown = [result for result in results if result.request.place == (FIRST_SLOT, Purpose.SHOW)]
     assert shown
     assert sum(result.work.bytes_read for result in shown) == 0
     assert judged == []

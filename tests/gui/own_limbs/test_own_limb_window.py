@@ -263,9 +263,9 @@ def test_an_input_at_a_place_that_the_limb_lacks_is_said_with_what_to_do(lab, wi
     document.edit("Move", document.design.with_input(0, location=12))
     window.findChild(ChoiceField, "limb").choose("lab-1")
     rested(window, qtbot)
-    said = "lab-1 has the places 1 to 7, and there is an input at place 12."
-    assert window.notice.text == said
-    assert lane(window).problem.startswith(f"{said} Move the input, or")
+    message = "lab-1 has the places 1 to 7, and there is an input at place 12."
+    assert window.notice.text == message
+    assert lane(window).problem.startswith(f"{message} Move the input, or")
     document.edit("Move", document.design.with_input(0, location=7))
     rested(window, qtbot)
     assert (window.notice.text, lane(window).problem) == ("", "")

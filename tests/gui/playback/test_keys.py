@@ -85,25 +85,25 @@ def test_a_button_that_was_clicked_leaves_space_to_playing(studio, pressed):
 def test_escape_twice_is_heard_wherever_the_keyboard_is(studio, qtbot):
     qtbot.waitUntil(studio.isActiveWindow)
     escape = EscapeTwice(studio)
-    heard = []
-    escape.pressed.connect(lambda: heard.append(1))
+    presses = []
+    escape.pressed.connect(lambda: presses.append(1))
     escape.watch(True)
     for name in ("hand", "timeline"):
         studio.panel(name).setFocus()
         widget = QApplication.focusWidget()
         QTest.keyClick(widget, ESCAPE)
-        assert heard == []
+        assert presses == []
         QTest.keyClick(widget, ESCAPE)
-        assert heard == [1]
-        heard.clear()
+        assert presses == [1]
+        presses.clear()
     QTest.keyClick(widget, ESCAPE)
     QTest.keyClick(widget, Qt.Key.Key_A)
     QTest.keyClick(widget, ESCAPE)
-    assert heard == []
+    assert presses == []
     escape.watch(False)
     QTest.keyClick(widget, ESCAPE)
     QTest.keyClick(widget, ESCAPE)
-    assert heard == []
+    assert presses == []
 
 
 def test_escape_twice_stops_what_plays(sound, studio, player, qtbot, listen):

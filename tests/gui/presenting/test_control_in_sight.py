@@ -144,11 +144,11 @@ def test_words_above_what_is_turned_are_as_high_for_long_titles_as_for_short_one
 def test_with_more_room_more_is_said(heading):
     full = QFontMetrics(heading.font()).horizontalAdvance(TITLE)
     heading.show_phrases(f"{TITLE} · Tone at place 8", TITLE, "Tone at place 8")
-    said = []
+    texts = []
     for share in (0.3, 0.6, 1.0):
         heading.resize(int(share * full), 100)
-        said.append(heading.text())
-    assert said == ["Tone at place 8", TITLE, f"{TITLE} · Tone at place 8"]
+        texts.append(heading.text())
+    assert texts == ["Tone at place 8", TITLE, f"{TITLE} · Tone at place 8"]
 
 
 def test_words_that_can_be_said_in_no_shorter_way_have_the_lines_that_they_need(heading):

@@ -103,12 +103,12 @@ def test_nothing_stays_covered_once_presenting_ends(studio, qtbot):
 
 
 def test_no_tooltip_of_what_is_below_tells_it(qtbot):
-    told = []
+    events = []
 
     class Telling(QWidget):
         def event(self, event):
             if event.type() == QEvent.Type.ToolTip:
-                told.append(event)
+                events.append(event)
             return super().event(event)
 
     part = Telling()
@@ -116,6 +116,6 @@ def test_no_tooltip_of_what_is_below_tells_it(qtbot):
     part.show()
     cover = Cover(part)
     at = QPoint(5, 5)
-    for over, heard in ((cover, 0), (part, 1)):
+    for over, n_events in ((cover, 0), (part, 1)):
         QApplication.sendEvent(over, QHelpEvent(QEvent.Type.ToolTip, at, over.mapToGlobal(at)))
-        assert len(told) == heard
+        assert len(events) == n_events

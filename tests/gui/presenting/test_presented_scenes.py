@@ -21,11 +21,11 @@ def title(window):
 
 
 def test_scenes_are_the_designs_of_the_folder_in_their_order(studio):
-    seen = []
+    titles = []
     for name in ("next_scene", "next_scene", "previous_scene", "previous_scene", "previous_scene"):
         studio.do(name)
-        seen.append(title(studio))
-    assert seen == ["3 both", "3 both", "2 tone", "1 tap", "1 tap"]
+        titles.append(title(studio))
+    assert titles == ["3 both", "3 both", "2 tone", "1 tap", "1 tap"]
     # A scene is no file any more: saving asks for a name.
     assert studio.document.path is None
 
@@ -220,12 +220,12 @@ def test_a_design_without_a_title_is_called_as_its_file_when_it_is_paged_to(stud
 
 
 def test_at_the_last_scene_nobody_is_asked_for_what_stays(studio, folder, asked):
-    told = []
-    studio.presenter.done.connect(told.append)
+    messages = []
+    studio.presenter.done.connect(messages.append)
     studio.files.open(folder / "3 both.skinsource")
     edited = louder(studio, 2.0)
     studio.do("next_scene")
-    assert told[-1] == "This is the last scene"
+    assert messages[-1] == "This is the last scene"
     assert not asked
     studio.do("previous_scene")
     assert len(asked) == 1
@@ -281,11 +281,11 @@ def test_colours_chosen_in_a_show_of_files_stay_where_a_file_has_chosen_none(
     magma = use_colours("magma", design, View()).view
     save_design(folder / "3 both.skinsource", design, magma)
     studio.do("use_cividis_colours")
-    seen = []
+    colour_sets = []
     for step in ("previous_scene", "next_scene", "next_scene", "previous_scene"):
         studio.do(step)
-        seen.append(colours(studio))
-    assert seen == ["cividis", "cividis", "magma", "cividis"]
+        colour_sets.append(colours(studio))
+    assert colour_sets == ["cividis", "cividis", "magma", "cividis"]
     studio.do("use_viridis_colours")
     studio.do("previous_scene")
     assert colours(studio) == "viridis"

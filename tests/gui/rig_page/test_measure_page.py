@@ -28,13 +28,13 @@ WAIT = {"timeout": 60_000}
 
 
 @pytest.fixture(scope="module")
-def heard():
+def recording():
     return ears(sensed(COIL))
 
 
 @pytest.fixture
-def card(monkeypatch, heard):
-    return use(monkeypatch, Card(heard, output=1))
+def card(monkeypatch, recording):
+    return use(monkeypatch, Card(recording, output=1))
 
 
 @pytest.fixture

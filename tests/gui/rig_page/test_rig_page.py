@@ -155,7 +155,9 @@ def test_an_opened_rig_is_shown_and_what_is_none_is_refused(page, answer):
 def test_changes_are_not_lost_unasked(page, monkeypatch, tmp_path):
     asked, answers = [], [QMessageBox.StandardButton.Cancel, QMessageBox.StandardButton.Save]
     monkeypatch.setattr(
-        QMessageBox, "question", lambda *words: asked.append(words[2]) or answers[len(asked) - 1]
+        QMessageBox,
+        "question",
+        lambda *arguments: asked.append(arguments[2]) or answers[len(asked) - 1],
     )
     press(page, "add")
     press(page, "close")
@@ -202,12 +204,12 @@ def test_places_are_those_of_the_limb_of_the_design_the_driven_ones_first(user_d
     )
     parent = QObject()
     draft = RigDraft(None, None, edit.design, parent)
-    said = []
-    draft.said.connect(said.append)
+    messages = []
+    draft.said.connect(messages.append)
     for _ in range(N_INPUTS + 1):
         draft.add(0)
     assert [channel.place for channel in draft.rig.channels] == [5, 2, 1, 3, 4, 6, 7]
-    assert said == ["All places are wired already."]
+    assert messages == ["All places are wired already."]
     own = input_name(5, "lab-1").name
     assert title_of(draft.rig.channels[0], "lab-1") == f"5 · {own}, output 1"
     assert own != input_name(5).name

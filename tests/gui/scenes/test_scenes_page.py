@@ -25,8 +25,8 @@ def texts_of(content: bytes) -> dict[str, str]:
         (size,) = struct.unpack(">I", content[at : at + 4])
         kind, held = content[at + 4 : at + 8], content[at + 8 : at + 8 + size]
         if kind == b"tEXt":
-            key, _, words = held.partition(b"\0")
-            texts_by_key[key.decode("latin-1")] = words.decode("latin-1")
+            key, _, text = held.partition(b"\0")
+            texts_by_key[key.decode("latin-1")] = text.decode("latin-1")
         at += 12 + size
     return texts_by_key
 
@@ -71,11 +71,11 @@ def test_the_gallery_lists_all_scenes_and_shows_the_selected_one(window):
     headings = [page.list.item(row).text() for row in range(page.list.count())]
     assert headings == [scene.heading for scene in ss.scenes.all_scenes()]
     page.list.setCurrentRow(headings.index("2F · Two inputs interfere"))
-    words = page.words.text()
-    assert ss.scenes.scene("2F").sentence in words
-    assert "Fig. 2F" in words
-    assert "Opens on Synthetic 3 (185 mm)." in words
-    assert "SYNTHETIC" in words
+    text = page.words.text()
+    assert ss.scenes.scene("2F").sentence in text
+    assert "Fig. 2F" in text
+    assert "Opens on Synthetic 3 (185 mm)." in text
+    assert "SYNTHETIC" in text
     page.list.setCurrentRow(headings.index("2H · A sensation that contracts"))
     assert "Inferred: kind, frequencies" in page.words.text()
     page.reject()
@@ -127,8 +127,8 @@ def test_a_double_click_opens_and_the_next_time_it_is_selected(window, qtbot, se
 
 
 def test_each_opens_with_the_panels_that_show_it_and_nothing_to_complain_of(window, settle):
-    told = []
-    window.scenes.done.connect(told.append)
+    messages = []
+    window.scenes.done.connect(messages.append)
     for scene in ss.scenes.all_scenes():
         window.scenes.open(scene.name)
         settle()
@@ -138,7 +138,7 @@ def test_each_opens_with_the_panels_that_show_it_and_nothing_to_complain_of(wind
         for panel in scene.panels:
             assert window.docks[panel].in_sight, (scene.name, panel)
         assert window.notice.text == "", scene.name
-        assert told[-1] == f"Opened {scene.heading}, on a SYNTHETIC limb"
+        assert messages[-1] == f"Opened {scene.heading}, on a SYNTHETIC limb"
 
 
 def test_saving_a_scene_asks_where_and_suggests_its_name(window):
@@ -154,7 +154,9 @@ def test_saving_a_scene_asks_where_and_suggests_its_name(window):
 def test_unsaved_work_is_asked_for_first(window, monkeypatch, answer, opened):
     window.document.edit("Softer", window.document.design.with_input(0, amplitude=0.25))
     asked = []
-    monkeypatch.setattr(QMessageBox, "question", lambda *words: asked.append(words) or answer)
+    monkeypatch.setattr(
+        QMessageBox, "question", lambda *arguments: asked.append(arguments) or answer
+    )
     window.scenes.open("2F")
     assert len(asked) == 1
     assert (window.document.design == ss.scenes.open_scene("2F").design) == opened

@@ -88,23 +88,23 @@ def test_only_who_looks_at_axes_pays_for_them(window, panel, qtbot, settle):
     document = window.document
     amplitudes = iter((2.0, 3.0, 4.0))
 
-    def wanted():
+    def quantities_of_an_edit():
         asked.clear()
         document.edit("Louder", document.design.with_input(0, amplitude=next(amplitudes)))
         settle()
         return frozenset().union(*(request.wanted for request in asked))
 
-    assert wanted() >= OWN
+    assert quantities_of_an_edit() >= OWN
     # In one slot: no limb or snapshot is predicted beside the window.
     assert {request.slot.name for request in asked} == {"A"}
     choose(window, "limbs")
     shown(panel, qtbot, 4)
-    assert not wanted() & OWN
+    assert not quantities_of_an_edit() & OWN
     choose(window, "axes")
     shown(panel, qtbot, 3)
     window.docks["side_by_side"].toggleViewAction().trigger()
     settle()
-    assert not wanted() & OWN
+    assert not quantities_of_an_edit() & OWN
 
 
 def test_the_scene_of_three_axes_shows_them(window, qtbot, settle):

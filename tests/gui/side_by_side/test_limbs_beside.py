@@ -69,7 +69,7 @@ def test_a_limb_that_is_too_large_missing_or_otherwise_laid_out_says_so_and_runs
     document.edit("c", document.design.with_input(0, amplitude=0.2))
     settle()
     # Lamps and error of what was shown before may still be on their way.
-    wanted = [request.wanted for request in asked if request.purpose == Purpose.SHOW]
+    quantities = [request.wanted for request in asked if request.purpose == Purpose.SHOW]
     # What clips play is drawn all the same, and runs through no limb.
-    assert not any("output_levels_db" in names or "vibration" in names for names in wanted)
+    assert not any("output_levels_db" in names or "vibration" in names for names in quantities)
     assert all("follow edits up to 5" in cell.text for cell in panel.maps.content.cells)

@@ -29,8 +29,8 @@ def ink(plot, dpi):
     image = drawn_image(partial(draw_signals, plot=plot), *SIZE, dpi)
     dots = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1, 4)
     colour = QColor(LIGHT.outputs[0])
-    wanted = np.array([colour.blue(), colour.green(), colour.red()])
-    return np.abs(dots[..., :3].astype(int) - wanted).max(axis=-1) < 40
+    channels = np.array([colour.blue(), colour.green(), colour.red()])
+    return np.abs(dots[..., :3].astype(int) - channels).max(axis=-1) < 40
 
 
 def test_the_wave_itself_is_drawn_not_lines_between_samples(signals):

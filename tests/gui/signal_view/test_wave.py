@@ -121,8 +121,8 @@ def test_peaks_between_samples_are_in_the_range_and_readings_stay_those_of_sampl
     signals.plot.crosshair.put(curves.nearest(0.4102))
     index = signals.plot.crosshair.index
     assert index == round(0.4102 * RATE_HZ)
-    said = float(signals.legend.text.readings[0].replace("−", "-"))
-    assert said == pytest.approx(curves.y[0, index], abs=1e-3)
+    reading = float(signals.legend.text.readings[0].replace("−", "-"))
+    assert reading == pytest.approx(curves.y[0, index], abs=1e-3)
 
 
 def test_a_magnitude_is_the_length_of_the_vector_between_samples_too(qtbot):

@@ -13,8 +13,8 @@ def asked(monkeypatch):
     """Questions that were asked; each was answered with the last of ``answers``."""
     questions, answers = [], [_Answer.Cancel]
 
-    def question(_parent, _title, words, *_):
-        questions.append(words)
+    def question(_parent, _title, text, *_):
+        questions.append(text)
         return answers[-1]
 
     monkeypatch.setattr(QMessageBox, "question", question)

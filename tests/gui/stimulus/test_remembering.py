@@ -85,10 +85,10 @@ def test_a_rig_that_is_gone_is_said_and_the_rest_is_kept(form, other, tmp_path):
     form.rigs.take(tmp_path / "bench.skinrig")
     text = remembered(form)
     (tmp_path / "bench.skinrig").unlink()
-    said = []
-    other.refused.connect(said.append)
+    messages = []
+    other.refused.connect(messages.append)
     recall(other, text)
-    assert "bench.skinrig" in said[0]
+    assert "bench.skinrig" in messages[0]
     assert orders(other).rig is None
     assert orders(other).format.name == "flac"
 

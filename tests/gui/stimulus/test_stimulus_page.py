@@ -111,9 +111,9 @@ def test_a_rig_says_what_is_wired_and_an_equaliser_makes_volts(
     assert page.channels.overview.channels[0].peak == pytest.approx(0.02, rel=0.05)
     path = save_as("volts.wav")
     export(desk, page, qtbot)
-    told = json.loads((path.parent / "volts.wav.json").read_text())
-    assert told["rig"] == "Bench 3"
-    assert told["equaliser"]["phase"] == "linear"
+    metadata = json.loads((path.parent / "volts.wav.json").read_text())
+    assert metadata["rig"] == "Bench 3"
+    assert metadata["equaliser"]["phase"] == "linear"
 
 
 def test_what_is_no_rig_says_so_and_changes_nothing(page, qtbot, monkeypatch, tmp_path):
@@ -140,8 +140,8 @@ def test_every_format_of_the_table_is_offered_and_shown(page, qtbot):
 
 
 def test_lengths_of_time_are_said_as_people_read_them():
-    said = [duration_text(time_s) for time_s in (37 / 48_000, 0.2, 1.5)]
-    assert said == ["0.77 ms", "200 ms", "1.5 s"]
+    texts = [duration_text(time_s) for time_s in (37 / 48_000, 0.2, 1.5)]
+    assert texts == ["0.77 ms", "200 ms", "1.5 s"]
 
 
 def test_neighbours_in_the_picture_of_a_channel_meet():

@@ -27,7 +27,7 @@ class Bench:
         )
         self.edits = []
         self.refusals = []
-        self.told = []
+        self.requests = []
         self.panel.edited.connect(self._edit)
         self.panel.view_changed.connect(self._look)
         self.panel.playhead_wanted.connect(self._put_playhead)
@@ -69,7 +69,7 @@ class Bench:
             self._look(outcome.view)
             return
         self.edits.append((outcome.label, outcome.design, gesture))
-        self.told.append("edit")
+        self.requests.append("edit")
         self.view = outcome.view
         self.show(outcome.design)
 
@@ -78,7 +78,7 @@ class Bench:
         self.panel.show_playhead(self.view)
 
     def _look(self, view):
-        self.told.append("view")
+        self.requests.append("view")
         self.view = view
         self.panel.show_state(self.design, self.view)
 

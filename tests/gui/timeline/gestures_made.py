@@ -122,10 +122,10 @@ def below(bench):
 
 
 def opened(bench):
-    told = []
-    bench.panel.action_wanted.connect(told.append)
+    actions = []
+    bench.panel.action_wanted.connect(actions.append)
     double_click(bench, middle(bench, 2))
-    assert told == ["show_clip_editor"]
+    assert actions == ["show_clip_editor"]
     assert bench.view.selected_clips == (2,)
 
 
@@ -145,9 +145,9 @@ def menu(bench):
     event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, bench.lanes.mapToGlobal(at))
     QApplication.sendEvent(bench.lanes.viewport(), event)
     (shown,) = (menu for menu in bench.panel.findChildren(QMenu) if menu.isVisible())
-    words = " ".join(action.text() for action in shown.actions()).lower()
+    text = " ".join(action.text() for action in shown.actions()).lower()
     shown.close()
-    assert all(word in words for word in ("split", "repeat", "mute", "remove"))
+    assert all(word in text for word in ("split", "repeat", "mute", "remove"))
 
 
 def wheel(bench, turns, held):

@@ -75,8 +75,6 @@ def test_the_menu_key_means_the_row_that_was_selected_last(bench, menu_of):
 
 
 def test_lines_say_the_keys_of_the_table(bench, menu_of):
-    shown = {words: line.text().split("\t")[1] for words, line in menu_of(0).items()}
+    shown = {text: line.text().split("\t")[1] for text, line in menu_of(0).items()}
     names = ("mute", "solo", "duplicate", "remove", "shift_up", "shift_down", "gain_curve")
-    assert shown == {
-        words: key_text("inputs", name) for words, name in zip(ALL, names, strict=True)
-    }
+    assert shown == {text: key_text("inputs", name) for text, name in zip(ALL, names, strict=True)}

@@ -101,8 +101,8 @@ def test_the_menu_lists_the_clips_here(lanes):
     place = lanes.at(0.25)
     lanes.lanes.menu_wanted.emit(QPoint(0, 0), place)
     menu = lanes.panel.findChild(QMenu, "clips_here")
-    words = [action.text() for action in menu.actions()]
-    assert words == ["Tone · 0 ms", "Tone · 200 ms"]
+    texts = [action.text() for action in menu.actions()]
+    assert texts == ["Tone · 0 ms", "Tone · 200 ms"]
     menu.actions()[1].trigger()
     assert lanes.view.selected_clips == (lanes.design.inputs[0].clips[1].id,)
     for action in lanes.panel.findChildren(QMenu, "lanes_menu"):

@@ -233,7 +233,7 @@ def test_dots_are_where_they_would_be_painted_anew(qapp, ratio):
 
         return paint
 
-    kept = CountedPicture()
+    mark_picture = CountedPicture()
     # The second lies elsewhere among the same pixels; of the last, both ends are out of sight.
     for rect, times in (
         (QRectF(12.3, 7.0, 90.6, 31.0), 1),
@@ -241,10 +241,12 @@ def test_dots_are_where_they_would_be_painted_anew(qapp, ratio):
         (QRectF(-300.2, 5.5, 700.0, 40.0), 2),
     ):
         shown = rect.intersected(QRectF(-2, 0, 204, 60))
-        marked = partial(mark_clip, rect=rect, shown=shown, mark=kept, colour=QColor(DARK.accent))
+        marked = partial(
+            mark_clip, rect=rect, shown=shown, mark=mark_picture, colour=QColor(DARK.accent)
+        )
         # Through a picture, colours may be rounded once more.
         assert most_apart(drawn(marked), drawn(dots(rect))) <= 1
-        assert kept.times == times
+        assert mark_picture.times == times
 
 
 def test_a_marked_clip_is_painted_however_little_of_its_lane_is_in_sight(bench):

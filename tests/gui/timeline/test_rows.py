@@ -20,9 +20,9 @@ def test_there_is_one_row_for_each_input_in_the_order_of_the_design(bench):
 
 def test_an_empty_list_says_what_to_do(bench):
     bench.show(Design(limb="synthetic-1"))
-    words = bench.panel.findChild(QLabel, "inputs_empty")
-    assert words.isVisible()
-    assert words.text() == "Click a place on the hand to add a track"
+    label = bench.panel.findChild(QLabel, "inputs_empty")
+    assert label.isVisible()
+    assert label.text() == "Click a place on the hand to add a track"
     assert bench.rows.rows == ()
 
 

@@ -95,7 +95,7 @@ def test_hidden_it_costs_nothing(panel, studio, qtbot, monkeypatch):
     content = panel.strip.content
 
     monkeypatch.setattr(
-        window_rules.WindowEnergy, "add", lambda *words: asked.append(words), raising=True
+        window_rules.WindowEnergy, "add", lambda *arguments: asked.append(arguments), raising=True
     )
     studio.document.edit("Softer", TRAIN.with_input(0, amplitude=0.5))
     settle(studio, qtbot)
@@ -136,26 +136,26 @@ def test_a_click_on_a_window_and_arrow_keys_move_the_playhead_to_its_begin(panel
 
 def test_the_pointer_reads_times_and_extent(panel):
     cell = panel.strip.places.cells[1]
-    words = panel.strip.text_at(cell.center())
+    text = panel.strip.text_at(cell.center())
     extent = panel.strip.content.extents[1]
-    assert words.startswith("120–240 ms\n")
-    assert f"{extent.mean_distance_mm:.1f} mm" in words
-    assert f"{extent.d90_mm:.1f} mm" in words
+    assert text.startswith("120–240 ms\n")
+    assert f"{extent.mean_distance_mm:.1f} mm" in text
+    assert f"{extent.d90_mm:.1f} mm" in text
     assert panel.strip.text_at(QPointF(1.0, 1.0)) == ""
 
 
 @pytest.mark.parametrize(
-    ("design", "view", "words"),
+    ("design", "view", "text"),
     [
         (Design(limb="synthetic-4"), {}, "Silent"),
         (TRAIN, {"windows_cut": "length", "window_s": 5.0}, "No whole window"),
     ],
 )
-def test_where_there_is_nothing_to_show_it_says_why(panel, studio, qtbot, design, view, words):
+def test_where_there_is_nothing_to_show_it_says_why(panel, studio, qtbot, design, view, text):
     studio.document.edit("Other", design)
     studio.document.look(replace(studio.document.view, **view))
     settle(studio, qtbot)
-    assert words in panel.strip.message
+    assert text in panel.strip.message
     assert panel.strip.text_at(panel.strip.rect().toRectF().center()) == ""
     panel.strip.grab()
 

@@ -14,8 +14,8 @@ from skinsource_gui.plots.pictures import save_drawing
 TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
 
 
-def width_of(words):
-    return 8.0 * len(words)
+def width_of(text):
+    return 8.0 * len(text)
 
 
 def bounds_s(count, length_s=0.05):
@@ -49,10 +49,10 @@ def test_where_begins_have_no_room_either_each_second_or_third_of_a_row_has_one(
 @pytest.mark.parametrize("width", [180.0, 420.0, 1300.0])
 def test_no_two_times_lie_on_each_other(count, width):
     places = strip_layout(QRectF(0, 0, width, 400.0), count, 16.0).cells
-    words = window_titles(bounds_s(count, 0.6 / count), places, width_of).texts
-    assert words[0]
+    texts = window_titles(bounds_s(count, 0.6 / count), places, width_of).texts
+    assert texts[0]
     ends = {}
-    for cell, text in zip(places, words, strict=True):
+    for cell, text in zip(places, texts, strict=True):
         half = width_of(text) / 2
         if text:
             assert cell.center().x() - half >= ends.get(cell.top(), -20.0)
