@@ -212,5 +212,5 @@ def _nothing_outlives_the_tests_of_a_file(qapp):
         if widget.isVisible() and widget.parent() is None
     ]
     assert not left, f"windows outlive the tests of this file: {left}"
-    threads = [one for one in threading.enumerate() if one not in running]
+    threads = [thread for thread in threading.enumerate() if thread not in running]
     assert not threads, f"threads outlive the tests of this file: {threads}"

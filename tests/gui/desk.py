@@ -38,7 +38,7 @@ class Desk(QWidget):
 
     def end(self) -> None:
         """Let go of devices, pages and threads."""
-        for one in (self.playback, self.imports, self.stimuli):
-            one.end()
+        for owner in (self.playback, self.imports, self.stimuli):
+            owner.end()
         self.runner.close()
         self.close()

@@ -18,47 +18,55 @@ class Paper:
     """
 
     def __init__(self, path: Path) -> None:
-        self.objects = {int(one[1]): one[2] for one in _OBJECT.finditer(path.read_bytes())}
+        self.objects = {int(match[1]): match[2] for match in _OBJECT.finditer(path.read_bytes())}
 
     def text(self) -> str:
         """All that is written, letter by letter: of letters alone, not of their outlines."""
         fonts = {name: self._letters(number) for name, number in self._fonts().items()}
         written, font = [], {}
-        for one in re.finditer(rb"/(F\d+) [\d.]+ Tf|<([0-9A-Fa-f]+)> Tj", self._drawn()):
-            if one[1]:
-                font = fonts[one[1]]
+        for match in re.finditer(rb"/(F\d+) [\d.]+ Tf|<([0-9A-Fa-f]+)> Tj", self._drawn()):
+            if match[1]:
+                font = fonts[match[1]]
             else:
-                codes = re.findall(rb"....", one[2])
+                codes = re.findall(rb"....", match[2])
                 written.append("".join(font[int(code, 16)] for code in codes))
         return "".join(written)
 
     def images(self) -> list[bytes]:
         """How each image is packed."""
-        found = [one for one in self.objects.values() if b"/Subtype /Image" in one]
-        return [re.search(rb"/Filter /(\w+)", one)[1] for one in found]
+        images = [
+            pdf_object for pdf_object in self.objects.values() if b"/Subtype /Image" in pdf_object
+        ]
+        return [re.search(rb"/Filter /(\w+)", image)[1] for image in images]
 
     def _drawn(self) -> bytes:
-        pages = [one for one in self.objects.values() if re.search(rb"/Type /Page\b", one)]
-        contents = [int(re.search(rb"/Contents (\d+)", one)[1]) for one in pages]
+        pages = [
+            pdf_object
+            for pdf_object in self.objects.values()
+            if re.search(rb"/Type /Page\b", pdf_object)
+        ]
+        contents = [int(re.search(rb"/Contents (\d+)", page)[1]) for page in pages]
         return b"".join(self._stream(number) for number in contents)
 
     def _fonts(self) -> dict[bytes, int]:
-        found = {}
-        for one in self.objects.values():
-            for listed in re.findall(rb"/Font <<(.*?)>>", one, re.DOTALL):
+        numbers = {}
+        for pdf_object in self.objects.values():
+            for listed in re.findall(rb"/Font <<(.*?)>>", pdf_object, re.DOTALL):
                 for name, number in re.findall(rb"/(F\d+) (\d+) 0 R", listed):
-                    found[name] = int(number)
-        return found
+                    numbers[name] = int(number)
+        return numbers
 
     def _letters(self, number: int) -> dict[int, str]:
         """What each code of a font means, from its table for those who search and copy."""
         table = int(re.search(rb"/ToUnicode (\d+)", self.objects[number])[1])
-        found = {}
+        letter_of_code = {}
         rows = re.findall(rb"<(\w+)> <\w+> \[(.*?)\]", self._stream(table), re.DOTALL)
         for first, letters in rows:
             for k, letter in enumerate(re.findall(rb"<(\w+)>", letters)):
-                found[int(first, 16) + k] = bytes.fromhex(letter.decode()).decode("utf-16-be")
-        return found
+                letter_of_code[int(first, 16) + k] = bytes.fromhex(letter.decode()).decode(
+                    "utf-16-be"
+                )
+        return letter_of_code
 
     def _stream(self, number: int) -> bytes:
         content = _STREAM.search(self.objects[number])[1]

@@ -9,9 +9,9 @@ from skinsource_gui.qt.theme import LIGHT
 
 @pytest.fixture
 def checked(window):
-    found = []
-    window.accuracy.checked.connect(found.append)
-    return found
+    checks = []
+    window.accuracy.checked.connect(checks.append)
+    return checks
 
 
 def known(checked):

@@ -66,10 +66,12 @@ def test_every_row_stands_in_table_and_plot(page, qtbot):
         page.plot.move_cursor(point)
         assert page.message.text().startswith(f"{CASE}, {row.way}: error {row.error:.1e} in ")
     # What errs more is higher, what takes longer is further right.
-    by_error = sorted(zip(page.rows, points, strict=True), key=lambda one: one[0].error)
-    assert [one.y() for _, one in by_error] == sorted((one.y() for one in points), reverse=True)
-    by_time = sorted(zip(page.rows, points, strict=True), key=lambda one: one[0].time_s)
-    assert [one.x() for _, one in by_time] == sorted(one.x() for one in points)
+    by_error = sorted(zip(page.rows, points, strict=True), key=lambda pair: pair[0].error)
+    assert [point.y() for _, point in by_error] == sorted(
+        (point.y() for point in points), reverse=True
+    )
+    by_time = sorted(zip(page.rows, points, strict=True), key=lambda pair: pair[0].time_s)
+    assert [point.x() for _, point in by_time] == sorted(point.x() for point in points)
 
 
 def test_times_of_edits_and_the_error_of_the_traces_stand_above(window, page, qtbot):

@@ -44,17 +44,17 @@ def window(make_window):
 def drawn(window, name, path, size=(900, 700)):
     """Words of a picture as a file, as they are searched for."""
     save_drawing(path, window.pictures.picture_of(name).draw, *size)
-    words = re.sub(r"<[^>]+>", " ", path.read_text("utf-8"))
-    return re.sub(r"\s+", " ", words.replace("\N{NO-BREAK SPACE}", " "))
+    text = re.sub(r"<[^>]+>", " ", path.read_text("utf-8"))
+    return re.sub(r"\s+", " ", text.replace("\N{NO-BREAK SPACE}", " "))
 
 
 def test_below_each_panel_stands_once_each_condition_that_is_not_kept(window, tmp_path):
     for name in EVERY:
-        words = drawn(window, name, tmp_path / f"{name}.svg")
-        assert {one: words.count(one) for one in SAID} == dict.fromkeys(SAID, 1), name
-        assert words.count(GUESSED) == (name in MAPS), name
-        assert "Tone 400 Hz" in words, name
-        assert "Limb" in words, name
+        text = drawn(window, name, tmp_path / f"{name}.svg")
+        assert {phrase: text.count(phrase) for phrase in SAID} == dict.fromkeys(SAID, 1), name
+        assert text.count(GUESSED) == (name in MAPS), name
+        assert "Tone 400 Hz" in text, name
+        assert "Limb" in text, name
 
 
 def test_a_page_has_the_words_of_its_caption_too(window, tmp_path):
@@ -67,10 +67,10 @@ def test_a_page_has_the_words_of_its_caption_too(window, tmp_path):
 def test_what_is_kept_is_not_said(make_window, tmp_path):
     quiet = replace(DESIGN, inputs=(ss.track(7, ss.waveforms.Tone(frequency_hz=100.0)),))
     window = make_window(quiet)
-    words = drawn(window, "windowed", tmp_path / "a.svg")
-    assert "The probe moves" not in words
-    assert "300 Hz" not in words
-    assert "Responses are computed from a model" in words
+    text = drawn(window, "windowed", tmp_path / "a.svg")
+    assert "The probe moves" not in text
+    assert "300 Hz" not in text
+    assert "Responses are computed from a model" in text
 
 
 def test_another_scaling_says_what_it_hides(make_window):
@@ -105,20 +105,20 @@ def test_snapshots_that_do_not_keep_a_condition_are_named_with_it(window, settle
     assert "The probe moves" not in window.pictures.picture_of("windowed").caption
 
 
-@pytest.mark.parametrize("layout", LAYOUTS, ids=lambda one: one.name)
+@pytest.mark.parametrize("layout", LAYOUTS, ids=lambda layout: layout.name)
 def test_no_layout_gives_a_picture_less_room_for_its_caption(window, layout):
     picture = window.pictures.picture_of("windowed")
     usual = picture.size_px or (1600, 1100)
-    seen = []
+    sizes = []
     below = 0 if layout.height_in else caption_px(picture.caption, *layout.size_px(usual))
     width, height = layout.size_px(usual)
 
     def draw(painter, wide, high, **_):
-        seen.append((wide, high))
+        sizes.append((wide, high))
 
     drawn_image(with_caption(draw, picture.caption), width, height + below)
-    assert seen[0][0] == width
-    assert seen[0][1] >= (0.8 * height if layout.height_in else height)
+    assert sizes[0][0] == width
+    assert sizes[0][1] >= (0.8 * height if layout.height_in else height)
 
 
 def test_copied_numbers_are_followed_by_what_they_are_not_good_for(window, qtbot):
@@ -214,8 +214,8 @@ def test_a_scene_that_was_changed_is_not_called_what_it_was(tones, settle):
     settle()
     assert heading._phrases[0] == f"{title} · 50 Hz · Tone at place 7"
     tone = ss.waveforms.Tone(frequency_hz=300.0)
-    one = tones.document.design.inputs[0]
-    changed = replace(one, clips=(replace(one.clips[0], waveform=tone),))
+    track = tones.document.design.inputs[0]
+    changed = replace(track, clips=(replace(track.clips[0], waveform=tone),))
     tones.document.edit("Frequency", replace(tones.document.design, inputs=(changed,)))
     settle()
     assert heading._phrases[0] == f"{title} · edited · Tone at place 7"
@@ -246,6 +246,6 @@ def test_numbers_that_are_copied_are_those_that_are_judged(qtbot):
 
 
 def test_a_caption_that_is_longer_than_any_page_leaves_most_of_it_to_the_picture(qapp):
-    words = "Place 7, 1 m/s²: Tone 100 Hz, 200 ms. " * 200
+    text = "Place 7, 1 m/s²: Tone 100 Hz, 200 ms. " * 200
     for width, height in ((300, 200), (120, 100), (900, 700)):
-        assert height_above(words, QApplication.font(), width, height) > 0.6 * height
+        assert height_above(text, QApplication.font(), width, height) > 0.6 * height

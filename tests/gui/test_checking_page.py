@@ -32,10 +32,10 @@ def button(page, name):
 def page(make_window, qtbot):
     window = make_window(design_of(104.0))
     window.do("check_recording")
-    found = window.findChild(CheckingPage)
-    yield found
-    if isValid(found):
-        found.close()
+    page = window.findChild(CheckingPage)
+    yield page
+    if isValid(page):
+        page.close()
 
 
 def checked(page, qtbot):

@@ -14,7 +14,7 @@ from skinsource_gui.panels.clip_editor.tools import Pen
 @pytest.fixture
 def studio(make_window, qtbot):
     def make(*waveforms):
-        tracks = tuple(track(7 + k, one) for k, one in enumerate(waveforms))
+        tracks = tuple(track(7 + k, waveform) for k, waveform in enumerate(waveforms))
         window = make_window(Design(limb="synthetic-1", inputs=tracks))
         window.activateWindow()
         qtbot.waitUntil(window.isActiveWindow)
@@ -28,8 +28,8 @@ def pen_is_taken(window):
 
 
 def pen_buttons(window):
-    found = window.panel("inspector").findChildren(QPushButton, "draw_button")
-    return [one for one in found if one.isVisible()]
+    draw_buttons = window.panel("inspector").findChildren(QPushButton, "draw_button")
+    return [button for button in draw_buttons if button.isVisible()]
 
 
 def test_the_inspector_of_a_drawn_waveform_leads_to_the_pen(studio):

@@ -16,19 +16,19 @@ from skinsource_gui.state.panel import Panel, PanelRegistry
 
 
 def loudness(inputs):
-    if any(one.amplitude == 13 for one in inputs):
+    if any(track.amplitude == 13 for track in inputs):
         raise InvalidInputError("thirteen is refused")
-    if any(one.amplitude == 14 for one in inputs):
+    if any(track.amplitude == 14 for track in inputs):
         raise ValueError("shapes (3,) (4,)")
-    return np.array([one.amplitude for one in inputs])
+    return np.array([track.amplitude for track in inputs])
 
 
 def colours(inputs):
-    return tuple(one.colour for one in inputs)
+    return tuple(track.colour for track in inputs)
 
 
 def unplayable_inputs(inputs):
-    return tuple(UnplayableInput(one.id, "too loud") for one in inputs if one.amplitude == 15)
+    return tuple(UnplayableInput(track.id, "too loud") for track in inputs if track.amplitude == 15)
 
 
 class Recorder(Panel):
@@ -224,8 +224,8 @@ def test_an_impossible_request_shows_its_reason_and_the_next_one_recovers(qtbot,
 
 def test_panels_are_told_which_inputs_results_are_without(stage):
     stage.amplitude(15)
-    told = (UnplayableInput(1, "too loud"),)
-    assert (stage.loud.unplayable, stage.colourful.unplayable) == (told, told)
+    unplayable = (UnplayableInput(1, "too loud"),)
+    assert (stage.loud.unplayable, stage.colourful.unplayable) == (unplayable, unplayable)
     assert stage.loud.results[-1]["loudness"].tolist() == [15.0]
     stage.amplitude(13)
     assert stage.loud.unplayable == ()
@@ -297,7 +297,7 @@ def test_what_takes_too_long_on_a_limb_is_not_asked_for_and_all_else_is(qtbot, s
     module = "skinsource_gui.state.conductor"
     monkeypatch.setattr(f"{module}.FROM_THE_LIMB", frozenset({"loudness"}))
     monkeypatch.setattr(f"{module}.too_large", lambda limb: f"{limb} is too large")
-    runs, seen = stage.graph.runs["loudness"], len(stage.colourful.results)
+    runs, n_results = stage.graph.runs["loudness"], len(stage.colourful.results)
     stage.document.edit("colour", stage.document.design.with_input(0, colour=4))
     stage.gate.set()
     qtbot.waitUntil(lambda: not stage.engine.busy)
@@ -307,7 +307,7 @@ def test_what_takes_too_long_on_a_limb_is_not_asked_for_and_all_else_is(qtbot, s
     assert len(stage.loud.results) == shown
     assert stage.colourful.problems == []
     assert stage.colourful.results[-1]["colours"] == (4,)
-    assert len(stage.colourful.results) > seen
+    assert len(stage.colourful.results) > n_results
     # Another limb is shown in all panels again.
     monkeypatch.setattr(f"{module}.too_large", lambda limb: "")
     stage.amplitude(2.0)

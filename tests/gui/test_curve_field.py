@@ -22,8 +22,8 @@ def field(qtbot):
     field.resize(220, 84)
     field.set_value(START)
     field.show()
-    field.told = []
-    field.edited.connect(lambda points, gesture: field.told.append((points, gesture)))
+    field.edits = []
+    field.edited.connect(lambda points, gesture: field.edits.append((points, gesture)))
     return field
 
 
@@ -44,10 +44,10 @@ def test_a_point_is_dragged_in_one_gesture_and_stays_between_its_neighbours(fiel
     assert 0.5 < y < 1.0
     assert segment == "smooth"
     assert (field.value[0], field.value[2]) == (START[0], START[2])
-    assert len({gesture for _, gesture in field.told}) == 1
+    assert len({gesture for _, gesture in field.edits}) == 1
     drag(field, field.place_of(1), (500, -500))
     assert field.value[1][0] == 0.2
-    assert field.told[0][1] != field.told[-1][1]
+    assert field.edits[0][1] != field.edits[-1][1]
 
 
 def test_a_press_on_the_curve_adds_a_point_there_without_changing_it(field):
@@ -59,14 +59,14 @@ def test_a_press_on_the_curve_adds_a_point_there_without_changing_it(field):
     assert y == pytest.approx(10 * x, abs=1e-9)
     assert segment == "straight"
     assert field.points.chosen == 1
-    assert [points for points, _ in field.told] == [field.value]
+    assert [points for points, _ in field.edits] == [field.value]
 
 
 def test_a_new_point_is_dragged_on_in_the_same_gesture(field):
     drag(field, QPointF(field.width() - 4, field.place_of(2).y()), (-2, -20))
     assert len(field.value) == 4
     assert field.points.chosen == 3
-    assert len({gesture for _, gesture in field.told}) == 1
+    assert len({gesture for _, gesture in field.edits}) == 1
     QTest.keyClick(field, Qt.Key.Key_Escape)
     assert len(field.value) == 4  # as the press had left it
     assert field.value[3][1] == 0.5
@@ -77,7 +77,7 @@ def test_a_drag_is_given_up_with_escape(field):
     assert field.value != START
     QTest.keyClick(field, Qt.Key.Key_Escape)
     assert field.value == START
-    assert field.told[-1][0] == START
+    assert field.edits[-1][0] == START
     QTest.mouseMove(field, QPoint(10, 10))
     assert field.value == START
 
@@ -85,7 +85,7 @@ def test_a_drag_is_given_up_with_escape(field):
 def test_beside_the_curve_a_click_adds_nothing_and_a_double_click_a_point_just_there(field):
     beside = QPoint(round(field.place_of(0).x()) + 20, round(field.place_of(1).y()) + 3)
     QTest.mouseClick(field, LEFT, pos=beside)
-    assert field.told == []
+    assert field.edits == []
     QTest.mouseDClick(field, LEFT, pos=beside)
     assert len(field.value) == 4
     assert (field.place_of(1) - QPointF(beside)).manhattanLength() < 2.0
@@ -126,7 +126,7 @@ def test_keys_choose_move_continue_add_and_remove(field):
     ):
         QTest.keyClick(field, key, held)
     assert field.value[1] == (0.111, 0.95, "smooth")
-    assert len({gesture for _, gesture in field.told}) == 1
+    assert len({gesture for _, gesture in field.edits}) == 1
     QTest.keyClick(field, Qt.Key.Key_S)
     assert field.value[1][2] == "held"
     QTest.keyClick(field, Qt.Key.Key_Insert)
@@ -138,16 +138,16 @@ def test_keys_choose_move_continue_add_and_remove(field):
     QTest.keyClick(field, Qt.Key.Key_Home)
     QTest.keyClick(field, Qt.Key.Key_Delete)
     assert len(field.value) == 1
-    told = len(field.told)
+    n_edits = len(field.edits)
     QTest.keyClick(field, Qt.Key.Key_Delete)
-    assert (len(field.value), len(field.told)) == (1, told)
+    assert (len(field.value), len(field.edits)) == (1, n_edits)
 
 
 def test_the_value_is_shown_without_telling_anybody(field):
     field.setFocus()
     QTest.keyClick(field, Qt.Key.Key_End)
     field.set_value(START[:1])
-    assert field.told == []
+    assert field.edits == []
     assert field.points.chosen == 0
     assert field.rect().contains(field.place_of(0).toPoint())
     assert not field.grab().isNull()
@@ -157,7 +157,7 @@ def lines_of_menu(field, at, reason=QContextMenuEvent.Reason.Mouse):
     event = QContextMenuEvent(reason, at.toPoint(), field.mapToGlobal(at.toPoint()))
     QApplication.sendEvent(field, event)
     menu = field.findChildren(QMenu, "point_menu")[-1]
-    return menu, {one.text(): one for one in menu.actions() if one.text()}
+    return menu, {action.text(): action for action in menu.actions() if action.text()}
 
 
 def test_the_menu_of_a_point_removes_it_or_bends_the_curve_and_beside_it_adds_one(field):

@@ -21,7 +21,7 @@ def page(window):
     return DatasetPage(window.runner, window.limbs, window)
 
 
-def words(page: DatasetPage) -> str:
+def text_of(page: DatasetPage) -> str:
     return page.findChild(QLabel, "dataset_words").text()
 
 
@@ -30,8 +30,8 @@ def test_what_there_is_to_note_is_said_after_the_installation(
 ):
     work = partial(install, made_up_download, unpublished=True)
     window.runner.add(Job(INSTALLATIONS[0], work))
-    qtbot.waitUntil(lambda: "4 measured limbs are installed" in words(page), timeout=60_000)
-    assert "Note: made from files that are not the published ones: " in words(page)
+    qtbot.waitUntil(lambda: "4 measured limbs are installed" in text_of(page), timeout=60_000)
+    assert "Note: made from files that are not the published ones: " in text_of(page)
 
 
 def test_map_files_that_are_not_the_published_ones_are_refused_with_the_reason(
@@ -39,7 +39,7 @@ def test_map_files_that_are_not_the_published_ones_are_refused_with_the_reason(
 ):
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(made_up_download))
     page.findChild(QPushButton, "install_from_folder").click()
-    qtbot.waitUntil(lambda: "not the published content" in words(page), timeout=60_000)
+    qtbot.waitUntil(lambda: "not the published content" in text_of(page), timeout=60_000)
 
 
 def test_installing_from_a_folder_can_be_cancelled(page, window, qtbot, tmp_path, monkeypatch):
@@ -56,11 +56,11 @@ def test_installing_from_a_folder_can_be_cancelled(page, window, qtbot, tmp_path
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
     page.show()
     page.findChild(QPushButton, "install_from_folder").click()
-    qtbot.waitUntil(lambda: words(page) == "Reading the responses…")
+    qtbot.waitUntil(lambda: text_of(page) == "Reading the responses…")
     assert asked == [tmp_path]
     assert not page.findChild(QPushButton, "download").isEnabled()
     page.findChild(QPushButton, "cancel_installing").click()
-    qtbot.waitUntil(lambda: words(page) == "Cancelled. Nothing was changed.")
+    qtbot.waitUntil(lambda: text_of(page) == "Cancelled. Nothing was changed.")
     qtbot.waitUntil(lambda: not window.runner.busy)
     assert page.findChild(QPushButton, "download").isEnabled()
     assert not page.findChild(QPushButton, "cancel_installing").isVisible()
@@ -71,7 +71,7 @@ def test_a_folder_without_the_files_is_refused_and_another_one_may_be_chosen(
 ):
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
     page.findChild(QPushButton, "install_from_folder").click()
-    qtbot.waitUntil(lambda: "impulseResponses.mat" in words(page), timeout=30_000)
+    qtbot.waitUntil(lambda: "impulseResponses.mat" in text_of(page), timeout=30_000)
     assert page.findChild(QPushButton, "install_from_folder").isEnabled()
     assert not any(name.startswith("measured") for name in window.limbs.names)
 

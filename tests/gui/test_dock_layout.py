@@ -28,7 +28,7 @@ def session(qtbot, preferences):
         window = MainWindow(
             start_design("synthetic-1"), preferences=preferences, available_limbs=available_limbs()
         )
-        qtbot.addWidget(window, before_close_func=lambda one: one.runner.close())
+        qtbot.addWidget(window, before_close_func=lambda window: window.runner.close())
         window.show()
         qtbot.waitExposed(window)
         qtbot.waitUntil(lambda: not window.engine.busy)
@@ -94,10 +94,10 @@ def test_a_panel_that_was_out_of_the_window_is_in_front_of_it_again(session, qtb
     shown = []
     show_of = {kind: kind.showEvent for kind in (Dock, MainWindow)}
 
-    def note(one, event):
+    def note(shown_window, event):
         # Qt asks the desktop for the window after this.
-        shown.append(one.objectName())
-        show_of[type(one)](one, event)
+        shown.append(shown_window.objectName())
+        show_of[type(shown_window)](shown_window, event)
 
     for kind in show_of:
         monkeypatch.setattr(kind, "showEvent", note)

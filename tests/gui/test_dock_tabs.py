@@ -21,7 +21,7 @@ GUESTS = ("compare", "history", "library")
 
 
 @pytest.fixture
-def wanted(window):
+def requested(window):
     """What the window was last asked for."""
     requests = []
     window.conductor.delivered.connect(lambda outcome: requests.append(outcome.request.wanted))
@@ -30,25 +30,25 @@ def wanted(window):
 
 def test_the_menu_of_a_title_lists_panels_as_view_panels_does(window):
     listed = next(
-        one
-        for one in window.menuBar().findChildren(QMenu)
-        if one.title().replace("&", "") == "Panels"
+        menu
+        for menu in window.menuBar().findChildren(QMenu)
+        if menu.title().replace("&", "") == "Panels"
     )
     menu = window.createPopupMenu()
-    titles_of = [one.text() for one in menu.actions()]
-    assert titles_of == [one.panel.title for one in PANELS]
-    assert [one.text() for one in listed.actions()][: len(titles_of)] == titles_of
+    titles_of = [action.text() for action in menu.actions()]
+    assert titles_of == [panel.panel.title for panel in PANELS]
+    assert [action.text() for action in listed.actions()][: len(titles_of)] == titles_of
     menu.deleteLater()
 
 
 @pytest.mark.parametrize("name", GUESTS)
 def test_a_panel_without_a_place_of_its_own_takes_no_room_from_traces_and_spectra(window, name):
-    before = {one: window.docks[one].geometry() for one in ("traces", "spectra", "timeline")}
+    before = {name: window.docks[name].geometry() for name in ("traces", "spectra", "timeline")}
     window.docks[name].bring_forward()
     QApplication.processEvents()
     assert name in in_sight(window)
     assert "inspector" not in in_sight(window)
-    assert {one: window.docks[one].geometry() for one in before} == before
+    assert {name: window.docks[name].geometry() for name in before} == before
 
 
 def test_every_panel_comes_up_in_every_arrangement_and_squeezes_none(window, settle):
@@ -81,7 +81,7 @@ def test_those_with_whom_panels_share_a_place_have_one_of_their_own():
         assert all(isinstance(places[host][arrangement.name], Place) for host in hosts)
 
 
-def test_nothing_is_computed_for_a_panel_behind_another_one(window, settle, wanted):
+def test_nothing_is_computed_for_a_panel_behind_another_one(window, settle, requested):
     window.tabifyDockWidget(window.docks["traces"], window.docks["spectra"])
     settle()
     click_tab(window, "Traces")
@@ -90,14 +90,14 @@ def test_nothing_is_computed_for_a_panel_behind_another_one(window, settle, want
     assert own
     window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
     settle()
-    assert "selected_traces" in wanted()
-    assert not wanted() & own
+    assert "selected_traces" in requested()
+    assert not requested() & own
     click_tab(window, "Spectra")
     settle()
-    assert wanted() >= own
+    assert requested() >= own
     window.document.edit("b", window.document.design.with_input(0, amplitude=3.0))
     settle()
-    assert "selected_traces" not in wanted()
+    assert "selected_traces" not in requested()
 
 
 def test_a_panel_that_comes_to_the_front_shows_the_present_design(window, settle):
@@ -120,12 +120,12 @@ def test_snapshots_are_not_predicted_for_a_comparison_behind_another_panel(windo
     window.docks["compare"].bring_forward()
     settle()
     click_tab(window, "Inspector")
-    told = []
-    window.panel("compare").show_snapshots = told.append
+    deliveries = []
+    window.panel("compare").show_snapshots = deliveries.append
     window.do("store_snapshot_1")
     window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
     settle()
-    assert not told
+    assert not deliveries
 
 
 def test_a_panel_in_a_window_of_its_own_is_in_sight_on_a_screen_to_the_left_too(window, settle):
@@ -140,7 +140,7 @@ def test_tabs_of_the_last_session_are_tabs_again(qtbot, preferences):
         window = MainWindow(
             start_design("synthetic-1"), preferences=preferences, available_limbs=available_limbs()
         )
-        qtbot.addWidget(window, before_close_func=lambda one: one.runner.close())
+        qtbot.addWidget(window, before_close_func=lambda window: window.runner.close())
         window.show()
         qtbot.waitExposed(window)
         qtbot.waitUntil(lambda: not window.engine.busy)
@@ -160,8 +160,8 @@ def test_tabs_of_the_last_session_are_tabs_again(qtbot, preferences):
     QApplication.processEvents()
     assert in_sight(again) == before
     assert sorted(titles(bar_with(again, "Library"))) == ["History", "Inspector", "Library"]
-    wanted = []
-    again.conductor.delivered.connect(lambda outcome: wanted.append(outcome.request.wanted))
+    requests = []
+    again.conductor.delivered.connect(lambda outcome: requests.append(outcome.request.wanted))
     click_tab(again, "Inspector")
     assert "inspector" in in_sight(again)
 
@@ -188,18 +188,18 @@ def test_whatever_is_done_to_docks_just_those_in_front_are_shown(window, settle,
     saved = [window.saveState()]
 
     def act():
-        one, other = chance.sample(docks, 2)
+        dock, other = chance.sample(docks, 2)
         way = chance.choice(list(Qt.Orientation))
         arrangement = chance.choice(ARRANGEMENTS).name
         chance.choice(
             [
-                lambda: window.tabifyDockWidget(one, other),
-                lambda: window.splitDockWidget(one, other, way),
-                lambda: one.setFloating(not one.isFloating()),
-                one.hide,
-                one.show,
-                one.raise_,
-                one.bring_forward,
+                lambda: window.tabifyDockWidget(dock, other),
+                lambda: window.splitDockWidget(dock, other, way),
+                lambda: dock.setFloating(not dock.isFloating()),
+                dock.hide,
+                dock.show,
+                dock.raise_,
+                dock.bring_forward,
                 lambda: window.arrangements.show(arrangement),
                 lambda: saved.append(window.saveState()),
                 lambda: window.restoreState(chance.choice(saved)),
@@ -209,11 +209,11 @@ def test_whatever_is_done_to_docks_just_those_in_front_are_shown(window, settle,
 
     for _ in range(40):
         act()
-        found = [bar for bar in bars(window) if bar.count() > 1]
+        shared_bars = [bar for bar in bars(window) if bar.count() > 1]
         for dock in docks:
-            seen = dock.isFloating() or not dock.visibleRegion().isEmpty()
-            assert dock.panel.isVisible() == (dock.isVisible() and seen), dock.objectName()
-        assert all(bar.focusPolicy() == Qt.FocusPolicy.NoFocus for bar in found)
+            visible = dock.isFloating() or not dock.visibleRegion().isEmpty()
+            assert dock.panel.isVisible() == (dock.isVisible() and visible), dock.objectName()
+        assert all(bar.focusPolicy() == Qt.FocusPolicy.NoFocus for bar in shared_bars)
     settle()
 
 

@@ -138,7 +138,7 @@ def test_whoever_selects_another_input_ends_the_gesture(document):
     document.edit("a", document.design.with_input(1, amplitude=3.0), gesture=7)
     assert document.undo_stack.count() == 3
     document.undo_stack.undo()
-    assert [one.amplitude for one in document.design.inputs] == [3.0, 1.0]
+    assert [track.amplitude for track in document.design.inputs] == [3.0, 1.0]
 
 
 def test_what_was_taken_back_in_the_middle_of_a_gesture_is_not_joined_to_what_follows(document):
@@ -155,17 +155,17 @@ def test_going_to_a_step_tells_once_and_undoes_or_redoes_all_between(document):
     for k in range(1, 1101):
         document.edit(f"edit {k}", with_frequency(document, 100.0 + k / 10))
     assert document.undo_stack.count() == MOST_STEPS
-    told = []
+    frequencies_hz = []
     document.changed.connect(
-        lambda: told.append(document.design.inputs[0].clips[0].waveform.frequency_hz)
+        lambda: frequencies_hz.append(document.design.inputs[0].clips[0].waveform.frequency_hz)
     )
     document.go_to(0)
     document.go_to(500)
     document.go_to(5000)
     document.go_to(-3)
-    assert told == [110.0, 160.0, 210.0, 110.0]
+    assert frequencies_hz == [110.0, 160.0, 210.0, 110.0]
     document.go_to(0)
-    assert len(told) == 4
+    assert len(frequencies_hz) == 4
     assert document.modified
 
 
@@ -191,20 +191,20 @@ def test_an_edit_between_two_choices_keeps_them_apart(document):
 
 
 def test_a_refusal_is_told_and_changes_nothing(document):
-    told, changes = [], []
-    document.refused.connect(told.append)
+    messages, changes = [], []
+    document.refused.connect(messages.append)
     document.changed.connect(lambda: changes.append(document.design))
     document.apply(Refusal(sentence="There is no room."))
-    assert (told, changes) == (["There is no room."], [])
+    assert (messages, changes) == (["There is no room."], [])
 
 
 def test_design_and_view_change_together_and_are_told_once(document):
-    told = []
-    document.changed.connect(lambda: told.append((document.design, document.view)))
+    states = []
+    document.changed.connect(lambda: states.append((document.design, document.view)))
     design = document.design.adding(track(location=3))
     view = View(axes="z", selected_inputs=(2,))
     document.apply(Edit(label="Place", design=design, view=view))
-    assert told == [(design, view)]
+    assert states == [(design, view)]
 
 
 def test_undo_of_a_limb_keeps_the_selection(document):

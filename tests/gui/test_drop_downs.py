@@ -49,7 +49,7 @@ def entry_colours(field, row):
         picture.pixel(x, y) for y in range(picture.height()) for x in range(picture.width())
     )
     ground = QColor(counted.most_common(1)[0][0])
-    ink = max((QColor(argb) for argb in counted), key=lambda one: contrast(one, ground))
+    ink = max((QColor(argb) for argb in counted), key=lambda colour: contrast(colour, ground))
     return ground, ink
 
 
@@ -95,9 +95,11 @@ def test_a_name_ends_in_an_ellipsis_only_where_there_is_no_room(field, qtbot):
 
 def test_the_wheel_alone_gives_the_focus_to_nothing_that_it_would_change(window):
     """Qt gives the focus before it delivers the wheel, which sent events do not do."""
-    for one in window.findChildren(QWidget):
-        if isinstance(one, QComboBox | QAbstractSpinBox | QLineEdit | QAbstractSlider):
-            assert not one.focusPolicy() & Qt.FocusPolicy.WheelFocus & ~Qt.FocusPolicy.StrongFocus
+    for widget in window.findChildren(QWidget):
+        if isinstance(widget, QComboBox | QAbstractSpinBox | QLineEdit | QAbstractSlider):
+            assert (
+                not widget.focusPolicy() & Qt.FocusPolicy.WheelFocus & ~Qt.FocusPolicy.StrongFocus
+            )
     assert window.findChildren(ChoiceField)
 
 
@@ -125,10 +127,10 @@ def test_words_are_written_smaller_before_they_are_cut(qtbot):
     qtbot.addWidget(field)
     field.choose("m")
     whole_px = field.fontMetrics().horizontalAdvance("Medium")
-    font, words = field.fitted_text(whole_px)
-    assert (font, words) == (field.font(), "Medium")
-    font, words = field.fitted_text(round(0.8 * whole_px))
-    assert words == "Medium"
+    font, text = field.fitted_text(whole_px)
+    assert (font, text) == (field.font(), "Medium")
+    font, text = field.fitted_text(round(0.8 * whole_px))
+    assert text == "Medium"
     assert QFontInfo(font).pixelSize() < QFontInfo(field.font()).pixelSize()
     assert QFontMetrics(font).horizontalAdvance("Medium") <= round(0.8 * whole_px)
     smallest, cut = field.fitted_text(whole_px // 2)

@@ -188,7 +188,7 @@ def test_every_edit_takes_part():
     assert ARGUMENTS.keys() == set(edits.__all__) - questions
 
 
-def kept(document: Document) -> tuple:
+def undoable_state(document: Document) -> tuple:
     """What the history brings back."""
     return document.design, document.view.outputs
 
@@ -197,30 +197,30 @@ def kept(document: Document) -> tuple:
 @given(sequence=st.lists(steps, max_size=25))
 def test_nothing_raises_and_undo_and_redo_lead_through_the_same_states(qapp, sequence):
     document = Document(START, View(selected_inputs=(2,)))
-    told = []
-    document.changed.connect(lambda: told.append(document.design))
-    states = {0: kept(document)}
+    designs = []
+    document.changed.connect(lambda: designs.append(document.design))
+    states = {0: undoable_state(document)}
     for name, arguments, gesture in sequence:
-        before = len(told)
+        before = len(designs)
         how = {"lead": 1, "start": START} if name == "drag_field" else {}
         outcome = getattr(edits, name)(document.design, document.view, *arguments, **how)
         document.apply(outcome, gesture)
-        assert len(told) - before <= 1, f"{name} was told more than once"
+        assert len(designs) - before <= 1, f"{name} was told more than once"
         design = document.design
         assert len(set(design.ids)) == len(design.ids)
         assert 0 not in design.ids
         assert set(document.view.selected_inputs) <= set(design.ids)
-        clip_ids = [one.id for one in design.clips]
+        clip_ids = [clip.id for clip in design.clips]
         assert len(set(clip_ids)) == len(clip_ids)
         assert 0 not in clip_ids
         assert set(document.view.selected_clips) <= set(clip_ids)
         states = {k: state for k, state in states.items() if k < document.undo_stack.index()}
-        states[document.undo_stack.index()] = kept(document)
+        states[document.undo_stack.index()] = undoable_state(document)
     last = document.undo_stack.index()
     for index in range(last, 0, -1):
-        assert kept(document) == states[index]
+        assert undoable_state(document) == states[index]
         document.undo_stack.undo()
-    assert kept(document) == states[0]
+    assert undoable_state(document) == states[0]
     for index in range(1, last + 1):
         document.undo_stack.redo()
-        assert kept(document) == states[index]
+        assert undoable_state(document) == states[index]

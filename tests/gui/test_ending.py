@@ -86,12 +86,12 @@ def run_until_ready(doing, folder, *file):
             "SKINSOURCE_AUTOSAVE_S": str(INTERVAL_S),
         },
     )
-    said = studio.stdout.readline()
-    assert said.startswith("ready"), studio.stderr.read()
-    return studio, said.removeprefix("ready").strip()
+    line = studio.stdout.readline()
+    assert line.startswith("ready"), studio.stderr.read()
+    return studio, line.removeprefix("ready").strip()
 
 
-def kept_amplitude(left):
+def saved_amplitude(left):
     return open_design(left.copies[0]).design.inputs[0].amplitude
 
 
@@ -100,18 +100,18 @@ def test_unsaved_work_is_kept_when_the_studio_is_told_to_end(tmp_path, name):
     studio, _ = run_until_ready("edited", tmp_path)
     assert studio.stdout.readline().startswith("edit 1 ")
     studio.send_signal(getattr(signal, name))
-    _, said = studio.communicate(timeout=60)
-    assert studio.returncode == 0, said
-    assert "Traceback" not in said
+    _, errors = studio.communicate(timeout=60)
+    assert studio.returncode == 0, errors
+    assert "Traceback" not in errors
     (left,) = recovery.find(tmp_path).left
-    assert kept_amplitude(left) == 1 / 8
+    assert saved_amplitude(left) == 1 / 8
 
 
 def test_where_all_is_saved_nothing_is_kept(tmp_path):
     studio, _ = run_until_ready("nothing", tmp_path)
     studio.terminate()
-    _, said = studio.communicate(timeout=60)
-    assert studio.returncode == 0, said
+    _, errors = studio.communicate(timeout=60)
+    assert studio.returncode == 0, errors
     assert recovery.find(tmp_path) == recovery.Found()
     assert list((tmp_path / "logs").iterdir()) == []
 
@@ -139,30 +139,32 @@ def killed(tmp_path_factory):
     for k in range(KILLS):
         studio, notice = run_until_ready("works", folder)
         most = int(chance.integers(20, 100))
-        told = []
+        entries = []
         # Two in three are killed some time after a first copy, however long that takes here.
-        while k % 3 and len(told) < MOST_TOLD and not (told and told[-1].what == "kept"):
-            told.append(Told.of(studio.stdout.readline()))
-        told += [Told.of(studio.stdout.readline()) for _ in range(most)]
+        while k % 3 and len(entries) < MOST_TOLD and not (entries and entries[-1].what == "kept"):
+            entries.append(Told.of(studio.stdout.readline()))
+        entries += [Told.of(studio.stdout.readline()) for _ in range(most)]
         studio.kill()
         rest, _ = studio.communicate()
-        told += [Told.of(line) for line in rest.splitlines(keepends=True) if line.endswith("\n")]
-        found = recovery.find(folder)
-        mine = [one for one in found.left if f"-{studio.pid}-" in str(one.copies[0].parent)]
-        all_told.append((told, notice, mine))
+        entries += [Told.of(line) for line in rest.splitlines(keepends=True) if line.endswith("\n")]
+        copies = recovery.find(folder)
+        mine = [
+            unsaved for unsaved in copies.left if f"-{studio.pid}-" in str(unsaved.copies[0].parent)
+        ]
+        all_told.append((entries, notice, mine))
     return folder, all_told
 
 
 def test_a_killed_studio_loses_at_most_one_interval(killed):
     _, all_told = killed
     kept_any = 0
-    for told, _, mine in all_told:
-        edits_s = [one.at_s for one in told if one.what == "edit"]
-        asked_s = [one.at_s for one in told if one.what == "asked"]
-        written = [one.number for one in told if one.what == "kept"]
+    for entries, _, mine in all_told:
+        edits_s = [entry.at_s for entry in entries if entry.what == "edit"]
+        asked_s = [entry.at_s for entry in entries if entry.what == "asked"]
+        written = [entry.number for entry in entries if entry.what == "kept"]
         kept_any += bool(written)
         # What was written is there.
-        assert (round(8 * kept_amplitude(mine[0])) if mine else 0) >= max(written, default=0)
+        assert (round(8 * saved_amplitude(mine[0])) if mine else 0) >= max(written, default=0)
         # And it is asked for in time: late at most by what keeps the window from its other work.
         late_s = 0.1 * INTERVAL_S + 2 * max(np.diff(edits_s), default=0.0)
         begun_s = [edits_s[0], *asked_s, edits_s[-1]]
@@ -177,9 +179,9 @@ def test_the_next_start_offers_what_killed_studios_left_with_pictures(killed):
     assert [notice.startswith("1 of 3: ") for notice in notices] == [True] + 4 * [False]
     assert any("before your work on untitled was saved" in notice for notice in notices[1:])
     assert any("Copies were kept of" in notice for notice in notices[1:])
-    found = recovery.find(folder)
-    assert found.set_aside == ()
-    pictures = [one.picture() for one in found.left]
+    copies = recovery.find(folder)
+    assert copies.set_aside == ()
+    pictures = [unsaved.picture() for unsaved in copies.left]
     assert sum(picture.startswith(b"\x89PNG") for picture in pictures) >= len(pictures) // 2
     leftovers = [path.name for path in Path(folder).rglob("*.part")]
     assert leftovers == []
@@ -199,5 +201,7 @@ def test_a_copy_that_ends_the_studio_is_set_aside_by_the_next_start(killed):
     assert f"{newest.name} stopped the studio when it was opened" in notice
     (aside,) = (folder / "unsaved" / recovery.ASIDE).iterdir()
     assert aside.read_bytes() == content
-    copies = {copy for one in before.left for copy in one.copies}
-    assert {copy for one in recovery.find(folder).left for copy in one.copies} == copies - {newest}
+    copies = {copy for unsaved in before.left for copy in unsaved.copies}
+    assert {copy for unsaved in recovery.find(folder).left for copy in unsaved.copies} == copies - {
+        newest
+    }

@@ -14,15 +14,15 @@ def gate():
 
 
 @pytest.fixture
-def seen():
+def evaluated():
     return []
 
 
 @pytest.fixture
-def engine(qapp, gate, seen):
+def engine(qapp, gate, evaluated):
     def answer(x):
         assert gate.wait(5)
-        seen.append(x)
+        evaluated.append(x)
         return 10 * x
 
     engine = Engine(lambda: Graph(answer))
@@ -35,31 +35,31 @@ def request(x, name="answer"):
     return Request(frozenset({name}), {"x": x})
 
 
-def test_of_the_waiting_requests_only_the_newest_is_evaluated(qtbot, engine, gate, seen):
+def test_of_the_waiting_requests_only_the_newest_is_evaluated(qtbot, engine, gate, evaluated):
     outcomes = []
     engine.finished.connect(outcomes.append)
     for x in (1, 2, 3, 4):
         engine.request(request(x))
     gate.set()
     qtbot.waitUntil(lambda: len(outcomes) == 2)
-    assert seen == [1, 4]
+    assert evaluated == [1, 4]
     assert [outcome.values["answer"] for outcome in outcomes] == [10, 40]
 
 
-def test_who_waits_is_told_as_soon_as_the_evaluation_has_ended(qtbot, engine, gate, seen):
+def test_who_waits_is_told_as_soon_as_the_evaluation_has_ended(qtbot, engine, gate, evaluated):
     outcomes = []
     engine.finished.connect(outcomes.append)
     gate.set()
     engine.request(request(1))
     engine.wait(5)
-    assert seen == [1]
+    assert evaluated == [1]
     assert len(outcomes) == 1  # before any scene has itself painted
     assert not engine.busy
     qtbot.wait(0)
     assert len(outcomes) == 1
 
 
-def test_nobody_waits_longer_than_wanted_or_for_what_is_not_running(engine, gate, seen):
+def test_nobody_waits_longer_than_wanted_or_for_what_is_not_running(engine, gate, evaluated):
     start_s = perf_counter()
     engine.wait(5)
     engine.request(request(1))
@@ -67,7 +67,7 @@ def test_nobody_waits_longer_than_wanted_or_for_what_is_not_running(engine, gate
     engine.request(request(2))
     engine.wait(5)
     assert perf_counter() - start_s < 4
-    assert seen == []
+    assert evaluated == []
 
 
 def test_an_error_is_an_outcome_and_the_engine_goes_on(qtbot, engine, gate):
@@ -80,20 +80,20 @@ def test_an_error_is_an_outcome_and_the_engine_goes_on(qtbot, engine, gate):
     assert second.args[0].values == {"answer": 10}
 
 
-def test_a_closed_engine_takes_no_requests_and_leaves_no_thread(qtbot, engine, gate, seen):
+def test_a_closed_engine_takes_no_requests_and_leaves_no_thread(qtbot, engine, gate, evaluated):
     gate.set()
     engine.close()
     engine.request(request(1))
     assert not engine.busy
-    assert seen == []
+    assert evaluated == []
 
 
-def test_closing_while_something_runs_waits_for_it_and_drops_what_waits(engine, gate, seen):
+def test_closing_while_something_runs_waits_for_it_and_drops_what_waits(engine, gate, evaluated):
     engine.request(request(1))
     engine.request(request(2))
     gate.set()
     engine.close()
-    assert seen in ([], [1])
+    assert evaluated in ([], [1])
 
 
 class Slow:
@@ -156,7 +156,7 @@ SECOND_SLOT, THIRD_SLOT = Slot("B"), Slot("C")
 
 
 def test_each_slot_and_purpose_has_a_place_to_wait_and_showing_goes_first(
-    qtbot, engine, gate, seen
+    qtbot, engine, gate, evaluated
 ):
     def ask(x, purpose, slot):
         engine.request(Request(frozenset({"answer"}), {"x": x}, purpose=purpose, slot=slot))
@@ -170,7 +170,7 @@ def test_each_slot_and_purpose_has_a_place_to_wait_and_showing_goes_first(
     ask(6, Purpose.SHOW, FIRST_SLOT)
     gate.set()
     qtbot.waitUntil(lambda: not engine.busy)
-    assert seen == [0, 6, 4, 5, 1]
+    assert evaluated == [0, 6, 4, 5, 1]
 
 
 def test_each_slot_has_a_graph_of_its_own_until_it_is_released(qtbot, qapp):
@@ -225,7 +225,7 @@ def test_what_is_put_off_is_done_afterwards_unless_what_it_would_check_is_shown_
 
 @pytest.mark.parametrize("purpose", [Purpose.CHECK, Purpose.JUDGE])
 def test_nothing_is_computed_to_check_what_another_edit_has_replaced(
-    qtbot, engine, gate, seen, purpose
+    qtbot, engine, gate, evaluated, purpose
 ):
     gate.set()
     engine.request(request(1))
@@ -238,7 +238,7 @@ def test_nothing_is_computed_to_check_what_another_edit_has_replaced(
     qtbot.waitUntil(lambda: not engine.busy)
     engine.request(request(2))
     qtbot.waitUntil(lambda: not engine.busy)
-    assert seen == [1, 2]
+    assert evaluated == [1, 2]
 
 
 def test_what_is_shown_is_not_put_off_for_a_check(qtbot, slow, slow_engine):

@@ -84,7 +84,7 @@ def held_until_cancelled(write_with):
     """Have an export go on from its first progress only once it is asked to stop."""
 
     def hold(name):
-        real = next(one.write for one in exports.EXPORTS if one.name == name)
+        real = next(export.write for export in exports.EXPORTS if export.name == name)
 
         def write(path, design, view, *, progress, stop, largest_error):
             def tell(done, total, text):

@@ -181,10 +181,13 @@ def test_what_is_no_size_of_a_picture_is_refused_with_all_of_the_reason(qtbot):
     note = dialog.findChild(QLabel, "width_px_note")
     qtbot.waitUntil(lambda: note.height() >= note.heightForWidth(note.width()) > 0)
     assert note.mapTo(dialog, note.rect().bottomRight()).y() < dialog.height()
-    others = [one for one in dialog.findChildren(NumberField) if one is not field]
+    others = [
+        other_field for other_field in dialog.findChildren(NumberField) if other_field is not field
+    ]
     place = QRect(note.mapTo(dialog, QPoint(0, 0)), note.size())
     assert not any(
-        place.intersects(QRect(one.mapTo(dialog, QPoint(0, 0)), one.size())) for one in others
+        place.intersects(QRect(other_place.mapTo(dialog, QPoint(0, 0)), other_place.size()))
+        for other_place in others
     )
 
 
@@ -193,14 +196,14 @@ def test_plots_suggest_the_folder_of_the_last_file(window, answers, tmp_path, mo
     window.do("save_design")
     asked = []
 
-    def ask(*words):
-        asked.append(words)
+    def ask(*arguments):
+        asked.append(arguments)
         return "", ""
 
     monkeypatch.setattr(QFileDialog, "getSaveFileName", ask)
     for name in ("traces", "spectra"):
         window.panel(name).findChild(SignalView).exports.save_picture()
-    assert [Path(words[2]).parent for words in asked] == [tmp_path, tmp_path]
+    assert [Path(text[2]).parent for text in asked] == [tmp_path, tmp_path]
 
 
 def test_a_name_with_a_point_keeps_it_and_gets_the_ending(window, answers, tmp_path):

@@ -24,14 +24,14 @@ def asked(monkeypatch):
     class Asked(list):
         answer = CANCEL
 
-    found = Asked()
+    questions = Asked()
 
-    def question(_window, _title, words, *_):
-        found.append(words)
-        return found.answer
+    def question(_window, _title, text, *_):
+        questions.append(text)
+        return questions.answer
 
     monkeypatch.setattr(QMessageBox, "question", question)
-    return found
+    return questions
 
 
 @pytest.fixture
@@ -86,16 +86,16 @@ def test_two_windows_on_one_file_notice_each_other(window, make_window, opened, 
     activate(window)
     assert "was changed by another program, or in another window" in window.notice.text
     assert not window.files.save()
-    assert [one.location for one in open_design(opened).design.inputs] == [4, 9]
+    assert [track.location for track in open_design(opened).design.inputs] == [4, 9]
 
 
 def test_what_changed_on_disk_is_told_once(window, opened):
     save_design(opened, OTHER)
-    told = []
-    window.files.failed.connect(told.append)
+    messages = []
+    window.files.failed.connect(messages.append)
     activate(window)
     activate(window)
-    assert len(told) == 1
+    assert len(messages) == 1
 
 
 def test_a_design_whose_file_was_deleted_counts_as_modified(window, opened, asked):

@@ -26,14 +26,14 @@ def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_this_machine(
         qtbot.waitUntil(lambda: not window.runner.busy, timeout=20_000)
 
     window.panel("skin").map.stage.pan_zoom.show("hand")
-    write_with("animation", lambda *_, options, seen, **more: given.append((options, seen.fit)))
-    wanted = FilmOptions(width_px=640, height_px=480, colours="dark", kind=".webm")
+    write_with("animation", lambda *_, options, view, **more: given.append((options, view.fit)))
+    chosen = FilmOptions(width_px=640, height_px=480, colours="dark", kind=".webm")
 
     def ask(_window, usual, *, title, kinds, most_px, remark, shape):
         assert "frames" in remark(usual).words
         assert shape == (900, 1200)
         asked.append((title, usual.width_px, usual.height_px, kinds, most_px))
-        return answers.get("options", wanted)
+        return answers.get("options", chosen)
 
     monkeypatch.setattr(exports, "ask_picture_options", ask)
     answers["save"] = str(tmp_path / "film.mp4")
@@ -43,7 +43,7 @@ def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_this_machine(
     assert suggested == [
         ("skin-map-along-z-1-20.webm", "WebM (*.webm);;MP4 (*.mp4);;GIF (*.gif)"),
     ]
-    assert given == [(wanted, "hand")]
+    assert given == [(chosen, "hand")]
     # The next time it begins with these; cancelled, nothing is asked or written any more.
     answers["options"] = None
     window.do("export_animation")
@@ -61,12 +61,12 @@ def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_this_machine(
 
 
 def test_a_film_that_cannot_be_written_says_so_before_anything_is_asked(window, monkeypatch):
-    told = []
-    window.exports.failed.connect(told.append)
+    messages = []
+    window.exports.failed.connect(messages.append)
     # As where it is not installed.
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
-    monkeypatch.setattr(exports, "ask_picture_options", lambda *_, **__: told.append("asked"))
+    monkeypatch.setattr(exports, "ask_picture_options", lambda *_, **__: messages.append("asked"))
     window.do("export_animation")
-    (words,) = told
-    assert words.lower().startswith("the package 'imageio_ffmpeg' is needed for this")
-    assert "[video]" in words
+    (message,) = messages
+    assert message.lower().startswith("the package 'imageio_ffmpeg' is needed for this")
+    assert "[video]" in message

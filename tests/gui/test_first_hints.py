@@ -23,9 +23,11 @@ def document():
     return Document(ss.Design(limb="synthetic-1"))
 
 
-def press(window, words):
+def press(window, text):
     (button,) = [
-        one for one in window.findChildren(QPushButton) if one.text() == words and one.isVisible()
+        button
+        for button in window.findChildren(QPushButton)
+        if button.text() == text and button.isVisible()
     ]
     button.click()
 

@@ -20,10 +20,10 @@ ANYWHERE = ("Press ", "View > Panels")
 LEADS = {"on the hand": "hand", "in the timeline": "timeline", "on the skin map": "skin"}
 
 
-def words_of(panel):
+def requests_of(panel):
     """All sentences of a panel that ask for something."""
-    labels = (one.text() for one in panel.findChildren(QLabel) if one.isVisibleTo(panel))
-    plots = (one.message for one in panel.findChildren(Plot))
+    labels = (label.text() for label in panel.findChildren(QLabel) if label.isVisibleTo(panel))
+    plots = (plot.message for plot in panel.findChildren(Plot))
     return [w for w in (*labels, *plots) if w.startswith(("Click ", "Press ", "Select ", "Show "))]
 
 
@@ -35,18 +35,18 @@ def test_no_words_lead_to_a_panel_that_is_not_in_sight(window, settle, state):
     for arrangement in ARRANGEMENTS:
         window.do(f"arrange_{arrangement.name}")
         settle()
-        said = 0
+        n_texts = 0
         for spec in PANELS:
             window.docks[spec.panel.name].bring_forward()
             settle()
             panel = window.panel(spec.panel.name)
-            for words in words_of(panel):
-                said += 1
-                ways = [name for part, name in LEADS.items() if part in words]
-                assert ways or any(part in words for part in ANYWHERE), words
+            for text in requests_of(panel):
+                n_texts += 1
+                ways = [name for part, name in LEADS.items() if part in text]
+                assert ways or any(part in text for part in ANYWHERE), text
                 for name in ways:
-                    assert window.panel(name).isVisible(), (arrangement.name, panel.name, words)
-        assert said >= 4, arrangement.name
+                    assert window.panel(name).isVisible(), (arrangement.name, panel.name, text)
+        assert n_texts >= 4, arrangement.name
 
 
 def test_what_is_said_without_a_hand_adds_an_input(window, settle, qtbot):
@@ -60,7 +60,7 @@ def test_what_is_said_without_a_hand_adds_an_input(window, settle, qtbot):
     held = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
     QTest.keyClick(window, Qt.Key.Key_N, held)
     settle()
-    assert [one.location for one in window.document.design.inputs] == [7]
+    assert [track.location for track in window.document.design.inputs] == [7]
     assert not empty.isVisible()
     window.do("clear_inputs")
     window.do("arrange_design")

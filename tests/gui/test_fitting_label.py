@@ -22,24 +22,24 @@ def test_words_that_are_shorter_than_their_room_end_beside_what_follows(qtbot):
 
 
 def test_a_fitting_label_shows_the_longest_phrasing_that_fits(qtbot):
-    one = FittingLabel()
-    qtbot.addWidget(one)
-    one.show_phrases(("a rather long phrasing of it", "a short one", "short"))
-    one.resize(one.sizeHint().width(), 20)
-    one.show()
-    assert one.text() == "a rather long phrasing of it"
-    one.resize(one.sizeHint().width() - 3, 20)
-    assert one.text() == "a short one"
-    one.resize(one.minimumSizeHint().width(), 20)
-    assert one.text() == "short"
+    label = FittingLabel()
+    qtbot.addWidget(label)
+    label.show_phrases(("a rather long phrasing of it", "a short one", "short"))
+    label.resize(label.sizeHint().width(), 20)
+    label.show()
+    assert label.text() == "a rather long phrasing of it"
+    label.resize(label.sizeHint().width() - 3, 20)
+    assert label.text() == "a short one"
+    label.resize(label.minimumSizeHint().width(), 20)
+    assert label.text() == "short"
 
 
 def test_words_of_which_no_phrasing_fits_end_in_dots(qtbot):
-    one = FittingLabel()
-    qtbot.addWidget(one)
-    one.show_phrases(("a clip with a very long name, and more", "a clip with a very long name"))
-    one.resize(one.minimumSizeHint().width() // 2, 20)
-    one.show()
-    assert one.text().startswith("a clip")
-    assert one.text().endswith("…")
-    assert one.fontMetrics().horizontalAdvance(one.text()) <= one.width()
+    label = FittingLabel()
+    qtbot.addWidget(label)
+    label.show_phrases(("a clip with a very long name, and more", "a clip with a very long name"))
+    label.resize(label.minimumSizeHint().width() // 2, 20)
+    label.show()
+    assert label.text().startswith("a clip")
+    assert label.text().endswith("…")
+    assert label.fontMetrics().horizontalAdvance(label.text()) <= label.width()

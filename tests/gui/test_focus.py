@@ -58,7 +58,7 @@ def region_of(window, widget):
 
 def in_turn(names):
     regions = [region for region, _ in names]
-    return [one for k, one in enumerate(regions) if k == 0 or regions[k - 1] != one]
+    return [region for k, region in enumerate(regions) if k == 0 or regions[k - 1] != region]
 
 
 def test_tab_goes_through_all_panels_in_the_order_of_the_work(at_work):
@@ -137,9 +137,9 @@ def test_the_row_that_is_selected_has_the_stops(make_window, qtbot):
 
 def test_tab_ends_typing_and_goes_on(at_work):
     field = next(
-        one
-        for one in at_work.panel("inspector").findChildren(FieldCell)
-        if one.field.objectName() == "duration_s_field"
+        cell
+        for cell in at_work.panel("inspector").findChildren(FieldCell)
+        if cell.field.objectName() == "duration_s_field"
     ).field
     field.setFocus()
     QTest.keyClicks(field, "300")
@@ -189,7 +189,7 @@ def test_the_way_to_the_measured_limbs_is_followed_with_enter(at_work):
     assert press(at_work, KEY.Key_Tab).objectName() == "validity_lamps"
     assert press(at_work, KEY.Key_Tab).objectName() == "limb_note"
     press(at_work, KEY.Key_Return)
-    page = next(one for one in at_work.findChildren(QDialog) if one.isVisible())
+    page = next(dialog for dialog in at_work.findChildren(QDialog) if dialog.isVisible())
     assert page.windowTitle() == "Get the measured limbs"
     page.close()
 
@@ -255,18 +255,20 @@ def keeps(widget):
 
 
 def ancestors(widget):
-    found = []
+    stack = []
     while (widget := widget.parentWidget()) is not None:
-        found.append(f"({hex(shiboken6.getCppPointer(widget)[0])}")
-    return found
+        stack.append(f"({hex(shiboken6.getCppPointer(widget)[0])}")
+    return stack
 
 
 def test_after_tab_no_widget_is_taken_for_the_child_of_its_neighbour(at_work):
     window = at_work
     widgets = window.findChildren(QWidget)
-    assert all(one.parent() is not None for one in widgets)
+    assert all(widget.parent() is not None for widget in widgets)
     walk(window)
     window.do("arrange_drawing")
     walk(window)
-    for one in widgets:
-        assert not keeps(one) or any(address in keeps(one) for address in ancestors(one)), one
+    for widget in widgets:
+        assert not keeps(widget) or any(
+            address in keeps(widget) for address in ancestors(widget)
+        ), widget

@@ -75,17 +75,17 @@ def test_older_objects_are_looked_through_seldom_and_never_while_something_is_dr
 def test_a_window_that_was_closed_is_freed_with_its_panels_graphs_and_worker(make_window):
     window = make_window()
     engine = window.engine
-    held = [weakref.ref(one) for one in (window, engine, window.document, *window.panels)]
+    held = [weakref.ref(owner) for owner in (window, engine, window.document, *window.panels)]
     graphs = [weakref.ref(graph) for graph in engine._graphs.values()]
     assert graphs
     window.document.mark_saved(window.document.path)
     window.close()
     window.deleteLater()
     opened = gc.get_referrers(window)
-    for one in opened:
-        if isinstance(one, list) and window in one:
-            one.remove(window)
-    del window, engine, opened, one
+    for referrer in opened:
+        if isinstance(referrer, list) and window in referrer:
+            referrer.remove(window)
+    del window, engine, opened, referrer
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     QApplication.processEvents()
     gc.collect()

@@ -18,8 +18,8 @@ def offered(window):
     field = window.findChild(QComboBox, "limb")
     model = field.model()
     entries = [model.index(row, 0) for row in range(model.rowCount())]
-    count = sum(bool(model.flags(one) & Qt.ItemFlag.ItemIsEnabled) for one in entries)
-    return count, [one.data(Qt.ItemDataRole.ToolTipRole) for one in entries if one.data()]
+    count = sum(bool(model.flags(entry) & Qt.ItemFlag.ItemIsEnabled) for entry in entries)
+    return count, [entry.data(Qt.ItemDataRole.ToolTipRole) for entry in entries if entry.data()]
 
 
 def test_limbs_that_are_installed_while_the_studio_runs_can_be_used_at_once(

@@ -37,10 +37,10 @@ def jobs(qtbot):
     """Jobs that are closed at the end; what they tell is noted in `told`."""
     before = set(threading.enumerate())
     jobs = JobRunner()
-    jobs.told = []
-    jobs.done.connect(lambda job, result: jobs.told.append(("done", job.title)))
-    jobs.cancelled.connect(lambda job: jobs.told.append(("cancelled", job.title)))
-    jobs.failed.connect(lambda job, error: jobs.told.append((str(error), job.title)))
+    jobs.ends = []
+    jobs.done.connect(lambda job, result: jobs.ends.append(("done", job.title)))
+    jobs.cancelled.connect(lambda job: jobs.ends.append(("cancelled", job.title)))
+    jobs.failed.connect(lambda job, error: jobs.ends.append((str(error), job.title)))
     yield jobs
     jobs.close()
     assert set(threading.enumerate()) == before
@@ -54,15 +54,15 @@ def test_orders_are_carried_out_one_after_another_away_from_this_thread(qtbot, j
     writers = [Writer(), Writer()]
     for name, writer in zip("ab", writers, strict=True):
         jobs.add(order(tmp_path / name, writer))
-    assert [one.title for one in jobs.unfinished] == ["a", "b"]
+    assert [job.title for job in jobs.unfinished] == ["a", "b"]
     assert writers[0].started.wait(5)
     assert not writers[1].started.is_set()
     writers[0].go_on.set()
-    qtbot.waitUntil(lambda: jobs.told == [("done", "a")])
+    qtbot.waitUntil(lambda: jobs.ends == [("done", "a")])
     assert jobs.current.title == "b"
     writers[1].go_on.set()
     qtbot.waitUntil(lambda: not jobs.busy)
-    assert jobs.told == [("done", "a"), ("done", "b")]
+    assert jobs.ends == [("done", "a"), ("done", "b")]
     assert jobs.unfinished == ()
     assert QThread.currentThread() not in writers[0].threads + writers[1].threads
 
@@ -84,7 +84,7 @@ def test_cancel_stops_the_present_order_alone(qtbot, jobs, tmp_path):
     qtbot.waitUntil(second.started.is_set)
     second.go_on.set()
     qtbot.waitUntil(lambda: not jobs.busy)
-    assert jobs.told == [("cancelled", "a"), ("done", "b")]
+    assert jobs.ends == [("cancelled", "a"), ("done", "b")]
     assert not (tmp_path / "a").exists()
 
 
@@ -94,14 +94,14 @@ def test_cancelling_shows_at_once_even_where_clearing_away_takes_long(qtbot, job
     jobs.add(order(tmp_path / "a", writer))
     assert writer.started.wait(5)
     jobs.cancel()
-    qtbot.waitUntil(lambda: jobs.told == [("cancelled", "a")])
+    qtbot.waitUntil(lambda: jobs.ends == [("cancelled", "a")])
     assert jobs.busy
     assert jobs.unfinished == ()
     jobs.add(order(tmp_path / "b", Writer()))
     assert jobs.current is None
     writer.cleared.set()
     qtbot.waitUntil(lambda: jobs.current is not None)
-    assert jobs.told == [("cancelled", "a")]
+    assert jobs.ends == [("cancelled", "a")]
 
 
 def test_a_cancel_that_comes_too_late_says_that_the_file_was_written(qtbot, jobs, tmp_path):
@@ -113,7 +113,7 @@ def test_a_cancel_that_comes_too_late_says_that_the_file_was_written(qtbot, jobs
         pass
     jobs.cancel()
     qtbot.waitUntil(lambda: not jobs.busy)
-    assert jobs.told == [("done", "a")]
+    assert jobs.ends == [("done", "a")]
 
 
 def test_a_failing_order_tells_why_and_the_next_one_begins(qtbot, jobs, tmp_path):
@@ -123,7 +123,7 @@ def test_a_failing_order_tells_why_and_the_next_one_begins(qtbot, jobs, tmp_path
         writer.go_on.set()
         jobs.add(order(tmp_path / name, writer))
     qtbot.waitUntil(lambda: not jobs.busy)
-    assert jobs.told == [("why", "a"), ("done", "b")]
+    assert jobs.ends == [("why", "a"), ("done", "b")]
 
 
 def test_closing_forgets_all_orders_and_waits_for_the_thread(jobs, tmp_path):
@@ -143,8 +143,8 @@ def test_there_is_no_thread_before_there_is_something_to_export(qtbot):
 
 
 def test_progress_is_told_some_times_a_second(qtbot, jobs, tmp_path):
-    told = []
-    jobs.progressed.connect(lambda _, progress: told.append(progress))
+    reports = []
+    jobs.progressed.connect(lambda _, progress: reports.append(progress))
 
     def write(path, *, progress, stop):
         for done in range(100_000):
@@ -152,8 +152,8 @@ def test_progress_is_told_some_times_a_second(qtbot, jobs, tmp_path):
 
     jobs.add(order(tmp_path / "a", write))
     qtbot.waitUntil(lambda: not jobs.busy)
-    assert (told[0].done, told[0].total, told[0].text) == (0, 100_000, "Writing")
-    assert len(told) < 100
+    assert (reports[0].done, reports[0].total, reports[0].text) == (0, 100_000, "Writing")
+    assert len(reports) < 100
 
 
 def test_a_job_that_waits_is_taken_back_and_the_present_one_goes_on(qtbot, jobs, tmp_path):
@@ -164,7 +164,7 @@ def test_a_job_that_waits_is_taken_back_and_the_present_one_goes_on(qtbot, jobs,
     jobs.cancel(waiting)
     first.go_on.set()
     qtbot.waitUntil(lambda: not jobs.busy)
-    assert jobs.told == [("cancelled", "b"), ("done", "a")]
+    assert jobs.ends == [("cancelled", "b"), ("done", "a")]
     assert not second.started.is_set()
 
 

@@ -25,10 +25,10 @@ class Dot:
         painter.fillRect(QRectF(4, 4, 2, 2), QColor(self.colour))
 
 
-def show(kept, dot, key=(), ground=None, ratio=1.0, room=ROOM):
+def show(cached, dot, key=(), ground=None, ratio=1.0, room=ROOM):
     image = sheet(ratio)
     painter = QPainter(image)
-    kept.paint(painter, room, key, dot.paint, ground)
+    cached.paint(painter, room, key, dot.paint, ground)
     painter.end()
     return image
 
@@ -44,37 +44,37 @@ class Nothing(Dot):
 @pytest.mark.parametrize("room", [ROOM, QRectF(0, 0, 12, 12), QRectF(4, 4, 2, 2)])
 @pytest.mark.parametrize("kind", [Dot, Nothing])
 def test_a_kept_picture_looks_as_if_it_were_painted_directly(qapp, kind, room, ratio):
-    direct, kept = sheet(ratio), CachedPicture()
+    direct, cached = sheet(ratio), CachedPicture()
     painter = QPainter(direct)
     kind().paint(painter)
     painter.end()
     for _ in range(2):
-        assert show(kept, kind(), room=room, ratio=ratio) == direct
+        assert show(cached, kind(), room=room, ratio=ratio) == direct
 
 
 def test_no_more_of_it_is_kept_than_what_is_painted(qapp):
-    kept = CachedPicture()
-    show(kept, Dot(), ratio=2.0)
-    assert kept.cached_px == 16
-    show(kept, Nothing(), ("other",))
-    assert kept.cached_px == 0
-    show(kept, Dot(), ground=QColor("blue"))
-    assert kept.cached_px == 48
+    cached = CachedPicture()
+    show(cached, Dot(), ratio=2.0)
+    assert cached.cached_px == 16
+    show(cached, Nothing(), ("other",))
+    assert cached.cached_px == 0
+    show(cached, Dot(), ground=QColor("blue"))
+    assert cached.cached_px == 48
 
 
 def test_it_is_painted_once_until_what_it_depends_on_changes(qapp):
-    kept, dot = CachedPicture(), Dot()
+    cached, dot = CachedPicture(), Dot()
     for _ in range(3):
-        show(kept, dot, ("light", 1.5))
+        show(cached, dot, ("light", 1.5))
     assert dot.times == 1
-    show(kept, dot, ("dark", 1.5))
+    show(cached, dot, ("dark", 1.5))
     assert dot.times == 2
 
 
 def test_it_is_painted_anew_for_another_screen(qapp):
-    kept, dot = CachedPicture(), Dot()
-    show(kept, dot)
-    sharp = show(kept, dot, ratio=2.0)
+    cached, dot = CachedPicture(), Dot()
+    show(cached, dot)
+    sharp = show(cached, dot, ratio=2.0)
     assert dot.times == 2
     assert sharp.pixelColor(8, 8).name() == "#ff0000"
 
@@ -89,8 +89,8 @@ def test_with_a_ground_it_covers_what_was_there_before(qapp):
 @pytest.mark.parametrize("size", [(8, 0), (8, 0.2), (8, -3), (0, 6)])
 @pytest.mark.parametrize("ground", [None, QColor("blue")])
 def test_where_there_is_no_room_nothing_is_painted_and_next_time_all_of_it(qapp, size, ground):
-    kept, dot = CachedPicture(), Dot()
-    show(kept, dot)
-    assert show(kept, dot, ground=ground, room=QRectF(4, 4, *size)) == sheet()
+    cached, dot = CachedPicture(), Dot()
+    show(cached, dot)
+    assert show(cached, dot, ground=ground, room=QRectF(4, 4, *size)) == sheet()
     assert dot.times == 1
-    assert show(kept, dot) != sheet()
+    assert show(cached, dot) != sheet()

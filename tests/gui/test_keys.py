@@ -64,13 +64,13 @@ def keys_at(place):
 def test_a_widget_takes_the_keys_that_are_listed(qapp, place):
     parent = QObject()
     takes = claims(place, parent)
-    taken = {
+    keys = {
         QKeySequence(held.value | key.value).toString()
         for held in HELD
         for key in (*SIGNS, *NAMED)
         if takes(QKeyEvent(QEvent.Type.KeyPress, key, held))
     }
-    assert taken == set(keys_at(place))
+    assert keys == set(keys_at(place))
 
 
 @pytest.mark.parametrize("place", KEYS)

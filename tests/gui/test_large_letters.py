@@ -42,7 +42,7 @@ def test_nothing_lies_on_the_map_or_on_the_ends_of_its_range(large, settle, arra
     assert layout.room.contains(layout.palmar_card)
     fields = [bar.high_field, bar.strip, bar.low_field]
     shown = [*fields, *([bar.auto_button] if bar.auto_button.isVisible() else [])]
-    places = [of(one, bar) for one in shown]
+    places = [of(widget, bar) for widget in shown]
     for above, below in pairwise(places):
         assert above.bottom() < below.top()
     assert places[-1].bottom() <= bar.height()
@@ -71,7 +71,7 @@ def test_in_one_line_a_value_comes_first_and_a_hint_is_left_out(qtbot):
     assert lines.shown == ("2 outputs selected",)
 
 
-def said(window, path):
+def drawn_text(window, path):
     panel = window.panel("hand")
     save_drawing(path, panel.draw_picture, panel.width(), panel.height())
     return re.sub(r"<[^>]+>", "\n", path.read_text("utf-8"))
@@ -80,17 +80,17 @@ def said(window, path):
 def test_legend_and_side_give_way_where_they_have_no_room(window, settle, tmp_path):
     window.resize(1366, 768)
     settle()
-    words = said(window, tmp_path / "a.svg")
-    assert "perpendicular" in words
-    assert "palm side" in words
+    text = drawn_text(window, tmp_path / "a.svg")
+    assert "perpendicular" in text
+    assert "palm side" in text
     try:
         window.appearance._scale_text(LARGEST_TEXT)
         settle()
         assert window.panel("hand").width() < 400
-        words = said(window, tmp_path / "a.svg")
-        assert "perpendicular" not in words
-        assert "palm side" not in words
-        assert "pad" in words
+        text = drawn_text(window, tmp_path / "a.svg")
+        assert "perpendicular" not in text
+        assert "palm side" not in text
+        assert "pad" in text
     finally:
         window.appearance.reset_text()
 

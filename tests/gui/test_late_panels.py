@@ -15,7 +15,7 @@ def made(window):
     return {panel.name for panel in window.panels}
 
 
-def told(panel, monkeypatch):
+def states_shown(panel, monkeypatch):
     """What a panel is told of the state from now on."""
     states, show = [], panel.show_state
 
@@ -70,7 +70,7 @@ def test_a_hidden_panel_is_told_nothing_and_takes_over_what_is_now_when_it_is_sh
     window, monkeypatch
 ):
     window.docks["inspector"].hide()
-    states = told(window.panel("inspector"), monkeypatch)
+    states = states_shown(window.panel("inspector"), monkeypatch)
     document = window.document
     for amplitude in (2.0, 3.0):
         document.edit("louder", document.design.with_input(0, amplitude=amplitude))
@@ -86,7 +86,7 @@ def test_a_hidden_panel_is_told_nothing_and_takes_over_what_is_now_when_it_is_sh
 def test_a_playhead_that_moved_meanwhile_is_where_it_is_now(window, monkeypatch):
     panel = window.panel("traces")
     window.docks["traces"].hide()
-    states = told(panel, monkeypatch)
+    states = states_shown(panel, monkeypatch)
     shown = []
     monkeypatch.setattr(panel, "show_playhead", shown.append)
     document = window.document
@@ -98,11 +98,11 @@ def test_a_playhead_that_moved_meanwhile_is_where_it_is_now(window, monkeypatch)
 
 def test_the_picture_of_a_hidden_panel_is_that_of_the_present_design(window, qtbot):
     document = window.document
-    seen = picture(window)
+    image = picture(window)
     document.edit("place", document.design.with_input(0, location=15))
     qtbot.waitUntil(lambda: not window.engine.busy)
     expected = picture(window)
-    assert expected != seen
+    assert expected != image
     document.undo_stack.undo()
     qtbot.waitUntil(lambda: not window.engine.busy)
     window.docks["skin"].hide()

@@ -86,14 +86,14 @@ def asks_for_results(panel):
 
 
 def test_each_panel_that_asks_for_results_is_looked_at_here(studio):
-    found = {
+    computed = {
         spec.panel.name for spec in PANELS if asks_for_results(studio.look_at(spec.panel.name))
     }
-    assert found == {*COMPUTED, *OF_LIMBS, *OF_SNAPSHOTS}
+    assert computed == {*COMPUTED, *OF_LIMBS, *OF_SNAPSHOTS}
 
 
 def offers(panel):
-    return [one.isEnabled() for one in panel.findChildren(CopyButton)]
+    return [button.isEnabled() for button in panel.findChildren(CopyButton)]
 
 
 def looks_late(panel):
@@ -111,7 +111,7 @@ def test_what_comes_into_sight_with_older_results_says_so_until_the_newer_ones_a
     for name in COMPUTED:
         panel = studio.look_at(name)
         studio.settled()
-        qtbot.waitUntil(lambda one=panel: not one.late)
+        qtbot.waitUntil(lambda waiting=panel: not waiting.late)
         offered = offers(panel)
         studio.hide_panel(name)
         with held(studio):
@@ -121,7 +121,7 @@ def test_what_comes_into_sight_with_older_results_says_so_until_the_newer_ones_a
             assert not any(offers(panel)), name
             assert looks_late(panel), name
         studio.settled()
-        qtbot.waitUntil(lambda one=panel: not one.late)
+        qtbot.waitUntil(lambda waiting=panel: not waiting.late)
         assert offers(panel) == offered, name
         assert not panel.findChildren(StaleOverlay) or not panel._overlays, name
         studio.hide_panel(name)
@@ -140,7 +140,7 @@ def test_another_selection_makes_late_what_shows_selected_outputs_and_nothing_el
     assert handed_out == []
     for name in COMPUTED:
         panel = studio.look_at(name)
-        qtbot.waitUntil(lambda one=panel: not one.late, timeout=30_000)
+        qtbot.waitUntil(lambda waiting=panel: not waiting.late, timeout=30_000)
 
 
 def test_what_comes_into_sight_with_what_still_holds_is_not_late(studio):
@@ -229,7 +229,7 @@ def test_curves_and_maps_that_are_late_are_not_copied_from_their_menus(name, stu
         opened(panel.mapToGlobal(panel.rect().center()))
         menu = QApplication.activePopupWidget()
         assert isinstance(menu, QMenu)
-        assert [one.isEnabled() for one in menu.actions() if one.text() == copy] == [False]
+        assert [action.isEnabled() for action in menu.actions() if action.text() == copy] == [False]
         menu.close()
 
 
@@ -265,11 +265,11 @@ def test_a_late_clip_has_no_curve_that_it_does_not_play_and_one_that_was_moved_k
 def test_regions_that_are_being_computed_are_told_from_those_without_a_level(studio):
     panel = studio.look_at("regions")
     with held(studio):
-        unknown = [replace(one, values=None) for one in panel._on_limbs]
+        unknown = [replace(panel_on_limb, values=None) for panel_on_limb in panel._on_limbs]
         panel.show_on_limbs(unknown)
         assert {text for column in panel.columns for text in column.texts()} == {"…"}
         assert not panel.copy.isEnabled()
-    refused = [replace(one, problem="No such limb.") for one in unknown]
+    refused = [replace(panel_on_limb, problem="No such limb.") for panel_on_limb in unknown]
     assert {text for column in columns_of_people(refused) for text in column.texts()} == {"–"}
 
 

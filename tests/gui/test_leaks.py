@@ -23,7 +23,9 @@ def alive(window, qtbot):
 
     def moving() -> bool:
         running = QAbstractAnimation.State.Running
-        return any(one.state() == running for one in window.findChildren(QAbstractAnimation))
+        return any(
+            animation.state() == running for animation in window.findChildren(QAbstractAnimation)
+        )
 
     def count() -> Counter:
         # Docks move to their new places for a fifth of a second, and longer on a busy machine.
@@ -34,22 +36,22 @@ def alive(window, qtbot):
             QApplication.processEvents()
             QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         gc.collect()
-        found = Counter()
+        counts = Counter()
         for kind in (QAction, QDialog, QMenu, QTimer, QWidget, QObject):
-            found[kind.__name__] = len(window.findChildren(kind))
-        found["top-level widgets"] = len(QApplication.topLevelWidgets())
-        found["threads"] = threading.active_count()
-        return found
+            counts[kind.__name__] = len(window.findChildren(kind))
+        counts["top-level widgets"] = len(QApplication.topLevelWidgets())
+        counts["threads"] = threading.active_count()
+        return counts
 
     return count
 
 
 def open_and_close(window, qtbot, name) -> None:
     window.actions_by_name[name].trigger()
-    dialog = next(one for one in window.findChildren(QDialog) if one.isVisible())
+    dialog = next(dialog for dialog in window.findChildren(QDialog) if dialog.isVisible())
     qtbot.waitExposed(dialog)
     qtbot.keyClick(dialog, Qt.Key.Key_Escape)
-    qtbot.waitUntil(lambda: not any(one.isVisible() for one in window.findChildren(QDialog)))
+    qtbot.waitUntil(lambda: not any(dialog.isVisible() for dialog in window.findChildren(QDialog)))
 
 
 def test_a_page_that_was_opened_again_and_again_leaves_nothing(window, qtbot, alive):
@@ -70,7 +72,7 @@ def test_a_menu_that_was_opened_again_and_again_leaves_nothing(window, qtbot, al
         menu.close()
 
     for where in ("Edit", "View", "File"):
-        menu = next(one for one in menus if one.title().replace("&", "") == where)
+        menu = next(menu for menu in menus if menu.title().replace("&", "") == where)
         open_and_close_menu(menu)
         before = alive()
         for _ in range(OPENINGS):

@@ -19,9 +19,9 @@ def enlarge(widget, scale=2.5):
 
 @pytest.fixture
 def host(qtbot):
-    found = QWidget()
-    qtbot.addWidget(found)
-    return found
+    widget = QWidget()
+    qtbot.addWidget(widget)
+    return widget
 
 
 def test_a_label_says_less_in_the_same_room(host):
@@ -38,12 +38,12 @@ def test_a_label_says_less_in_the_same_room(host):
 def test_the_row_of_an_output_keeps_room_for_its_number_and_the_longest_level(host):
     row = OutputRow(QGridLayout(host), 0, 7, 1, "synthetic-1")
     host.show()
-    for part, inside, words in (
+    for part, inside, text in (
         (row.title, row.title, "7 · …"),
         (row.loudness, row.level, "\u2212100.0 dBFS"),
     ):
         enlarge(inside)
-        assert part.minimumSizeHint().width() >= inside.fontMetrics().horizontalAdvance(words)
+        assert part.minimumSizeHint().width() >= inside.fontMetrics().horizontalAdvance(text)
 
 
 def fields_of_playback():
@@ -85,7 +85,7 @@ def test_a_number_keeps_its_digits(qtbot, made):
         assert before.strip(".…")
         enlarge(field, 2.2)
         # Layouts follow once the event loop runs.
-        qtbot.waitUntil(lambda one=field, said=before: one.text() == said)
+        qtbot.waitUntil(lambda label=field, old_text=before: label.text() == old_text)
 
 
 def test_the_difference_goes_below_the_cards_where_it_has_no_room_beside_them(qtbot):

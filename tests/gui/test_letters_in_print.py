@@ -24,12 +24,12 @@ def smallest_px(path):
     """Of all letters of a drawing, the height of the smallest, as they are on the page."""
     sizes, scale = [], 1.0
     drawing = path.read_text("utf-8")
-    words = re.compile(r'<g [^>]*matrix\(([^,]+),([^,]+),|<text [^>]*font-size="([\d.]+)"')
-    for found in words.finditer(drawing):
-        if found[1]:
-            scale = hypot(float(found[1]), float(found[2]))
+    pattern = re.compile(r'<g [^>]*matrix\(([^,]+),([^,]+),|<text [^>]*font-size="([\d.]+)"')
+    for match in pattern.finditer(drawing):
+        if match[1]:
+            scale = hypot(float(match[1]), float(match[2]))
         else:
-            sizes.append(scale * float(found[3]))
+            sizes.append(scale * float(match[3]))
     return min(sizes)
 
 
@@ -54,7 +54,7 @@ def test_letters_that_cannot_be_read_in_print_are_said_before_the_picture_of_all
     form._edit("width_px", float(needed_px), None)
     form._edit("height_px", float(round(needed_px * height / width)), None)
     assert form.remark_label.text() == ""
-    save = next(one for one in form.findChildren(QPushButton) if one.text() == "Save as…")
+    save = next(button for button in form.findChildren(QPushButton) if button.text() == "Save as…")
     assert save.isEnabled()
 
 

@@ -35,7 +35,9 @@ def look_at(window, qtbot, name):
         qtbot.waitUntil(lambda: panel.strip.content is not None, timeout=60_000)
     elif name == "side_by_side":
         cells = lambda: panel.maps.content.cells  # noqa: E731
-        qtbot.waitUntil(lambda: bool(cells()) and all(one.small for one in cells()), timeout=60_000)
+        qtbot.waitUntil(
+            lambda: bool(cells()) and all(cell.small for cell in cells()), timeout=60_000
+        )
     elif name == "compare":
         qtbot.waitUntil(lambda: panel.cards[0].compared is not None, timeout=60_000)
         qtbot.waitUntil(lambda: panel.cards[0].compared.values is not None, timeout=60_000)

@@ -46,14 +46,14 @@ def test_it_is_one_step_that_can_be_taken_back(qtbot, trained):
 
 
 def test_what_was_changed_meanwhile_is_left_as_it_is(qtbot, trained):
-    said = []
-    trained.levelling.failed.connect(said.append)
+    messages = []
+    trained.levelling.failed.connect(messages.append)
     trained.do("equalise_on_skin")
     changed = trained.document.design.with_clip(1, waveform=replace(TRAIN, cycles=5.0))
     trained.document.edit("Change", changed)
     qtbot.waitUntil(lambda: not trained.runner.busy)
-    qtbot.waitUntil(lambda: bool(said))
-    assert "changed while it was predicted" in said[0]
+    qtbot.waitUntil(lambda: bool(messages))
+    assert "changed while it was predicted" in messages[0]
     assert gains(trained) == ()
 
 
@@ -66,10 +66,10 @@ def test_a_change_that_does_not_matter_does_not_stop_it(qtbot, trained):
 
 
 def test_what_cannot_be_predicted_is_said(qtbot, trained):
-    said = []
-    trained.levelling.failed.connect(said.append)
+    messages = []
+    trained.levelling.failed.connect(messages.append)
     high = trained.document.design.with_clip(1, waveform=WaveletTrain((60.0, 5000.0)))
     trained.document.edit("Change", high)
     trained.do("equalise_on_skin")
-    qtbot.waitUntil(lambda: bool(said))
-    assert "frequencies_hz is 5000" in said[0]
+    qtbot.waitUntil(lambda: bool(messages))
+    assert "frequencies_hz is 5000" in messages[0]

@@ -19,10 +19,10 @@ def test_a_limb_that_is_not_verified_is_said_to_be_so_in_whole_words(qtbot, scal
     note.show_outcome(SimpleNamespace(values={"limb_data": limb}))
     written.setDefaultFont(note.font())
     written.setDocumentMargin(0)
-    least, wanted = note.minimumSizeHint().width(), note.sizeHint().width()
-    for width in (least, (least + wanted) // 2, wanted):
+    least, preferred = note.minimumSizeHint().width(), note.sizeHint().width()
+    for width in (least, (least + preferred) // 2, preferred):
         note.resize(width, note.sizeHint().height())
         written.setHtml(note.text())
         assert written.idealWidth() <= width
-        whole = "NOT VERIFIED AS PUBLISHED" if width == wanted else "NOT VERIFIED"
+        whole = "NOT VERIFIED AS PUBLISHED" if width == preferred else "NOT VERIFIED"
         assert written.toPlainText() == whole

@@ -24,19 +24,19 @@ DELAYS = ListSpec(label="Delays", of=NumberSpec(label="Delay", unit="s", minimum
 
 
 @pytest.fixture
-def cell(qtbot):
+def make_cell(qtbot):
     def make(spec, value):
-        one = FieldCell("many", spec)
-        qtbot.addWidget(one)
-        one.told = []
-        one.edited.connect(lambda name, value, gesture: one.told.append(value))
-        one.set_value(value)
-        one.show()
-        qtbot.waitExposed(one)
-        one.line = one.field if isinstance(one.field, LiveText) else one.findChild(LiveText)
-        one.line.setFocus()
-        one.line.moveCursor(QTextCursor.MoveOperation.End)
-        return one
+        cell = FieldCell("many", spec)
+        qtbot.addWidget(cell)
+        cell.edits = []
+        cell.edited.connect(lambda name, value, gesture: cell.edits.append(value))
+        cell.set_value(value)
+        cell.show()
+        qtbot.waitExposed(cell)
+        cell.line = cell.field if isinstance(cell.field, LiveText) else cell.findChild(LiveText)
+        cell.line.setFocus()
+        cell.line.moveCursor(QTextCursor.MoveOperation.End)
+        return cell
 
     return make
 
@@ -57,7 +57,7 @@ def test_numbers_are_read_as_one_writes_them(text, values):
 
 
 @pytest.mark.parametrize(
-    ("text", "words"),
+    ("text", "reason"),
     [
         ("50, x", "“x” is not a number"),
         ("50, 0", "0 Hz is too low"),
@@ -65,8 +65,8 @@ def test_numbers_are_read_as_one_writes_them(text, values):
         ("", "0 typed. Allowed: 1 to 1000 numbers"),
     ],
 )
-def test_numbers_that_are_not_allowed_are_refused_in_words(text, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_numbers_that_are_not_allowed_are_refused_in_words(text, reason):
+    with pytest.raises(InvalidInputError, match=reason):
         read_numbers(text, FREQUENCIES)
 
 
@@ -79,7 +79,7 @@ def test_times_in_lists_and_points_are_in_milliseconds_throughout():
 
 
 @pytest.mark.parametrize(
-    ("text", "words"),
+    ("text", "reason"),
     [
         ("0 60 0; 100 60", "“100 60” has 2 numbers. Each point has 3: time in ms, frequency in Hz"),
         ("0 60 0", "1 typed. Allowed: 2 to 2000 points"),
@@ -87,92 +87,92 @@ def test_times_in_lists_and_points_are_in_milliseconds_throughout():
         ("0 60 0; 100 60 2", "2 is too high"),
     ],
 )
-def test_points_that_are_not_allowed_are_refused_in_words(text, words):
-    with pytest.raises(InvalidInputError, match=words):
+def test_points_that_are_not_allowed_are_refused_in_words(text, reason):
+    with pytest.raises(InvalidInputError, match=reason):
         read_points(text, POINTS)
 
 
-def test_a_list_is_told_while_it_is_typed_and_stays_as_it_is_typed(cell):
-    one = cell(FREQUENCIES, (50.0, 84.1))
-    assert one.line.text() == "50, 84.1"
-    QTest.keyClicks(one.line, ",70")
-    assert one.told[-1] == (50.0, 84.1, 70.0)
-    one.set_value((50.0, 84.1, 70.0))
-    assert one.line.text() == "50, 84.1,70"
-    one.set_value((60.0,))
-    assert one.line.text() == "60"
+def test_a_list_is_told_while_it_is_typed_and_stays_as_it_is_typed(make_cell):
+    cell = make_cell(FREQUENCIES, (50.0, 84.1))
+    assert cell.line.text() == "50, 84.1"
+    QTest.keyClicks(cell.line, ",70")
+    assert cell.edits[-1] == (50.0, 84.1, 70.0)
+    cell.set_value((50.0, 84.1, 70.0))
+    assert cell.line.text() == "50, 84.1,70"
+    cell.set_value((60.0,))
+    assert cell.line.text() == "60"
 
 
-def test_half_a_list_says_what_is_missing_and_esc_brings_it_back(cell):
-    one = cell(FREQUENCIES, (50.0, 84.1))
-    QTest.keyClicks(one.line, ", 90z")
-    assert one.told[-1] == (50.0, 84.1, 90.0)
-    assert one.note == "Frequency: “z” is not one of its units. Units: Hz, kHz."
-    QTest.keyClick(one.line, Qt.Key.Key_Escape)
-    assert one.line.text() == "50, 84.1"
-    assert one.note == ""
+def test_half_a_list_says_what_is_missing_and_esc_brings_it_back(make_cell):
+    cell = make_cell(FREQUENCIES, (50.0, 84.1))
+    QTest.keyClicks(cell.line, ", 90z")
+    assert cell.edits[-1] == (50.0, 84.1, 90.0)
+    assert cell.note == "Frequency: “z” is not one of its units. Units: Hz, kHz."
+    QTest.keyClick(cell.line, Qt.Key.Key_Escape)
+    assert cell.line.text() == "50, 84.1"
+    assert cell.note == ""
 
 
-def test_what_was_refused_stays_typed_beside_the_reason(cell):
-    one = cell(GAINS, ())
-    assert one.line.text() == ""
-    QTest.keyClicks(one.line, "-3, 2")
-    assert one.told[-1] == (-3.0, 2.0)
-    one.set_value(())
-    one.show_reason("WaveletTrain.gains_db has 2 gains, expected one for each")
-    assert one.line.text() == "-3, 2"
-    assert "has 2 gains" in one.note
+def test_what_was_refused_stays_typed_beside_the_reason(make_cell):
+    cell = make_cell(GAINS, ())
+    assert cell.line.text() == ""
+    QTest.keyClicks(cell.line, "-3, 2")
+    assert cell.edits[-1] == (-3.0, 2.0)
+    cell.set_value(())
+    cell.show_reason("WaveletTrain.gains_db has 2 gains, expected one for each")
+    assert cell.line.text() == "-3, 2"
+    assert "has 2 gains" in cell.note
 
 
-def test_frequencies_outside_the_band_are_remarked_on(cell):
-    assert cell(FREQUENCIES, (50.0, 600.0)).note == ""
-    assert cell(FREQUENCIES, (20.0, 50.0, 610.0)).note.startswith(
+def test_frequencies_outside_the_band_are_remarked_on(make_cell):
+    assert make_cell(FREQUENCIES, (50.0, 600.0)).note == ""
+    assert make_cell(FREQUENCIES, (20.0, 50.0, 610.0)).note.startswith(
         "20, 610 Hz: outside the measured"
     )
-    assert cell(GAINS, (-30.0,)).note == ""
+    assert make_cell(GAINS, (-30.0,)).note == ""
 
 
-def test_a_limb_allows_only_frequencies_below_half_its_rate(cell):
-    one = cell(FREQUENCIES.at_rate(1300.0), (50.0,))
-    QTest.keyClicks(one.line, ", 650")
-    assert "too high" in one.note
-    one.set_spec(FREQUENCIES.at_rate(2000.0))
-    QTest.keyClicks(one.line, ".5")
-    assert one.told[-1] == (50.0, 650.5)
+def test_a_limb_allows_only_frequencies_below_half_its_rate(make_cell):
+    cell = make_cell(FREQUENCIES.at_rate(1300.0), (50.0,))
+    QTest.keyClicks(cell.line, ", 650")
+    assert "too high" in cell.note
+    cell.set_spec(FREQUENCIES.at_rate(2000.0))
+    QTest.keyClicks(cell.line, ".5")
+    assert cell.edits[-1] == (50.0, 650.5)
 
 
-def test_points_are_typed_too(cell):
-    one = cell(POINTS, ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0)))
-    QTest.keyClicks(one.line, "; 200 80 1")
-    assert one.told[-1] == ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0), (0.2, 80.0, 1.0))
-    assert "time in ms, frequency in Hz, amplitude" in one.line.toolTip()
+def test_points_are_typed_too(make_cell):
+    cell = make_cell(POINTS, ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0)))
+    QTest.keyClicks(cell.line, "; 200 80 1")
+    assert cell.edits[-1] == ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0), (0.2, 80.0, 1.0))
+    assert "time in ms, frequency in Hz, amplitude" in cell.line.toolTip()
 
 
-def test_only_frequencies_have_a_sweep(cell):
-    assert cell(GAINS, ()).findChild(QPushButton) is None
-    assert cell(FREQUENCIES, (50.0,)).findChild(QPushButton).text() == "Sweep…"
+def test_only_frequencies_have_a_sweep(make_cell):
+    assert make_cell(GAINS, ()).findChild(QPushButton) is None
+    assert make_cell(FREQUENCIES, (50.0,)).findChild(QPushButton).text() == "Sweep…"
 
 
-def test_a_sweep_replaces_the_list_once_it_is_accepted(qtbot, cell):
-    one = cell(FREQUENCIES, (400.0, 100.0, 50.0))
-    one.findChild(QPushButton).click()
-    dialog = one.window().findChild(SweepDialog)
+def test_a_sweep_replaces_the_list_once_it_is_accepted(qtbot, make_cell):
+    cell = make_cell(FREQUENCIES, (400.0, 100.0, 50.0))
+    cell.findChild(QPushButton).click()
+    dialog = cell.window().findChild(SweepDialog)
     qtbot.waitUntil(dialog.isVisible)
     assert dialog.values == frequency_sweep(50.0, 400.0, 3, "logarithmic", "down")
     assert dialog.findChild(QLabel, "sweep_list").text() == "400, 141.42, 50 Hz"
     dialog.spacing.choose("linear")
     dialog.order.choose("up")
     assert dialog.findChild(QLabel, "sweep_list").text() == "50, 225, 400 Hz"
-    assert one.told == []
+    assert cell.edits == []
     dialog.accept()
-    assert one.told == [(50.0, 225.0, 400.0)]
+    assert cell.edits == [(50.0, 225.0, 400.0)]
 
 
-def test_a_sweep_that_is_cancelled_changes_nothing(qtbot, cell):
-    one = cell(FREQUENCIES, (50.0, 400.0))
-    one.findChild(QPushButton).click()
-    one.window().findChild(SweepDialog).reject()
-    assert one.told == []
+def test_a_sweep_that_is_cancelled_changes_nothing(qtbot, make_cell):
+    cell = make_cell(FREQUENCIES, (50.0, 400.0))
+    cell.findChild(QPushButton).click()
+    cell.window().findChild(SweepDialog).reject()
+    assert cell.edits == []
 
 
 def test_ends_of_a_sweep_may_be_typed_either_way_round(qtbot):
@@ -184,66 +184,66 @@ def test_ends_of_a_sweep_may_be_typed_either_way_round(qtbot):
     dialog.close()
 
 
-def glide_cell(cell, points):
+def glide_cell(make_cell, points):
     """A cell whose owner takes over each edit, as the inspector does."""
-    one = cell(POINTS, points)
-    one.edited.connect(lambda _, value, __: one.set_value(value))
-    one.curves = {
-        name: one.findChild(GlideCurve, f"{name}_curve") for name in ("frequency", "amplitude")
+    cell = make_cell(POINTS, points)
+    cell.edited.connect(lambda _, value, __: cell.set_value(value))
+    cell.curves = {
+        name: cell.findChild(GlideCurve, f"{name}_curve") for name in ("frequency", "amplitude")
     }
-    return one
+    return cell
 
 
-def test_points_are_seen_as_two_curves_each_with_its_own_bends(cell):
-    one = glide_cell(cell, Glide().points)
-    assert one.curves["frequency"].curve == curve_of(Glide().points, "frequency")
-    assert one.curves["amplitude"].curve == ((0.0, 0.0), (0.1, 1.0), (0.4, 1.0), (0.5, 0.0))
-    assert one.curves["frequency"].words == "Frequency · 1/4 · 0 ms · 60 Hz"
-    assert one.curves["amplitude"].words == "Amplitude · 1/4 · 0 ms · 0"
+def test_points_are_seen_as_two_curves_each_with_its_own_bends(make_cell):
+    cell = glide_cell(make_cell, Glide().points)
+    assert cell.curves["frequency"].curve == curve_of(Glide().points, "frequency")
+    assert cell.curves["amplitude"].curve == ((0.0, 0.0), (0.1, 1.0), (0.4, 1.0), (0.5, 0.0))
+    assert cell.curves["frequency"].words == "Frequency · 1/4 · 0 ms · 60 Hz"
+    assert cell.curves["amplitude"].words == "Amplitude · 1/4 · 0 ms · 0"
 
 
-def test_a_point_that_is_dragged_moves_its_curve_and_not_the_other(cell):
-    one = glide_cell(cell, Glide().points)
-    curve = one.curves["frequency"]
+def test_a_point_that_is_dragged_moves_its_curve_and_not_the_other(make_cell):
+    cell = glide_cell(make_cell, Glide().points)
+    curve = cell.curves["frequency"]
     at = curve.place_of(1).toPoint()
     QTest.mousePress(curve, Qt.MouseButton.LeftButton, pos=at)
     for down_px in (4, 8):
         QTest.mouseMove(curve, at + QPoint(0, -down_px))
     QTest.mouseRelease(curve, Qt.MouseButton.LeftButton, pos=at + QPoint(0, -8))
-    points = one.told[-1]
+    points = cell.edits[-1]
     assert curve_of(points, "frequency")[1][1] > 70.0
     assert curve_of(points, "amplitude") == curve_of(Glide().points, "amplitude")
-    assert one.line.text() == points_text(points, POINTS)
+    assert cell.line.text() == points_text(points, POINTS)
 
 
-def test_a_new_point_stays_though_it_bends_nothing_yet(cell):
-    one = glide_cell(cell, ((0.0, 100.0, 1.0), (0.5, 100.0, 1.0)))
-    curve = one.curves["frequency"]
+def test_a_new_point_stays_though_it_bends_nothing_yet(make_cell):
+    cell = glide_cell(make_cell, ((0.0, 100.0, 1.0), (0.5, 100.0, 1.0)))
+    curve = cell.curves["frequency"]
     between = ((curve.place_of(0) + curve.place_of(1)) / 2).toPoint()
     QTest.mousePress(curve, Qt.MouseButton.LeftButton, pos=between)
     assert len(curve.value) == 3
     QTest.mouseMove(curve, between + QPoint(0, 20))
     QTest.mouseRelease(curve, Qt.MouseButton.LeftButton, pos=between + QPoint(0, 20))
-    bends = curve_of(one.told[-1], "frequency")
+    bends = curve_of(cell.edits[-1], "frequency")
     assert len(bends) == 3
     assert bends[1][1] < 80.0
     assert bends[0][1] == bends[2][1] == 100.0
 
 
-def test_what_is_drawn_stays_within_what_is_allowed(cell):
-    one = glide_cell(cell, Glide().points)
-    curve = one.curves["amplitude"]
+def test_what_is_drawn_stays_within_what_is_allowed(make_cell):
+    cell = glide_cell(make_cell, Glide().points)
+    curve = cell.curves["amplitude"]
     curve.setFocus()
     QTest.keyClick(curve, Qt.Key.Key_Right, Qt.KeyboardModifier.ControlModifier)
-    one.curves["amplitude"].set_value(((0.0, 3.0, "held"), (0.2, 0.5, "straight")))
+    cell.curves["amplitude"].set_value(((0.0, 3.0, "held"), (0.2, 0.5, "straight")))
     assert curve.curve == ((0.0, 1.0), (0.2, 1.0), (0.2, 0.5))
 
 
-def test_a_text_that_is_typed_moves_both_curves(cell):
-    one = glide_cell(cell, ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0)))
-    QTest.keyClicks(one.line, "; 200 80 0.5")
-    assert one.curves["frequency"].curve == ((0.0, 60.0), (0.1, 60.0), (0.2, 80.0))
-    assert one.curves["amplitude"].curve == ((0.0, 0.0), (0.1, 1.0), (0.2, 0.5))
+def test_a_text_that_is_typed_moves_both_curves(make_cell):
+    cell = glide_cell(make_cell, ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0)))
+    QTest.keyClicks(cell.line, "; 200 80 0.5")
+    assert cell.curves["frequency"].curve == ((0.0, 60.0), (0.1, 60.0), (0.2, 80.0))
+    assert cell.curves["amplitude"].curve == ((0.0, 0.0), (0.1, 1.0), (0.2, 0.5))
 
 
 def test_times_of_points_are_shown_short_and_stay_exact_when_others_are_typed(qtbot):
@@ -251,14 +251,14 @@ def test_times_of_points_are_shown_short_and_stay_exact_when_others_are_typed(qt
     gain = NumberSpec(label="Gain", minimum=0, maximum=4)
     cell = FieldCell("gain_curve", CurveSpec(label="Gain curve", x=time, y=gain, most=9))
     qtbot.addWidget(cell)
-    told = []
-    cell.edited.connect(lambda name, value, gesture: told.append(value))
+    edits = []
+    cell.edited.connect(lambda name, value, gesture: edits.append(value))
     cell.set_value(((0.509010598, 1.0), (0.917761532, 0.0)))
     assert cell.field.text() == "509.01 1; 917.76 0"
     cell.field.setPlainText("509.01 1; 917.76 2")
-    assert told == [((0.509010598, 1.0), (0.917761532, 2.0))]
+    assert edits == [((0.509010598, 1.0), (0.917761532, 2.0))]
     cell.field.setPlainText("509.02 1; 917.76 2")
-    assert told[1:] == [((0.50902, 1.0), (0.917761532, 2.0))]
+    assert edits[1:] == [((0.50902, 1.0), (0.917761532, 2.0))]
     # Rounded, these would be one.
     cell.set_value(((0.509010598, 1.0), (0.509010599, 0.0)))
     assert cell.field.text() == "509.010598 1; 509.010599 0"

@@ -6,7 +6,7 @@ from skinsource_gui.state.preferences import start_design
 
 
 def steps_in_memory():
-    return sum(isinstance(one, ReplaceDesign) for one in gc.get_objects())
+    return sum(isinstance(tracked, ReplaceDesign) for tracked in gc.get_objects())
 
 
 def test_the_oldest_steps_are_forgotten_and_freed(qtbot):

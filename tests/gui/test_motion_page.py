@@ -16,9 +16,9 @@ from skinsource_gui.pages.motion import MotionPage
 
 @pytest.fixture
 def page(desk, qtbot):
-    found = desk.show_motion()
-    qtbot.waitExposed(found)
-    return found
+    page = desk.show_motion()
+    qtbot.waitExposed(page)
+    return page
 
 
 def button(page: MotionPage, name: str) -> QPushButton:
@@ -61,8 +61,8 @@ def test_a_motion_on_clicked_places_is_added_in_one_step(desk, page):
     button(page, "add_motion").click()
     design = desk.document.design
     assert design.inputs[:1] == before.inputs
-    assert [one.location for one in design.inputs[1:]] == [7, 12, 17]
-    assert [len(one.clips) for one in design.inputs[1:]] == [3, 3, 3]
+    assert [track.location for track in design.inputs[1:]] == [7, 12, 17]
+    assert [len(track.clips) for track in design.inputs[1:]] == [3, 3, 3]
     assert desk.document.view.selected_inputs == design.ids[1:]
     assert desk.document.undo_stack.count() == 1
     desk.document.undo_stack.undo()
@@ -140,11 +140,11 @@ def test_the_preview_shows_the_tracks_that_are_added(desk, page, kind):
     page.grab()
     button(page, "add_motion").click()
     added = desk.document.design.inputs[1:]
-    assert [(one.location, one.colour) for one in added] == [
+    assert [(track.location, track.colour) for track in added] == [
         (lane.place, lane.colour) for lane in lanes
     ]
-    for one, lane in zip(added, lanes, strict=True):
-        starts = [(clip.onset_s, clip.duration_s) for clip in one.clips]
+    for repeated, lane in zip(added, lanes, strict=True):
+        starts = [(clip.onset_s, clip.duration_s) for clip in repeated.clips]
         assert starts == [(clip.start_s, clip.duration_s) for clip in lane.clips]
 
 

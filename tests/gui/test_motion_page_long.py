@@ -11,7 +11,9 @@ from skinsource_gui.plots import preview
 def test_a_motion_that_repeats_one_long_burst_draws_it_once(qtbot, monkeypatch):
     drawn = []
     played = playing.played
-    monkeypatch.setattr(preview, "played", lambda *one: (drawn.append(one), played(*one))[1])
+    monkeypatch.setattr(
+        preview, "played", lambda *arguments: (drawn.append(arguments), played(*arguments))[1]
+    )
     owner = QObject()
     draft = Draft(Design(limb="synthetic-1"), 0.0, owner)
     draft.change_kind("Alternation")

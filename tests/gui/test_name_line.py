@@ -9,21 +9,21 @@ from skinsource_gui.qt.labels import NameLine
 
 @pytest.fixture
 def around(qtbot):
-    found = QWidget()
-    qtbot.addWidget(found)
-    return found
+    host = QWidget()
+    qtbot.addWidget(host)
+    return host
 
 
 @pytest.fixture
 def line(around):
     column = QVBoxLayout(around)
     column.addWidget(QLineEdit())
-    found = NameLine()
-    column.addWidget(found)
+    line = NameLine()
+    column.addWidget(line)
     around.show()
     around.findChild(QLineEdit).setFocus()
-    found.setText("hand")
-    return found
+    line.setText("hand")
+    return line
 
 
 def test_what_is_typed_after_the_first_click_takes_the_place_of_the_name(line, qtbot):

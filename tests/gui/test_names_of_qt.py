@@ -22,9 +22,9 @@ def modules():
 
 def classes():
     for module in modules():
-        for _, found in inspect.getmembers(module, inspect.isclass):
-            if found.__module__ == module.__name__:
-                yield found
+        for _, cls in inspect.getmembers(module, inspect.isclass):
+            if cls.__module__ == module.__name__:
+                yield cls
 
 
 def names_of_qt(owner: type) -> set[str]:
@@ -60,4 +60,4 @@ def test_no_attribute_hides_what_qt_calls_by_its_name():
         owner.__qualname__: set_attributes(owner) & names for owner, names in of_qt.items() if names
     }
     assert len(hidden) > 100
-    assert {name: found for name, found in hidden.items() if found} == {}
+    assert {name: attributes for name, attributes in hidden.items() if attributes} == {}

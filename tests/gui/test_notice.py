@@ -19,10 +19,10 @@ def lies_over(window, part):
     return [dock.objectName() for dock in shown_docks(window) if dock.geometry().intersects(part)]
 
 
-@pytest.mark.parametrize("words", ["short", LONG])
-def test_a_notice_that_stays_gets_room_of_its_own(window, settle, words):
+@pytest.mark.parametrize("text", ["short", LONG])
+def test_a_notice_that_stays_gets_room_of_its_own(window, settle, text):
     places = [dock.geometry() for dock in shown_docks(window)]
-    window.reports.complain(words)
+    window.reports.complain(text)
     settle()
     label = window.findChild(QLabel, "notice")
     assert label.isVisible()
@@ -90,8 +90,8 @@ def test_a_notice_while_presenting_is_one_line_high_in_letters_of_any_size(windo
 def test_a_click_on_the_words_reaches_nothing_else(window, settle):
     window.reports.refuse("That cannot be.")
     settle()
-    words = window.findChild(QLabel, "notice")
-    assert window.childAt(words.geometry().center()) is words
+    label = window.findChild(QLabel, "notice")
+    assert window.childAt(label.geometry().center()) is label
 
 
 @pytest.fixture
@@ -134,9 +134,9 @@ def test_a_notice_follows_the_window(window, settle):
     window.reports.complain("Something went wrong")
     window.resize(1100, 700)
     settle()
-    words, buttons = window.findChild(QLabel, "notice"), window.notice.buttons
-    assert words.width() == 1100
-    assert words.geometry().contains(buttons.geometry())
+    label, buttons = window.findChild(QLabel, "notice"), window.notice.buttons
+    assert label.width() == 1100
+    assert label.geometry().contains(buttons.geometry())
 
 
 def test_a_notice_goes_away_with_the_next_edit_but_not_with_a_look(window):
@@ -164,7 +164,9 @@ def test_what_is_offered_is_done_once_and_the_notice_goes(window):
     assert done == ["open"]
     assert window.notice.text == ""
     window.notice.say("Something else")
-    assert not [one for one in window.findChildren(QPushButton, "notice_choice") if one.isVisible()]
+    assert not [
+        button for button in window.findChildren(QPushButton, "notice_choice") if button.isVisible()
+    ]
 
 
 def test_what_went_well_is_forgotten_when_another_design_is_begun(window):

@@ -13,17 +13,17 @@ from skinsource_gui.qt.theme import THEMES
 
 def inked(picture, theme, rank):
     """Which pixels are rather like the colour of an output than like the ground."""
-    ink, found = theme.output_colour(rank), np.zeros((picture.height(), picture.width()), bool)
+    ink, is_ink = theme.output_colour(rank), np.zeros((picture.height(), picture.width()), bool)
     ground = QColor(theme.base)
     for y in range(picture.height()):
         for x in range(picture.width()):
             here = picture.pixelColor(x, y)
-            found[y, x] = distance(here, ink) < distance(here, ground)
-    return found
+            is_ink[y, x] = distance(here, ink) < distance(here, ground)
+    return is_ink
 
 
-def distance(one, other):
-    return sum(abs(a - b) for a, b in zip(one.getRgb(), other.getRgb(), strict=True))
+def distance(colour, other):
+    return sum(abs(a - b) for a, b in zip(colour.getRgb(), other.getRgb(), strict=True))
 
 
 def drawn(theme, width, height, paint):
@@ -72,8 +72,8 @@ def test_the_legend_shows_the_strokes(qtbot):
     legend.say(LegendText(names=output_names(tuple(range(1, 18)), "synthetic-1")))
     picture = legend.grab().toImage()
     ink, middle = theme.output_colour(0).name(), picture.height() // 2
-    found = [picture.pixelColor(x, middle).name() == ink for x in range(picture.width())]
-    ends = np.flatnonzero(np.diff(np.array(found, int), prepend=0, append=0))
+    is_ink = [picture.pixelColor(x, middle).name() == ink for x in range(picture.width())]
+    ends = np.flatnonzero(np.diff(np.array(is_ink, int), prepend=0, append=0))
     runs = (ends[1::2] - ends[::2]).tolist()
     # Swatches of the 1st, the 9th and the 17th curve.
     assert runs[0] >= 13

@@ -16,8 +16,8 @@ NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
 def picker(qapp):
     owner = QObject()
     picker = OutputPicker(owner)
-    picker.owner, picker.told = owner, []
-    picker.chosen.connect(picker.told.append)
+    picker.owner, picker.choices = owner, []
+    picker.chosen.connect(picker.choices.append)
     return picker
 
 
@@ -65,11 +65,11 @@ def test_the_pointer_comes_before_the_cursor_which_counts_with_the_keyboard_alon
 def test_only_another_selection_is_told_and_one_output_takes_the_cursor_along(picker):
     picker.selected = (1,)
     click(picker, 10, 10)
-    assert picker.told == []
+    assert picker.choices == []
     click(picker, 60, 10, SHIFT)
-    assert picker.told == [(1, 2)]
+    assert picker.choices == [(1, 2)]
     click(picker, 60, 10)
-    assert picker.told[-1] == (2,)
+    assert picker.choices[-1] == (2,)
     assert picker.keys.cursor_output == 2
 
 
@@ -78,6 +78,6 @@ def test_escape_gives_up_a_frame_before_it_selects_nothing(picker):
     picker.press(mouse(QEvent.Type.MouseButtonPress, 0, 0))
     picker.mouse.move(QPointF(80, 80), POINTS)
     assert press(picker, Qt.Key.Key_Escape)
-    assert (picker.told, picker.mouse.band) == ([], None)
+    assert (picker.choices, picker.mouse.band) == ([], None)
     assert press(picker, Qt.Key.Key_Escape)
-    assert picker.told == [()]
+    assert picker.choices == [()]

@@ -21,10 +21,10 @@ def width(window, name):
 
 
 @pytest.fixture
-def said(window):
-    found = []
-    window.layout_of_docks.done.connect(found.append)
-    return found
+def messages(window):
+    answers = []
+    window.layout_of_docks.done.connect(answers.append)
+    return answers
 
 
 @pytest.fixture
@@ -59,7 +59,7 @@ def test_it_also_brings_back_what_the_clip_came_in_front_of(active):
     assert active.panel("inspector").isAncestorOf(QApplication.focusWidget())
 
 
-def test_the_key_of_another_arrangement_and_back_brings_ones_own(window, said):
+def test_the_key_of_another_arrangement_and_back_brings_ones_own(window, messages):
     window.docks["spectra"].hide()
     window.docks["history"].bring_forward()
     window.resizeDocks([window.docks["skin"]], [480], Qt.Orientation.Horizontal)
@@ -69,27 +69,27 @@ def test_the_key_of_another_arrangement_and_back_brings_ones_own(window, said):
     window.do("arrange_design")
     assert in_sight(window) == own
     assert width(window, "skin") == pytest.approx(wide, abs=3)
-    assert said == ["Panels as you had them; Alt+1 again shows them as at first"]
+    assert messages == ["Panels as you had them; Alt+1 again shows them as at first"]
 
 
-def test_the_key_of_the_present_arrangement_goes_to_and_fro(window, said):
+def test_the_key_of_the_present_arrangement_goes_to_and_fro(window, messages):
     first = in_sight(window)
     window.docks["traces"].hide()
     own = in_sight(window)
     for expected in (first, own, first, own):
         window.do("arrange_design")
         assert in_sight(window) == expected
-    assert len(said) == 4
-    assert said[0] == "Panels as at first; Alt+1 again brings yours back"
+    assert len(messages) == 4
+    assert messages[0] == "Panels as at first; Alt+1 again brings yours back"
 
 
-def test_where_nobody_moved_a_panel_there_is_nothing_to_bring_back(window, said):
+def test_where_nobody_moved_a_panel_there_is_nothing_to_bring_back(window, messages):
     first = in_sight(window)
     for name in ("arrange_design", "arrange_analysis", "arrange_design", "arrange_design"):
         window.do(name)
         QApplication.processEvents()
     assert in_sight(window) == first
-    assert said == []
+    assert messages == []
 
 
 def test_ones_own_outlives_the_session(qtbot, preferences):
@@ -97,7 +97,7 @@ def test_ones_own_outlives_the_session(qtbot, preferences):
         window = MainWindow(
             start_design("synthetic-1"), preferences=preferences, available_limbs=available_limbs()
         )
-        qtbot.addWidget(window, before_close_func=lambda one: one.runner.close())
+        qtbot.addWidget(window, before_close_func=lambda window: window.runner.close())
         window.show()
         qtbot.waitUntil(lambda: not window.engine.busy)
         return window

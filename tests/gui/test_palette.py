@@ -19,11 +19,11 @@ from skinsource_gui.state.preferences import start_design
 
 
 @pytest.mark.parametrize(
-    ("letters", "text", "found"),
+    ("letters", "text", "matches"),
     [("", "Undo", True), ("ud", "Undo", True), ("und o", "Undo", True), ("du", "Undo", False)],
 )
-def test_letters_are_found_in_their_order(letters, text, found):
-    assert (score(letters, text) is not None) == found
+def test_letters_are_found_in_their_order(letters, text, matches):
+    assert (score(letters, text) is not None) == matches
 
 
 def test_letters_side_by_side_come_before_letters_far_apart():
@@ -33,8 +33,8 @@ def test_letters_side_by_side_come_before_letters_far_apart():
 def test_letters_in_one_piece_hide_those_that_are_scattered(qapp):
     names = ("Dark theme", "Get the measured limbs…", "Light theme")
     actions = [QAction(name) for name in names]
-    assert [one.text() for one in matching(actions, "theme")] == ["Dark theme", "Light theme"]
-    assert [one.text() for one in matching(actions, "gml")] == ["Get the measured limbs…"]
+    assert [action.text() for action in matching(actions, "theme")] == ["Dark theme", "Light theme"]
+    assert [action.text() for action in matching(actions, "gml")] == ["Get the measured limbs…"]
 
 
 def _note(ran, name, _checked=False):
@@ -87,8 +87,8 @@ def test_every_action_of_the_table_stands_in_its_menu_under_its_words(window):
     for spec in ACTIONS:
         action = window.actions_by_name[spec.name]
         assert action in menus[spec.submenu or spec.menu].actions(), spec.name
-        words = action.text().partition("\t")[0]
-        assert words == spec.text or spec.name in ("undo", "redo")
+        text = action.text().partition("\t")[0]
+        assert text == spec.text or spec.name in ("undo", "redo")
         assert spec.hint in action.toolTip()
         assert [keys.toString() for keys in action.shortcuts()] == [
             QKeySequence(keys).toString() for keys in spec.keys
@@ -127,13 +127,13 @@ def test_every_action_of_the_table_does_what_its_line_says(table, spec):
         assert asked == [spec.edit(document.design, document.view)]
 
 
-def found(window, qtbot, letters):
+def listed_for(window, qtbot, letters):
     window.do("find_action")
-    palette = next(one for one in window.findChildren(Palette) if one.isVisible())
+    palette = next(palette for palette in window.findChildren(Palette) if palette.isVisible())
     qtbot.keyClicks(palette.line, letters)
-    words = [palette.list.item(row).text() for row in range(palette.list.count())]
+    texts = [palette.list.item(row).text() for row in range(palette.list.count())]
     palette.reject()
-    return words
+    return texts
 
 
 def test_other_words_for_an_action_find_it(window, qtbot):
@@ -147,18 +147,18 @@ def test_other_words_for_an_action_find_it(window, qtbot):
         "excel": "Export RMS levels as CSV…",
         "noise": "Waveform: Noise",
     }.items():
-        assert expected in found(window, qtbot, letters), letters
+        assert expected in listed_for(window, qtbot, letters), letters
 
 
 def test_what_is_called_just_so_comes_first(window, qtbot):
     expected = {"library": "Show panel: Library", "save": "Save", "noise": "Waveform: Noise"}
     for letters, first in expected.items():
-        assert found(window, qtbot, letters)[0] == first
+        assert listed_for(window, qtbot, letters)[0] == first
 
 
 def test_a_name_that_begins_so_comes_before_one_that_says_it_later(qapp):
     actions = [QAction(name) for name in ("Unlock map", "Panel lock", "Lock", "Show panel: Locks")]
-    assert [one.text() for one in matching(actions, "lock")] == [
+    assert [action.text() for action in matching(actions, "lock")] == [
         "Lock",
         "Show panel: Locks",
         "Panel lock",
@@ -167,10 +167,10 @@ def test_a_name_that_begins_so_comes_before_one_that_says_it_later(qapp):
 
 
 def test_a_gesture_of_the_mouse_is_found_and_leads_to_where_the_keys_page_says_it(window, qtbot):
-    words = found(window, qtbot, "stretch")
-    assert any(one.startswith("Mouse: stretch a clip") and "Shift" in one for one in words)
+    texts = listed_for(window, qtbot, "stretch")
+    assert any(text.startswith("Mouse: stretch a clip") and "Shift" in text for text in texts)
     window.do("find_action")
-    palette = next(one for one in window.findChildren(Palette) if one.isVisible())
+    palette = next(palette for palette in window.findChildren(Palette) if palette.isVisible())
     qtbot.keyClicks(palette.line, "stretch a clip")
     qtbot.keyClick(palette.line, Qt.Key.Key_Return)
     text = window.findChild(QTextBrowser, "page_text")
@@ -188,11 +188,11 @@ def test_a_later_heading_of_the_keys_page_is_scrolled_to(window, qtbot):
 
 
 def test_where_nothing_is_found_the_palette_says_so_and_enter_does_nothing(window, qtbot):
-    words = found(window, qtbot, "qqqq")
-    assert words[0] == "Nothing found"
-    assert "F1" in words[-1]
+    texts = listed_for(window, qtbot, "qqqq")
+    assert texts[0] == "Nothing found"
+    assert "F1" in texts[-1]
     window.do("find_action")
-    palette = next(one for one in window.findChildren(Palette) if one.isVisible())
+    palette = next(palette for palette in window.findChildren(Palette) if palette.isVisible())
     qtbot.keyClicks(palette.line, "qqqq")
     qtbot.keyClick(palette.line, Qt.Key.Key_Return)
     assert palette.isVisible()
@@ -200,9 +200,11 @@ def test_where_nothing_is_found_the_palette_says_so_and_enter_does_nothing(windo
 
 def test_each_page_opens(window):
     for name in ("find_action", "show_keys", "show_dataset", "show_about"):
-        before = {one for one in window.findChildren(QDialog) if one.isVisible()}
+        before = {dialog for dialog in window.findChildren(QDialog) if dialog.isVisible()}
         window.actions_by_name[name].trigger()
-        (dialog,) = {one for one in window.findChildren(QDialog) if one.isVisible()} - before
+        (dialog,) = {
+            dialog for dialog in window.findChildren(QDialog) if dialog.isVisible()
+        } - before
         dialog.reject()
 
 
@@ -238,14 +240,14 @@ def test_names_are_elided_and_keys_never_are(qtbot):
 
 
 @pytest.mark.parametrize(
-    ("typed", "found"), [("viridis", "Viridis"), ("colormap", "Magma"), ("matlab's", "Turbo")]
+    ("typed", "name"), [("viridis", "Viridis"), ("colormap", "Magma"), ("matlab's", "Turbo")]
 )
-def test_colours_of_levels_are_found_by_their_names_and_used(window, qtbot, typed, found):
+def test_colours_of_levels_are_found_by_their_names_and_used(window, qtbot, typed, name):
     palette = Palette([window.actions_by_name[spec.name] for spec in ACTIONS])
     qtbot.addWidget(palette)
     palette.line.setText(typed)
     listed = [palette.list.item(k).text() for k in range(palette.list.count())]
-    assert any(f"Colours: {found}" in words for words in listed), listed
+    assert any(f"Colours: {name}" in text for text in listed), listed
 
 
 def test_the_colours_in_use_are_checked_however_they_were_chosen(window):
@@ -264,7 +266,7 @@ def test_the_colours_in_use_are_checked_however_they_were_chosen(window):
 
 def run_from_palette(window, qtbot, letters):
     window.do("find_action")
-    palette = next(one for one in window.findChildren(Palette) if one.isVisible())
+    palette = next(palette for palette in window.findChildren(Palette) if palette.isVisible())
     qtbot.keyClicks(palette.line, letters)
     qtbot.keyClick(palette.line, Qt.Key.Key_Return)
 
@@ -278,7 +280,7 @@ def test_a_panel_that_is_shown_stays_shown_when_it_is_to_be_shown(window, qtbot)
 
 
 def test_hiding_is_an_entry_of_its_own_while_a_panel_is_in_the_window(window, qtbot):
-    assert found(window, qtbot, "panel: skin") == ["Show panel: Skin", "Hide panel: Skin"]
+    assert listed_for(window, qtbot, "panel: skin") == ["Show panel: Skin", "Hide panel: Skin"]
     run_from_palette(window, qtbot, "Hide panel: Skin")
     assert window.docks["skin"].isHidden()
-    assert found(window, qtbot, "panel: skin") == ["Show panel: Skin"]
+    assert listed_for(window, qtbot, "panel: skin") == ["Show panel: Skin"]

@@ -42,45 +42,54 @@ def room_of(combo):
     return combo.style().subControlRect(control, option, field, combo).width()
 
 
-def cut_words(panel):
+def cut_texts(panel):
     """What of the words of a panel is not written, or lies outside of it."""
-    found = []
-    seen = [one for one in panel.findChildren(object) if getattr(one, "isVisible", bool)()]
-    for one in seen:
-        if isinstance(one, NoteLabel):
-            if one.shown != one.text or one.height() < one.heightForWidth(one.width()):
-                found.append(one.text)
-        elif isinstance(one, QComboBox) and one.objectName() != "actuator_field":
-            if one.fontMetrics().horizontalAdvance(one.currentText()) > room_of(one):
-                found.append(one.currentText())
-        elif isinstance(one, QLabel):
-            needed = one.heightForWidth(one.width()) if one.wordWrap() else one.sizeHint().height()
-            wide = 0 if one.wordWrap() else one.sizeHint().width()
-            if wide > one.width() or needed > one.height() + 1:
-                found.append(one.text())
-        elif isinstance(one, QToolButton):
-            if one.text() and one.fontMetrics().horizontalAdvance(one.text()) > one.width():
-                found.append(one.text())
-        elif isinstance(one, QTableView):
-            found += cut_cells(one)
-        elif isinstance(one, LegendStrip) and one.text.named:
-            x, line = one.text_layout.lines()[-1]
-            if one.height() < (line + 1) * one.fontMetrics().height() or x > one.width():
-                found.append(one.text.lines())
-    return found
+    cut = []
+    visible = [item for item in panel.findChildren(object) if getattr(item, "isVisible", bool)()]
+    for widget in visible:
+        if isinstance(widget, NoteLabel):
+            if widget.shown != widget.text or widget.height() < widget.heightForWidth(
+                widget.width()
+            ):
+                cut.append(widget.text)
+        elif isinstance(widget, QComboBox) and widget.objectName() != "actuator_field":
+            if widget.fontMetrics().horizontalAdvance(widget.currentText()) > room_of(widget):
+                cut.append(widget.currentText())
+        elif isinstance(widget, QLabel):
+            needed = (
+                widget.heightForWidth(widget.width())
+                if widget.wordWrap()
+                else widget.sizeHint().height()
+            )
+            wide = 0 if widget.wordWrap() else widget.sizeHint().width()
+            if wide > widget.width() or needed > widget.height() + 1:
+                cut.append(widget.text())
+        elif isinstance(widget, QToolButton):
+            if (
+                widget.text()
+                and widget.fontMetrics().horizontalAdvance(widget.text()) > widget.width()
+            ):
+                cut.append(widget.text())
+        elif isinstance(widget, QTableView):
+            cut += cut_cells(widget)
+        elif isinstance(widget, LegendStrip) and widget.text.named:
+            x, line = widget.text_layout.lines()[-1]
+            if widget.height() < (line + 1) * widget.fontMetrics().height() or x > widget.width():
+                cut.append(widget.text.lines())
+    return cut
 
 
 def cut_cells(table):
-    found = ["scrolls sideways"] if table.horizontalScrollBar().maximum() else []
+    cut = ["scrolls sideways"] if table.horizontalScrollBar().maximum() else []
     model, header = table.model(), table.horizontalHeader()
     for column in range(model.columnCount()):
         width = header.sectionSize(column)
         for row in range(model.rowCount()):
             index = model.index(row, column)
-            words = str(index.data(SHORT_NAME) or index.data())
-            if table.fontMetrics().horizontalAdvance(words) > width:
-                found.append(words)
-    return found
+            text = str(index.data(SHORT_NAME) or index.data())
+            if table.fontMetrics().horizontalAdvance(text) > width:
+                cut.append(text)
+    return cut
 
 
 def test_no_result_is_cut_in_a_dock_of_any_width(window, settle, qtbot):
@@ -99,15 +108,15 @@ def test_no_result_is_cut_in_a_dock_of_any_width(window, settle, qtbot):
             for _ in range(4):
                 QApplication.processEvents()
             assert panel.width() <= width, name
-            words = cut_words(panel)
+            texts = cut_texts(panel)
             if name == "statistics":
                 # Names yield to numbers, and only where they have to.
                 whole = panel.table.fontMetrics().horizontalAdvance("29  II nail rad.")
                 assert (panel.table.columnWidth(0) < whole) == (width == 300)
             if dock.widget().horizontalScrollBar().maximum():
-                words.append("the dock scrolls sideways")
-            if words:
-                cut[name, width] = words
+                texts.append("the dock scrolls sideways")
+            if texts:
+                cut[name, width] = texts
         dock.setFloating(False)
         dock.hide()
     assert cut == {}
@@ -140,8 +149,8 @@ def test_outputs_with_the_same_band_are_said_together():
         band_hz = (25.0, 600.0)
         usable_hz = ((27.2, 599.0), (27.4, 598.9), (float("nan"),) * 2, (27.0, 599.3))
 
-    words = _usable_text(Found, (29, 30, 33, 35))
-    assert words.endswith("from 25 to 600 Hz: 29, 30, 35: 27–599 Hz · 33: nowhere")
+    text = _usable_text(Found, (29, 30, 33, 35))
+    assert text.endswith("from 25 to 600 Hz: 29, 30, 35: 27–599 Hz · 33: nowhere")
 
 
 def test_many_outputs_with_the_same_band_are_said_as_ranges():
@@ -149,5 +158,5 @@ def test_many_outputs_with_the_same_band_are_said_as_ranges():
         band_hz = (25.0, 600.0)
         usable_hz = ((27.2, 599.0),) * 66
 
-    words = _usable_text(Found, (*range(1, 61), *range(67, 73)))
-    assert words.endswith("600 Hz: 66 outputs (1–60, 67–72): 27–599 Hz")
+    text = _usable_text(Found, (*range(1, 61), *range(67, 73)))
+    assert text.endswith("600 Hz: 66 outputs (1–60, 67–72): 27–599 Hz")

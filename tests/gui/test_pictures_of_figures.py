@@ -42,13 +42,13 @@ def test_a_picture_of_a_figure_has_no_controls(make_window, qtbot, tmp_path, nam
     window, panel = in_front(make_window, qtbot, name)
     path = tmp_path / "a.svg"
     save_drawing(path, window.pictures.picture_of(name).draw, *SLIDE_PX)
-    words = texts_of(path)
-    assert panel._result.split(" · ")[0].split()[0] in words
-    assert "Copy" not in words
+    texts = texts_of(path)
+    assert panel._result.split(" · ")[0].split()[0] in texts
+    assert "Copy" not in texts
     for control in (*panel.findChildren(QAbstractButton), *panel.findChildren(QComboBox)):
         text = control.currentText() if isinstance(control, QComboBox) else control.text()
         # What is chosen may be said in words.
-        assert not text or text not in words or text in panel.picture_words + panel._result
+        assert not text or text not in texts or text in panel.picture_words + panel._result
 
 
 @pytest.mark.parametrize("name", ["spectrogram", "transfer"])
@@ -66,11 +66,11 @@ def test_a_picture_of_linearity_has_its_heads_as_words_and_no_buttons(show, tmp_
     window, panel = show(STRENGTHS)
     path = tmp_path / "a.svg"
     save_drawing(path, window.pictures.picture_of("linearity").draw, *SLIDE_PX)
-    words = texts_of(path)
-    assert "linear by construction" in words
-    assert "strengths, divided by them" in words
+    texts = texts_of(path)
+    assert "linear by construction" in texts
+    assert "strengths, divided by them" in texts
     for button in (panel.velocity, panel.bands, panel.copy):
-        assert button.text() not in words or not button.text()
+        assert button.text() not in texts or not button.text()
     rows, columns = inked(drawn_image(panel.draw_picture, *SLIDE_PX))
     assert columns[-1] > 0.93 * SLIDE_PX[0]
     assert rows[-1] > 0.93 * SLIDE_PX[1]
@@ -81,10 +81,10 @@ def test_after_its_picture_a_figure_reads_what_it_read(make_window, qtbot):
     qtbot.waitUntil(lambda: panel.figure.axes is not None)
     frame = panel.figure.axes.frame
     panel.figure.move_cursor(frame.center())
-    read, seen = panel.words.text, panel.grab().toImage()
+    read, image = panel.words.text, panel.grab().toImage()
     drawn_image(panel.draw_picture, *SLIDE_PX)
     assert panel.figure.cursor_at == frame.center()
-    assert panel.grab().toImage() == seen
+    assert panel.grab().toImage() == image
     panel.figure.read_again()
     assert panel.words.text == read
 
@@ -93,9 +93,9 @@ def test_a_picture_of_transfer_functions_tells_which_output_is_which(make_window
     window, panel = in_front(make_window, qtbot, "transfer")
     path = tmp_path / "a.svg"
     save_drawing(path, window.pictures.picture_of("transfer").draw, *SLIDE_PX)
-    words = texts_of(path)
-    for one in ("Outputs", "20", "26"):
-        assert one in words
+    texts = texts_of(path)
+    for text in ("Outputs", "20", "26"):
+        assert text in texts
     # Below the line of its legend, not over it.
     qtbot.waitUntil(lambda: panel.picture.axes is not None)
     assert panel.picture.axes.frame.top() > QFontMetricsF(panel.picture.font()).height()

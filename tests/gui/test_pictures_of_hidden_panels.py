@@ -31,7 +31,7 @@ def window(make_window, settle):
     return window
 
 
-def words_of(window, name, path):
+def text_of(window, name, path):
     picture = window.pictures.picture_of(name)
     save_drawing(path, picture.draw, *(picture.size_px or (900, 700)))
     return re.sub(r"<[^>]+>", "\n", path.read_text("utf-8")).replace("\N{NO-BREAK SPACE}", " ")
@@ -45,8 +45,8 @@ def test_what_nobody_looked_at_is_drawn_whole_and_stays_where_it_was(
     focused = window.focusWidget()
     for name, expected in SAYS.items():
         assert name not in window.panels
-        words = words_of(window, name, tmp_path / "a.svg")
-        assert [one for one in expected if one not in words] == [], name
+        drawn_text = text_of(window, name, tmp_path / "a.svg")
+        assert [text for text in expected if text not in drawn_text] == [], name
         panel, dock = window.panel(name), window.docks[name]
         assert dock.isAncestorOf(panel)
         assert not panel.isVisible()
@@ -66,10 +66,10 @@ def test_what_nobody_looked_at_is_drawn_whole_and_stays_where_it_was(
 
 
 def test_a_hidden_panel_is_drawn_as_it_is_after_the_last_edit(window, tmp_path):
-    before = words_of(window, "statistics", tmp_path / "a.svg")
+    before = text_of(window, "statistics", tmp_path / "a.svg")
     document = window.document
     document.edit("Louder", document.design.with_input(0, amplitude=10.0))
-    after = words_of(window, "statistics", tmp_path / "a.svg")
+    after = text_of(window, "statistics", tmp_path / "a.svg")
     assert "0.532" in before
     assert "5.32" in after
 
@@ -78,13 +78,13 @@ def test_nothing_in_a_picture_has_the_keyboard(window, qtbot):
     window.activateWindow()
     panel = window.panel("hand")
     with_focus, without = [], []
-    for found, focus in ((without, "traces"), (with_focus, "hand")):
+    for pictures, focus in ((without, "traces"), (with_focus, "hand")):
         other = window.panel(focus)
         other.setFocus(Qt.FocusReason.OtherFocusReason)
         qtbot.waitUntil(lambda part=other: part.isAncestorOf(window.focusWidget()))
         picture = window.pictures.picture_of("hand")
-        found.append(drawn_image(picture.draw, 400, 400))
-        found.append(panel.grab().toImage())
+        pictures.append(drawn_image(picture.draw, 400, 400))
+        pictures.append(panel.grab().toImage())
     assert with_focus[0] == without[0]
     # On the screen it is seen.
     assert with_focus[1] != without[1]
@@ -100,9 +100,9 @@ def test_text_in_a_pdf_is_text_and_colours_are_not_packed_with_loss(window, tmp_
         save_drawing(tmp_path / "a.pdf", picture.draw, 600, 900)
         paper = Paper(tmp_path / "a.pdf")
         # Qt writes the blank of some fonts as a tab.
-        said = paper.text().replace("\t", " ")
-        assert title in said, name
-        assert "Place 7, 1 m/s²: Tone 100 Hz, 200 ms" in said
+        page_text = paper.text().replace("\t", " ")
+        assert title in page_text, name
+        assert "Place 7, 1 m/s²: Tone 100 Hz, 200 ms" in page_text
         assert set(paper.images()) <= {b"FlateDecode"}
         assert paper.images() or name != "skin"
 

@@ -57,13 +57,13 @@ def test_a_caption_says_what_is_played_where_how_strong_and_on_which_limb():
 
 
 def test_a_caption_counts_the_clips_that_it_does_not_name():
-    def said(n):
+    def caption_of_taps(n):
         clips = tuple(ss.Clip(waveform=ss.waveforms.Tap(), onset_s=0.1 * k) for k in range(n))
         return caption_of(replace(DESIGN, inputs=(ss.Input(location=3, clips=clips),)))
 
-    assert "more" not in said(3)
-    assert "at 200 ms, 1 more clip. Limb" in said(4)
-    assert "at 200 ms, 2 more clips. Limb" in said(5)
+    assert "more" not in caption_of_taps(3)
+    assert "at 200 ms, 1 more clip. Limb" in caption_of_taps(4)
+    assert "at 200 ms, 2 more clips. Limb" in caption_of_taps(5)
 
 
 def test_a_caption_names_what_shapes_the_stimulus_and_what_it_is_predicted_through():
@@ -79,8 +79,8 @@ def test_a_caption_names_what_shapes_the_stimulus_and_what_it_is_predicted_throu
     coil = ActuatorAt(model=ss.actuators.load("example-voice-coil"))
     driven = replace(plain, actuation=Actuation(actuators=(coil,), equaliser=RegularisedInverse()))
     assert "Place 7, 1 m/s²: Tone" in caption_of(driven)
-    words = caption_of(driven)
-    assert words.endswith(f"; predicted through {driven.actuated.words}.")
+    caption = caption_of(driven)
+    assert caption.endswith(f"; predicted through {driven.actuated.words}.")
     volts = replace(driven, actuation=replace(driven.actuation, equaliser=None))
     assert "Place 7, 1 V: Tone" in caption_of(volts)
     assert "1 V" in volts._repr_html_()
@@ -149,14 +149,14 @@ def test_each_picture_has_real_words_and_the_stimulus(make_window, tmp_path):
         picture = window.pictures.picture_of(name)
         path = tmp_path / f"{name}.svg"
         save_drawing(path, picture.draw, *(picture.size_px or (600, 900)))
-        words = texts_of(path)
-        assert "Tone 100 Hz" in words, name
+        texts = texts_of(path)
+        assert "Tone 100 Hz" in texts, name
         if name in ("skin", ALL_IN_SIGHT):
-            assert " mm" in words, name
-            assert "dB re 1 m/s²" in words, name
-            assert "SYNTHETIC" in words, name
+            assert " mm" in texts, name
+            assert "dB re 1 m/s²" in texts, name
+            assert "SYNTHETIC" in texts, name
         if name == ALL_IN_SIGHT:
-            assert all(title in words for title in ("Hand", "Skin", "Timeline", "Traces"))
+            assert all(title in texts for title in ("Hand", "Skin", "Timeline", "Traces"))
 
 
 def test_pictures_are_on_light_ground_and_the_studio_stays_dark(make_window, qtbot):
@@ -176,9 +176,9 @@ def test_pictures_are_on_light_ground_and_the_studio_stays_dark(make_window, qtb
 
 
 def test_colours_of_pictures_are_called_as_the_themes_of_the_window(window):
-    offered = [words for _, words in COLOURS.options]
+    offered = [label for _, label in COLOURS.options]
     themes = [window.actions_by_name[f"use_{name}_theme"].text() for name, _ in COLOURS.options]
-    assert [f"{words} theme" for words in offered] == themes
+    assert [f"{label} theme" for label in offered] == themes
     assert "High contrast" in offered
 
 
@@ -260,10 +260,10 @@ def test_what_to_cite_is_copied(window, qapp):
 
 def test_a_line_of_a_caption_ends_between_words_but_neither_before_nor_in_a_unit(qapp):
     metrics = QFontMetricsF(qapp.font())
-    words = "Place 7, 1 m/s\u00b2: Tone, 100 Hz, 600 ms at 100 ms; Place 3, 12 m/s\u00b2: Tap."
+    caption = "Place 7, 1 m/s\u00b2: Tone, 100 Hz, 600 ms at 100 ms; Place 3, 12 m/s\u00b2: Tap."
     for room in range(60, 400, 7):
-        lines = lines_of(words, metrics, float(room))
-        assert " ".join(lines) == words
+        lines = lines_of(caption, metrics, float(room))
+        assert " ".join(lines) == caption
         for line in lines[1:]:
             assert not line.startswith(("m/s", "s\u00b2", "Hz", "ms")), lines
         assert all(

@@ -114,7 +114,7 @@ def test_on_every_page(window, qtbot):
         window.do(action)
         QApplication.processEvents()
         shown_letter_by_letter()
-        for page in [one for one in window.findChildren(QDialog) if one.isVisible()]:
+        for page in [dialog for dialog in window.findChildren(QDialog) if dialog.isVisible()]:
             page.close()
 
 

@@ -107,7 +107,7 @@ def test_it_never_goes_before_the_start(window, plot):
 def test_keys_move_it_by_steps_and_from_stop_to_stop(window, lanes, plot, where):
     place = lanes if where == "lanes" else plot
     place.setFocus()
-    found = []
+    playheads_s = []
     for key, held in (
         (Qt.Key.Key_Right, ALT),
         (Qt.Key.Key_Left, ALT | SHIFT),
@@ -117,8 +117,8 @@ def test_keys_move_it_by_steps_and_from_stop_to_stop(window, lanes, plot, where)
         (Qt.Key.Key_PageUp, NONE),
     ):
         QTest.keyClick(place, key, held)
-        found.append(window.document.view.playhead_s)
-    assert found == pytest.approx([0.251, 0.241, 0.3, 0.45, 0.3, 0.1], abs=1e-12)
+        playheads_s.append(window.document.view.playhead_s)
+    assert playheads_s == pytest.approx([0.251, 0.241, 0.3, 0.45, 0.3, 0.1], abs=1e-12)
     assert window.document.design is DESIGN
 
 
@@ -156,7 +156,7 @@ def test_moving_it_evaluates_nothing_and_paints_nothing_but_lines(
         QApplication.processEvents()
     # Results are checked and judged a while after they came, whatever is done meanwhile.
     later = (Purpose.CHECK, Purpose.JUDGE)
-    assert [one for one in asked if one.purpose not in later] == []
+    assert [request for request in asked if request.purpose not in later] == []
     assert changes == []
     assert (lanes.item.painted, lanes.item.pictures.painted) == (painted, drawn)
     assert lanes.playhead.moved >= 20

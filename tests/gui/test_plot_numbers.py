@@ -159,25 +159,25 @@ def test_every_column_has_its_stroke_even_where_samples_lie_on_its_edge(columns,
 
 
 def test_columns_of_an_axis_are_found_once_for_all_that_is_drawn_over_it():
-    kept, random = CachedColumns(), np.random.default_rng(4)
+    columns, random = CachedColumns(), np.random.default_rng(4)
     x = np.arange(5000) / 1300
     asked = [(x, (0.0, 3.0), 300), (x.copy(), (0.0, 3.0), 300)]
     others = [(x, (0.1, 3.0), 300), (x, (0.1, 3.0), 301), (x + 1e-9, (0.1, 3.0), 301)]
     others += [(x[:4000], (0.1, 3.0), 301), (x, (0.0, 0.1), 300), *asked[:1]]
-    for found, of in enumerate((*asked, *others)):
+    for n_changes, of in enumerate((*asked, *others)):
         y = random.uniform(-1, 1, (2, of[0].size))
-        points, expected = kept.of(*of).points(y), visible_points(of[0], y, *of[1:])
+        points, expected = columns.of(*of).points(y), visible_points(of[0], y, *of[1:])
         assert np.array_equal(points.x, expected.x)
         assert np.array_equal(points.y, expected.y)
         assert points.strokes == expected.strokes
-        assert kept.made == max(found, 1)
+        assert columns.made == max(n_changes, 1)
 
 
 def test_a_long_axis_is_known_again_only_as_the_very_same():
-    kept, x = CachedColumns(), np.arange(800_000) / 1300
+    columns, x = CachedColumns(), np.arange(800_000) / 1300
     for axis, made in ((x, 1), (x, 1), (x.copy(), 2), (x, 3)):
-        kept.of(axis, (0.0, 600.0), 500)
-        assert kept.made == made
+        columns.of(axis, (0.0, 600.0), 500)
+        assert columns.made == made
 
 
 def test_values_never_reach_beyond_their_row():
@@ -201,8 +201,8 @@ def test_the_crosshair_snaps_to_the_nearest_sample(seed):
     x = np.sort(random.uniform(0, 1, random.integers(1, 40)))
     curves = Curves(x=x, y=np.zeros((1, x.size)), names=output_names((1,), "synthetic-1"))
     for at in random.uniform(-0.2, 1.2, 20):
-        found = curves.nearest(at)
-        assert abs(x[found] - at) == abs(x - at).min(), f"seed {seed}, x {at}"
+        nearest = curves.nearest(at)
+        assert abs(x[nearest] - at) == abs(x - at).min(), f"seed {seed}, x {at}"
 
 
 def test_a_level_line_stays_in_its_row_of_pixels_whatever_the_rounding():

@@ -20,8 +20,8 @@ from skinsource_gui.shell.focus import tab_stops
 
 @pytest.fixture
 def window(make_window, qtbot):
-    one = track(7, Tone(frequency_hz=100.0))
-    window = make_window(Design(limb="synthetic-1", inputs=(one,)), View(selected_inputs=(1,)))
+    tone = track(7, Tone(frequency_hz=100.0))
+    window = make_window(Design(limb="synthetic-1", inputs=(tone,)), View(selected_inputs=(1,)))
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
     return window
@@ -37,9 +37,9 @@ def names(panel):
 
 def test_the_inspector_is_walked_from_top_to_bottom(window):
     panel = window.panel("inspector")
-    found = names(panel)
-    assert found[:3] == ["mute_button", "solo_button", "kind_field"]
-    assert found[-2:] == ["location_field", "add_effect"]
+    stop_names = names(panel)
+    assert stop_names[:3] == ["mute_button", "solo_button", "kind_field"]
+    assert stop_names[-2:] == ["location_field", "add_effect"]
     assert tops(panel) == sorted(tops(panel))
 
 
@@ -50,8 +50,12 @@ def test_it_stays_so_when_another_waveform_brings_other_fields(window, settle):
     for effect in (Trim(), Fade(0.01, 0.01)):
         document.apply(edits.add_effect(document.design, document.view, (clip,), effect))
     settle()
-    found = names(panel)
-    assert found.index("kind_field") < found.index("seed_field") < found.index("add_effect")
+    stop_names = names(panel)
+    assert (
+        stop_names.index("kind_field")
+        < stop_names.index("seed_field")
+        < stop_names.index("add_effect")
+    )
     assert tops(panel) == sorted(tops(panel))
 
 
@@ -77,13 +81,13 @@ def test_other_panels_of_fields_too(window, settle, name):
         inside.setContentsMargins(0, top_px, 0, 0)
         QApplication.processEvents()
         stops = tab_stops(panel, (panel,))
-        check_places([one for one in stops if not isinstance(one, QScrollArea)], panel)
-        scrolling = [k for k, one in enumerate(stops) if isinstance(one, QScrollArea)]
+        check_places([stop for stop in stops if not isinstance(stop, QScrollArea)], panel)
+        scrolling = [k for k, stop in enumerate(stops) if isinstance(stop, QScrollArea)]
         assert all(stops[k].isAncestorOf(stops[k + 1]) for k in scrolling)
 
 
 def check_places(stops, panel):
-    places = [(one.objectName(), one.mapTo(panel, one.rect().center()).y()) for one in stops]
+    places = [(stop.objectName(), stop.mapTo(panel, stop.rect().center()).y()) for stop in stops]
     assert all(after[1] >= before[1] - 4 for before, after in pairwise(places)), places
 
 

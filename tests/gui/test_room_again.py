@@ -23,7 +23,7 @@ def session(qtbot, preferences):
             start_design("synthetic-1"), preferences=preferences, available_limbs=available_limbs()
         )
         windows.append(window)
-        qtbot.addWidget(window, before_close_func=lambda one: one.runner.close())
+        qtbot.addWidget(window, before_close_func=lambda window: window.runner.close())
         window.show()
         window.resize(1366, 768)
         qtbot.waitExposed(window)

@@ -53,26 +53,28 @@ def too_wide(dock):
 
 def numbers(plot):
     """How many numbers are written at each axis."""
-    axes = [one for one in plot.scene().items() if isinstance(one, Axis) and one.isVisible()]
-    return [len(one.generateDrawSpecs(None)[2]) for one in axes]
+    axes = [item for item in plot.scene().items() if isinstance(item, Axis) and item.isVisible()]
+    return [len(axis.generateDrawSpecs(None)[2]) for axis in axes]
 
 
 def cut(window):
     """Words of buttons and labels of panels in sight that have too little room."""
-    found = []
+    cut = []
     for dock in in_sight(window):
-        for one in dock.panel.findChildren(QAbstractButton):
-            if one.isVisible() and QFontMetrics(one.font()).horizontalAdvance(one.text()) > max(
-                one.width(), 1
-            ):
-                found.append(one.text())
+        for button in dock.panel.findChildren(QAbstractButton):
+            if button.isVisible() and QFontMetrics(button.font()).horizontalAdvance(
+                button.text()
+            ) > max(button.width(), 1):
+                cut.append(button.text())
         for grid in dock.panel.findChildren(FieldGrid):
-            found += [
-                one.text()
-                for one in grid.findChildren(QLabel)
-                if one.isVisible() and one.text() and one.height() < one.fontMetrics().height()
+            cut += [
+                label.text()
+                for label in grid.findChildren(QLabel)
+                if label.isVisible()
+                and label.text()
+                and label.height() < label.fontMetrics().height()
             ]
-    return found
+    return cut
 
 
 @pytest.mark.parametrize("screen", SCREENS)
@@ -153,11 +155,11 @@ def test_large_letters_of_the_last_session_are_those_of_all_words(
     try:
         window = make_window()
         settle()
-        wanted = QApplication.font().pointSizeF()
-        assert wanted == pytest.approx(2.0 * font.pointSizeF())
+        expected_pt = QApplication.font().pointSizeF()
+        assert expected_pt == pytest.approx(2.0 * font.pointSizeF())
         parts = [window.menuBar(), window.statusBar(), window.setup_bar]
-        for one in (*parts, *window.docks.values(), *window.panels):
-            assert one.font().pointSizeF() == wanted, one.objectName()
+        for widget in (*parts, *window.docks.values(), *window.panels):
+            assert widget.font().pointSizeF() == expected_pt, widget.objectName()
     finally:
         window.appearance.reset_text()
         qapp.setStyleSheet(sheet)
@@ -187,8 +189,8 @@ def test_maps_side_by_side_are_drawn_in_the_largest_letters_and_the_rest_scrolls
 def test_words_in_a_narrow_map_are_written_smaller_rather_than_cut(qapp):
     font = qapp.font()
     room = 0.6 * QFontMetricsF(font).horizontalAdvance("Computing…")
-    found = shrunk(font, ("Computing…",), room)
-    assert QFontMetricsF(found).horizontalAdvance("Computing…") <= 1.05 * room
+    small_font = shrunk(font, ("Computing…",), room)
+    assert QFontMetricsF(small_font).horizontalAdvance("Computing…") <= 1.05 * room
     assert shrunk(font, ("Computing…",), 1000.0) is font
 
 
@@ -196,7 +198,7 @@ def test_words_in_a_narrow_map_are_written_smaller_rather_than_cut(qapp):
 def test_buttons_of_docks_are_as_light_or_dark_as_words(window, settle, theme):
     window.appearance.use_theme(theme)
     settle()
-    wanted = QColor(THEMES[theme].text)
+    text_colour = QColor(THEMES[theme].text)
     try:
         for name in ("close", "float"):
             (button,) = window.docks["skin"].findChildren(
@@ -210,7 +212,7 @@ def test_buttons_of_docks_are_as_light_or_dark_as_words(window, settle, theme):
                 if image.pixelColor(x, y).alpha() == 255
             ]
             assert drawn
-            assert set(map(QColor.name, drawn)) == {wanted.name()}
+            assert set(map(QColor.name, drawn)) == {text_colour.name()}
     finally:
         window.appearance.use_theme("light")
 
@@ -242,15 +244,15 @@ def test_where_there_is_room_for_all_panels_none_is_a_tab():
 
 
 def test_panels_of_a_column_that_is_too_low_are_tabs():
-    found = folded(COLUMNS, ("foot",), needs(310, 309))
-    assert found == Folded(((("left",),), (("mid",),), (("right", "under"),)), ("foot",))
-    assert found.tabs == (("right", "under"),)
+    fold = folded(COLUMNS, ("foot",), needs(310, 309))
+    assert fold == Folded(((("left",),), (("mid",),), (("right", "under"),)), ("foot",))
+    assert fold.tabs == (("right", "under"),)
 
 
 def test_what_is_below_all_columns_is_a_tab_where_columns_are_too_low_for_it():
-    found = folded(COLUMNS, ("foot",), needs(310, 224))
-    assert found.foot == ()
-    assert ("mid", "foot") in found.tabs
+    fold = folded(COLUMNS, ("foot",), needs(310, 224))
+    assert fold.foot == ()
+    assert ("mid", "foot") in fold.tabs
 
 
 def test_columns_that_are_too_narrow_yield_in_their_order():
@@ -260,8 +262,8 @@ def test_columns_that_are_too_narrow_yield_in_their_order():
 
 
 def test_gaps_between_panels_are_no_room_of_theirs():
-    wanted = needs(400, 310)
-    widths, (height, below), heights = room_of(folded(COLUMNS, ("foot",), wanted), wanted)
+    needed = needs(400, 310)
+    widths, (height, below), heights = room_of(folded(COLUMNS, ("foot",), needed), needed)
     assert sum(widths) + 2 * 5 in (399, 400)
     assert height + below + 5 in (309, 310)
     assert sum(heights[2]) + 5 <= height

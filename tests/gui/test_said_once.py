@@ -32,11 +32,11 @@ class Events(QObject):
 
     def __init__(self):
         super().__init__()
-        self.seen = []
+        self.events = []
 
     def eventFilter(self, watched, event):
         if event.type() in _COSTLY:
-            self.seen.append((watched.objectName() or type(watched).__name__, event.type().name))
+            self.events.append((watched.objectName() or type(watched).__name__, event.type().name))
         return False
 
 
@@ -50,11 +50,11 @@ def events_of(qapp):
         for _ in range(3):
             QApplication.processEvents()
         qapp.installEventFilter(spy)
-        spy.seen.clear()
+        spy.events.clear()
         act()
         QApplication.processEvents()
         qapp.removeEventFilter(spy)
-        return spy.seen
+        return spy.events
 
     return count
 
@@ -118,22 +118,22 @@ def test_another_waveform_changes_nothing_on_the_skin_before_it_is_computed(qtbo
     panel.show_state(design, view)
     panel.show_state(edits.change_field(design, view, (1,), "frequency_hz", 200.0).design, view)
     assert shown == []
-    for seen in (
+    for state in (
         (edits.toggle_mute(design, view, (1,)).design, view),
         (design, replace(view, outputs=(3,))),
         (design, replace(view, span="loudest")),
         (replace(design, limb="synthetic-2"), replace(view, span="loudest")),
     ):
         shown.clear()
-        panel.show_state(*seen)
+        panel.show_state(*state)
         assert shown == [1]
 
 
 def test_words_of_inputs_on_the_hand_are_made_for_those_that_changed(qtbot, monkeypatch):
     inputs = tuple(track(location=k, waveform=Tone(100.0)) for k in (3, 7, 12))
     design, view, made = Design(limb="synthetic-1", inputs=inputs), View(), []
-    words = hand_panel._text
-    monkeypatch.setattr(hand_panel, "_text", lambda one: made.append(one.id) or words(one))
+    text_of = hand_panel._text
+    monkeypatch.setattr(hand_panel, "_text", lambda track: made.append(track.id) or text_of(track))
     panel = hand_panel.HandPanel()
     qtbot.addWidget(panel)
     panel.show_state(design, view)
@@ -145,7 +145,7 @@ def test_words_of_inputs_on_the_hand_are_made_for_those_that_changed(qtbot, monk
 
 
 def test_edits_lay_nothing_out_in_the_window(window, qtbot, qapp):
-    document, told = window.document, []
+    document, changes = window.document, []
     label = window.status_line.timing
 
     def edit(hz):
@@ -160,21 +160,21 @@ def test_edits_lay_nothing_out_in_the_window(window, qtbot, qapp):
         QApplication.processEvents()
     spy = Events()
     qapp.installEventFilter(spy)
-    label.noted.connect(lambda: told.append(label.text()))
+    label.noted.connect(lambda: changes.append(label.text()))
     for hz in (103.0, 104.0, 105.0):
         edit(hz)
         label._show_text()
     qapp.removeEventFilter(spy)
-    assert told
-    assert [one for one in spy.seen if one[1] == "LayoutRequest"] == []
+    assert changes
+    assert [event for event in spy.events if event[1] == "LayoutRequest"] == []
 
 
 def test_a_long_time_has_room(window):
     label = window.status_line.timing
-    for words in ("8 ms", "123456 ms"):
-        label.setText(words)
+    for text in ("8 ms", "123456 ms"):
+        label.setText(text)
         label._fit()
-        assert label.width() >= label.fontMetrics().horizontalAdvance(words)
+        assert label.width() >= label.fontMetrics().horizontalAdvance(text)
 
 
 def test_settings_of_a_panel_are_read_once_from_each_view():

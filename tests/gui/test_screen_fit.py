@@ -96,7 +96,11 @@ def test_text_grows_everywhere_and_comes_back(window, settle, preferences):
 def test_rows_and_plots_have_room_for_large_words(window, settle):
     inputs = window.panel("timeline")
     row = inputs._rows.rows[0]
-    buttons = [one for one in window.findChildren(QToolButton) if one.isVisible() and one.text()]
+    buttons = [
+        button
+        for button in window.findChildren(QToolButton)
+        if button.isVisible() and button.text()
+    ]
     usual = row.height()
     window.document.apply(edits.move_inputs(window.document.design, window.document.view, (1,), 3))
     for _ in range(5):
@@ -130,8 +134,8 @@ def test_presenting_shows_frequency_and_amplitude_in_large_words(window, settle)
     assert all(field.isVisible() for field in fields.values())
     fields["frequency_hz"].edited.emit(250.0, None)
     fields["amplitude"].edited.emit(0.5, None)
-    one = window.document.design.inputs[0]
-    assert (one.clips[0].waveform.frequency_hz, one.amplitude) == (250.0, 0.5)
+    track = window.document.design.inputs[0]
+    assert (track.clips[0].waveform.frequency_hz, track.amplitude) == (250.0, 0.5)
     window.do("arrange_design")
     settle()
     assert window.panel("hand").fontMetrics().height() == small
@@ -174,8 +178,8 @@ def _check_status_bar(window):
     line.show_error(TraceError(estimate=2e-15, bound=3e-13))
     QApplication.processEvents()
     for label in (line.error, line.findChild(QLabel, "work")):
-        words = label.fontMetrics().horizontalAdvance(label.text())
-        assert words <= label.width(), label.text()
+        width_px = label.fontMetrics().horizontalAdvance(label.text())
+        assert width_px <= label.width(), label.text()
     note = window.findChild(LimbNote)
     document = QTextDocument()
     document.setDefaultFont(note.font())
@@ -209,14 +213,16 @@ def test_a_narrow_bar_keeps_its_actions_in_a_menu_and_its_choices_to_be_read(
         assert not bar.findChild(QToolButton, "qt_toolbar_ext_button").isVisible()
         assert min(map(shown_whole, choices)) > least
         parts = (*choices, window.playback.bar, fold.more)
-        assert all(one.visibleRegion().boundingRect() == one.rect() for one in parts)
-        kept = [action for action in fold.more.menu().actions() if not action.isSeparator()]
-        assert kept == [window.actions_by_name[name] for name in names]
+        assert all(part.visibleRegion().boundingRect() == part.rect() for part in parts)
+        actions = [action for action in fold.more.menu().actions() if not action.isSeparator()]
+        assert actions == [window.actions_by_name[name] for name in names]
     window.do("reset_text")
     window.resize(1366, 728)
     settle()
     assert not fold.more.isVisible()
-    buttons = [one.defaultAction() for one in fold.findChildren(QToolButton) if one.isVisible()]
+    buttons = [
+        button.defaultAction() for button in fold.findChildren(QToolButton) if button.isVisible()
+    ]
     assert buttons == [window.actions_by_name[name] for name in names]
 
 
@@ -251,7 +257,7 @@ def test_each_number_of_the_bar_is_shown_whole_in_letters_of_any_size(window, pr
     fields = window.findChild(QToolBar, "setup").findChildren(NumberField)
 
     def in_sight():
-        return all(one.visibleRegion().boundingRect() == one.rect() for one in fields)
+        return all(field.visibleRegion().boundingRect() == field.rect() for field in fields)
 
     assert fields
     for arrangement in ("design", "presentation"):

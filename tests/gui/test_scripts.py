@@ -30,13 +30,13 @@ for path in sys.argv[1:]:
 
 
 def run(*arguments, paths=(), folder=ROOT):
-    found = os.pathsep.join(str(one) for one in (ROOT / "core", ROOT, *paths))
+    python_path = os.pathsep.join(str(path) for path in (ROOT / "core", ROOT, *paths))
     return subprocess.run(
         [sys.executable, *map(str, arguments)],
         capture_output=True,
         text=True,
         cwd=folder,
-        env={**os.environ, "PYTHONPATH": found, "QT_QPA_PLATFORM": "offscreen"},
+        env={**os.environ, "PYTHONPATH": python_path, "QT_QPA_PLATFORM": "offscreen"},
         timeout=300,
     )
 
@@ -63,10 +63,10 @@ def test_benchmarks_explain_themselves():
     paths = [ROOT / "benchmarks" / f"{name}.py" for name in SPEAKING]
     done = run("-c", EXPLAIN_ALL, *paths, paths=(ROOT / "benchmarks",))
     assert done.returncode == 0, done.stderr
-    *told, rest = done.stdout.split("ended 0\n")
+    *outputs, rest = done.stdout.split("ended 0\n")
     assert rest == ""
-    for path, words in zip(paths, told, strict=True):
-        assert words.startswith(f"usage: {path.name} "), words
+    for path, usage in zip(paths, outputs, strict=True):
+        assert usage.startswith(f"usage: {path.name} "), usage
 
 
 @pytest.mark.parametrize("by", ["mouse", "keyboard"])

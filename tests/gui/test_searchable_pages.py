@@ -33,7 +33,7 @@ def test_words_stand_on_a_page_letter_by_letter_with_blanks_between_them(page):
 
 def test_what_fonts_say_is_mended_in_an_update_that_readers_find(page):
     written = page.read_bytes()
-    first, second = (int(one) for one in re.findall(rb"startxref\s+(\d+)", written))
+    first, second = (int(offset) for offset in re.findall(rb"startxref\s+(\d+)", written))
     assert written[second:].startswith(b"xref")
     assert written[first:].startswith(b"xref")
     assert b"/Prev %d" % first in written[second:]
@@ -52,7 +52,7 @@ def test_the_picture_of_a_panel_can_be_searched(make_window, tmp_path):
     window = make_window(ss.Design(limb="synthetic-1", inputs=(ss.track(7, tone),)))
     picture = window.pictures.picture_of("skin")
     save_drawing(tmp_path / "a.pdf", picture.draw, 600, 900)
-    words = Paper(tmp_path / "a.pdf").text()
+    text = Paper(tmp_path / "a.pdf").text()
     # Lines of the caption are put one by one, and end where there is no room.
-    assert "scaling: probe" in words
-    assert "Limb: Synthetic 1 (175 mm)" in words
+    assert "scaling: probe" in text
+    assert "Limb: Synthetic 1 (175 mm)" in text

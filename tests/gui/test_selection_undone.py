@@ -83,7 +83,7 @@ def some(chance, ids, least=0):
 
 def edit_of(chance, design, view):
     """An edit of the design by chance, of what is selected or of anything else."""
-    clips = view.selected_clips or some(chance, [one.id for one in design.clips])
+    clips = view.selected_clips or some(chance, [clip.id for clip in design.clips])
     tracks = view.selected_inputs or some(chance, design.ids)
     return chance.choice(
         (
@@ -111,7 +111,7 @@ def look_of(chance, design, view):
         (
             lambda: (
                 edits.select_clips(
-                    design, view, some(chance, [one.id for one in design.clips])
+                    design, view, some(chance, [clip.id for clip in design.clips])
                 ).view
             ),
             lambda: edits.select_inputs(design, view, some(chance, design.ids)).view,

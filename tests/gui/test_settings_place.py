@@ -32,5 +32,5 @@ def test_whoever_sets_the_data_folder_has_everything_in_it(user_data, monkeypatc
 def test_recent_files_that_are_no_list_of_names_are_none(tmp_path, stored):
     preferences = Preferences(tmp_path / "studio.ini")
     preferences.settings.setValue("recent", stored)
-    assert all(isinstance(one, str) for one in preferences.recent_names)
+    assert all(isinstance(name, str) for name in preferences.recent_names)
     assert len(preferences.recent_names) <= 1

@@ -28,8 +28,8 @@ def other_runs(monkeypatch):
     """Let the other process run, as long as the value is true."""
     state = {"runs": True}
 
-    def still_runs(found):
-        return {OTHER.pid: state["runs"]}.get(found.pid) if found.host == OTHER.host else None
+    def still_runs(holder):
+        return {OTHER.pid: state["runs"]}.get(holder.pid) if holder.host == OTHER.host else None
 
     monkeypatch.setattr(lock, "still_runs", still_runs)
     monkeypatch.setattr("skinsource.base.lock.still_runs", still_runs)
@@ -41,8 +41,8 @@ def other_runs(monkeypatch):
 def answers(monkeypatch):
     given = {"save": "", "agreed": QMessageBox.StandardButton.Cancel, "asked": []}
 
-    def question(_window, _title, words, *_):
-        given["asked"].append(words)
+    def question(_window, _title, text, *_):
+        given["asked"].append(text)
         return given["agreed"]
 
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (given["save"], ""))

@@ -75,6 +75,6 @@ def test_while_typing_undo_and_copy_are_of_the_text(field):
 
 def test_ctrl_e_in_a_number_field_exports(window, field, monkeypatch):
     asked = []
-    monkeypatch.setattr(window.files, "ask_where", lambda *words: asked.append(words[0]))
+    monkeypatch.setattr(window.files, "ask_where", lambda *arguments: asked.append(arguments[0]))
     QTest.keyClick(field, Qt.Key.Key_E, CONTROL)
     assert asked == ["Export traces as CSV"]

@@ -14,7 +14,7 @@ from skinsource_gui.qt.theme import LIGHT
 
 
 def rings_of(limb_map, *places):
-    design = ss.Design(limb="synthetic-1", inputs=tuple(ss.track(one) for one in places))
+    design = ss.Design(limb="synthetic-1", inputs=tuple(ss.track(place) for place in places))
     buffer = QBuffer()
     buffer.open(QBuffer.OpenModeFlag.WriteOnly)
     picture = QSvgGenerator()

@@ -35,7 +35,7 @@ def select(window, input_id):
     document.look(edits.select_inputs(document.design, document.view, (input_id,)).view)
 
 
-def seen(panel, widget):
+def in_view(panel, widget):
     """Whether a widget lies within what its panel shows without scrolling."""
     area = panel.findChild(QScrollArea)
     place = widget.mapTo(area.viewport(), widget.rect().bottomLeft())
@@ -44,14 +44,14 @@ def seen(panel, widget):
 
 def test_what_passes_a_limit_of_the_actuator_is_seen_without_scrolling(window):
     panel = bring(window, "actuator")
-    words = panel.figures.limits.text()
-    assert words.startswith("Beyond its limit: ")
-    passed = [one.label.lower() for one in panel.figures.table.figures if one.exceeded]
+    text = panel.figures.limits.text()
+    assert text.startswith("Beyond its limit: ")
+    passed = [figure.label.lower() for figure in panel.figures.table.figures if figure.exceeded]
     assert passed
-    assert words.endswith(", ".join(passed))
-    assert seen(panel, panel.figures.limits)
+    assert text.endswith(", ".join(passed))
+    assert in_view(panel, panel.figures.limits)
     first_rows = panel.figures.table._rows[:5]
-    assert all(seen(panel, label) for row in first_rows for label in row[:2])
+    assert all(in_view(panel, label) for row in first_rows for label in row[:2])
 
 
 def test_why_a_drive_is_refused_is_seen_without_scrolling(window):
@@ -59,8 +59,8 @@ def test_why_a_drive_is_refused_is_seen_without_scrolling(window):
     select(window, 2)
     bring(window, "actuator")
     assert "leaves a velocity" in panel.figures.refusal.text()
-    assert seen(panel, panel.figures.refusal)
-    assert seen(panel, panel.figures.centred)
+    assert in_view(panel, panel.figures.refusal)
+    assert in_view(panel, panel.figures.centred)
 
 
 def test_where_nothing_passes_a_limit_nothing_is_said(window):

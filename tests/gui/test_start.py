@@ -105,14 +105,14 @@ def test_without_a_display_a_design_that_is_missing_is_one_sentence(tmp_path, ru
 
 
 @pytest.mark.parametrize(
-    ("content", "words"),
+    ("content", "message"),
     [
         (b"junk", "not a SkinSource design"),
         (design(limb="absent"), "absent"),
         (design(frequency_hz=2000.0), "650 Hz"),
     ],
 )
-def test_what_cannot_be_rendered_is_one_sentence_and_leaves_no_file(tmp_path, content, words):
+def test_what_cannot_be_rendered_is_one_sentence_and_leaves_no_file(tmp_path, content, message):
     path = tmp_path / "d.skinsource"
     if isinstance(content, bytes):
         path.write_bytes(content)
@@ -121,7 +121,7 @@ def test_what_cannot_be_rendered_is_one_sentence_and_leaves_no_file(tmp_path, co
     done = run("--render", tmp_path / "folder", path)
     assert (done.returncode, done.stdout, len(done.stderr.splitlines())) == (1, "", 1)
     assert done.stderr.startswith("skinsource-gui: ")
-    assert words in done.stderr
+    assert message in done.stderr
     assert list(tmp_path.iterdir()) == [path]
 
 
@@ -202,8 +202,9 @@ class Watch(QObject):
         return False
 
 def tell():
-    visible = [one for one in window.findChildren(QWidget) if not one.visibleRegion().isEmpty()]
-    print(len(visible), [one.objectName() for one in visible if one not in painted])
+    widgets = window.findChildren(QWidget)
+    visible = [widget for widget in widgets if not widget.visibleRegion().isEmpty()]
+    print(len(visible), [widget.objectName() for widget in visible if widget not in painted])
     print([name for name in names if name in sys.modules])
     sys.stdout.flush()
     os._exit(0)
@@ -249,7 +250,7 @@ def note(module):
 inspect.getsource = note
 ended = main(["--render", sys.argv[1]])
 print(ended, "pyqtgraph" in sys.modules, "scipy.fft" in sys.modules)
-print(*(name for name, one in sys.modules.items() if type(one).__name__ == "_LazyModule"))
+print(*(name for name, module in sys.modules.items() if type(module).__name__ == "_LazyModule"))
 print(*read)
 import numpy.testing
 numpy.testing.assert_allclose(1.0, 1.0)

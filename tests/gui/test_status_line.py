@@ -24,7 +24,7 @@ def label(window, name):
     return window.findChild(QLabel, name)
 
 
-def work_words(window):
+def work_text(window):
     return label(window, "work").text()
 
 
@@ -53,7 +53,7 @@ def test_inputs_channels_and_method_are_told(window, qtbot):
     inputs = (track(location=3, muted=True), track(location=4, colour=1))
     window.document.edit("a", replace(window.document.design, inputs=inputs))
     window.document.look(View(outputs=(29, 30, 52), axes="xz"))
-    qtbot.waitUntil(lambda: work_words(window) == "1 of 2 inputs felt · up to date")
+    qtbot.waitUntil(lambda: work_text(window) == "1 of 2 inputs felt · up to date")
     qtbot.waitUntil(lambda: "6 of 216 channels" in details(window))
     assert "0 inverse transforms" in details(window)
     assert "float64, spectra" in details(window)
@@ -67,11 +67,11 @@ def test_while_results_are_awaited_nothing_is_called_up_to_date(window, qtbot, m
     with monkeypatch.context() as patch:
         patch.setattr(window.engine, "request", asked.append)
         edit(window, amplitude=3.0)
-        qtbot.waitUntil(lambda: work_words(window) == "1 input · computing…")
+        qtbot.waitUntil(lambda: work_text(window) == "1 input · computing…")
         assert not error.isVisible()
         assert not label(window, "timing").isVisible()
     window.engine.request(asked[-1])
-    qtbot.waitUntil(lambda: work_words(window) == "1 input · up to date")
+    qtbot.waitUntil(lambda: work_text(window) == "1 input · up to date")
     assert error.isVisible()
     assert label(window, "timing").isVisible()
 
@@ -92,17 +92,17 @@ def test_a_hidden_map_is_not_spoken_of(window, qtbot):
 def test_a_long_scene_is_told_to_be_computed_block_by_block(window, qtbot):
     edit(window, clips=(Clip(waveform=Tone(duration_s=14.0)),))
     qtbot.waitUntil(lambda: f"float64, overlap-save {BLOCK_FFT}" in details(window))
-    qtbot.waitUntil(lambda: work_words(window).endswith("long scene, summed piece by piece"))
+    qtbot.waitUntil(lambda: work_text(window).endswith("long scene, summed piece by piece"))
 
 
 def test_an_empty_design_has_no_inputs(window, qtbot):
     window.document.edit("a", replace(window.document.design, inputs=()))
-    qtbot.waitUntil(lambda: work_words(window) == "No input yet")
+    qtbot.waitUntil(lambda: work_text(window) == "No input yet")
 
 
 def test_where_nothing_can_be_computed_there_is_no_speed(window, qtbot):
     window.document.edit("a", replace(window.document.design, limb="measured-1"))
-    qtbot.waitUntil(lambda: work_words(window) == "1 input")
+    qtbot.waitUntil(lambda: work_text(window) == "1 input")
     assert label(window, "timing").text() == ""
     assert window.status_line.timing.last is None
 
@@ -135,17 +135,20 @@ def test_nothing_in_the_status_bar_is_clipped(window, qtbot, size):
     qtbot.waitUntil(lambda: window.status_line.error.text() != "", timeout=5000)
     window.status_line.show_error(TraceError(estimate=9e-16, bound=3e-13))
     QApplication.processEvents()
-    shown = [one for one in window.statusBar().findChildren(QLabel) if one.isVisible()]
-    assert {one.objectName() for one in shown} == {"timing", "work", "trace_error", "limb_note"}
-    for one in shown:
-        if one.objectName() != "limb_note":
-            assert one.fontMetrics().horizontalAdvance(one.text()) <= one.contentsRect().width()
+    shown = [label for label in window.statusBar().findChildren(QLabel) if label.isVisible()]
+    assert {label.objectName() for label in shown} == {"timing", "work", "trace_error", "limb_note"}
+    for status_label in shown:
+        if status_label.objectName() != "limb_note":
+            assert (
+                status_label.fontMetrics().horizontalAdvance(status_label.text())
+                <= status_label.contentsRect().width()
+            )
         else:
-            assert one.sizeHint().width() <= one.width()
-    places = sorted((one.mapTo(window, QPoint()).x(), one.width()) for one in shown)
+            assert status_label.sizeHint().width() <= status_label.width()
+    places = sorted((label.mapTo(window, QPoint()).x(), label.width()) for label in shown)
     for (left, width), (following, _) in pairwise(places):
         assert left + width <= following
-    assert work_words(window) == "1 input · up to date"
+    assert work_text(window) == "1 input · up to date"
 
 
 def test_the_error_stands_with_its_bound(window):
@@ -166,8 +169,8 @@ def test_transforms_beyond_those_of_channels_and_search_are_the_maps():
 
 
 def test_every_phrasing_is_shorter_than_the_one_before():
-    for one in (scope(), scope(streamed=True), scope(has_map=False), scope(inputs=0, audible=0)):
-        lengths = [len(words) for words in one.phrases()]
+    for sample in (scope(), scope(streamed=True), scope(has_map=False), scope(inputs=0, audible=0)):
+        lengths = [len(phrase) for phrase in sample.phrases()]
         assert lengths == sorted(set(lengths), reverse=True)
 
 
@@ -191,30 +194,30 @@ def test_the_summary_names_median_95_percent_and_slowest():
 
 
 @pytest.mark.parametrize(
-    ("seconds", "words"),
+    ("seconds", "text"),
     [(0.0004, "0.4 ms"), (0.00994, "9.9 ms"), (0.00996, "10 ms"), (0.3, "300 ms"), (1.26, "1.3 s")],
 )
-def test_times_have_two_digits(seconds, words):
-    assert milliseconds(seconds) == words
+def test_times_have_two_digits(seconds, text):
+    assert milliseconds(seconds) == text
 
 
 def test_waiting_is_what_is_neither_computing_nor_drawing():
-    one = EditTime(compute_s=0.003, draw_s=0.005, total_s=0.009)
-    assert one.queue_s == pytest.approx(0.001)
-    assert one.sentence() == (
+    edit_time = EditTime(compute_s=0.003, draw_s=0.005, total_s=0.009)
+    assert edit_time.queue_s == pytest.approx(0.001)
+    assert edit_time.sentence() == (
         "On screen 9.0 ms after the edit: 1.0 ms waiting, 3.0 ms computing, 5.0 ms drawing."
     )
 
 
 @pytest.fixture
 def sparkline(qtbot):
-    one = Sparkline(lambda: "about them")
-    qtbot.addWidget(one)
-    one.resize(one.sizeHint())
-    one.show()
-    qtbot.waitExposed(one)
+    sparkline = Sparkline(lambda: "about them")
+    qtbot.addWidget(sparkline)
+    sparkline.resize(sparkline.sizeHint())
+    sparkline.show()
+    qtbot.waitExposed(sparkline)
     QApplication.processEvents()
-    return one
+    return sparkline
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK])

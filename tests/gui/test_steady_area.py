@@ -43,14 +43,14 @@ def inside(depth):
 
 @pytest.fixture(params=[0, 1])
 def area(qtbot, request):
-    found = SteadyArea()
-    qtbot.addWidget(found)
-    found.setFrameShape(SteadyArea.Shape.NoFrame)
-    found.setWidget(inside(request.param))
-    found.resize(400, 300)
-    found.show()
-    qtbot.waitExposed(found)
-    return found
+    area = SteadyArea()
+    qtbot.addWidget(area)
+    area.setFrameShape(SteadyArea.Shape.NoFrame)
+    area.setWidget(inside(request.param))
+    area.resize(400, 300)
+    area.show()
+    qtbot.waitExposed(area)
+    return area
 
 
 def turn(times=_TURNS):

@@ -21,8 +21,8 @@ def test_the_number_is_whole_in_letters_of_any_size(qtbot, number, letters_px):
     swatch.setFont(font)
     qtbot.waitUntil(lambda: swatch.size() == swatch.sizeHint())
     font.setWeight(QFont.Weight.DemiBold)
-    words = QFontMetrics(font)
-    assert swatch.width() > words.horizontalAdvance(str(number))
-    assert swatch.height() > words.height()
+    metrics = QFontMetrics(font)
+    assert swatch.width() > metrics.horizontalAdvance(str(number))
+    assert swatch.height() > metrics.height()
     if letters_px == 13 and number < 100:
         assert (swatch.width(), swatch.height()) == (SWATCH_PX, SWATCH_PX)

@@ -17,10 +17,10 @@ def active(window, qtbot):
 def test_bars_of_tabs_say_what_they_are_and_are_no_stop_for_the_keyboard(active):
     active.tabifyDockWidget(active.docks["hand"], active.docks["skin"])
     active.docks["library"].bring_forward()
-    found = [bar for bar in bars(active) if bar.count() > 1]
-    assert len(found) == 2
-    assert {bar.accessibleName() for bar in found} == {"Panels in one place"}
-    assert {bar.focusPolicy() for bar in found} == {Qt.FocusPolicy.NoFocus}
+    shared_bars = [bar for bar in bars(active) if bar.count() > 1]
+    assert len(shared_bars) == 2
+    assert {bar.accessibleName() for bar in shared_bars} == {"Panels in one place"}
+    assert {bar.focusPolicy() for bar in shared_bars} == {Qt.FocusPolicy.NoFocus}
 
 
 def test_ctrl_tab_shows_what_shares_the_place_of_the_keyboard_and_takes_it_along(active, settle):
@@ -28,19 +28,19 @@ def test_ctrl_tab_shows_what_shares_the_place_of_the_keyboard_and_takes_it_along
     active.docks["history"].bring_forward()
     settle()
     active.panel("history").setFocus()
-    seen = []
+    visited = []
     for _ in range(3):
         active.do("next_tab")
         settle()
         focused = QApplication.focusWidget()
-        seen.append(next(p.name for p in active.panels if p.isAncestorOf(focused)))
-        assert seen[-1] in in_sight(active)
-    names = [active.panel(name).title for name in seen]
+        visited.append(next(p.name for p in active.panels if p.isAncestorOf(focused)))
+        assert visited[-1] in in_sight(active)
+    names = [active.panel(name).title for name in visited]
     row = titles(bar_with(active, "Library"))
     start = row.index("History") + 1
     assert names == row[start:] + row[:start]
     active.do("previous_tab")
-    assert seen[-2] in in_sight(active)
+    assert visited[-2] in in_sight(active)
 
 
 def test_ctrl_tab_from_elsewhere_goes_to_the_panels_that_share_a_place(active, settle):
@@ -70,9 +70,9 @@ def test_a_click_on_a_tab_takes_the_keyboard_to_the_panel_it_shows_wherever_it_w
 
 
 def test_the_panels_menu_ticks_what_is_there_and_brings_what_is_behind(window, settle):
-    menu = next(one for one in window.findChildren(QMenu) if one.title() == "Panels")
+    menu = next(menu for menu in window.findChildren(QMenu) if menu.title() == "Panels")
     entry = {action.text(): action for action in menu.actions()}
-    assert {text for text, one in entry.items() if one.isChecked()} == {
+    assert {text for text, action in entry.items() if action.isChecked()} == {
         window.panel(name).title for name in in_sight(window)
     }
     entry["Library"].trigger()

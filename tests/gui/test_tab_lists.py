@@ -17,11 +17,11 @@ def open_list(window):
 
 
 def entries(menu):
-    return [one.text() for one in menu.actions()]
+    return [action.text() for action in menu.actions()]
 
 
 def ticked(menu):
-    return [one.text() for one in menu.actions() if one.isChecked()]
+    return [action.text() for action in menu.actions() if action.isChecked()]
 
 
 @pytest.fixture
@@ -66,9 +66,9 @@ def test_button_and_arrows_stand_beside_each_other_and_cover_no_tab_in_front(cro
         ]
         # Qt lets the last pixel of a tab lie below the arrow.
         front = bar.tabRect(bar.currentIndex()).adjusted(0, 0, -1, 0)
-        assert all(bar.rect().contains(one) for one in ends)
-        assert not any(one.intersects(front) for one in ends)
-        assert [one.left() for one in ends[1:]] == [one.right() + 1 for one in ends[:2]]
+        assert all(bar.rect().contains(arrow) for arrow in ends)
+        assert not any(arrow.intersects(front) for arrow in ends)
+        assert [arrow.left() for arrow in ends[1:]] == [arrow.right() + 1 for arrow in ends[:2]]
 
 
 def test_where_all_tabs_fit_there_is_no_button_and_the_right_button_lists_them(window, settle):
@@ -104,13 +104,13 @@ def test_the_key_lists_the_tabs_where_the_keyboard_is(crowded, settle):
 
 
 def test_without_tabs_the_key_says_what_brings_some(window, settle):
-    told = []
-    window.dock_tabs.done.connect(told.append)
+    messages = []
+    window.dock_tabs.done.connect(messages.append)
     for dock in window.docks.values():
         if window.tabifiedDockWidgets(dock):
             dock.hide()
     settle()
-    assert not [one for one in bars(window) if one.isVisible() and one.count() > 1]
+    assert not [bar for bar in bars(window) if bar.isVisible() and bar.count() > 1]
     window.do("list_tabs")
     assert open_list(window) is None
-    assert told == ["No panel shares its place with another one; View > Panels brings more"]
+    assert messages == ["No panel shares its place with another one; View > Panels brings more"]

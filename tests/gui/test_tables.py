@@ -13,7 +13,7 @@ from skinsource_gui.shell.dock_layout import shared
 from skinsource_gui.shell.panels import PANELS
 
 
-def words(menu):
+def title_of(menu):
     return menu.title().replace("&", "")
 
 
@@ -23,19 +23,21 @@ def entries(menu):
 
 def test_menus_hold_each_action_once_in_the_order_of_the_table(window):
     for title in MENUS:
-        menu = next(one for one in window.menuBar().findChildren(QMenu) if words(one) == title)
-        found = [one.objectName() for one in menu.actions() if one.objectName()]
+        menu = next(
+            menu for menu in window.menuBar().findChildren(QMenu) if title_of(menu) == title
+        )
+        action_names = [action.objectName() for action in menu.actions() if action.objectName()]
         names = [spec.name for spec in ACTIONS if spec.menu == title and not spec.submenu]
-        assert [name for name in found if name in names] == names
+        assert [name for name in action_names if name in names] == names
 
 
 def test_the_keys_page_lists_each_action_with_keys(window):
     window.do("show_keys")
-    words = window.findChild(QTextBrowser, "page_text").toPlainText()
+    text = window.findChild(QTextBrowser, "page_text").toPlainText()
     for spec in ACTIONS:
         if spec.keys:
-            assert spec.text in words
-            assert spec.hint in words
+            assert spec.text in text
+            assert spec.hint in text
 
 
 def test_each_export_is_an_action(window):
@@ -58,10 +60,10 @@ def test_conditions_follow_the_document(window):
 
 
 def test_an_action_is_a_command_or_an_edit_not_both_and_not_neither():
-    words = {"name": "a", "menu": "File", "text": "A", "hint": "A"}
+    fields = {"name": "a", "menu": "File", "text": "A", "hint": "A"}
     for more in ({}, {"command": "files.new", "edit": lambda design, view: None}):
         with pytest.raises(ValueError, match="either a command or an edit"):
-            ActionSpec(**words, **more)
+            ActionSpec(**fields, **more)
 
 
 def test_each_arrangement_places_the_panels_of_the_table(window, settle):
@@ -88,7 +90,7 @@ def test_room_is_shared_but_nobody_gets_less_than_is_needed(whole, shares, least
 
 
 def test_the_panels_menu_shows_and_hides_each_panel(window):
-    menu = next(one for one in window.findChildren(QMenu) if one.title() == "Panels")
+    menu = next(menu for menu in window.findChildren(QMenu) if menu.title() == "Panels")
     assert entries(menu) == [spec.panel.title for spec in PANELS]
 
 
@@ -107,12 +109,16 @@ def test_another_arrangement_leaves_the_keyboard_with_the_panels(window, qtbot, 
 
 def test_each_menu_opens_with_a_letter_of_its_own_and_the_first_with_f10(window, qtbot):
     bar = window.menuBar()
-    keys = [QKeySequence.mnemonic(one.text()) for one in bar.actions()]
+    keys = [QKeySequence.mnemonic(action.text()) for action in bar.actions()]
     assert QKeySequence() not in keys
     others = [QKeySequence(key) for spec in ACTIONS for key in spec.keys]
-    others += [QKeySequence(key) for one in ARRANGEMENTS for key in one.keys]
+    others += [QKeySequence(key) for arrangement in ARRANGEMENTS for key in arrangement.keys]
     assert len(set(keys) - set(others)) == len(keys) == len(MENUS)
-    (key,) = [one for one in bar.findChildren(QShortcut) if one.key() == QKeySequence("F10")]
+    (key,) = [
+        shortcut
+        for shortcut in bar.findChildren(QShortcut)
+        if shortcut.key() == QKeySequence("F10")
+    ]
     assert key.key() not in others
     key.activated.emit()
     menu = bar.actions()[0].menu()

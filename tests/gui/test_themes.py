@@ -12,7 +12,7 @@ NAMES = [spec.panel.name for spec in PANELS if spec.panel.name != "playback"]
 
 def pictures(window):
     """Of each panel, and of the buttons that play, without the frame of the keyboard."""
-    seen = {"bar": window.playback.bar.grab().toImage()}
+    images = {"bar": window.playback.bar.grab().toImage()}
     for name in NAMES:
         window.docks[name].show()
         window.docks[name].raise_()
@@ -20,8 +20,8 @@ def pictures(window):
         window.catch_up()
         window.setFocus()
         QApplication.processEvents()
-        seen[name] = window.panel(name).grab().toImage()
-    return seen
+        images[name] = window.panel(name).grab().toImage()
+    return images
 
 
 @pytest.mark.parametrize("theme", ["dark", "contrast"])

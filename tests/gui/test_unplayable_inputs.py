@@ -18,7 +18,7 @@ from tests.gui.curve_panels.bench import plot_of
 TONE = track(7, Tone(frequency_hz=100.0))
 HEARTBEAT = Input(
     location=6,
-    clips=next(one for one in SHIPPED if one.name == "Heartbeat").fragment.lanes[0].clips,
+    clips=next(preset for preset in SHIPPED if preset.name == "Heartbeat").fragment.lanes[0].clips,
 )
 COIL = ActuatorAt(actuator="Coil", model=ss.actuators.load("kastor-2023-air"))
 EQUALISED = Actuation(actuators=(COIL,), equaliser=RegularisedInverse())
@@ -65,9 +65,9 @@ def test_it_is_said_once_and_marked(window, design, settle):
     good, bad = content(window).lanes
     assert window.notice.text.startswith(f"Input at place {bad.track.location}")
     assert bad.problem.startswith(window.notice.text.removesuffix("."))
-    said = [window.panel("skin").map.content.message]
-    said += [plot_of(window.panel(name)).message for name in ("traces", "spectra")]
-    assert said == ["", "", ""]
+    messages = [window.panel("skin").map.content.message]
+    messages += [plot_of(window.panel(name)).message for name in ("traces", "spectra")]
+    assert messages == ["", "", ""]
     assert (good.problem, bad.silent) == ("", "cannot be played")
     assert content(window).unplayable_on(good) == frozenset()
     assert content(window).unplayable_on(bad) == {clip.id for clip in bad.track.clips}
@@ -75,7 +75,7 @@ def test_it_is_said_once_and_marked(window, design, settle):
 
 def test_closed_it_is_not_said_again_until_it_is_something_else(window, design, settle):
     document = window.document
-    words = window.notice.text
+    message = window.notice.text
     window.notice.be_quiet()
     document.edit("Amplitude", design.with_input(0, amplitude=0.5))
     settle()
@@ -84,7 +84,7 @@ def test_closed_it_is_not_said_again_until_it_is_something_else(window, design, 
     settle()
     document.undo_stack.undo()
     settle()
-    assert window.notice.text == words
+    assert window.notice.text == message
 
 
 def test_muted_it_is_neither_said_nor_marked(window, design, settle):
@@ -98,7 +98,7 @@ def test_muted_it_is_neither_said_nor_marked(window, design, settle):
 def test_lamps_stay_lit_and_say_what_is_left_out(window, settle, qtbot):
     lamps = window.validity.lamps
     qtbot.waitUntil(lambda: bool(lamps.findings), timeout=30_000)
-    states = {one.name: one.state for one in lamps.findings}
+    states = {finding.name: finding.state for finding in lamps.findings}
     assert states["inputs"] == "left"
     assert states["band"] == "kept"
     assert "cannot be played" in window.panel("skin").caption()
@@ -106,7 +106,7 @@ def test_lamps_stay_lit_and_say_what_is_left_out(window, settle, qtbot):
 
 def test_snapshots_keep_their_numbers(window, design, settle, qtbot):
     window.docks["compare"].bring_forward()
-    panel, words = window.panel("compare"), window.notice.text
+    panel, message = window.panel("compare"), window.notice.text
     qtbot.waitUntil(panel.isVisible)
     window.comparison.store("1")
     settle()
@@ -114,8 +114,8 @@ def test_snapshots_keep_their_numbers(window, design, settle, qtbot):
     qtbot.waitUntil(lambda: card.compared.values is not None, timeout=30_000)
     expected = window.panel("skin").map.content.values
     np.testing.assert_allclose(card.compared.values["output_levels_db"], expected, atol=1e-9)
-    assert card.compared.left_out == words
-    assert words in card.accessibleName()
+    assert card.compared.left_out == message
+    assert message in card.accessibleName()
 
 
 def test_a_muted_clip_that_cannot_be_sampled_does_not_matter(make_window, qtbot):
@@ -128,6 +128,6 @@ def test_a_muted_clip_that_cannot_be_sampled_does_not_matter(make_window, qtbot)
         assert set(content(window).waveforms) == {design.clips[0].id}
         assert content(window).lanes[1].problem == ""
         expected = ss.evaluate(replace(muted, inputs=muted.inputs[:1]), "output_levels_db")
-        found = window.panel("skin").map.content.values
-        np.testing.assert_allclose(found, expected["output_levels_db"], atol=1e-9)
+        levels_db = window.panel("skin").map.content.values
+        np.testing.assert_allclose(levels_db, expected["output_levels_db"], atol=1e-9)
         window.close()

@@ -28,9 +28,9 @@ def delivered(window):
 
 def test_the_first_window_plays_a_tone_on_the_pad_of_digit_ii():
     design = start_design("synthetic-3")
-    (one,) = design.inputs
-    assert (design.limb, design.scaling, one.location) == ("synthetic-3", "probe", 7)
-    assert one.clips[0].waveform == Tone(frequency_hz=100.0)
+    (track,) = design.inputs
+    assert (design.limb, design.scaling, track.location) == ("synthetic-3", "probe", 7)
+    assert track.clips[0].waveform == Tone(frequency_hz=100.0)
 
 
 def test_the_first_window_shows_a_prediction_of_the_start_design(window, settle, delivered):
@@ -65,9 +65,9 @@ def test_hidden_panels_ask_for_nothing(window, settle, delivered):
     settle()
     window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
     settle()
-    wanted = delivered[-1].request.wanted
-    assert not wanted & {"surface_levels_db", "output_levels_db", "selected_spectra"}
-    assert "selected_traces" in wanted
+    quantities = delivered[-1].request.wanted
+    assert not quantities & {"surface_levels_db", "output_levels_db", "selected_spectra"}
+    assert "selected_traces" in quantities
 
 
 def test_a_sensors_only_map_does_not_interpolate(window, settle, delivered):

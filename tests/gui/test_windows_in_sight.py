@@ -34,7 +34,9 @@ def test_a_window_is_moved_as_little_as_brings_it_into_sight(frame, rooms, place
 
 def test_notes_come_back_when_their_screen_is_gone(window, qtbot):
     window.do("show_notes")
-    (notes,) = [one for one in QApplication.topLevelWidgets() if isinstance(one, NotesWindow)]
+    (notes,) = [
+        widget for widget in QApplication.topLevelWidgets() if isinstance(widget, NotesWindow)
+    ]
     stood = window.frameGeometry()
     notes.move(5000, 300)
     assert not any(

@@ -39,8 +39,8 @@ def test_switches_above_a_plot_are_written_smaller_rather_than_cut(qtbot, width)
     qtbot.waitExposed(bar)
     for button in bar.findChildren(QToolButton):
         if button.isVisible():
-            words = button.fontMetrics().horizontalAdvance(button.text())
-            assert button.width() >= words, button.text()
+            width_px = button.fontMetrics().horizontalAdvance(button.text())
+            assert button.width() >= width_px, button.text()
 
 
 def test_a_long_note_under_the_map_takes_two_lines(qtbot):
@@ -61,30 +61,30 @@ def painted(label, width):
     model.show_history(History(steps=(Step(label=label, at_s=0.0),), present=1))
     option = QStyleOptionViewItem()
     option.rect.setRect(0, 0, width, 24)
-    seen = []
+    texts = []
 
     class Painter(QPainter):
         def drawText(self, *arguments):
-            seen.append(arguments[-1])
+            texts.append(arguments[-1])
 
     image = QImage(width, 24, QImage.Format.Format_RGB32)
     painter = Painter(image)
     StepDelegate().paint(painter, option, model.index(1, 0))
     painter.end()
-    return [one for one in seen if one]
+    return [text for text in texts if text]
 
 
 def test_a_long_step_of_the_history_is_cut_beside_its_time_and_goes_before_it_in_little_room(qapp):
     assert len(painted("Add input", 300)) == 2
-    words = "Change frequency of input at 7 (II pad)"
-    assert any(one.startswith("Change frequency") for one in painted(words, 250))
-    assert len(painted(words, 250)) == 2
-    (label,) = painted(words, 120)
+    step = "Change frequency of input at 7 (II pad)"
+    assert any(text.startswith("Change frequency") for text in painted(step, 250))
+    assert len(painted(step, 250)) == 2
+    (label,) = painted(step, 120)
     assert label.startswith("Change")
 
 
 def test_the_sheet_of_an_export_writes_a_minus(qapp):
-    one = ChannelOverview(
+    overview = ChannelOverview(
         file="",
         number=1,
         title="Palm",
@@ -95,7 +95,7 @@ def test_the_sheet_of_an_export_writes_a_minus(qapp):
         rms=0.25,
         clipped=0,
     )
-    assert channel_lines(one)[1] == "peak −6.0 dB, RMS −12.0 dB"
+    assert channel_lines(overview)[1] == "peak −6.0 dB, RMS −12.0 dB"
 
 
 def test_a_limb_that_others_installed_is_told_of(window, monkeypatch):
@@ -103,8 +103,8 @@ def test_a_limb_that_others_installed_is_told_of(window, monkeypatch):
     names = limbs.names
     monkeypatch.setattr(preferences, "available_limbs", lambda: (*names, "measured-2"))
     limbs.look()
-    said = window.statusBar().currentMessage()
-    assert said == "Measured 2 (165 mm): installed, choose it under Limb above the panels"
+    message = window.statusBar().currentMessage()
+    assert message == "Measured 2 (165 mm): installed, choose it under Limb above the panels"
     monkeypatch.setattr(preferences, "available_limbs", lambda: names)
     limbs.look()
     assert window.statusBar().currentMessage() == "Measured 2 (165 mm): no longer installed"

@@ -25,12 +25,12 @@ def test_how_wide_a_button_would_be_does_not_depend_on_how_it_is_written_now(qtb
     qtbot.addWidget(button)
     button.setText("Remove 52 ms delay")
     usual = button.font()
-    found = set()
+    widths = set()
     for scale in (1.0, 0.9, 0.8, 0.7, 0.6, 1.5):
         button.setFont(scaled(usual, scale))
         assert width_in(button.font(), [button]) == button.sizeHint().width()
-        found.add(width_in(usual, [button]))
-    assert len(found) == 1
+        widths.add(width_in(usual, [button]))
+    assert len(widths) == 1
 
 
 class Fits(QObject):
@@ -53,7 +53,7 @@ def beside_the_ruler(parent):
 def above_a_plot(parent):
     bar = PlotToolbar(parent)
     for name in ("Remove 52 ms delay", "Envelope", "Principal axis"):
-        bar.add_switch(name, name, name, lambda wanted: None)
+        bar.add_switch(name, name, name, lambda on: None)
     bar.show_state(layout="overlaid", zoomed=True)
     return bar
 
@@ -85,19 +85,19 @@ def test_switches_go_below_before_words_are_hard_to_read(qtbot):
     bar = above_a_plot(None)
     qtbot.addWidget(bar)
     bar.show()
-    buttons = [one for one in bar.findChildren(QToolButton) if one.isVisibleTo(bar)]
+    buttons = [button for button in bar.findChildren(QToolButton) if button.isVisibleTo(bar)]
     usual = bar.font().pointSizeF()
     rows = set()
     for width in range(width_in(bar.font(), buttons) + 100, 200, -1):
         bar.resize(width, bar.height())
-        rows.add(len({one.mapTo(bar, one.rect().topLeft()).y() for one in buttons}))
+        rows.add(len({button.mapTo(bar, button.rect().topLeft()).y() for button in buttons}))
         if len(rows) > 1:
             break
-        assert min(one.font().pointSizeF() for one in buttons) >= 0.79 * usual, width
+        assert min(button.font().pointSizeF() for button in buttons) >= 0.79 * usual, width
     assert rows == {1, 2}
     # The way out of a zoom takes what is left.
-    staying = [one for one in buttons if one.objectName() != "show-all"]
-    assert min(one.font().pointSizeF() for one in staying) >= 0.99 * usual
+    staying = [button for button in buttons if button.objectName() != "show-all"]
+    assert min(button.font().pointSizeF() for button in staying) >= 0.99 * usual
 
 
 @pytest.mark.parametrize(
@@ -111,21 +111,23 @@ def test_switches_take_a_second_row_where_the_plot_is_high_enough_or_they_would_
     # In large letters: small ones leave room in any plot.
     view.setFont(scaled(view.font(), 2.0))
     for name in ("Remove 52 ms delay", "Each to its peak"):
-        view.toolbar.add_switch(name, name, name, lambda wanted: None)
+        view.toolbar.add_switch(name, name, name, lambda on: None)
     view.toolbar.show_state(layout="overlaid", zoomed=False)
     view.show()
     QApplication.processEvents()
-    shown = [one for one in view.toolbar.findChildren(QToolButton) if one.isVisibleTo(view)]
+    shown = [
+        button for button in view.toolbar.findChildren(QToolButton) if button.isVisibleTo(view)
+    ]
     # What words of that size need, and what is around and between them.
     width = width_in(scaled(view.toolbar.font(), scale), shown) + 4 * UNIT_PX
     for at in (250, 700, height):
         view.resize(width, at)
         for _ in range(20):
             QApplication.processEvents()
-    assert len({one.geometry().y() for one in shown}) == n_rows
-    for one in shown:
-        assert view.toolbar.rect().contains(one.geometry())
-        assert one.height() >= one.fontMetrics().height()
+    assert len({button.geometry().y() for button in shown}) == n_rows
+    for switch in shown:
+        assert view.toolbar.rect().contains(switch.geometry())
+        assert switch.height() >= switch.fontMetrics().height()
 
 
 def settle():
@@ -135,7 +137,7 @@ def settle():
 
 def rows_of(buttons):
     """In how many rows they stand."""
-    return len({one.geometry().center().y() // one.height() for one in buttons})
+    return len({button.geometry().center().y() // button.height() for button in buttons})
 
 
 @pytest.mark.parametrize("scale", [1.0, 1.5, 3.0])
@@ -147,9 +149,9 @@ def test_the_way_out_of_a_zoom_moves_nothing(qtbot, scale, high):
     bar.let_fold(high)
     bar.show()
     bar.show_state(layout="overlaid", zoomed=False)
-    staying = [one for one in bar.findChildren(QToolButton) if one.isVisibleTo(bar)]
+    staying = [button for button in bar.findChildren(QToolButton) if button.isVisibleTo(bar)]
     everything = bar.findChild(QToolButton, "show-all")
-    seen = set()
+    row_counts = set()
     for width in range(int(800 * scale), 150, -11):
         bar.resize(width, bar.sizeHint().height())
         settle()
@@ -161,10 +163,10 @@ def test_the_way_out_of_a_zoom_moves_nothing(qtbot, scale, high):
         assert bar.sizeHint().height() <= height, width
         if bar.width() >= bar.minimumWidth():
             assert everything.width() >= everything.sizeHint().width()
-        seen.add(n_rows)
+        row_counts.add(n_rows)
         bar.show_state(layout="overlaid", zoomed=False)
         settle()
-    assert seen == {1, 2}
+    assert row_counts == {1, 2}
 
 
 def test_a_scroll_bar_sends_no_switches_below(qtbot):
@@ -173,11 +175,13 @@ def test_a_scroll_bar_sends_no_switches_below(qtbot):
     area.setWidget(view)
     area.setWidgetResizable(True)
     for name in ("Remove 52 ms delay", "Each to its peak"):
-        view.toolbar.add_switch(name, name, name, lambda wanted: None)
+        view.toolbar.add_switch(name, name, name, lambda on: None)
     view.toolbar.show_state(layout="overlaid", zoomed=False)
     area.show()
     settle()
-    shown = [one for one in view.toolbar.findChildren(QToolButton) if one.isVisibleTo(view)]
+    shown = [
+        button for button in view.toolbar.findChildren(QToolButton) if button.isVisibleTo(view)
+    ]
     # The least width at which they stand beside each other in words that are read easily.
     for width in range(1200, 150, -1):
         area.resize(width, 900)
@@ -198,7 +202,7 @@ def test_large_words_are_written_still_smaller_before_they_are_cut(qtbot):
     bar = above_a_plot(None)
     qtbot.addWidget(bar)
     usual = bar.font()
-    buttons = [one for one in bar.findChildren(QToolButton) if one.isVisibleTo(bar)]
+    buttons = [button for button in bar.findChildren(QToolButton) if button.isVisibleTo(bar)]
     least = {}
     for scale in (1.0, 3.0):
         bar.setFont(scaled(usual, scale))
@@ -215,12 +219,14 @@ def test_what_scrolls_has_no_more_room_than_is_in_sight(qtbot):
     area.setWidgetResizable(True)
     view.setFont(scaled(view.font(), 2.0))
     for name in ("Remove 52 ms delay", "Each to its peak"):
-        view.toolbar.add_switch(name, name, name, lambda wanted: None)
+        view.toolbar.add_switch(name, name, name, lambda on: None)
     view.toolbar.show_state(layout="overlaid", zoomed=False)
     view.setMinimumHeight(800)
     area.show()
     QApplication.processEvents()
-    shown = [one for one in view.toolbar.findChildren(QToolButton) if one.isVisibleTo(view)]
+    shown = [
+        button for button in view.toolbar.findChildren(QToolButton) if button.isVisibleTo(view)
+    ]
     width = width_in(scaled(view.toolbar.font(), 0.7), shown) + 6 * UNIT_PX
     switch = view.toolbar.findChild(QToolButton, "Each to its peak")
     for height, below in ((250, False), (900, True), (250, False)):

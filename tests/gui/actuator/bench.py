@@ -26,7 +26,7 @@ def settle(window, qtbot):
 
 
 def figures(panel):
-    return {one.label: one for one in panel.figures.table.figures}
+    return {figure.label: figure for figure in panel.figures.table.figures}
 
 
 def number(panel, label):

@@ -89,7 +89,7 @@ def test_a_response_that_was_measured_is_looked_at_and_predicted_through(
     settle(window, qtbot)
     assert settings(window).profile.title == "lab coil"
     path.write_text("a,b\n1,2\n", encoding="utf-8")
-    with qtbot.waitSignal(window.playback.rigs.failed, timeout=30_000) as told:
+    with qtbot.waitSignal(window.playback.rigs.failed, timeout=30_000) as failure:
         panel.choices.open.click()
-    assert "lab coil.csv" in told.args[0]
+    assert "lab coil.csv" in failure.args[0]
     assert ActuatorSettings(actuator="measured", measured=((1.0,), "x")).profile.title

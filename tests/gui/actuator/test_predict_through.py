@@ -79,9 +79,9 @@ def test_without_an_equaliser_amplitudes_are_volts(window, panel, qtbot):
     assert "1 V" in panel.through.text.text()
     with pytest.raises(StopIteration):
         panel.choices.cell("volts")
-    found = {one.label: one.value for one in panel.figures.table.figures}
+    figure_texts = {figure.label: figure.value for figure in panel.figures.table.figures}
     # Not three times as many: an amplitude has one unit now.
-    assert float(found["Peak voltage"].split()[0]) == pytest.approx(2.0, rel=0.02)
+    assert float(figure_texts["Peak voltage"].split()[0]) == pytest.approx(2.0, rel=0.02)
 
 
 def test_another_actuator_than_the_one_that_is_shown_is_named(window, panel, qtbot):
@@ -156,11 +156,11 @@ def test_pictures_and_tables_say_what_they_went_through(window, panel, qtbot):
     from skinsource_gui.plots.pictures import caption_of
     from skinsource_gui.plots.signal_view import NEEDS, lines_later
 
-    found = ss.evaluate(
+    computed = ss.evaluate(
         window.document.design,
         *(NEEDS - {"actuation", "axes", "inputs", "limb", "method", "scaling", "span"}),
     )
-    results = {**found, **ss_sources(window)}
+    results = {**computed, **ss_sources(window)}
     assert "; predicted through " in caption_of(window.document.design)
     assert any(line.startswith("predicted through: ") for line in lines_later(results)())
 

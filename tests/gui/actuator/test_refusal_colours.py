@@ -12,8 +12,8 @@ def test_what_is_only_not_known_yet_is_said_in_quiet_colours(qtbot, use_theme):
     use_theme(DARK)
 
     def colour(refusal):
-        found = Demand(place=None, refusal=refusal, leaves_velocity=False)
-        view.show_demand(found, ActuatorSettings(), tap=False)
+        demand = Demand(place=None, refusal=refusal, leaves_velocity=False)
+        view.show_demand(demand, ActuatorSettings(), tap=False)
         view.refusal.ensurePolished()
         return view.refusal.palette().windowText().color().name()
 

@@ -127,11 +127,13 @@ def test_the_table_is_copied_with_numbers_that_read_back(show, window):
     columns = header.split("\t")
     assert [line.split("\t")[0] for line in lines] == ["20", "22", "24", "26"]
     document = window.document
-    found = evaluate(document.design, "output_statistics", view=document.view)["output_statistics"]
+    statistics = evaluate(document.design, "output_statistics", view=document.view)[
+        "output_statistics"
+    ]
     rms = [float(line.split("\t")[columns.index("rms_m_per_s2")]) for line in lines]
-    assert rms == found.rms.tolist()
+    assert rms == statistics.rms.tolist()
     delay = [float(line.split("\t")[columns.index("delay_ms")]) for line in lines]
-    assert delay == pytest.approx(found.delay_s * 1e3)
+    assert delay == pytest.approx(statistics.delay_s * 1e3)
     QGuiApplication.clipboard().clear()
     panel.table.setFocus()
     QTest.keyClick(panel.table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
@@ -142,12 +144,12 @@ def test_the_spectrogram_reads_what_is_under_the_cursor(show, window):
     panel = show("spectrogram")
     picture = panel.picture
     panel.grab()
-    found = picture.content.spectrogram
-    row, column = np.unravel_index(np.argmax(found.amplitude), found.amplitude.shape)
-    time_s, frequency_hz = found.time_s[column], found.frequency_hz[row]
+    spectrogram = picture.content.spectrogram
+    row, column = np.unravel_index(np.argmax(spectrogram.amplitude), spectrogram.amplitude.shape)
+    time_s, frequency_hz = spectrogram.time_s[column], spectrogram.frequency_hz[row]
     place = picture.axes.to_screen(np.array([time_s]), np.array([frequency_hz]))[0]
     picture.move_cursor(QPointF(*place))
-    level = 20 * np.log10(found.amplitude.max())
+    level = 20 * np.log10(spectrogram.amplitude.max())
     assert panel.words.text.startswith(f"{time_s * 1e3:.1f} ms")
     assert f"{abs(level):.1f} dB" in panel.words.text
     # The tone of the start design.
@@ -235,8 +237,8 @@ def test_a_single_axis_has_no_main_axis_and_circles_say_so(show, window, settle)
 def test_the_wave_says_speed_and_attenuation_along_the_selection(show, window, settle):
     panel = show("wave", outputs=(29, 31, 33, 35))
     document = window.document
-    found = evaluate(document.design, "line_wave", view=document.view)["line_wave"].wave
-    assert f"attenuation {found.attenuation_db_per_cm:.2f}" in panel.words.text
+    wave = evaluate(document.design, "line_wave", view=document.view)["line_wave"].wave
+    assert f"attenuation {wave.attenuation_db_per_cm:.2f}" in panel.words.text
     panel.grab()
     places = panel.picture._diagrams[1][1]
     panel.picture.move_cursor(QPointF(*places[2]))

@@ -45,8 +45,8 @@ def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
     copied, contacts = QGuiApplication.clipboard().text().split("\n\n")
     lines = copied.splitlines()
     assert [line.split("\t")[0] for line in lines] == ["output", "29", "33", "57"]
-    found = [line.split("\t")[0] for line in contacts.splitlines() if line[0] != "#"]
-    assert found == ["place", "7"]
+    labels = [line.split("\t")[0] for line in contacts.splitlines() if line[0] != "#"]
+    assert labels == ["place", "7"]
     path = tmp_path / "mine.csv"
     path.write_text("frequency_hz,threshold_m_per_s2\n25,0.1\n600,0.1\n")
     panel.import_thresholds(path)
@@ -56,10 +56,10 @@ def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
     assert panel.table.columnCount() == 3
     assert "your table" in panel.limits.text()
     path.write_text("nonsense")
-    said = []
-    panel.failed.connect(said.append)
+    messages = []
+    panel.failed.connect(messages.append)
     panel.import_thresholds(path)
-    assert "line 1" in said[0]
+    assert "line 1" in messages[0]
     panel.model.click()
     settle()
     assert panel.table.columnCount() == 5
@@ -122,8 +122,8 @@ def test_words_on_the_contact_go_while_they_are_late_even_with_nothing_selected(
 
 def test_of_many_contacts_the_largest_is_said_and_all_are_listed():
     weighted = tuple((place, 0.5 + 0.1 * (place == 4)) for place in range(1, 21))
-    words = contact_text(weighted)
-    assert "largest 0.6 m\u2060/\u2060s² RMS at place 4, of 20 places" in words
+    text = contact_text(weighted)
+    assert "largest 0.6 m\u2060/\u2060s² RMS at place 4, of 20 places" in text
     assert contact_list(weighted).count("place ") == 20
     assert contact_table(weighted).splitlines()[5] == "4\t0.6"
     few = weighted[:2]
@@ -134,22 +134,27 @@ def test_of_many_contacts_the_largest_is_said_and_all_are_listed():
 
 def test_what_is_not_felt_has_no_strength():
     levels = {"P": np.array([-200.0, 12.0]), "NP I": np.array([-200.0, 3.0])}
-    found = Sensation(
+    sensation = Sensation(
         level_db=np.array([-200.0, 12.0]), by_channel=levels, strength=np.array([0.0, 1.5])
     )
-    silent, felt = rows(found, (1, 2))
+    silent, loud = rows(sensation, (1, 2))
     assert silent[1:] == ["–"] * 4
-    assert felt[1:] == ["12.0", "12.0", "3.0", "1.5"]
-    _, silent, felt = (line.split("\t") for line in tab_separated(found, (1, 2)).splitlines())
+    assert loud[1:] == ["12.0", "12.0", "3.0", "1.5"]
+    _, silent, loud = (line.split("\t") for line in tab_separated(sensation, (1, 2)).splitlines())
     assert silent[2:] == [""] * 4
-    assert felt[2:] == ["12.0", "12.0", "3.0", "1.5"]
+    assert loud[2:] == ["12.0", "12.0", "3.0", "1.5"]
 
 
 def test_a_channel_that_plays_no_part_is_copied_as_nothing():
     levels = {"P": np.array([-200.0]), "NP I": np.array([3.0])}
-    found = Sensation(level_db=np.array([3.0]), by_channel=levels, strength=np.array([0.5]))
-    assert rows(found, (1,))[0][1:] == ["3.0", "–", "3.0", "0.5"]
-    assert tab_separated(found, (1,)).splitlines()[1].split("\t")[2:] == ["3.0", "", "3.0", "0.5"]
+    sensation = Sensation(level_db=np.array([3.0]), by_channel=levels, strength=np.array([0.5]))
+    assert rows(sensation, (1,))[0][1:] == ["3.0", "–", "3.0", "0.5"]
+    assert tab_separated(sensation, (1,)).splitlines()[1].split("\t")[2:] == [
+        "3.0",
+        "",
+        "3.0",
+        "0.5",
+    ]
 
 
 def test_the_limits_of_the_numbers_need_no_scrolling_in_a_small_window(window, settle):
@@ -160,9 +165,9 @@ def test_the_limits_of_the_numbers_need_no_scrolling_in_a_small_window(window, s
     settle()
     panel = window.panel("perception")
     area = next(
-        one
-        for one in window.findChildren(QScrollArea)
-        if one.widget() is not None and one.widget().isAncestorOf(panel)
+        area
+        for area in window.findChildren(QScrollArea)
+        if area.widget() is not None and area.widget().isAncestorOf(panel)
     )
     QApplication.processEvents()
     limits = panel.limits.mapTo(area.viewport(), panel.limits.rect().bottomLeft())
@@ -174,8 +179,10 @@ def test_the_limits_of_the_numbers_need_no_scrolling_in_a_small_window(window, s
     assert panel.table.viewport().height() > 3 * panel.table.rowHeight(0)
 
 
-@pytest.mark.parametrize("mend", ["the right table", "the model"])
-def test_why_a_table_was_refused_is_said_until_thresholds_are_taken(window, settle, tmp_path, mend):
+@pytest.mark.parametrize("repair", ["the right table", "the model"])
+def test_why_a_table_was_refused_is_said_until_thresholds_are_taken(
+    window, settle, tmp_path, repair
+):
     panel = window.panel("perception")
     wrong, right = tmp_path / "wrong.csv", tmp_path / "right.csv"
     wrong.write_text("nonsense")
@@ -185,10 +192,10 @@ def test_why_a_table_was_refused_is_said_until_thresholds_are_taken(window, sett
     assert "line 1" in window.notice.text
     settle()
     assert "line 1" in window.notice.text
-    if mend == "the model":
+    if repair == "the model":
         panel.model.click()
     else:
         panel.import_thresholds(right)
     assert window.notice.text == ""
-    said = "the model" if mend == "the model" else "right.csv"
-    assert window.statusBar().currentMessage() == f"Thresholds are those of {said}"
+    source = "the model" if repair == "the model" else "right.csv"
+    assert window.statusBar().currentMessage() == f"Thresholds are those of {source}"

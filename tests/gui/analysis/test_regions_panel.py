@@ -25,7 +25,7 @@ def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
     window.docks["regions"].bring_forward()
     panel = window.panel("regions")
     qtbot.waitUntil(lambda: len(panel.columns) == 6, timeout=60_000)
-    titles = [one.title for one in panel.columns]
+    titles = [column.title for column in panel.columns]
     assert titles == [*(f"Synthetic {number}" for number in range(1, 5)), "Mean", "± dB"]
     people = []
     for k in range(1, 5):
@@ -44,10 +44,10 @@ def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
     qtbot.waitUntil(lambda: len(panel.columns) == 8, timeout=60_000)
     settle()
     qtbot.waitUntil(
-        lambda: np.isfinite([one.numbers for one in panel.columns]).all(), timeout=60_000
+        lambda: np.isfinite([column.numbers for column in panel.columns]).all(), timeout=60_000
     )
-    one, two = panel.columns[0].numbers, panel.columns[1].numbers
-    assert np.subtract(two, one) == pytest.approx(np.full(len(one), 6.0206), abs=1e-3)
+    quiet, second = panel.columns[0].numbers, panel.columns[1].numbers
+    assert np.subtract(second, quiet) == pytest.approx(np.full(len(quiet), 6.0206), abs=1e-3)
     assert (panel.stored.columnCount(), panel.table.columnCount()) == (2, 6)
     dock = window.docks["regions"]
     dock.setFloating(True)
@@ -102,8 +102,8 @@ def test_matched_levels_of_snapshots_are_said_above_the_table_and_never_copied(
     assert panel.columns[0].numbers == pytest.approx(panel.columns[1].numbers)
     text = copied()
     assert text.splitlines()[0].split("\t")[1:4] == ["1, synthetic", "2, synthetic", "Synthetic 1"]
-    one, two = np.array([row.split("\t")[1:3] for row in text.splitlines()[1:3]], float).T
-    assert two - one == pytest.approx(20.0 * np.log10(2.0))
+    quiet, second = np.array([row.split("\t")[1:3] for row in text.splitlines()[1:3]], float).T
+    assert second - quiet == pytest.approx(20.0 * np.log10(2.0))
     settle()
     assert "snapshots: 2: −6.0 dB, matched" in panel.about.text
     window.do("match_levels")

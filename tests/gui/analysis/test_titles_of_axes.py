@@ -81,15 +81,15 @@ def numbers_below(width, scale):
     room = QRectF(0, 0, width, 200)
     fitted_axes(room, time, level, QFontMetricsF(painter.font())).paint(painter, LIGHT)
     painter.end()
-    return [one for one in written if one[2]]
+    return [number for number in written if number[2]]
 
 
 @pytest.mark.parametrize(("width", "scale"), [(240, 1.0), (240, 2.0), (240, 3.0), (600, 3.0)])
 def test_no_number_of_an_axis_is_cut_or_lies_on_another(qapp, width, scale):
-    found = numbers_below(width, scale)
-    assert found
+    numbers = numbers_below(width, scale)
+    assert numbers
     metrics = QFontMetricsF(scaled(QFont("Sans", 10), scale))
-    for (_, end, _), (begin, _, _) in pairwise(found):
+    for (_, end, _), (begin, _, _) in pairwise(numbers):
         assert end < begin
-    for begin, end, label in found:
+    for begin, end, label in numbers:
         assert end - begin >= metrics.horizontalAdvance(label) - 0.01

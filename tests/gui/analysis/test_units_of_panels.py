@@ -33,15 +33,15 @@ def show(window, settle):
 @pytest.mark.parametrize("removed", [False, True])
 def test_the_spectrogram_reads_its_times_with_the_delay_and_without_it(show, removed):
     picture = show("spectrogram", delay_removed=removed).picture
-    found = picture.content.spectrogram
+    spectrogram = picture.content.spectrogram
     assert picture.content.first_s == pytest.approx(-0.052 if removed else 0.0)
-    row, column = np.unravel_index(np.argmax(found.amplitude), found.amplitude.shape)
-    time_s = found.time_s[column] + picture.content.first_s
-    place = picture.axes.to_screen(np.array([time_s]), found.frequency_hz[[row]])[0]
-    words = picture.read(QPointF(*place))
-    assert words.startswith(f"{time_s * 1e3:.1f} ms · {found.frequency_hz[row]:.1f} Hz")
-    level_db = 20.0 * np.log10(found.amplitude.max())
-    assert words.endswith(f"{level_db:.1f} dB re 1 m/s²".replace("-", "\N{MINUS SIGN}"))
+    row, column = np.unravel_index(np.argmax(spectrogram.amplitude), spectrogram.amplitude.shape)
+    time_s = spectrogram.time_s[column] + picture.content.first_s
+    place = picture.axes.to_screen(np.array([time_s]), spectrogram.frequency_hz[[row]])[0]
+    text = picture.read(QPointF(*place))
+    assert text.startswith(f"{time_s * 1e3:.1f} ms · {spectrogram.frequency_hz[row]:.1f} Hz")
+    level_db = 20.0 * np.log10(spectrogram.amplitude.max())
+    assert text.endswith(f"{level_db:.1f} dB re 1 m/s²".replace("-", "\N{MINUS SIGN}"))
     assert (picture.axes.x.title, picture.axes.x.factor) == ("Time (ms)", 1e3)
 
 
@@ -79,7 +79,7 @@ def test_where_there_is_no_main_axis_no_line_is_drawn(show):
             image.pixelColor(x, y) for x in range(image.width()) for y in range(image.height())
         )
         text = current_theme().text
-        return sum(one.name() == text.lower() for one in pixels)
+        return sum(pixel.name() == text.lower() for pixel in pixels)
 
     none = np.ones(len(LINE), bool)
     with_lines = dark_pixels()
@@ -89,27 +89,27 @@ def test_where_there_is_no_main_axis_no_line_is_drawn(show):
 
 def test_a_spectrogram_is_in_seconds_from_where_traces_are(show):
     picture = show("spectrogram").picture
-    found = picture.content.spectrogram
+    spectrogram = picture.content.spectrogram
     for last_s, title in ((0.9, "Time (ms)"), (1.1, "Time (s)")):
-        time_s = np.linspace(0.0, last_s, found.time_s.size)
+        time_s = np.linspace(0.0, last_s, spectrogram.time_s.size)
         picture.show_spectrogram(
-            replace(picture.content, spectrogram=replace(found, time_s=time_s))
+            replace(picture.content, spectrogram=replace(spectrogram, time_s=time_s))
         )
         picture.grab()
         assert picture.axes.x.title == title
-        said = picture.read(picture.axes.frame.center())
-        assert title.endswith(f"({said.split()[1]})")
+        text = picture.read(picture.axes.frame.center())
+        assert title.endswith(f"({text.split()[1]})")
 
 
 def test_the_playhead_of_the_spectrogram_has_the_colour_of_every_playhead(show):
     picture = show("spectrogram", playhead_s=0.2).picture
-    seen = picture.grab().toImage()
+    image = picture.grab().toImage()
     x, y = picture.axes.to_screen(np.array([0.2]), np.array([300.0]))[0]
-    row = [seen.pixelColor(round(x) + k, round(y)) for k in (-1, 0, 1)]
+    row = [image.pixelColor(round(x) + k, round(y)) for k in (-1, 0, 1)]
     reddest = max(row, key=lambda colour: colour.red() - colour.blue())
-    wanted = QColor(current_theme().error)
-    assert abs(reddest.red() - wanted.red()) < 60
-    assert abs(reddest.blue() - wanted.blue()) < 60
+    expected = QColor(current_theme().error)
+    assert abs(reddest.red() - expected.red()) < 60
+    assert abs(reddest.blue() - expected.blue()) < 60
 
 
 def test_a_number_of_the_statistics_has_three_digits_whatever_they_are():
@@ -134,5 +134,5 @@ class _Measured:
 
 
 def _noisy(panel):
-    found = panel._results["transfer"]
-    return replace(found, noise=np.ones_like(found.magnitude))
+    transfer = panel._results["transfer"]
+    return replace(transfer, noise=np.ones_like(transfer.magnitude))

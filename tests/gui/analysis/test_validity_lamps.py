@@ -23,20 +23,20 @@ FINDINGS = (
 
 
 def state_of(window, name):
-    found = {one.name: one.state for one in window.validity.lamps.findings}
-    return found.get(name)
+    states = {finding.name: finding.state for finding in window.validity.lamps.findings}
+    return states.get(name)
 
 
 @pytest.fixture
 def lamps(qtbot):
-    found = ValidityLamps()
-    qtbot.addWidget(found)
-    found.show_findings(FINDINGS)
-    return found
+    lamps = ValidityLamps()
+    qtbot.addWidget(lamps)
+    lamps.show_findings(FINDINGS)
+    return lamps
 
 
 def test_a_lamp_is_called_in_its_explanation_as_beside_it():
-    heads = [_lamp_text(one).splitlines()[0] for one in FINDINGS[:3]]
+    heads = [_lamp_text(finding).splitlines()[0] for finding in FINDINGS[:3]]
     assert heads == ["Band: caution", "Drive: unknown", "SNR: kept"]
 
 
@@ -61,7 +61,7 @@ def test_lamps_are_explained_and_mended_with_one_click(window, qtbot):
     loud = document.design.with_input(0, amplitude=60.0)
     document.apply(Edit(label="Louder", design=loud, view=document.view))
     qtbot.waitUntil(lambda: state_of(window, "drive") == "left", timeout=30_000)
-    place = next(p for one, p in validity.lamps.places if one.name == "drive")
+    place = next(p for lamp, p in validity.lamps.places if lamp.name == "drive")
     QTest.mouseClick(validity.lamps, Qt.MouseButton.LeftButton, pos=place.center().toPoint())
     card = window.findChild(ValidityCard)
     assert "mm/s" in card.findChild(QLabel, "validity_drive").text()
@@ -121,29 +121,29 @@ def test_hidden_lamps_cost_nothing_and_the_map_hatches_noise(window, qtbot, sett
     assert skin.picture(300, 500) != before
 
 
-def said(lamps):
+def written_names(lamps):
     """Names of the lamps that have words."""
-    return [one.name for one, place in lamps.places if place.width() > 9]
+    return [lamp.name for lamp, place in lamps.places if place.width() > 9]
 
 
 def test_lamps_have_words_as_there_is_room_and_the_worst_one_always(lamps, use_theme):
-    assert [one.name for one in lamps.row.lamps] == ["band", "drive", "noise"]
+    assert [lamp.name for lamp in lamps.row.lamps] == ["band", "drive", "noise"]
     assert lamps.accessibleDescription() == "band: caution; drive: unknown; SNR: kept"
     assert lamps.accessibleName() == "Validity of the prediction: 1 caution"
     wide, narrow = lamps.sizeHint(), lamps.minimumSizeHint()
     rows = []
     for width in range(wide.width(), narrow.width() - 1, -1):
         lamps.resize(width, wide.height())
-        rows.append(said(lamps))
+        rows.append(written_names(lamps))
         assert all(place.right() <= width for _, place in lamps.places)
-    assert [one for one, _ in groupby(rows)] == [
+    assert [group for group, _ in groupby(rows)] == [
         ["band", "drive", "noise"],
         ["band", "drive"],
         ["band"],
     ]
-    lamps.show_findings(tuple(replace(one, state="kept") for one in FINDINGS))
+    lamps.show_findings(tuple(replace(finding, state="kept") for finding in FINDINGS))
     lamps.resize(lamps.minimumSizeHint())
-    assert said(lamps) == []
+    assert written_names(lamps) == []
     use_theme(DARK)
     lamps.grab()
 
@@ -163,11 +163,11 @@ def test_the_card_offers_a_button_only_where_something_can_be_done(qtbot):
     card = ValidityCard(FINDINGS, "band", None)
     card.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
     qtbot.addWidget(card)
-    names = {one.objectName() for one in card.findChildren(QPushButton)}
+    names = {button.objectName() for button in card.findChildren(QPushButton)}
     assert names == {"mend_band", "mend_drive"}
     card.open_above(QPoint(50, 500))
     card.grab()
-    wanted = []
-    card.repair_wanted.connect(wanted.append)
+    repairs = []
+    card.repair_wanted.connect(repairs.append)
     card.findChild(QPushButton, "mend_drive").click()
-    assert wanted == [FINDINGS[1]]
+    assert repairs == [FINDINGS[1]]

@@ -53,8 +53,8 @@ def test_all_outputs_one_after_the_other_are_no_line():
 
 def test_one_output_above_the_noise_has_neither_speed_nor_attenuation():
     counted = np.array([True, False, False, False])
-    words = wave_text(replace(the_wave(), counted=counted, timed=counted))
-    assert words == "fewer than two outputs are more than noise"
+    text = wave_text(replace(the_wave(), counted=counted, timed=counted))
+    assert text == "fewer than two outputs are more than noise"
 
 
 def test_a_line_through_two_outputs_is_said_to_have_no_uncertainty():

@@ -49,8 +49,8 @@ class Bench:
     def show(self):
         self.panel.show_state(self.design, self.view)
         played = tuple(
-            tuple(clip.waveform.samples(RATE_HZ) for clip in one.clips)
-            for one in self.design.inputs
+            tuple(clip.waveform.samples(RATE_HZ) for clip in track.clips)
+            for track in self.design.inputs
         )
         self.panel.show_results(
             {"inputs": self.design.inputs, "clip_waveforms": played, "sample_rate_hz": RATE_HZ}
@@ -60,10 +60,10 @@ class Bench:
         return self.canvas.content.at(time_s, value)
 
     def drag(self, *places, button=LEFT, held=NONE, release=True):
-        points = [self.at(*one) for one in places]
+        points = [self.at(*place) for place in places]
         self.press(points[0], button, held)
-        for one in points[1:]:
-            self.canvas.tool.move(self.canvas.content, one, held)
+        for point in points[1:]:
+            self.canvas.tool.move(self.canvas.content, point, held)
         if release:
             QTest.mouseRelease(self.canvas.viewport(), button, held, whole(points[-1]))
 

@@ -91,8 +91,8 @@ def test_a_rectangle_chooses_points(tone):
 
 
 def handles(tone):
-    found = tools._handles(tone.canvas.content, points(tone), tone.panel._envelope.tool.chosen)
-    return {(one.along, one.up): place for one, place in found}
+    handles = tools._handles(tone.canvas.content, points(tone), tone.panel._envelope.tool.chosen)
+    return {(handle.along, handle.up): place for handle, place in handles}
 
 
 def pull(tone, handle, by_s, by_value, **more):
@@ -108,10 +108,14 @@ def test_the_handles_of_the_box_around_chosen_points_scale_them(tone):
     assert handles(tone) == {}
     tone.panel._envelope.tool.chosen = (1, 2, 3)
     pull(tone, (1, 0), 0.04, 0.1)
-    assert [one[0] for one in points(tone)] == pytest.approx([0, 0.06, 0.1, 0.14, 0.17], abs=1e-3)
-    assert [one[1] for one in points(tone)] == [one[1] for one in before]
+    assert [point[0] for point in points(tone)] == pytest.approx(
+        [0, 0.06, 0.1, 0.14, 0.17], abs=1e-3
+    )
+    assert [point[1] for point in points(tone)] == [point[1] for point in before]
     pull(tone, (0, 1), 0.02, -0.2)
-    assert [one[1] for one in points(tone)] == pytest.approx([0.2, 0.4, 0.6, 0.5, 0.5], abs=0.01)
+    assert [point[1] for point in points(tone)] == pytest.approx(
+        [0.2, 0.4, 0.6, 0.5, 0.5], abs=0.01
+    )
     pull(tone, (-1, -1), 0.04, 0.1)
     assert points(tone)[1][:2] == pytest.approx((0.1, 0.5), abs=0.01)
     assert points(tone)[2][:2] == pytest.approx((0.12, 0.6), abs=0.01)
@@ -129,7 +133,7 @@ def test_chosen_points_of_the_same_value_are_scaled_about_zero(tone):
     tone.panel._envelope.tool.chosen = (0, 1)
     assert (0, -1) not in handles(tone)
     pull(tone, (0, 1), 0.0, 0.25)
-    assert [one[:2] for one in points(tone)] == [
+    assert [point[:2] for point in points(tone)] == [
         (0.04, pytest.approx(0.75, abs=0.01)),
         (0.1, pytest.approx(0.75, abs=0.01)),
     ]
@@ -189,7 +193,11 @@ def menu_at(tone, time_s, value):
     event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, viewport.mapToGlobal(at))
     QApplication.sendEvent(viewport, event)
     menus = tone.canvas.findChildren(QMenu, "clip_editor_menu")
-    return (menus[-1], {one.text(): one for one in menus[-1].actions()}) if menus else (None, {})
+    return (
+        (menus[-1], {action.text(): action for action in menus[-1].actions()})
+        if menus
+        else (None, {})
+    )
 
 
 def test_the_right_button_opens_the_menu_of_a_small_curve(tone):
@@ -221,10 +229,10 @@ def test_a_menu_on_one_of_several_chosen_points_is_about_all_of_them(tone):
 
 
 def test_how_to_begin_stands_above_the_waveform_until_something_has_begun(tone):
-    words = tone.panel.findChild(FittingLabel, "clip_words")
-    assert "a new point" in words.toolTip()
+    label = tone.panel.findChild(FittingLabel, "clip_words")
+    assert "a new point" in label.toolTip()
     tone.press(tone.at(0.1, 1.0))
     QTest.mouseRelease(tone.canvas.viewport(), LEFT, NONE, whole(tone.at(0.1, 1.0)))
-    assert "a new point" not in words.toolTip()
+    assert "a new point" not in label.toolTip()
     tone.panel.use("look")
-    assert "a new point" not in words.toolTip()
+    assert "a new point" not in label.toolTip()

@@ -39,8 +39,8 @@ def test_escape_leaves_an_envelope_as_it_was_before_the_drag(tone):
 def questions(monkeypatch):
     asked = []
 
-    def answer(*words):
-        asked.append(words[2])
+    def answer(*arguments):
+        asked.append(arguments[2])
         return QMessageBox.StandardButton.Ok
 
     monkeypatch.setattr(QMessageBox, "question", answer)

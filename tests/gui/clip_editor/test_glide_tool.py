@@ -38,8 +38,8 @@ def drag(bench, start, end, held=NONE, *, release=True):
         QTest.mouseRelease(view, LEFT, held, whole(end))
 
 
-def same(one, other):
-    np.testing.assert_allclose(np.array(one), np.array(other), rtol=0, atol=1e-12)
+def same(first, other):
+    np.testing.assert_allclose(np.array(first), np.array(other), rtol=0, atol=1e-12)
 
 
 def click(bench, at):

@@ -45,17 +45,17 @@ def test_only_the_tool_that_is_taken_shows_and_changes_points(tone, monkeypatch)
     for key in (Qt.Key.Key_Insert, Qt.Key.Key_PageDown, Qt.Key.Key_Delete, Qt.Key.Key_Up):
         tone.key(key)
     assert (tone.design, len(tone.steps)) == (shaped, steps)
-    seen = []
+    tools = []
 
     def ask(*_):
-        seen.append((tone.canvas.tool, tone.panel._toolbar._tools["look"].isChecked()))
+        tools.append((tone.canvas.tool, tone.panel._toolbar._tools["look"].isChecked()))
         return QMessageBox.StandardButton.Ok
 
     monkeypatch.setattr(QMessageBox, "question", ask)
     tone.panel.use("envelope")
     tone.panel.use("pen")
     # While it was asked, no point could be seen.
-    assert seen == [(tone.panel._view_tool, True)]
+    assert tools == [(tone.panel._view_tool, True)]
     assert tone.canvas.tool is tone.panel._pen
 
 

@@ -56,8 +56,8 @@ def test_escape_takes_the_stroke_back(flat):
 
 def test_what_is_drawn_is_what_is_predicted_from(flat):
     flat.drag((0.05, 0.0), (0.08, 0.5), (0.12, -0.3))
-    (felt,) = evaluate(flat.design, "input_waveforms", view=flat.view)["input_waveforms"]
-    np.testing.assert_array_equal(felt, flat.drawn)
+    (waveform,) = evaluate(flat.design, "input_waveforms", view=flat.view)["input_waveforms"]
+    np.testing.assert_array_equal(waveform, flat.drawn)
     np.testing.assert_array_equal(flat.canvas.content.played, flat.drawn)
 
 
@@ -105,4 +105,4 @@ def test_the_right_button_of_the_pen_opens_no_menu(flat):
         QContextMenuEvent.Reason.Mouse, at, flat.canvas.viewport().mapToGlobal(at)
     )
     QApplication.sendEvent(flat.canvas.viewport(), event)
-    assert not [one for one in flat.canvas.findChildren(QMenu) if one.isVisible()]
+    assert not [menu for menu in flat.canvas.findChildren(QMenu) if menu.isVisible()]

@@ -16,6 +16,6 @@ def requests(window, monkeypatch):
     asked = []
     ask = window.engine.request
     monkeypatch.setattr(
-        window.engine, "request", lambda one: (asked.append(one.slot.name), ask(one))
+        window.engine, "request", lambda request: (asked.append(request.slot.name), ask(request))
     )
     return asked

@@ -61,15 +61,18 @@ def test_the_map_compares_snapshots_as_they_are_played(window, panel, settle):
     window.do("toggle_snapshots")
     settle()
     stored = window.document.view.snapshots
-    assert [(one.number, one.gain < 0.9) for one in stored] == [(1, False), (2, True)]
+    assert [(snapshot.number, snapshot.gain < 0.9) for snapshot in stored] == [
+        (1, False),
+        (2, True),
+    ]
     assert window.document.design == stored[1].design
     mine, theirs = shown_levels(window), levels(stored[0].design)
     floor = mine.max() - 60.0
     assert (theirs < floor).any()
     expected = np.maximum(mine, floor) - np.maximum(theirs, floor)
     assert panel.map.difference.heading == "Snapshot 2 minus snapshot 1"
-    found = panel.map.difference.shown.levels_db
-    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-6)
+    levels_db = panel.map.difference.shown.levels_db
+    np.testing.assert_allclose(levels_db, expected, rtol=0, atol=1e-6)
 
 
 def test_words_under_the_pointer_name_the_output_and_its_difference(window, panel, settle):
@@ -79,9 +82,9 @@ def test_words_under_the_pointer_name_the_output_and_its_difference(window, pane
     shown = panel.map.difference.shown
     area = panel.map._areas()[1]
     places = small_frame(shown.limb_map, area).to_screen(shown.limb_map.output_positions)
-    words = panel.map.text_at(QPointF(*places[28]))
-    assert words.startswith("Output 29, ")
-    assert words.endswith(f"{shown.levels_db[28]:+.1f} dB".replace("-", "−"))
+    text = panel.map.text_at(QPointF(*places[28]))
+    assert text.startswith("Output 29, ")
+    assert text.endswith(f"{shown.levels_db[28]:+.1f} dB".replace("-", "−"))
     assert panel.map.text_at(QPointF(-500, -500)) == ""
 
 
@@ -91,18 +94,18 @@ def test_cards_show_each_snapshot_its_level_and_what_is_in_the_window(window, pa
     window.do("store_snapshot_2")
     two_places(window)
     settle()
-    found = cards(panel)
-    assert found[0].present
-    assert not found[2].present
+    shown_cards = cards(panel)
+    assert shown_cards[0].present
+    assert not shown_cards[2].present
     # The colours of the card are those of the large map.
-    assert found[0]._scale.range_db == window.panel("skin").colour_bar.range_db
-    assert found[1].compared is None
-    assert "nothing stored" in found[1].accessibleName()
+    assert shown_cards[0]._scale.range_db == window.panel("skin").colour_bar.range_db
+    assert shown_cards[1].compared is None
+    assert "nothing stored" in shown_cards[1].accessibleName()
     loudest = levels(window.document.design).max()
-    assert f"loudest output {loudest:.1f} dB".replace("-", "−") in found[2].accessibleName()
+    assert f"loudest output {loudest:.1f} dB".replace("-", "−") in shown_cards[2].accessibleName()
     assert "Alike at the loudest output" in panel.words.text()
     assert f"{loudest:.1f} dB re 1 m/s²".replace("-", "−") in panel.words.text()
-    found[2].click()
+    shown_cards[2].click()
     settle()
     assert cards(panel)[2].present
     assert len(window.document.design.inputs) == 1
@@ -126,9 +129,9 @@ def test_cards_are_used_with_the_keyboard(window, panel, settle, qtbot):
     settle()
     assert window.document.view.snapshots[-1].number == 1
     QTest.keyClick(card, KEY.Key_Delete)
-    assert [one.number for one in window.document.view.snapshots] == [0]
+    assert [snapshot.number for snapshot in window.document.view.snapshots] == [0]
     window.do("undo")
-    assert [one.number for one in window.document.view.snapshots] == [0, 1]
+    assert [snapshot.number for snapshot in window.document.view.snapshots] == [0, 1]
 
 
 def test_a_snapshot_of_a_limb_that_is_not_here_says_so(window, panel, settle):
@@ -145,17 +148,17 @@ def test_a_snapshot_of_a_limb_that_is_not_here_says_so(window, panel, settle):
 
 
 def test_designs_on_two_limbs_differ_output_by_output_and_the_limbs_are_said(window, panel, settle):
-    one = window.document.design
+    first = window.document.design
     window.do("store_snapshot_1")
-    two = replace(one, limb="synthetic-2")
-    window.document.edit("limb", two)
+    second = replace(first, limb="synthetic-2")
+    window.document.edit("limb", second)
     settle()
-    found = panel.map.difference
-    assert found.text == "dB, as stored, Synthetic 2 minus Synthetic 1, synthetic limb"
-    assert found.shown.levels_db == pytest.approx(levels(two) - levels(one), abs=1e-6)
-    there = ss.evaluate(two, "surface", "surface_levels_db")
-    field = there["surface"].interpolate(found.shown.levels_db)
-    assert found.shown.field_levels_db == pytest.approx(field, abs=1e-6, nan_ok=True)
+    difference = panel.map.difference
+    assert difference.text == "dB, as stored, Synthetic 2 minus Synthetic 1, synthetic limb"
+    assert difference.shown.levels_db == pytest.approx(levels(second) - levels(first), abs=1e-6)
+    there = ss.evaluate(second, "surface", "surface_levels_db")
+    field = there["surface"].interpolate(difference.shown.levels_db)
+    assert difference.shown.field_levels_db == pytest.approx(field, abs=1e-6, nan_ok=True)
 
 
 def test_designs_whose_outputs_are_at_other_places_have_no_difference_map(

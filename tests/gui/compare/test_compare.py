@@ -29,7 +29,7 @@ def test_keys_store_and_toggle_and_arrangements_have_moved(window, qtbot, settle
     edit(window, 2.0)
     QTest.keyClick(window, KEY.Key_4, CTRL)
     settle()
-    assert [one.number for one in window.document.view.snapshots] == [1, 4]
+    assert [snapshot.number for snapshot in window.document.view.snapshots] == [1, 4]
     QTest.keyClick(window, KEY.Key_X)
     assert window.document.design == first
     QTest.keyClick(window, KEY.Key_X)
@@ -67,8 +67,8 @@ def test_snapshots_are_shown_as_loud_as_each_other(window, settle):
     matched = loudest_db(shown_levels(window))
     assert matched == pytest.approx(loudest_db(levels(stored[0].design)), abs=1e-6)
     by_db = round(matched - loudest_db(levels(stored[1].design)), 1)
-    said = f"Snapshot 2 is shown \N{MINUS SIGN}{-by_db:.1f} dB, matched. "
-    assert window.statusBar().currentMessage().startswith(said)
+    message = f"Snapshot 2 is shown \N{MINUS SIGN}{-by_db:.1f} dB, matched. "
+    assert window.statusBar().currentMessage().startswith(message)
     # To and fro changes nothing more.
     shown = window.document.design
     for _ in range(2):
@@ -239,9 +239,9 @@ def test_what_is_said_after_going_to_and_fro_is_of_the_snapshot_that_is_shown_no
     assert window.statusBar().currentMessage() == "Snapshot 1 is shown; X shows snapshot 2"
     window.do("toggle_snapshots")
     settle()
-    said = (
+    message = (
         "Snapshot 2 is shown \N{MINUS SIGN}"
         if matched
         else "Snapshot 2 is shown; X shows snapshot 1"
     )
-    assert window.statusBar().currentMessage().startswith(said)
+    assert window.statusBar().currentMessage().startswith(message)

@@ -21,7 +21,7 @@ def panel(window, settle):
 
 
 def card(panel, number):
-    return next(one for one in panel.cards if one.number == number)
+    return next(card for card in panel.cards if card.number == number)
 
 
 def test_a_snapshot_on_a_limb_that_was_missing_is_predicted_once_it_is_installed(
@@ -61,9 +61,9 @@ def test_what_is_silent_is_not_said_to_be_as_loud(window, settle, panel):
     window.document.edit("b", Design(limb="synthetic-1", inputs=(track(7),)))
     window.do("store_snapshot_2")
     settle()
-    words = panel.words.text()
-    assert "sil " not in words
-    assert words == "Snapshot 1 is silent: levels cannot be matched to it"
+    text = panel.words.text()
+    assert "sil " not in text
+    assert text == "Snapshot 1 is silent: levels cannot be matched to it"
     # 60 dB below the other one, as if that were its level, would be said of it.
     assert panel.map.difference.shown is None
     assert panel.map.difference.text == SILENCE
@@ -83,15 +83,15 @@ def test_a_silent_snapshot_has_no_colours(window, settle, panel):
     window.document.edit("a", Design(limb="synthetic-1"))
     window.do("store_snapshot_1")
     settle()
-    one = card(panel, 1)
-    assert is_silent(one.compared)
-    one.resize(140, 200)
-    lowest = colour_table(one._scale.colours)[0]
+    panel_card = card(panel, 1)
+    assert is_silent(panel_card.compared)
+    panel_card.resize(140, 200)
+    lowest = colour_table(panel_card._scale.colours)[0]
     lowest = QColor(int(lowest)).rgb()
-    picture = one.grab().toImage()
-    seen = {
+    picture = panel_card.grab().toImage()
+    colours = {
         picture.pixel(x, y)
         for x in range(0, picture.width(), 2)
         for y in range(picture.height() // 4, picture.height() * 3 // 4)
     }
-    assert lowest not in seen
+    assert lowest not in colours

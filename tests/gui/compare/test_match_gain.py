@@ -26,13 +26,13 @@ def matched(window, settle):
 
 
 def amplitudes(design):
-    return [one.amplitude.hex() for one in design.inputs]
+    return [track.amplitude.hex() for track in design.inputs]
 
 
 def test_amplitudes_come_back_to_the_last_bit_however_often_one_goes_to_and_fro(
     window, settle, matched
 ):
-    stored = {one.number: one.design for one in window.document.view.snapshots}
+    stored = {snapshot.number: snapshot.design for snapshot in window.document.view.snapshots}
     for number in (1, 2, 1, 2):
         window.do("toggle_snapshots")
         settle()
@@ -42,13 +42,15 @@ def test_amplitudes_come_back_to_the_last_bit_however_often_one_goes_to_and_fro(
 
 def test_a_file_holds_the_amplitudes_that_were_stored(window, matched, tmp_path):
     window.files._save_to(tmp_path / "a.skinsource")
-    kept = open_design(tmp_path / "a.skinsource")
-    stored = next(one.design for one in window.document.view.snapshots if one.number == 2)
-    assert kept.design == stored
-    assert amplitudes(kept.design) == amplitudes(stored)
+    saved = open_design(tmp_path / "a.skinsource")
+    stored = next(
+        snapshot.design for snapshot in window.document.view.snapshots if snapshot.number == 2
+    )
+    assert saved.design == stored
+    assert amplitudes(saved.design) == amplitudes(stored)
     assert not window.document.modified
     # Opened again it is shown as it was left.
-    assert kept.view.match_gain(kept.design) == matched
+    assert saved.view.match_gain(saved.design) == matched
 
 
 def test_what_is_seen_has_exactly_the_gain_and_what_is_played_too(window, matched):
@@ -59,11 +61,11 @@ def test_what_is_seen_has_exactly_the_gain_and_what_is_played_too(window, matche
 
 
 def test_the_map_and_the_status_bar_say_it(window, matched):
-    words = f"\N{MINUS SIGN}{-20 * np.log10(matched):.1f} dB, matched"
-    assert words in window.panel("skin").map.content.quantity.titles[0]
+    text = f"\N{MINUS SIGN}{-20 * np.log10(matched):.1f} dB, matched"
+    assert text in window.panel("skin").map.content.quantity.titles[0]
     note = window.findChild(object, "match_note")
     assert note.isVisible()
-    assert note.text() == words
+    assert note.text() == text
 
 
 def test_switched_off_it_is_shown_as_stored_at_once_and_matched_again_when_switched_on(
@@ -87,7 +89,7 @@ def test_it_stays_as_loud_where_levels_are_taken_otherwise(window, settle, match
         settle()
         before, gain = gain, document.view.match_gain(document.design)
         assert gain != before, looked
-    first = next(one.design for one in document.view.snapshots if one.number == 1)
+    first = next(snapshot.design for snapshot in document.view.snapshots if snapshot.number == 1)
     window.do("toggle_snapshots")
     settle()
     assert document.design == first
@@ -99,21 +101,21 @@ def test_it_stays_as_loud_where_levels_are_taken_otherwise(window, settle, match
 
 
 def test_what_is_opened_is_shown_with_the_gain_that_it_was_left_with(window, settle, matched):
-    document, said = window.document, []
+    document, messages = window.document, []
     design, view = document.design, document.view
     document.start_over(OTHER, replace(view, snapshots=()), None)
     document.look(replace(document.view, outputs=(3,)))
     settle()
     document.start_over(design, view, None)
-    window.comparison.done.connect(said.append)
+    window.comparison.done.connect(messages.append)
     document.look(replace(document.view, outputs=(20,)))
     settle()
-    assert said == []
+    assert messages == []
     assert document.view.match_gain(document.design) == matched
     # It follows from what is looked at as before.
     document.look(replace(document.view, axes="z", method="mag"))
     settle()
-    assert said != []
+    assert messages != []
     assert document.view.match_gain(document.design) != matched
 
 
@@ -122,15 +124,15 @@ def test_tables_of_figures_say_the_gain_that_their_numbers_have(window, settle, 
     document.look(replace(document.view, outputs=(20, 33)))
     window.docks["statistics"].bring_forward()
     settle()
-    said = match_text(matched)
+    text = match_text(matched)
     statistics = window.panel("statistics")
-    assert f" · {said}" in statistics.about.text
+    assert f" · {text}" in statistics.about.text
     rms = evaluate(louder(document.design, matched), "output_rms", view=document.view)["output_rms"]
     assert statistics.model.rows[0].values[0] == pytest.approx(rms[19], rel=1e-9)
     window.docks["perception"].bring_forward()
     settle()
     perception = window.panel("perception")
-    assert perception.limits.text().startswith(f"{said}. ")
+    assert perception.limits.text().startswith(f"{text}. ")
     assert perception.contact.text().endswith("with the amplitudes that were stored")
     edit(window, 2.0)
     settle()
@@ -151,11 +153,11 @@ def test_an_edit_is_shown_as_it_is(window, settle, matched):
 
 
 def test_a_gain_that_is_kept_is_an_edit_that_undo_takes_back(window, settle, matched):
-    before, seen = window.document.design, shown_levels(window)
+    before, levels_db = window.document.design, shown_levels(window)
     window.do("keep_match_gain")
     settle()
     assert window.document.design == louder(before, matched)
-    np.testing.assert_allclose(shown_levels(window), seen, rtol=0, atol=1e-9)
+    np.testing.assert_allclose(shown_levels(window), levels_db, rtol=0, atol=1e-9)
     window.do("undo")
     settle()
     assert amplitudes(window.document.design) == amplitudes(before)
@@ -167,13 +169,13 @@ def test_tables_hold_the_design_as_it_is_stored_and_say_so(
 ):
     path = tmp_path / "levels.csv"
     monkeypatch.setattr(window.files, "ask_where", lambda *_: path)
-    said = []
-    window.files.done.connect(said.append)
+    messages = []
+    window.files.done.connect(messages.append)
     window.exports.export("levels")
-    qtbot.waitUntil(lambda: bool(said), timeout=20_000)
-    assert said[0].endswith("levels.csv; amplitudes are as stored, levels are not matched")
+    qtbot.waitUntil(lambda: bool(messages), timeout=20_000)
+    assert messages[0].endswith("levels.csv; amplitudes are as stored, levels are not matched")
     lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
     rows = list(csv.DictReader(lines))
     name = "level_db_re_1_m_per_s2"
-    found = np.array([float(row[name]) for row in rows])
-    np.testing.assert_allclose(found, levels(window.document.design), rtol=0, atol=1e-3)
+    copied_levels_db = np.array([float(row[name]) for row in rows])
+    np.testing.assert_allclose(copied_levels_db, levels(window.document.design), rtol=0, atol=1e-3)

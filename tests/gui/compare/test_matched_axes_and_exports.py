@@ -24,7 +24,7 @@ COPIED = ("statistics", "perception", "regions", "side_by_side", "main_axis", "w
 
 
 @pytest.fixture
-def words(window, settle, monkeypatch):
+def gain_text(window, settle, monkeypatch):
     """Show the second of two snapshots, made softer to match the first; by how much, in words."""
     # It takes room from the panels, whose pictures are as wide and high as they are.
     monkeypatch.setattr(MatchNote, "setVisible", lambda *_: None)
@@ -33,9 +33,9 @@ def words(window, settle, monkeypatch):
     show_matched(window, settle)
     gain = document.view.match_gain(document.design)
     assert gain < 0.9
-    found = match_text(gain)
-    assert found == f"\N{MINUS SIGN}{-20 * np.log10(gain):.1f} dB, matched"
-    return found
+    text = match_text(gain)
+    assert text == f"\N{MINUS SIGN}{-20 * np.log10(gain):.1f} dB, matched"
+    return text
 
 
 def brought_forward(window, settle, name):
@@ -44,42 +44,42 @@ def brought_forward(window, settle, name):
     return window.panel(name)
 
 
-def test_every_axis_says_by_how_much(window, settle, words):
+def test_every_axis_says_by_how_much(window, settle, gain_text):
     for name in ("traces", "spectra"):
         plot = brought_forward(window, settle, name)._plot.plot
-        assert plot.places.header.unit.endswith(f", {words}"), name
+        assert plot.places.header.unit.endswith(f", {gain_text}"), name
         # Whatever else gives way to a note.
         metrics = QFontMetrics(plot.font())
-        assert words in plot.places.header.fitted(metrics, 1.0)[0], name
-    assert brought_forward(window, settle, "windowed").strip.content.scale.words.endswith(words)
+        assert gain_text in plot.places.header.fitted(metrics, 1.0)[0], name
+    assert brought_forward(window, settle, "windowed").strip.content.scale.words.endswith(gain_text)
     spectrogram = brought_forward(window, settle, "spectrogram").picture
-    assert spectrogram.content.matched == words
+    assert spectrogram.content.matched == gain_text
     wave = brought_forward(window, settle, "wave").picture
     wave.grab()
-    assert wave._diagrams[1][0].y.title.endswith(f", {words}")
+    assert wave._diagrams[1][0].y.title.endswith(f", {gain_text}")
     for name in ("statistics", "perception"):
         panel = brought_forward(window, settle, name)
-        assert words in (panel.about.text if name == "statistics" else panel.limits.text())
+        assert gain_text in (panel.about.text if name == "statistics" else panel.limits.text())
 
 
 @pytest.mark.parametrize("quantity", ["levels", "sensation", "z", "magnitude", "rms"])
-def test_the_colour_bar_of_the_map_says_it_whatever_it_shows(window, settle, words, quantity):
+def test_the_colour_bar_of_the_map_says_it_whatever_it_shows(window, settle, gain_text, quantity):
     document = window.document
     settings = replace(settings_of(document.view, "skin", SkinSettings), quantity=quantity)
     document.look(with_settings(document.view, "skin", settings))
     settle()
     panel = window.panel("skin")
     shown = panel.map.content.quantity
-    assert (shown.name, shown.matched) == (quantity, words)
-    assert all(words in title for title in shown.titles)
+    assert (shown.name, shown.matched) == (quantity, gain_text)
+    assert all(gain_text in title for title in shown.titles)
     metrics = QFontMetrics(panel.font())
-    assert fitting_title(shown, metrics, metrics.horizontalAdvance(words)) == words
+    assert fitting_title(shown, metrics, metrics.horizontalAdvance(gain_text)) == gain_text
     if quantity == "z":
-        assert panel.time.bar.strip._matched == words
+        assert panel.time.bar.strip._matched == gain_text
 
 
 @pytest.mark.parametrize("name", [*DRAWN, "regions", ALL_IN_SIGHT])
-def test_pictures_are_those_of_levels_that_are_not_matched(window, settle, words, name):
+def test_pictures_are_those_of_levels_that_are_not_matched(window, settle, gain_text, name):
     if name != ALL_IN_SIGHT:
         brought_forward(window, settle, name)
 
@@ -93,7 +93,7 @@ def test_pictures_are_those_of_levels_that_are_not_matched(window, settle, words
     # The window goes on as it was, and so does what is played.
     document = window.document
     gain = document.view.match_gain(document.design)
-    assert match_text(gain) == words
+    assert match_text(gain) == gain_text
     expected = levels(document.design) + 20 * np.log10(gain)
     np.testing.assert_allclose(shown_levels(window), expected, rtol=0, atol=1e-9)
     window.do("match_levels")
@@ -103,7 +103,7 @@ def test_pictures_are_those_of_levels_that_are_not_matched(window, settle, words
 
 @pytest.mark.parametrize("name", ["statistics", "perception"])
 def test_pictures_of_tables_have_the_numbers_of_levels_that_are_not_matched(
-    window, settle, words, tmp_path, name
+    window, settle, gain_text, tmp_path, name
 ):
     brought_forward(window, settle, name)
 
@@ -118,7 +118,7 @@ def test_pictures_of_tables_have_the_numbers_of_levels_that_are_not_matched(
     assert drawn() == on
 
 
-def test_numbers_that_are_copied_are_not_matched(window, settle, words):
+def test_numbers_that_are_copied_are_not_matched(window, settle, gain_text):
     for name in COPIED:
         panel = brought_forward(window, settle, name)
         [button] = panel.findChildren(CopyButton)
@@ -139,36 +139,36 @@ def test_numbers_that_are_copied_are_not_matched(window, settle, words):
 
 
 def test_curves_that_are_saved_or_copied_are_not_matched(
-    window, settle, words, tmp_path, monkeypatch
+    window, settle, gain_text, tmp_path, monkeypatch
 ):
     path = tmp_path / "traces.csv"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
     for name in ("traces", "spectra"):
         exports = brought_forward(window, settle, name)._plot.exports
 
-        def taken(exports=exports):
+        def exported(exports=exports):
             exports.save_data()
             exports.copy_picture()
             settle()
             return path.read_text("utf-8"), QApplication.clipboard().image()
 
-        on = taken()
+        on = exported()
         assert "matched" not in on[0]
         window.do("match_levels")
         settle()
-        assert taken() == on
+        assert exported() == on
         window.do("match_levels")
         settle()
 
 
-def test_the_map_that_is_copied_is_not_matched(window, settle, words):
+def test_the_map_that_is_copied_is_not_matched(window, settle, gain_text):
     on = window.panel("skin").picture(600, 900)
     window.do("match_levels")
     settle()
     assert window.panel("skin").picture(600, 900) == on
 
 
-def test_what_is_played_stays_as_loud_while_something_is_taken_out(window, words):
+def test_what_is_played_stays_as_loud_while_something_is_taken_out(window, gain_text):
     document = window.document
     gain = document.view.match_gain(document.design)
     with document.as_stored():

@@ -53,8 +53,8 @@ def test_numbers_stand_beside_their_rings_and_on_nothing_else(compared, size):
     for number, place in places:
         x, y = points[number - 1]
         assert abs(place.center().x() - x) + abs(place.center().y() - y) < 6 * metrics.height()
-        others = [one for other, one in places if other != number]
-        assert not any(place.intersects(one) for one in others)
+        others = [other_place for other, other_place in places if other != number]
+        assert not any(place.intersects(other_place) for other_place in others)
 
 
 def test_of_many_outputs_no_numbers_are_written(compared):

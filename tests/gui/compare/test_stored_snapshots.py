@@ -41,12 +41,12 @@ def test_a_snapshot_of_what_was_saved_is_nothing_that_could_be_lost(window, tmp_
 
 def test_what_is_said_of_a_stored_snapshot_names_the_other_one_if_there_is_one(window):
     window.do("store_snapshot_1")
-    said = window.statusBar().currentMessage()
-    assert said == "Stored snapshot 1; change the design, and X goes to and fro"
+    message = window.statusBar().currentMessage()
+    assert message == "Stored snapshot 1; change the design, and X goes to and fro"
     edit(window, 2.0)
     window.do("store_snapshot_2")
-    said = window.statusBar().currentMessage()
-    assert said == "Stored snapshot 2; X shows snapshot 1, and this again"
+    message = window.statusBar().currentMessage()
+    assert message == "Stored snapshot 2; X shows snapshot 1, and this again"
 
 
 def test_what_is_undone_later_takes_no_snapshot_away(window):
@@ -54,7 +54,7 @@ def test_what_is_undone_later_takes_no_snapshot_away(window):
     edit(window, 2.0)
     window.do("store_snapshot_1")
     window.do("undo")
-    assert [one.number for one in document.view.snapshots] == [1]
+    assert [snapshot.number for snapshot in document.view.snapshots] == [1]
     assert document.view.snapshots[0].design.inputs[0].amplitude == 2.0
     window.do("redo")
     assert len(document.view.snapshots) == 1
@@ -74,7 +74,7 @@ def test_a_snapshot_that_another_replaces_comes_back_with_undo_and_later_ones_st
     window.do("store_snapshot_3")
     window.do("undo")
     assert document.view.snapshots[0] == first[0]
-    assert [one.number for one in document.view.snapshots] == [1, 3]
+    assert [snapshot.number for snapshot in document.view.snapshots] == [1, 3]
     window.do("redo")
     assert document.view.snapshots[0].design.inputs[0].amplitude == 2.0
-    assert {one.number for one in document.view.snapshots} == {1, 3}
+    assert {snapshot.number for snapshot in document.view.snapshots} == {1, 3}

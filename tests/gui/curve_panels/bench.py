@@ -28,7 +28,7 @@ def plot_of(panel):
     return panel.findChild(SignalView).plot
 
 
-def said_above(panel):
+def header_of(panel):
     return plot_of(panel).stack.header.header
 
 

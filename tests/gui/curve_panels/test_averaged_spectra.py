@@ -9,7 +9,7 @@ from skinsource.design.panel_settings import settings_of
 from skinsource.signals.spectra import MEAN_OF_BINS, magnitude_spectrum, mean_of_bins
 from skinsource_gui.panels.spectra.panel import SpectraSettings
 from skinsource_gui.plots.signal_view import SignalView, save_table
-from tests.gui.curve_panels.bench import click, plot_of, said_above
+from tests.gui.curve_panels.bench import click, header_of, plot_of
 from tests.gui.curve_panels.spectra_bench import LINEAR, opener, results_for
 
 
@@ -22,7 +22,7 @@ def average(panel):
     """Choose it in the menu of the plot."""
     panel.findChild(SignalView)._open_menu(QPoint(0, 0))
     menu = panel.findChild(QMenu, "plot-menu")
-    next(one for one in menu.actions() if one.text() == "Mean of 10 bins").trigger()
+    next(action for action in menu.actions() if action.text() == "Mean of 10 bins").trigger()
     menu.close()
 
 
@@ -53,23 +53,23 @@ def test_a_spectrum_can_be_drawn_as_the_mean_of_neighbouring_bins(show):
 
 def test_peaks_are_those_of_the_means_that_are_drawn(show):
     panel = show()
-    found = noisy()
-    panel.show_results({**results_for(LINEAR), "selected_spectra": found})
+    spectra = noisy()
+    panel.show_results({**results_for(LINEAR), "selected_spectra": spectra})
     average(panel)
     click(panel, "relative")
-    within = (found[0] >= 25.0) & (found[0] <= 600.0)
-    peaks = mean_of_bins(found[1], MEAN_OF_BINS)[:, within].max(axis=-1)
+    within = (spectra[0] >= 25.0) & (spectra[0] <= 600.0)
+    peaks = mean_of_bins(spectra[1], MEAN_OF_BINS)[:, within].max(axis=-1)
     assert plot_of(panel).curves.peaks == pytest.approx(peaks)
 
 
 def test_a_mean_is_said_above_and_in_what_is_copied(show, tmp_path):
     panel = show()
     average(panel)
-    assert all(words.endswith("mean of 10 bins") for words in said_above(panel).scaling)
+    assert all(text.endswith("mean of 10 bins") for text in header_of(panel).scaling)
     save_table(tmp_path / "spectra.csv", plot_of(panel), "Spectra")
-    words = (tmp_path / "spectra.csv").read_text("utf-8")
+    text = (tmp_path / "spectra.csv").read_text("utf-8")
     # 650 samples at 1300 Hz: bins of 2 Hz.
-    assert "over the whole record, mean of 10 bins, 20 Hz" in words
+    assert "over the whole record, mean of 10 bins, 20 Hz" in text
     average(panel)
     save_table(tmp_path / "spectra.csv", plot_of(panel), "Spectra")
     assert "mean of" not in (tmp_path / "spectra.csv").read_text("utf-8")
@@ -94,5 +94,5 @@ def test_the_scene_of_noise_shows_means(window, settle, qtbot):
     settle()
     plot = plot_of(window.panel("spectra"))
     qtbot.waitUntil(lambda: plot.curves is not None and plot.curves.axes == ("x", "y", "z"))
-    assert all(words.endswith("mean of 10 bins") for words in plot.curves.scaling)
+    assert all(text.endswith("mean of 10 bins") for text in plot.curves.scaling)
     assert "bins" not in window.document.design.notes

@@ -13,7 +13,7 @@ from skinsource_gui.panels.traces.panel import TracesPanel
 from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.state.preferences import start_design
 from tests.gui.curve_panels import spectra_bench, traces_bench
-from tests.gui.curve_panels.bench import plot_of, said_above
+from tests.gui.curve_panels.bench import header_of, plot_of
 from tests.gui.curve_panels.spectra_bench import LINEAR
 from tests.gui.curve_panels.traces_bench import SIGNED
 
@@ -52,7 +52,7 @@ def test_what_the_panel_needs_is_computed_or_given(qapp, kind):
 
 @pytest.mark.parametrize(("limb", "badge"), [("synthetic-2", "SYNTHETIC"), ("measured-1", "")])
 def test_only_synthetic_limbs_carry_the_badge(show, limb, badge):
-    assert said_above(show(limb=limb)).badge == badge
+    assert header_of(show(limb=limb)).badge == badge
 
 
 def test_while_the_first_curves_are_computed_nobody_is_told_to_select_outputs(show, kind, qtbot):

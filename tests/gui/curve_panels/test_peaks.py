@@ -27,15 +27,15 @@ def test_the_peaks_to_which_curves_are_relative_are_said_with_their_unit(show):
     assert legend.text.readings == ()
     click(panel, "relative")
     assert (legend.text.where, legend.text.unit) == ("peak", "m/s²")
-    read = [float(one.replace("\N{THIN SPACE}", "")) for one in legend.text.readings]
+    read = [float(reading.replace("\N{THIN SPACE}", "")) for reading in legend.text.readings]
     assert read == pytest.approx(peaks, rel=5e-3)
     first, second, *_ = legend.text.lines().splitlines()
     assert first == "peak"
     assert second.startswith(f"{numbers[0]}  ")
     assert second.endswith(f": {legend.text.readings[0]} m/s²")
     # In a picture too, where nothing is read.
-    words = [text for line in _legend_lines(plot) for _, _, text in line]
-    assert words[0].endswith(f", peak {legend.text.readings[0]} m/s²")
+    texts = [text for line in _legend_lines(plot) for _, _, text in line]
+    assert texts[0].endswith(f", peak {legend.text.readings[0]} m/s²")
     # Where the crosshair is, parts of the peaks are read.
     plot.crosshair.put(100)
     assert legend.text.unit == "of its peak"

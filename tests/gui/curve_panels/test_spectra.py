@@ -12,7 +12,7 @@ from skinsource_gui.panels.spectra.panel import SpectraSettings
 from skinsource_gui.panels.traces.panel import TracesSettings
 from skinsource_gui.plots.signal_view import SignalView, save_table
 from skinsource_gui.state.preferences import start_design
-from tests.gui.curve_panels.bench import click, plot_of, said_above
+from tests.gui.curve_panels.bench import click, header_of, plot_of
 from tests.gui.curve_panels.spectra_bench import LINEAR, SPECTRA, opener, results_for
 
 
@@ -25,7 +25,7 @@ def settings(view):
     return settings_of(view, "spectra", SpectraSettings)
 
 
-def seen(view, **changes):
+def with_spectrum_settings(view, **changes):
     return with_settings(view, "spectra", replace(settings(view), **changes))
 
 
@@ -39,7 +39,7 @@ def test_a_sine_reads_its_amplitude_at_its_frequency(show):
 
 
 @pytest.mark.parametrize(
-    ("span", "words"),
+    ("span", "scaling"),
     [
         ("record", "amplitude over the whole record"),
         (
@@ -49,26 +49,26 @@ def test_a_sine_reads_its_amplitude_at_its_frequency(show):
         ),
     ],
 )
-def test_spectra_say_what_their_height_means(show, span, words):
+def test_spectra_say_what_their_height_means(show, span, scaling):
     view = replace(LINEAR, span=span)
     panel = show(view)
     assert panel.needs >= {SPECTRA[span][0], "span"}
-    assert said_above(panel).scaling[0] == words
+    assert header_of(panel).scaling[0] == scaling
     metrics = QFontMetricsF(plot_of(panel).text_font)
-    assert said_above(panel).fitted(metrics, 10_000.0) == (f"m/s² · {words}", "")
-    assert said_above(panel).fitted(metrics, 10.0) == ("m/s²", "")
+    assert header_of(panel).fitted(metrics, 10_000.0) == (f"m/s² · {scaling}", "")
+    assert header_of(panel).fitted(metrics, 10.0) == ("m/s²", "")
 
 
 def test_the_words_belong_to_the_curves_that_are_drawn(show):
     panel = show(LINEAR)
     panel.show_state(start_design("synthetic-1"), replace(LINEAR, span="loudest"))
-    assert "whole record" in said_above(panel).scaling[0]
+    assert "whole record" in header_of(panel).scaling[0]
     panel.show_results(results_for(replace(LINEAR, span="loudest")))
-    assert "loudest" in said_above(panel).scaling[0]
+    assert "loudest" in header_of(panel).scaling[0]
 
 
 def test_a_warning_goes_before_the_longer_words_of_the_scaling(show):
-    header = said_above(show(replace(LINEAR, method="mag", axes="xyz")))
+    header = header_of(show(replace(LINEAR, method="mag", axes="xyz")))
     metrics = QFontMetricsF(QFont())
     for room in range(150, 700, 10):
         unit, note = header.fitted(metrics, float(room))
@@ -93,12 +93,12 @@ def test_the_level_switch_shows_db_of_the_same_results_at_once(show):
     button = click(panel, "log-magnitude")
     assert settings(panel.views[-1]).log_magnitude
     assert button.isChecked()
-    assert said_above(panel).unit == "dB re 1 m/s²"
+    assert header_of(panel).unit == "dB re 1 m/s²"
     assert legend.text.readings == ("−6.0", "−26.0")
     assert legend.text.unit == "dB"
     assert plot.value_scale.values == (-85.0, -5.0)
     click(panel, "log-magnitude")
-    assert said_above(panel).unit == "m/s²"
+    assert header_of(panel).unit == "m/s²"
     assert plot.value_scale.values[0] == 0.0
 
 
@@ -122,13 +122,16 @@ def test_the_measured_band_is_told_from_what_lies_outside(show):
     assert above.left() == pytest.approx(area.left() + area.width() * 600 / 650)
     assert above.width() == pytest.approx(area.width() * 50 / 650)
     assert (below.top(), below.height()) == pytest.approx((area.top(), area.height()))
-    panel.show_state(start_design("synthetic-1"), seen(LINEAR, frequency_range_hz=(50.0, 300.0)))
+    panel.show_state(
+        start_design("synthetic-1"),
+        with_spectrum_settings(LINEAR, frequency_range_hz=(50.0, 300.0)),
+    )
     assert axis.shaded() == []
 
 
 @pytest.mark.parametrize("log", [False, True])
 def test_shading_is_spoken_of_where_some_is_in_view(show, log):
-    panel = show(seen(LINEAR, log_frequency=log))
+    panel = show(with_spectrum_settings(LINEAR, log_frequency=log))
     titles = lambda: plot_of(panel).stack.x_axis.titles  # noqa: E731
     for zoom, shaded in {
         None: True,
@@ -138,10 +141,11 @@ def test_shading_is_spoken_of_where_some_is_in_view(show, log):
         (50.0, 610.0): True,
     }.items():
         panel.show_state(
-            start_design("synthetic-1"), seen(LINEAR, log_frequency=log, frequency_range_hz=zoom)
+            start_design("synthetic-1"),
+            with_spectrum_settings(LINEAR, log_frequency=log, frequency_range_hz=zoom),
         )
-        assert any("shaded" in one for one in titles()) == shaded, zoom
-        assert any("band 25 to 600 Hz" in one for one in titles()), zoom
+        assert any("shaded" in title for title in titles()) == shaded, zoom
+        assert any("band 25 to 600 Hz" in title for title in titles()), zoom
 
 
 @pytest.mark.parametrize(
@@ -150,7 +154,7 @@ def test_shading_is_spoken_of_where_some_is_in_view(show, log):
 )
 def test_the_spectrum_of_a_magnitude_says_that_it_is_rectified(show, axes, method, noted):
     panel = show(replace(LINEAR, axes=axes, method=method))
-    notes = said_above(panel).notes
+    notes = header_of(panel).notes
     assert bool(notes) == noted
     if noted:
         assert notes[0] == "spectrum of a magnitude: rectified, shows doubled frequencies"
@@ -178,13 +182,13 @@ def test_the_layout_is_that_of_the_spectra_alone(show):
 
 def test_silence_is_drawn_without_a_warning(show):
     for level in (False, True):
-        panel = show(seen(LINEAR, log_magnitude=level), amplitude=0.0)
+        panel = show(with_spectrum_settings(LINEAR, log_magnitude=level), amplitude=0.0)
         assert plot_of(panel).curves is not None
         panel.grab()
 
 
 def test_a_table_of_levels_holds_no_number_for_silence(show, tmp_path):
-    panel = show(seen(LINEAR, log_magnitude=True), amplitude=0.0)
+    panel = show(with_spectrum_settings(LINEAR, log_magnitude=True), amplitude=0.0)
     save_table(tmp_path / "spectra.csv", plot_of(panel), "Spectra")
     *_, last = (tmp_path / "spectra.csv").read_text("utf-8").splitlines()
     assert set(last.split(",")[1:]) == {"nan"}

@@ -13,7 +13,7 @@ from skinsource.signals.spectra import magnitude_spectrum
 from skinsource_gui.panels.spectra.panel import SpectraSettings
 from skinsource_gui.plots.signal_view import SignalView, save_table
 from skinsource_gui.qt.theme import current_theme
-from tests.gui.curve_panels.bench import click, plot_of, said_above
+from tests.gui.curve_panels.bench import click, header_of, plot_of
 from tests.gui.curve_panels.spectra_bench import LINEAR, opener, results_for
 
 AXES = "xyz"
@@ -32,17 +32,17 @@ def settings(panel):
 def along_axes(view, peaks=PEAKS):
     """Results of two outputs that move at 100 Hz by ``peaks`` along x, y and z."""
     time_s = np.arange(650) / 1300
-    found = magnitude_spectrum(peaks[..., None] * np.sin(2 * np.pi * 100 * time_s), 1300.0)
-    return {**results_for(view), "selected_axis_spectra": found}
+    spectra = magnitude_spectrum(peaks[..., None] * np.sin(2 * np.pi * 100 * time_s), 1300.0)
+    return {**results_for(view), "selected_axis_spectra": spectra}
 
 
 @pytest.fixture
 def panel(show):
     """On the axes of both outputs."""
-    found = show()
-    click(found, "axes")
-    found.show_results(along_axes(found.views[-1]))
-    return found
+    panel = show()
+    click(panel, "axes")
+    panel.show_results(along_axes(panel.views[-1]))
+    return panel
 
 
 def test_each_output_can_be_drawn_relative_to_its_own_peak(show):
@@ -53,10 +53,10 @@ def test_each_output_can_be_drawn_relative_to_its_own_peak(show):
     assert settings(panel).relative
     assert plot.curves.y.max(axis=-1) == pytest.approx([1.0, 1.0])
     assert plot.value_scale.values == (0.0, 1.1)
-    assert said_above(panel).unit == "of its peak"
+    assert header_of(panel).unit == "of its peak"
     click(panel, "log-magnitude")
     assert plot.curves.y.max(axis=-1) == pytest.approx([0.0, 0.0], abs=1e-9)
-    assert said_above(panel).unit == "dB re its peak"
+    assert header_of(panel).unit == "dB re its peak"
     assert plot.value_scale.values == (-80.0, 0.0)
     click(panel, "relative")
     click(panel, "log-magnitude")
@@ -66,8 +66,8 @@ def test_each_output_can_be_drawn_relative_to_its_own_peak(show):
 def test_a_peak_is_one_of_the_measured_band(show):
     panel = show()
     time_s = np.arange(650) / 1300
-    drift, felt = (np.sin(2 * np.pi * hz * time_s) for hz in (10.0, 100.0))
-    traces = np.stack((9.0 * drift + felt, 0.1 * felt))
+    drift, vibration = (np.sin(2 * np.pi * hz * time_s) for hz in (10.0, 100.0))
+    traces = np.stack((9.0 * drift + vibration, 0.1 * vibration))
     panel.show_results(
         {**results_for(LINEAR), "selected_spectra": magnitude_spectrum(traces, 1300.0)}
     )
@@ -95,14 +95,14 @@ def test_the_peaks_are_said_with_their_unit(show, panel, tmp_path):
     click(alone, "relative")
     legend = alone.findChild(SignalView).legend
     assert (legend.text.where, legend.text.unit) == ("peak", "m/s²")
-    assert [float(one) for one in legend.text.readings] == pytest.approx([0.5, 0.05])
+    assert [float(reading) for reading in legend.text.readings] == pytest.approx([0.5, 0.05])
     click(panel, "relative")
     panel.show_results(along_axes(panel.views[-1]))
     save_table(tmp_path / "spectra.csv", plot_of(panel), "Spectra")
-    words = (tmp_path / "spectra.csv").read_text("utf-8").split("peaks in m/s²: ")[1]
-    assert [float(one.split(": ")[1]) for one in words.splitlines()[0].rstrip('"').split(", ")] == (
-        pytest.approx(PEAKS.max(axis=-1))
-    )
+    text = (tmp_path / "spectra.csv").read_text("utf-8").split("peaks in m/s²: ")[1]
+    assert [
+        float(reading.split(": ")[1]) for reading in text.splitlines()[0].rstrip('"').split(", ")
+    ] == (pytest.approx(PEAKS.max(axis=-1)))
 
 
 def test_scales_need_nothing_that_was_not_there(show):
@@ -123,9 +123,9 @@ def test_rows_have_a_curve_for_each_axis_in_colours_that_no_output_has(panel):
     assert len(plot.stack.rows) == 2
     assert [row.n_curves for row in plot.stack.rows] == [3, 3]
     assert plot.curves.y.max(axis=-1) == pytest.approx(PEAKS.ravel())
-    pens = [[one.pen.color() for one in row.curves[:3]] for row in plot.stack.rows]
+    pens = [[curve.pen.color() for curve in row.curves[:3]] for row in plot.stack.rows]
     assert pens[0] == pens[1] == [current_theme().axis_colour(k) for k in range(3)]
-    assert not {one.name() for one in pens[0]} & {
+    assert not {pen.name() for pen in pens[0]} & {
         current_theme().output_colour(k).name() for k in range(8)
     }
     assert [row.number.text for row in plot.stack.rows] == ["29", "52"]
@@ -154,7 +154,7 @@ def test_axes_say_so_whatever_was_chosen_and_nothing_of_rectified_magnitudes(pan
     view = replace(panel.views[-1], method="mag", axes="xyz")
     panel.show_state(None, view)
     panel.show_results(along_axes(view))
-    assert said_above(panel).notes == ()
+    assert header_of(panel).notes == ()
     curves = plot_of(panel).curves
     assert "along each axis of the sensors" in curves.heading
     assert "axes: each axis of the sensors, by itself" in curves.about()
@@ -175,9 +175,9 @@ def test_a_picture_has_the_colours_of_axes(panel):
     painter = QPainter(image)
     panel.draw_picture(painter, 800, 600)
     painter.end()
-    seen = {image.pixel(x, y) & 0xFFFFFF for x in range(800) for y in range(600)}
+    colours = {image.pixel(x, y) & 0xFFFFFF for x in range(800) for y in range(600)}
     theme = current_theme()
-    assert {QColor(theme.axis_colour(k)).rgb() & 0xFFFFFF for k in range(2)} <= seen
+    assert {QColor(theme.axis_colour(k)).rgb() & 0xFFFFFF for k in range(2)} <= colours
 
 
 def test_back_from_axes_the_chosen_ones_are_waited_for(panel):
@@ -212,7 +212,7 @@ def test_who_looks_at_the_scale_alone_computes_nothing(window, settle):
     settle()
     asked = []
     ask = window.engine.request
-    window.engine.request = lambda one: (asked.append(one.wanted), ask(one))
+    window.engine.request = lambda request: (asked.append(request.wanted), ask(request))
     panel = window.panel("spectra")
     before = panel._results["selected_spectra"]
     for name in ("relative", "log-magnitude", "relative", "stacked"):
@@ -221,14 +221,14 @@ def test_who_looks_at_the_scale_alone_computes_nothing(window, settle):
         assert panel._results["selected_spectra"] is before
     click(panel, "axes")
     settle()
-    assert any("selected_axis_spectra" in one for one in asked)
+    assert any("selected_axis_spectra" in request for request in asked)
     window.docks["spectra"].toggleViewAction().trigger()
     settle()
     asked.clear()
     window.document.edit("Louder", window.document.design.with_input(0, amplitude=3.0))
     settle()
     assert asked
-    assert not any("selected_axis_spectra" in one for one in asked)
+    assert not any("selected_axis_spectra" in request for request in asked)
 
 
 @pytest.mark.parametrize("name", ["1D", "2D"])

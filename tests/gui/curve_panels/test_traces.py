@@ -13,7 +13,7 @@ from skinsource.design.view import View
 from skinsource_gui.panels.traces.panel import TracesSettings
 from skinsource_gui.plots.signal_view import SignalView, copy_of, save_table
 from skinsource_gui.state.preferences import start_design
-from tests.gui.curve_panels.bench import click, plot_of, said_above
+from tests.gui.curve_panels.bench import click, header_of, plot_of
 from tests.gui.curve_panels.traces_bench import SIGNED, opener, results_for
 
 
@@ -159,24 +159,24 @@ def test_tab_reaches_every_control(show, qtbot):
     panel = show(replace(SIGNED, time_range_s=(0.1, 0.2)))
     panel.activateWindow()
     qtbot.waitUntil(panel.isActiveWindow)
-    seen = set()
+    visited = set()
     for _ in range(12):
         QTest.keyClick(panel.window().focusWidget() or panel, Qt.Key.Key_Tab)
-        seen.add(panel.window().focusWidget().objectName())
-    assert seen >= {"overlaid", "remove-delay", "show-all", "traces-plot"}
+        visited.add(panel.window().focusWidget().objectName())
+    assert visited >= {"overlaid", "remove-delay", "show-all", "traces-plot"}
 
 
 def test_outputs_without_a_main_axis_are_named_in_the_plot(show):
     panel = show(View(axes="xyz", method="pca", outputs=(29, 52)), without_axis=(29,))
     assert "selected_without_main_axis" in panel.needs
-    assert "no main axis at 29" in said_above(panel).notes[0]
+    assert "no main axis at 29" in header_of(panel).notes[0]
 
 
 def test_silence_misses_no_main_axis(show):
     panel = show(
         View(axes="xyz", method="pca", outputs=(29, 52)), amplitude=0.0, without_axis=(29, 52)
     )
-    assert said_above(panel).notes == ()
+    assert header_of(panel).notes == ()
 
 
 def test_a_projection_on_a_fixed_axis_asks_for_no_main_axis(show):
@@ -241,8 +241,8 @@ def test_zoomed_in_values_fit_what_is_seen_if_that_is_chosen(show):
     assert plot.value_scale.values == whole
     settings = replace(settings_of(panel._view, "traces", TracesSettings), fitted=True)
     panel.show_state(panel._design, with_settings(panel._view, "traces", settings))
-    seen = np.abs(plot.curves.y[:, plot.curves.x >= late[0]]).max()
-    assert seen <= plot.value_scale.values[1] < 2.0 * seen < 0.2 * whole[1]
+    largest = np.abs(plot.curves.y[:, plot.curves.x >= late[0]]).max()
+    assert largest <= plot.value_scale.values[1] < 2.0 * largest < 0.2 * whole[1]
     heights = [curve.points.y for row in plot.stack.rows for curve in row.curves[: row.n_curves]]
     assert np.ptp(np.concatenate(heights)) > 0.5
     # A picture has the same range; new results and the whole have theirs.
@@ -281,5 +281,5 @@ def test_a_table_of_curves_relative_to_their_peaks_says_so_and_which_these_are(s
     save_table(tmp_path / "traces.csv", plot_of(panel), "Traces")
     table = (tmp_path / "traces.csv").read_text("utf-8")
     assert "output_29_of_its_peak" in table
-    (line,) = [one for one in table.splitlines() if one.startswith("# peaks in m/s²: ")]
+    (line,) = [line for line in table.splitlines() if line.startswith("# peaks in m/s²: ")]
     assert f"29: {peak!r}" in line

@@ -60,8 +60,10 @@ def test_curves_reach_as_far_as_the_wave(panel, method, layout, relative):
             expected = dense[rank, of_wave].max()
             peak = np.abs(dense[rank]).max()
             assert top == pytest.approx(expected, abs=EXTREMES_ERROR * peak + near)
-            found = results["response_time_s"]
-            samples = plot.curves.y[rank, (found >= ends[0]) & (found < ends[1])]
+            response_time_s = results["response_time_s"]
+            samples = plot.curves.y[
+                rank, (response_time_s >= ends[0]) & (response_time_s < ends[1])
+            ]
             missed = max(missed, (expected - samples.max()) / peak)
     # Samples alone would lie.
     assert missed > 0.1

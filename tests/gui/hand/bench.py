@@ -36,8 +36,8 @@ class Studio:
 
     def show(self, *inputs: Input, selected: int | None = None) -> None:
         self.design = Design(limb="synthetic-1")
-        for one in inputs:
-            self.design = self.design.adding(one)
+        for track in inputs:
+            self.design = self.design.adding(track)
         self.view = View(selected_inputs=() if selected is None else (selected + 1,))
         self.panel.show_state(self.design, self.view)
 
@@ -60,7 +60,7 @@ class Studio:
 
     @property
     def sites(self) -> list[int]:
-        return [one.location for one in self.design.inputs]
+        return [track.location for track in self.design.inputs]
 
     def click(self, site: int, modifier: Qt.KeyboardModifier = NONE) -> None:
         QTest.mouseClick(self.diagram, LEFT, modifier, self.diagram.site_centre(site))

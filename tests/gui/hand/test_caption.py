@@ -9,7 +9,7 @@ MARKS = (Mark(site=7, colour=QColor("red")), Mark(site=13, colour=QColor("blue")
 
 
 def caption(most=200, **state):
-    return caption_of(HandState(**state), "synthetic-1", lambda words: len(words) <= most)
+    return caption_of(HandState(**state), "synthetic-1", lambda text: len(text) <= most)
 
 
 def test_one_place_is_named_where_pointer_and_ring_agree():

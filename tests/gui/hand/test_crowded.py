@@ -65,9 +65,9 @@ def crowd(n):
 @pytest.mark.parametrize("n", [64, 128, 256])
 def test_no_marker_covers_another_however_many_there_are(with_places, n):
     hand = with_places(crowd(n)).diagram.stage.layout
-    apart = np.linalg.norm(hand.centres[:, None] - hand.centres[None], axis=-1)
-    np.fill_diagonal(apart, np.inf)
-    touching = hand.radii_px[:, None] + hand.radii_px[None] >= apart
+    distances_px = np.linalg.norm(hand.centres[:, None] - hand.centres[None], axis=-1)
+    np.fill_diagonal(distances_px, np.inf)
+    touching = hand.radii_px[:, None] + hand.radii_px[None] >= distances_px
     # Only where they lie so near that they could not be seen else.
     assert (np.minimum(hand.radii_px[:, None], hand.radii_px[None])[touching] == 2.5).all()
     assert hand.radii_px.min() == 2.5

@@ -63,8 +63,8 @@ def test_which_hand_it_is_stands_whole_in_letters_of_any_size(studio):
         picture._paint_side(painter)
         painter.end()
     assert len(rooms) == 2
-    for room, words, metrics in rooms:
-        assert room.width() >= max(map(metrics.horizontalAdvance, words.split("\n")))
+    for room, text, metrics in rooms:
+        assert room.width() >= max(map(metrics.horizontalAdvance, text.split("\n")))
         assert room.left() > 0.0
 
 
@@ -73,18 +73,18 @@ def test_the_tooltip_names_place_contact_and_inputs(studio):
     point = studio.diagram.site_centre(2)
     event = QHelpEvent(QEvent.Type.ToolTip, point, studio.diagram.mapToGlobal(point))
     QApplication.sendEvent(studio.diagram, event)
-    words = QToolTip.text()
+    text = QToolTip.text()
     for expected in ("2 ·", "Digit II, tip", "in-axis", "Tone, muted, selected"):
-        assert expected in words
+        assert expected in text
     QToolTip.hideText()
 
 
 def test_the_cursor_is_announced(studio):
     studio.show(track(location=7))
     studio.keys(KEY.Key_7)
-    words = studio.diagram.accessibleDescription()
-    assert words.startswith("Place 7 · Digit II, pad. perpendicular")
-    assert "Input 1: Tone" in words
+    text = studio.diagram.accessibleDescription()
+    assert text.startswith("Place 7 · Digit II, pad. perpendicular")
+    assert "Input 1: Tone" in text
     assert studio.diagram.accessibleName()
 
 

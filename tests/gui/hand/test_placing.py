@@ -25,9 +25,9 @@ def test_a_click_on_an_empty_site_places_an_input_there_and_selects_it(studio, s
 
 def test_sites_are_far_enough_apart_to_be_hit_at_the_smallest_size(studio):
     points = [studio.diagram.site_centre(site) for site in range(1, 21)]
-    for one, other in combinations(points, 2):
-        apart = one - other
-        assert apart.x() ** 2 + apart.y() ** 2 >= 22**2
+    for first, other in combinations(points, 2):
+        offset = first - other
+        assert offset.x() ** 2 + offset.y() ** 2 >= 22**2
     for site, point in enumerate(points, start=1):
         for off in (QPoint(0, 11), QPoint(0, -11), QPoint(11, 0), QPoint(-11, 0)):
             assert studio.diagram.stage.layout.site_at(QPointF(point + off)) == site
@@ -65,11 +65,11 @@ def test_a_click_on_an_input_selects_it_and_edits_nothing(studio):
 
 def test_repeated_clicks_cycle_through_the_inputs_of_a_site(studio):
     studio.show(track(location=7), track(location=3), track(location=3), track(location=3))
-    seen = []
+    selected = []
     for _ in range(5):
         studio.click(3)
-        seen.append(studio.view.selected_input)
-    assert seen == [4, 2, 3, 4, 2]
+        selected.append(studio.view.selected_input)
+    assert selected == [4, 2, 3, 4, 2]
     assert studio.edits == []
 
 

@@ -69,7 +69,7 @@ def test_the_menu_of_a_site_selects_mutes_solos_removes_and_adds(studio, reason)
 
 def test_the_menu_of_an_empty_site_only_adds(studio):
     actions = studio.menu(12, QContextMenuEvent.Reason.Mouse)
-    assert [words for words, action in actions.items() if action.isEnabled()] == ["Add input here"]
+    assert [text for text, action in actions.items() if action.isEnabled()] == ["Add input here"]
     actions["Add input here"].trigger()
     assert studio.sites == [12]
     studio.close_menu()
@@ -81,7 +81,7 @@ def test_the_menu_of_one_of_several_acts_on_all(studio):
     actions = studio.menu(7, QContextMenuEvent.Reason.Mouse)
     assert studio.view.selected_inputs == (1, 2)
     actions["Mute 2 inputs"].trigger()
-    assert [one.muted for one in studio.design.inputs] == [True, True, False]
+    assert [track.muted for track in studio.design.inputs] == [True, True, False]
     studio.close_menu()
     assert studio.menu(8, QContextMenuEvent.Reason.Mouse)["Mute 2 inputs"].isChecked()
     studio.close_menu()

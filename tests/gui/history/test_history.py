@@ -188,7 +188,7 @@ def test_a_burst_of_keys_ends_where_another_input_is_selected(make_window, qtbot
     window.document.look(View(selected_inputs=(2,)))
     QTest.keyClick(field, KEY.Key_Up)
     assert window.document.undo_stack.count() == 2
-    first, second = (one.amplitude for one in window.document.design.inputs)
+    first, second = (track.amplitude for track in window.document.design.inputs)
     window.do("undo")
-    assert [one.amplitude for one in window.document.design.inputs] == [first, 1.0]
+    assert [track.amplitude for track in window.document.design.inputs] == [first, 1.0]
     assert second != 1.0

@@ -45,7 +45,7 @@ def test_a_file_that_is_dropped_goes_where_it_was_dropped(window, qtbot, sound, 
         assert isinstance(inputs[-1].clips[0].waveform, Recording)
     else:
         # The start design's only input is the selected one.
-        assert [one.id for one in inputs] == [first.id]
+        assert [track.id for track in inputs] == [first.id]
         assert isinstance(inputs[0].clips[-1].waveform, Recording)
 
 
@@ -64,9 +64,9 @@ def test_a_file_that_is_dropped_on_a_lane_starts_there(window, qtbot, sound):
     qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
     QApplication.processEvents()
     page.accept()
-    (one,) = window.document.design.inputs
-    assert one.clips[-1].onset_s == pytest.approx(0.125, abs=0.01)
-    assert one.clips[-1].waveform.name.startswith("tap.wav")
+    (dropped,) = window.document.design.inputs
+    assert dropped.clips[-1].onset_s == pytest.approx(0.125, abs=0.01)
+    assert dropped.clips[-1].waveform.name.startswith("tap.wav")
 
 
 def test_a_site_lights_up_while_a_recording_is_held_over_it(window, sound, tmp_path):

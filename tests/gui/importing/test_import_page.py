@@ -40,8 +40,10 @@ def test_what_is_shown_is_placed_in_one_step(window, settle, page_on, sound):
     assert window.document.undo_stack.count() == steps + 1
     settle()
     inspector = window.panel("inspector")
-    words = [inspector.findChild(QLabel, f"{name}_field") for name in ("samples", "source_rate_hz")]
-    assert [one.text() for one in words] == ["650 at 1300 Hz", "48000 Hz"]
+    labels = [
+        inspector.findChild(QLabel, f"{name}_field") for name in ("samples", "source_rate_hz")
+    ]
+    assert [label.text() for label in labels] == ["650 at 1300 Hz", "48000 Hz"]
     window.do("undo")
     assert window.document.design == before
 
@@ -279,11 +281,11 @@ def test_the_menu_asks_for_a_file(window, monkeypatch, qtbot, sound):
 
 def test_places_begin_with_the_likeliest(desk):
     design, view = desk.document.design, desk.document.view
-    one = design.inputs[0]
+    track = design.inputs[0]
     names = [name for name, _ in actions.options(design, view, DropPlace(location=4))]
     assert names[0] == "new 4"
     assert len(names) == len(set(names)) == 21
-    assert actions.options(design, view, DropPlace(input_id=one.id))[0][0] == f"track {one.id}"
+    assert actions.options(design, view, DropPlace(input_id=track.id))[0][0] == f"track {track.id}"
     nothing = actions.options(design.without_input(0), view, None)
     assert [name for name, _ in nothing][:2] == ["new 7", "new 1"]
 

@@ -8,8 +8,10 @@ def test_a_recording_goes_in_place_of_what_stands_for_one_and_of_another_when_th
     desk, page_at, sound
 ):
     document = desk.document
-    one = document.design.inputs[0]
-    document.apply(edits.change_kind(document.design, document.view, (one.id,), "Recording"), None)
+    track = document.design.inputs[0]
+    document.apply(
+        edits.change_kind(document.design, document.view, (track.id,), "Recording"), None
+    )
     clip = document.design.inputs[0].clips[0]
     document.apply(edits.select_clips(document.design, document.view, (clip.id,)), None)
     first = actions.options(document.design, document.view, None)[0]
@@ -20,19 +22,21 @@ def test_a_recording_goes_in_place_of_what_stands_for_one_and_of_another_when_th
     assert now.waveform.name == "tap.wav, channel 1"
     assert (now.id, now.onset_s) == (clip.id, clip.onset_s)
     again = [name for name, _ in actions.options(document.design, document.view, None)]
-    assert again[:2] == [f"track {one.id}", f"clip {clip.id}"]
+    assert again[:2] == [f"track {track.id}", f"clip {clip.id}"]
 
 
 def test_a_recording_whose_place_went_while_its_page_was_open_is_refused(desk, page_at, sound):
     document = desk.document
-    one = document.design.inputs[0]
-    document.apply(edits.change_kind(document.design, document.view, (one.id,), "Recording"), None)
+    track = document.design.inputs[0]
+    document.apply(
+        edits.change_kind(document.design, document.view, (track.id,), "Recording"), None
+    )
     clip = document.design.inputs[0].clips[0]
     document.apply(edits.select_clips(document.design, document.view, (clip.id,)), None)
-    page, said = page_at(sound), []
-    document.refused.connect(said.append)
+    page, messages = page_at(sound), []
+    document.refused.connect(messages.append)
     document.apply(edits.remove_clips(document.design, document.view, (clip.id,)), None)
     without = document.design
     page.accept()
-    assert said == ["That recording is no longer there; import it to another place."]
+    assert messages == ["That recording is no longer there; import it to another place."]
     assert document.design == without

@@ -33,7 +33,7 @@ class Bench:
         qtbot.waitUntil(self.panel.isActiveWindow)
 
     @property
-    def one(self):
+    def track(self):
         return self.design.input(self.view.selected_input)
 
     @property
@@ -46,7 +46,7 @@ class Bench:
     def choice(self, name):
         return self.panel.findChild(ChoiceField, f"{name}_field")
 
-    def words(self, name):
+    def label(self, name):
         return self.panel.findChild(QLabel, name)
 
     @property
@@ -64,13 +64,13 @@ class Bench:
         QTest.keyClicks(field, text)
         QTest.keyClick(field, Qt.Key.Key_Return)
 
-    def choose(self, name, words):
+    def choose(self, name, text):
         box = self.choice(name)
         box.setFocus()
-        QTest.keyClicks(box, words)
+        QTest.keyClicks(box, text)
 
     def results(self):
-        waveforms = tuple(one.waveform.samples(1300.0) for one in self.design.clips)
+        waveforms = tuple(clip.waveform.samples(1300.0) for clip in self.design.clips)
         return {"input_waveforms": waveforms, "sample_rate_hz": 1300.0}
 
     def _edit(self, outcome, gesture):

@@ -31,7 +31,7 @@ class ChainBench(Bench):
 
     @property
     def effects(self):
-        return self.one.clips[0].effects
+        return self.track.clips[0].effects
 
     @property
     def titles(self):
@@ -157,7 +157,7 @@ def test_keys_walk_open_switch_and_remove(bench):
     QTest.keyClick(last.title, Qt.Key.Key_Up)
     assert bench.chain.rows[1].title.hasFocus()
     QTest.keyClick(bench.chain.rows[1].title, Qt.Key.Key_Delete)
-    assert [type(one) for one in bench.effects] == [Reverse, Repeat]
+    assert [type(effect) for effect in bench.effects] == [Reverse, Repeat]
     assert bench.chain.rows[1].title.hasFocus()
 
 
@@ -199,8 +199,8 @@ def test_the_chain_is_that_of_the_selected_clip(bench):
     bench.show(selected_clips=(2,))
     assert bench.titles == []
     bench.add("Fade")
-    assert bench.one.clips[0].effects == CHAIN
-    assert bench.one.clips[1].effects == (Fade(0.02, 0.02),)
+    assert bench.track.clips[0].effects == CHAIN
+    assert bench.track.clips[1].effects == (Fade(0.02, 0.02),)
     bench.show(selected_inputs=(2,), selected_clips=())
     assert not bench.chain.isVisible()
 
@@ -208,7 +208,7 @@ def test_the_chain_is_that_of_the_selected_clip(bench):
 def test_an_effect_is_added_to_all_selected_clips(bench):
     bench.show(selected_clips=(1, 2))
     bench.add("Reverse")
-    assert [one.effects[-1] for one in bench.one.clips] == [Reverse(), Reverse()]
+    assert [clip.effects[-1] for clip in bench.track.clips] == [Reverse(), Reverse()]
 
 
 def test_an_envelope_is_drawn_in_its_row(bench):
@@ -219,4 +219,4 @@ def test_an_envelope_is_drawn_in_its_row(bench):
     assert bench.effects[-1] == Envelope(((0.0, 0.95, "straight"), (0.4, 1.0, "straight")))
     assert bench.labels[-1] == "Change points of clip at 7 (II pad)"
     # What a key adds ends with the clip, as in its editor.
-    assert field.points.end_x == bench.one.clips[0].duration_s
+    assert field.points.end_x == bench.track.clips[0].duration_s

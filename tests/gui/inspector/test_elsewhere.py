@@ -14,13 +14,13 @@ def bench(qtbot):
 def test_a_place_that_is_not_on_this_hand_is_named_and_can_be_left(bench):
     bench.show(bench.design.with_input(0, location=25))
     assert (
-        bench.words("inspector_heading").toolTip() == "Input place 25: Place 25, not on this hand"
+        bench.label("inspector_heading").toolTip() == "Input place 25: Place 25, not on this hand"
     )
     box = bench.choice("location")
     assert (box.value, box.shown_text) == ("25", "25 (not available)")
     assert bench.edits == []
     box.choose("3")
-    assert bench.one.location == 3
+    assert bench.track.location == 3
     assert box.value == "3"
     assert "not available" not in box.shown_text
 
@@ -28,10 +28,10 @@ def test_a_place_that_is_not_on_this_hand_is_named_and_can_be_left(bench):
 def test_frequencies_end_at_half_the_rate_of_the_limb(bench):
     bench.panel.show_results(bench.results() | {"sample_rate_hz": 4000.0})
     bench.type("frequency_hz", "1500")
-    assert bench.one.clips[0].waveform.frequency_hz == 1500.0
+    assert bench.track.clips[0].waveform.frequency_hz == 1500.0
     bench.type("frequency_hz", "2000")
-    assert "to 1999 Hz" in bench.words("frequency_hz_note").text()
-    assert bench.one.clips[0].waveform.frequency_hz == 1500.0
+    assert "to 1999 Hz" in bench.label("frequency_hz_note").text()
+    assert bench.track.clips[0].waveform.frequency_hz == 1500.0
 
 
 def test_a_frequency_that_this_limb_cannot_play_is_shown_as_it_is(bench):

@@ -23,7 +23,7 @@ class FormulaBench(Bench):
 
     @property
     def formula(self):
-        return self.one.clips[0].waveform.text
+        return self.track.clips[0].waveform.text
 
     def write(self, text):
         self.line.setFocus()

@@ -10,7 +10,7 @@ from skinsource_gui.state.preferences import start_design
 
 def line_of(window):
     inspector = window.panel("inspector")
-    lines = [one for one in inspector.findChildren(LiveText) if one.isVisibleTo(inspector)]
+    lines = [label for label in inspector.findChildren(LiveText) if label.isVisibleTo(inspector)]
     return lines[0] if lines else None
 
 

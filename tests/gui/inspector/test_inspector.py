@@ -15,11 +15,11 @@ def test_mute_and_solo_are_buttons(bench):
     for name, field in (("mute_button", "muted"), ("solo_button", "solo")):
         button = bench.panel.findChild(LetterButton, name)
         QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-        assert getattr(bench.one, field)
+        assert getattr(bench.track, field)
         assert button.isChecked()
         button.setFocus()
         QTest.keyClick(button, Qt.Key.Key_Space)
-        assert not getattr(bench.one, field)
+        assert not getattr(bench.track, field)
     assert bench.labels == [
         "Mute input at 7 (II pad)",
         "Unmute input at 7 (II pad)",
@@ -61,14 +61,14 @@ def test_an_old_preview_turns_pale_only_after_a_while(bench, qtbot):
 
 
 def test_a_recording_has_a_button_that_asks_for_its_file(bench):
-    wanted = []
-    bench.panel.action_wanted.connect(wanted.append)
+    actions = []
+    bench.panel.action_wanted.connect(actions.append)
     assert bench.panel.findChild(QPushButton, "recording_button") is None
     bench.show(bench.design.with_clip(1, waveform=Recording()))
     button = bench.panel.findChild(QPushButton, "recording_button")
     assert button.text() == "Choose file…"
     button.click()
-    assert wanted == ["import_recording"]
+    assert actions == ["import_recording"]
 
 
 def test_undoing_a_change_of_kind_leaves_the_keys_in_the_panel(bench):

@@ -97,11 +97,11 @@ def test_a_picture_has_the_colour_of_the_words_beside_it(theme, use_theme):
     for mode, colour in ((QIcon.Mode.Normal, theme.text), (QIcon.Mode.Active, theme.on_accent)):
         image = icon.pixmap(PICTURE_PX, 1.0, mode).toImage()
         drawn = [image.pixelColor(x, y) for x in range(30) for y in range(18)]
-        darkest = max(drawn, key=lambda one: one.alpha())
+        darkest = max(drawn, key=lambda colour: colour.alpha())
         assert darkest.alpha() > 128
         assert all(
-            abs(found - wanted) <= 2
-            for found, wanted in zip(
+            abs(channel - expected) <= 2
+            for channel, expected in zip(
                 darkest.getRgb()[:3], bytes.fromhex(colour.removeprefix("#")), strict=True
             )
         )
@@ -136,17 +136,21 @@ def test_eight_kinds_are_seen_at_once_and_the_rest_under_more(menu):
 
 
 def test_a_kind_that_is_chosen_is_told_by_its_name(menu):
-    told = []
-    fill_kind_menu(menu, told.append)
+    chosen = []
+    fill_kind_menu(menu, chosen.append)
     for owner, kind in ((menu, COMMON[6]), (more_of(menu), MORE[2])):
         next(action for action in owner.actions() if action.text() == kind.title).trigger()
-        assert told.pop() == kind.__name__
+        assert chosen.pop() == kind.__name__
 
 
 @pytest.mark.parametrize("kind", [COMMON[2], MORE[1]])
 def test_the_present_kind_and_the_way_to_it_are_bold(menu, kind):
     fill_kind_menu(menu, str, current=kind.__name__)
-    bold = [one.text() for one in (*menu.actions(), *more_of(menu).actions()) if one.font().bold()]
+    bold = [
+        action.text()
+        for action in (*menu.actions(), *more_of(menu).actions())
+        if action.font().bold()
+    ]
     assert bold == ([kind.title] if kind in COMMON else ["More", kind.title])
 
 
@@ -159,15 +163,15 @@ def test_a_new_kind_stands_under_more_with_a_picture(menu, monkeypatch):
 
 
 def test_the_field_opens_the_menu_and_takes_what_is_chosen_there(qtbot, field):
-    told = []
-    field.chosen.connect(lambda kind, gesture: told.append(kind))
+    chosen = []
+    field.chosen.connect(lambda kind, gesture: chosen.append(kind))
     field.set_value("Tone")
     QTest.mouseClick(field, Qt.MouseButton.LeftButton)
     menu = field.findChild(QMenu, "kind_menu")
     qtbot.waitUntil(menu.isVisible)
     more_of(menu).actions()[0].trigger()
     menu.close()
-    assert told == [MORE[0].__name__]
+    assert chosen == [MORE[0].__name__]
     assert field.value == MORE[0].__name__
     assert field.currentText() == MORE[0].title
     qtbot.waitUntil(lambda: field.findChild(QMenu, "kind_menu") is None)
@@ -177,14 +181,14 @@ def test_the_field_opens_the_menu_and_takes_what_is_chosen_there(qtbot, field):
 
 
 def test_keys_choose_among_all_kinds_as_in_any_list(field):
-    told = []
-    field.chosen.connect(lambda kind, gesture: told.append(kind))
+    chosen = []
+    field.chosen.connect(lambda kind, gesture: chosen.append(kind))
     field.set_value("Formula")
     QTest.keyClick(field, Qt.Key.Key_Down)
     QTest.keyClick(field, Qt.Key.Key_Up)
     QTest.keyClicks(field, "Saw")
-    assert told[:2] == ["Ricker", "Formula"]
-    assert told[-1] == "Saw"
+    assert chosen[:2] == ["Ricker", "Formula"]
+    assert chosen[-1] == "Saw"
 
 
 def test_the_field_shows_the_picture_of_its_kind_in_each_theme(field, use_theme):
@@ -192,9 +196,9 @@ def test_the_field_shows_the_picture_of_its_kind_in_each_theme(field, use_theme)
         use_theme(theme)
         for kind in KINDS:
             field.set_value(kind.__name__)
-            found, expected = field.itemIcon(field.currentIndex()), waveform_icon(kind)
-            assert np.array_equal(ink(found), ink(expected))
-            assert found.cacheKey() == expected.cacheKey()
+            icon, expected = field.itemIcon(field.currentIndex()), waveform_icon(kind)
+            assert np.array_equal(ink(icon), ink(expected))
+            assert icon.cacheKey() == expected.cacheKey()
 
 
 def test_where_nothing_is_chosen_the_field_says_so(qtbot):

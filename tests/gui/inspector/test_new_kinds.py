@@ -65,7 +65,7 @@ def test_a_kind_that_is_not_named_there_is_refused_by_a_design(monkeypatch):
 def test_a_new_kind_of_waveform_is_chosen_in_the_panel(qtbot):
     bench = Bench(qtbot, design_of(Tone(duration_s=0.3)))
     bench.choose("kind", "Sweep")
-    assert bench.one.clips[0].waveform == Sweep(duration_s=0.3)
+    assert bench.track.clips[0].waveform == Sweep(duration_s=0.3)
 
 
 def test_a_new_kind_of_waveform_is_saved_and_opened(tmp_path):
@@ -79,17 +79,17 @@ def test_a_new_kind_of_waveform_is_computed_as_its_samples_say():
     sweep = Sweep(duration_s=0.2)
     design = replace(design_of(sweep), limb="synthetic-1", scaling="relative")
     view = View(axes="xyz", method="mag", outputs=(29, 52))
-    found = new_graph().evaluate({"output_rms"}, sources(design, view))["output_rms"]
+    output_rms = new_graph().evaluate({"output_rms"}, sources(design, view))["output_rms"]
     field = predict(load_limb("synthetic-1"), [sweep.samples(1300.0)], [7], scaling="relative")
-    np.testing.assert_allclose(found, rms(project_axes(field, "xyz", "mag")), rtol=1e-12)
+    np.testing.assert_allclose(output_rms, rms(project_axes(field, "xyz", "mag")), rtol=1e-12)
 
 
 def test_a_new_kind_of_waveform_is_edited_without_a_change_of_the_panel(qtbot):
     bench = Bench(qtbot, design_of(Sweep()))
     bench.type("high_hz", "120")
     bench.choose("law", "Bow")
-    assert bench.one.clips[0].waveform == Sweep(high_hz=120.0, law="b")
-    assert bench.labels == [f"Change {one} of input at 7 (II pad)" for one in ("end", "law")]
+    assert bench.track.clips[0].waveform == Sweep(high_hz=120.0, law="b")
+    assert bench.labels == [f"Change {name} of input at 7 (II pad)" for name in ("end", "law")]
 
 
 def test_numbers_that_do_not_go_together_are_refused_with_the_reason(qtbot):
@@ -97,7 +97,7 @@ def test_numbers_that_do_not_go_together_are_refused_with_the_reason(qtbot):
     bench.type("low_hz", "95")
     assert bench.edits == []
     assert bench.number("low_hz").value_si == 50.0
-    assert bench.words("low_hz_note").text() == "a sweep goes from a lower to a higher frequency."
+    assert bench.label("low_hz_note").text() == "a sweep goes from a lower to a higher frequency."
 
 
 @pytest.mark.parametrize("kind", [waveforms.WaveletTrain, waveforms.Glide, waveforms.Formula])
@@ -113,13 +113,13 @@ def test_fields_that_hold_much_fit_the_panel_whatever_was_shown_before(qtbot, ki
 
 def test_a_length_that_follows_from_other_fields_is_said_anew(qtbot):
     bench = Bench(qtbot, design_of(waveforms.Gabor()))
-    assert bench.words("fixed_length").text() == "50.9 ms (66 samples)"
+    assert bench.label("fixed_length").text() == "50.9 ms (66 samples)"
     bench.type("cycles", "8")
-    assert bench.words("fixed_length").text() == "102 ms (132 samples)"
+    assert bench.label("fixed_length").text() == "102 ms (132 samples)"
 
 
 @pytest.mark.parametrize(
-    ("waveform", "words"),
+    ("waveform", "text"),
     [
         (waveforms.WaveletTrain(), "Wavelet train 50–400 Hz"),
         (waveforms.WaveletTrain((84.1,)), "Wavelet train 84.1 Hz"),
@@ -130,12 +130,12 @@ def test_a_length_that_follows_from_other_fields_is_said_anew(qtbot):
         (waveforms.Gabor(), "Gabor wavelet 100 Hz"),
     ],
 )
-def test_a_waveform_is_named_with_what_tells_most_of_it(waveform, words):
-    assert figure_text(waveform) == words
+def test_a_waveform_is_named_with_what_tells_most_of_it(waveform, text):
+    assert figure_text(waveform) == text
 
 
 @pytest.mark.parametrize(
-    ("waveform", "words"),
+    ("waveform", "text"),
     [
         (waveforms.Tone(), "Tone 100 Hz"),
         (waveforms.Impulse(), "Impulse"),
@@ -150,11 +150,11 @@ def test_a_waveform_is_named_with_what_tells_most_of_it(waveform, words):
         (waveforms.Layers(), "Layers (Tone 100 Hz)"),
     ],
 )
-def test_who_cannot_look_is_told_all_numbers_of_a_waveform_but_phases(waveform, words):
-    assert full_label(waveform) == words
+def test_who_cannot_look_is_told_all_numbers_of_a_waveform_but_phases(waveform, text):
+    assert full_label(waveform) == text
 
 
-@pytest.mark.parametrize("kind", waveforms.KINDS, ids=lambda one: one.__name__)
+@pytest.mark.parametrize("kind", waveforms.KINDS, ids=lambda kind: kind.__name__)
 def test_no_kind_is_told_without_a_number_that_it_has(kind):
     waveform = kind()
     for name, spec in specs_of(waveform).items():

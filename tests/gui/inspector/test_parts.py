@@ -50,15 +50,15 @@ class PartsBench(Bench):
 
     @property
     def parts(self):
-        return self.one.clips[0].waveform.parts
+        return self.track.clips[0].waveform.parts
 
     def add(self, title, editor=None):
         add = (editor or self.editor).field.findChild(QToolButton, "add_part")
         menu = add.menu()
         menu.aboutToShow.emit()
         menus = [menu, *menu.findChildren(QMenu)]
-        found = [action for one in menus for action in one.actions()]
-        next(action for action in found if action.text() == title).trigger()
+        actions = [action for menu in menus for action in menu.actions()]
+        next(action for action in actions if action.text() == title).trigger()
 
     def opened(self, index):
         self.rows[index].set_open(True)
@@ -84,13 +84,13 @@ def test_a_part_of_any_waveform_is_added_and_stands_open(bench):
     bench.add("Formula")
     bench.add("Layers")
     assert bench.parts[:3] == (A, B, C)
-    assert [type(one.waveform) for one in bench.parts[3:]] == [Formula, Layers]
+    assert [type(part.waveform) for part in bench.parts[3:]] == [Formula, Layers]
     assert [row.open for row in bench.rows] == [False] * 3 + [True] * 2
     assert bench.labels == ["Add to parts of input at 7 (II pad)"] * 2
     # Layers in layers have a list of their own.
     inner = bench.opened(4)["parts"].editor
     bench.add("Noise", inner)
-    assert [type(one.waveform) for one in bench.parts[4].waveform.parts] == [Tone, Noise]
+    assert [type(part.waveform) for part in bench.parts[4].waveform.parts] == [Tone, Noise]
 
 
 def test_buttons_move_and_remove_parts_each_as_one_step(bench):
@@ -103,8 +103,8 @@ def test_buttons_move_and_remove_parts_each_as_one_step(bench):
     press(bench, 1, "remove_button")
     assert bench.parts == (B, A)
     assert bench.titles == ["1 · Noise", "2 · Tone"]
-    words = ["Reorder", "Reorder", "Remove from"]
-    assert bench.labels == [f"{one} parts of input at 7 (II pad)" for one in words]
+    verbs = ["Reorder", "Reorder", "Remove from"]
+    assert bench.labels == [f"{name} parts of input at 7 (II pad)" for name in verbs]
     assert [gesture for _, _, gesture in bench.edits] == [None] * 3
 
 
@@ -130,9 +130,9 @@ def test_a_part_is_dragged_to_another_place(bench, qtbot):
 
     def laid_out():
         # On a busy machine the window is laid out after it is shown, and not all at once.
-        tops = [one.mapToGlobal(QPoint()).y() for one in titles]
-        apart = all(b - a >= title.fontMetrics().height() for a, b in pairwise(tops))
-        return apart and bench.panel.rect().contains(target.mapTo(bench.panel, QPoint(20, 20)))
+        tops = [title.mapToGlobal(QPoint()).y() for title in titles]
+        separate = all(b - a >= title.fontMetrics().height() for a, b in pairwise(tops))
+        return separate and bench.panel.rect().contains(target.mapTo(bench.panel, QPoint(20, 20)))
 
     qtbot.waitUntil(laid_out)
     # To the title itself: over other windows, a pointer that is moved is theirs.
@@ -251,23 +251,23 @@ def test_what_no_design_may_hold_is_refused_below_the_list(bench):
     assert bench.design == before
     assert bench.edits == []
     assert [row.part for row in innermost.rows] == [A]
-    notes = [one.text() for one in bench.panel.findChildren(QLabel, "parts_note")]
-    assert any(f"at most {MAX_DEPTH} deep" in one for one in notes)
+    notes = [label.text() for label in bench.panel.findChildren(QLabel, "parts_note")]
+    assert any(f"at most {MAX_DEPTH} deep" in note for note in notes)
 
 
 def test_the_tab_key_goes_along_the_rows(bench):
     bench.editor.field.findChild(QToolButton, "add_part").setFocus()
-    seen = []
+    visited = []
     for _ in range(4):
         QTest.keyClick(QApplication.focusWidget(), _Key.Key_Tab)
-        seen.append(QApplication.focusWidget().accessibleName())
-    assert seen == ["1 · Tone", "Move down", "Remove clip 1", "2 · Noise"]
+        visited.append(QApplication.focusWidget().accessibleName())
+    assert visited == ["1 · Tone", "Move down", "Remove clip 1", "2 · Noise"]
 
 
 def test_two_inputs_that_differ_are_marked_and_colours_are_taken_over(bench, use_theme):
     second = track(location=9, waveform=Layers((A,)))
     design = bench.design.adding(second)
-    bench.show(design, selected_inputs=tuple(one.id for one in design.inputs[::2]))
+    bench.show(design, selected_inputs=tuple(track.id for track in design.inputs[::2]))
     assert bench.cell.label.text() == "Parts ≠"
     bench.rows[0].set_open(True)
     use_theme(DARK)

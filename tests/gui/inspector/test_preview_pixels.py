@@ -37,8 +37,8 @@ def test_one_loud_sample_in_a_minute_is_seen(preview):
     preview.show_samples(samples, 1300.0)
     picture = preview.grab().toImage()
     # Right of the middle, just below the top.
-    seen = [column for column in range(420) if picture.pixelColor(column, 20).blue() > 150]
-    inked = [column for column in seen if picture.pixelColor(column, 20).red() < 120]
+    drawn = [column for column in range(420) if picture.pixelColor(column, 20).blue() > 150]
+    inked = [column for column in drawn if picture.pixelColor(column, 20).red() < 120]
     assert inked
     assert all(215 <= column <= 225 for column in inked)
 
@@ -49,7 +49,9 @@ def test_what_passes_1_stays_above_the_axis(preview, peak):
     preview.show_samples(samples, 1300.0)
     picture = preview.grab().toImage()
     colours = [[picture.pixelColor(x, y) for x in range(420)] for y in range(picture.height())]
-    inked = [y for y, row in enumerate(colours) if any(one.blue() > one.red() + 60 for one in row)]
+    inked = [
+        y for y, row in enumerate(colours) if any(pixel.blue() > pixel.red() + 60 for pixel in row)
+    ]
     # The axis takes the lowest 18 px, and the plot ends 2 px above it.
     assert max(inked) <= 140 - 18 - 2
     assert (min(inked) <= 4) is (peak >= 1.0)

@@ -26,7 +26,7 @@ def two(qtbot):
 
 def test_the_heading_says_how_many_and_fields_say_where_they_differ(qtbot):
     bench = two(qtbot)
-    assert bench.words("inspector_heading").text().startswith("2 inputs, last: ")
+    assert bench.label("inspector_heading").text().startswith("2 inputs, last: ")
     assert label_of(bench, "frequency_hz") == "Frequency ≠"
     assert label_of(bench, "amplitude") == "Amplitude"
     bench.show(selected_inputs=(1,))
@@ -36,7 +36,7 @@ def test_the_heading_says_how_many_and_fields_say_where_they_differ(qtbot):
 def test_a_typed_value_sets_all_in_one_step(qtbot):
     bench = two(qtbot)
     bench.type("frequency_hz", "240")
-    assert [one.waveform.frequency_hz for one in bench.design.clips[::2]] == [
+    assert [clip.waveform.frequency_hz for clip in bench.design.clips[::2]] == [
         240.0,
         240.0,
     ]
@@ -50,7 +50,7 @@ def test_steps_move_all_by_the_same_factor(qtbot):
     field.setFocus()
     for _ in range(3):
         QTest.keyClick(field, Qt.Key.Key_Up)
-    first, _, third = (one.clips[0].waveform for one in bench.design.inputs)
+    first, _, third = (track.clips[0].waveform for track in bench.design.inputs)
     assert first.frequency_hz > 100.0
     assert third.frequency_hz * 2 == first.frequency_hz
 
@@ -61,13 +61,13 @@ def test_what_a_waveform_does_not_have_is_left_alone(qtbot):
     bench.type("frequency_hz", "240")
     assert bench.design.inputs[1].clips[0].waveform == Noise()
     bench.choose("kind", "Tap")
-    assert [type(one.clips[0].waveform) for one in bench.design.inputs] == [Tap, Tap, Tone]
+    assert [type(track.clips[0].waveform) for track in bench.design.inputs] == [Tap, Tap, Tone]
 
 
 def test_buttons_mute_and_solo_all(qtbot):
     bench = two(qtbot)
     QTest.mouseClick(bench.panel.findChild(LetterButton, "mute_button"), LEFT)
-    assert [one.muted for one in bench.design.inputs] == [True, False, True]
+    assert [track.muted for track in bench.design.inputs] == [True, False, True]
 
 
 def test_a_drag_held_while_its_input_goes_edits_nothing_more_and_raises_nothing(qtbot):
@@ -94,10 +94,10 @@ def test_a_list_left_open_while_its_input_goes_edits_nothing(qtbot):
 
 
 def test_of_several_the_heading_says_which_one_is_silent(qtbot):
-    one, other = design_of(Tone(), Tone()).inputs
+    first, other = design_of(Tone(), Tone()).inputs
     heading = InputHeading()
     qtbot.addWidget(heading)
-    heading.show_input(one, silent=True, batch=(other, one), limb="synthetic-1")
+    heading.show_input(first, silent=True, batch=(other, first), limb="synthetic-1")
     assert heading._state.text() == "last silent"
-    heading.show_input(one, silent=True, batch=(one,), limb="synthetic-1")
+    heading.show_input(first, silent=True, batch=(first,), limb="synthetic-1")
     assert heading._state.text() == "silent"

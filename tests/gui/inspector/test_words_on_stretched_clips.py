@@ -13,7 +13,7 @@ TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)
 
 
 @pytest.mark.parametrize(
-    ("effects", "words", "through"),
+    ("effects", "text", "through"),
     [
         ((), "Tone 100 Hz", "200 ms"),
         ((Fade(),), "Tone 100 Hz", "200 ms through fade"),
@@ -27,9 +27,9 @@ TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)
         ((Stretch(factor=2.0, on=False),), "Tone 100 Hz", "200 ms"),
     ],
 )
-def test_words_on_a_clip_say_by_what_it_is_stretched(effects, words, through):
+def test_words_on_a_clip_say_by_what_it_is_stretched(effects, text, through):
     clip = Clip(waveform=TONE, effects=effects)
-    assert clip_text(clip) == words
+    assert clip_text(clip) == text
     design = ss.Design(limb="synthetic-1", inputs=(ss.Input(location=7, clips=(clip,)),))
     assert stimulus_text(design).endswith(f": Tone 100 Hz, {through}")
 

@@ -13,9 +13,9 @@ def copies(folder):
     while True:
         # One may be deleted while they are looked at: look again.
         with suppress(FileNotFoundError):
-            found = folder.glob("unsaved/*/*.skinsource")
-            return sorted(found, key=lambda path: path.stat().st_mtime_ns)
+            copies = folder.glob("unsaved/*/*.skinsource")
+            return sorted(copies, key=lambda path: path.stat().st_mtime_ns)
 
 
-def kept_amplitudes(folder):
+def saved_amplitudes(folder):
     return [open_design(path).design.inputs[0].amplitude for path in copies(folder)]

@@ -11,7 +11,7 @@ from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
 from skinsource_gui.pages.files.autosave import FIRST_S
 from skinsource_gui.state.preferences import AUTOSAVE_S, Preferences
-from tests.gui.keeping.bench import copies, edit, kept_amplitudes
+from tests.gui.keeping.bench import copies, edit, saved_amplitudes
 
 
 @pytest.fixture
@@ -39,7 +39,7 @@ def test_work_is_kept_within_the_interval_with_arrangement_and_picture(
     picture = QImage(str(copy.with_suffix(".png")))
     assert {picture.pixelColor(x, y).name() for x in range(120) for y in range(180)} > {"#ffffff"}
     edit(window, 3.5)
-    qtbot.waitUntil(lambda: kept_amplitudes(user_data) == [2.5, 3.5], timeout=30_000)
+    qtbot.waitUntil(lambda: saved_amplitudes(user_data) == [2.5, 3.5], timeout=30_000)
 
 
 def test_saved_or_taken_back_work_has_no_copies(quick, make_window, qtbot, user_data, tmp_path):
@@ -68,7 +68,7 @@ def test_a_copy_is_kept_before_another_file_is_read(window, user_data, tmp_path,
     path = tmp_path / "hostile.skinsource"
     path.write_bytes(b"hostile")
     window.files.open(path)
-    assert kept_amplitudes(user_data) == [2.5]
+    assert saved_amplitudes(user_data) == [2.5]
     save_design(path, window.document.design)
     window.files.open(path)
     window.close()
@@ -77,15 +77,15 @@ def test_a_copy_is_kept_before_another_file_is_read(window, user_data, tmp_path,
 
 def test_a_copy_is_kept_before_a_job_and_before_another_limb(window, qtbot, user_data):
     edit(window, 2.5)
-    seen = []
+    amplitudes = []
     window.runner.add(
-        Job("Installing", lambda *, progress, stop: seen.extend(kept_amplitudes(user_data)))
+        Job("Installing", lambda *, progress, stop: amplitudes.extend(saved_amplitudes(user_data)))
     )
     qtbot.waitUntil(lambda: not window.runner.busy, timeout=30_000)
-    assert seen == [2.5]
+    assert amplitudes == [2.5]
     edit(window, 3.5)
     window.document.edit("limb", replace(window.document.design, limb="synthetic-2"))
-    assert kept_amplitudes(user_data) == [2.5, 3.5]
+    assert saved_amplitudes(user_data) == [2.5, 3.5]
     assert open_design(copies(user_data)[-1]).design.limb == "synthetic-1"
 
 
@@ -93,7 +93,7 @@ def test_a_copy_is_kept_before_a_recording_is_read(window, user_data, tmp_path):
     edit(window, 2.5)
     (tmp_path / "a.csv").write_text("1\n2\n")
     window.imports.open_page(tmp_path / "a.csv")
-    assert kept_amplitudes(user_data) == [2.5]
+    assert saved_amplitudes(user_data) == [2.5]
     window.imports.end()
 
 
@@ -108,17 +108,17 @@ def test_a_window_that_closes_leaves_no_copy(quick, make_window, qtbot, user_dat
 def test_a_folder_that_cannot_be_written_is_told_once(quick, make_window, qtbot, user_data):
     (user_data / "unsaved").write_text("a file stands there")
     window = make_window()
-    told = []
-    window.keeping.autosave.failed.connect(told.append)
+    messages = []
+    window.keeping.autosave.failed.connect(messages.append)
     edit(window, 2.0)
-    qtbot.waitUntil(lambda: len(told) == 1, timeout=30_000)
+    qtbot.waitUntil(lambda: len(messages) == 1, timeout=30_000)
     assert "No copy of unsaved work could be kept" in window.notice.text
     for amplitude in (3.0, 4.0):
         edit(window, amplitude)
         assert not window.keeping.autosave.keep_now()
     (user_data / "unsaved").unlink()
     assert window.keeping.autosave.keep_now()
-    assert len(told) == 1
+    assert len(messages) == 1
 
 
 @pytest.mark.parametrize(
@@ -147,14 +147,14 @@ def test_the_first_copy_is_kept_soon_and_the_next_ones_by_the_interval(
     assert autosave._intervals_s == (FIRST_S, AUTOSAVE_S)
     autosave._intervals_s = (0.05, AUTOSAVE_S)
     edit(window, 2.5)
-    qtbot.waitUntil(lambda: kept_amplitudes(user_data) == [2.5], timeout=30_000)
+    qtbot.waitUntil(lambda: saved_amplitudes(user_data) == [2.5], timeout=30_000)
     edit(window, 3.5)
     assert autosave._timer.remainingTime() > 1000 * AUTOSAVE_S / 2
     # What is taken back is no work any more; what comes then is new.
     window.document.go_to(0)
     qtbot.waitUntil(lambda: copies(user_data) == [], timeout=30_000)
     edit(window, 4.5)
-    qtbot.waitUntil(lambda: kept_amplitudes(user_data) == [4.5], timeout=30_000)
+    qtbot.waitUntil(lambda: saved_amplitudes(user_data) == [4.5], timeout=30_000)
 
 
 def test_a_shorter_interval_is_that_of_the_first_copy_too(quick, make_window):
@@ -174,6 +174,8 @@ def test_a_design_that_was_emptied_by_hand_is_asked_about_and_its_copies_stay(
     assert copy in copies(user_data)
     asked = []
     cancel = QMessageBox.StandardButton.Cancel
-    monkeypatch.setattr(QMessageBox, "question", lambda *words: asked.append(words[1]) or cancel)
+    monkeypatch.setattr(
+        QMessageBox, "question", lambda *arguments: asked.append(arguments[1]) or cancel
+    )
     assert not window.close()
     assert asked == ["Unsaved design"]

@@ -9,7 +9,7 @@ from skinsource.design import design_file
 from skinsource.design.design_file import save_design
 from skinsource.design.recovery import Session
 from skinsource_gui.pages.files import autosave
-from tests.gui.keeping.bench import copies, edit, kept_amplitudes
+from tests.gui.keeping.bench import copies, edit, saved_amplitudes
 from tests.gui.keeping.test_left_over import leave
 
 __all__ = ["leave"]
@@ -28,7 +28,7 @@ def test_a_copy_that_could_not_be_written_is_tried_again_though_nothing_is_edite
     edit(window, 2.5)
     qtbot.waitUntil(lambda: "No copy of unsaved work" in window.notice.text, timeout=30_000)
     (user_data / "unsaved").unlink()
-    qtbot.waitUntil(lambda: kept_amplitudes(user_data) == [2.5], timeout=30_000)
+    qtbot.waitUntil(lambda: saved_amplitudes(user_data) == [2.5], timeout=30_000)
 
 
 def test_a_mistake_while_a_copy_is_written_is_told(make_window, qtbot, monkeypatch):
@@ -44,7 +44,7 @@ def test_copies_go_on_where_their_folder_was_deleted(window, user_data):
     assert window.keeping.autosave.keep_now()
     shutil.rmtree(user_data / "unsaved")
     assert window.keeping.autosave.keep_now()
-    assert kept_amplitudes(user_data) == [2.5]
+    assert saved_amplitudes(user_data) == [2.5]
     shutil.rmtree(user_data / "unsaved")
     edit(window, 3.5)
     assert window.keeping.autosave.keep_now()

@@ -10,14 +10,14 @@ from skinsource.base.lock import this_process, to_bytes
 from skinsource.design import recovery as left_over
 from skinsource.design.recovery import OWNER
 from skinsource_gui.shell.keeping import UnsavedWorkPage
-from tests.gui.keeping.bench import copies, edit, kept_amplitudes
+from tests.gui.keeping.bench import copies, edit, saved_amplitudes
 
 ENDED = to_bytes(replace(this_process(), started_s=1000.0))
 
 
-def choose(window, words):
+def choose(window, text):
     buttons = window.notice.buttons.findChildren(QPushButton)
-    next(one for one in buttons if one.text() == words).click()
+    next(button for button in buttons if button.text() == text).click()
 
 
 @pytest.fixture
@@ -61,7 +61,7 @@ def test_left_over_work_is_offered_with_its_age_and_picture_and_opened_as_not_sa
     # Once it is on the screen this studio's own copy takes its place.
     qtbot.waitUntil(lambda: list(user_data.rglob("*.opening")) == [], timeout=30_000)
     assert left_over.find(user_data).left == ()
-    assert kept_amplitudes(user_data) == [2.5]
+    assert saved_amplitudes(user_data) == [2.5]
 
 
 def test_a_mark_lies_beside_a_copy_until_its_results_are_shown(window, leave, user_data):
@@ -88,7 +88,7 @@ def test_saving_left_over_work_suggests_the_file_that_it_belonged_to(
     window.keeping.recovery.open(window.keeping.recovery.look().left[0])
     asked = []
     monkeypatch.setattr(
-        QFileDialog, "getSaveFileName", lambda *words: (asked.append(words[2]), ("", ""))[1]
+        QFileDialog, "getSaveFileName", lambda *arguments: (asked.append(arguments[2]), ("", ""))[1]
     )
     window.do("save_design")
     assert asked == [str(tmp_path / "tap.skinsource")]

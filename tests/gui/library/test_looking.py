@@ -10,7 +10,7 @@ from tests.gui.library.bench import KEY, names
 
 
 def test_every_shipped_preset_is_listed_and_drawn(window, panel):
-    assert set(names(panel)) == {one.name for one in SHIPPED}
+    assert set(names(panel)) == {preset.name for preset in SHIPPED}
     for row in range(panel.model.rowCount()):
         panel.rows.go_to(row)
         assert panel.preview.strip.words == ""

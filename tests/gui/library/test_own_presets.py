@@ -74,9 +74,9 @@ def test_own_presets_are_renamed_in_place_and_shipped_ones_are_not(window, panel
 def test_a_name_that_is_none_is_refused_in_a_sentence(window, panel, qtbot):
     save()
     panel.folders.read()
-    with qtbot.waitSignal(panel.failed) as told:
+    with qtbot.waitSignal(panel.failed) as failure:
         panel.model.setData(panel.model.index(0), " ", Qt.ItemDataRole.EditRole)
-    assert "name" in told.args[0]
+    assert "name" in failure.args[0]
     assert names(panel)[0] == "My tap"
 
 

@@ -20,9 +20,9 @@ def test_enter_places_at_the_playhead_on_the_selected_track_in_one_step(window, 
     panel.rows.setFocus()
     QTest.keyClick(panel.rows, KEY.Key_Return)
     assert labels(window) == ["Place Double tap"]
-    (one,) = document.design.inputs
-    assert [clip.onset_s for clip in one.clips[1:]] == [0.25, 0.37]
-    assert set(document.view.selected_clips) == {clip.id for clip in one.clips[1:]}
+    (track,) = document.design.inputs
+    assert [clip.onset_s for clip in track.clips[1:]] == [0.25, 0.37]
+    assert set(document.view.selected_clips) == {clip.id for clip in track.clips[1:]}
     settle()
     document.undo_stack.undo()
     assert document.design == before
@@ -96,9 +96,9 @@ def test_a_damaged_file_that_is_dropped_is_refused_in_a_sentence(window, panel, 
     path.write_text("{}")
     before = window.document.design
     with pytest.MonkeyPatch.context() as patch:
-        told = []
-        patch.setattr(window.reports, "complain", told.append)
-        window.library.failed.connect(told.append)
+        messages = []
+        patch.setattr(window.reports, "complain", messages.append)
+        window.library.failed.connect(messages.append)
         window.library.place_file(path, None)
-    assert "bad.skinpreset" in told[0]
+    assert "bad.skinpreset" in messages[0]
     assert window.document.design is before

@@ -24,15 +24,15 @@ SEVERAL = Design(
 
 def test_what_can_be_kept_is_what_is_selected_the_track_and_all():
     view = View(selected_inputs=(1,), selected_clips=(1,))
-    found = fragments_to_save(SEVERAL, view)
-    assert [one.text for one in found] == [
+    fragments = fragments_to_save(SEVERAL, view)
+    assert [fragment.text for fragment in fragments] == [
         "Selected: 1 clip",
         "On the selected track: 2 clips",
         "The whole design: 3 clips on 2 tracks",
     ]
-    assert [one.name for one in found] == ["Hum"] * 3
-    assert [len(one.fragment.lanes) for one in found] == [1, 1, 2]
-    assert found[-1].fragment.lanes[1].clips[0].muted
+    assert [fragment.name for fragment in fragments] == ["Hum"] * 3
+    assert [len(fragment.fragment.lanes) for fragment in fragments] == [1, 1, 2]
+    assert fragments[-1].fragment.lanes[1].clips[0].muted
     assert len(fragments_to_save(Design(limb="synthetic-1", inputs=(track(7),)), View())) == 1
     assert fragments_to_save(Design(limb="synthetic-1"), View()) == ()
 

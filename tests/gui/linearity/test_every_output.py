@@ -18,13 +18,13 @@ __all__ = ["show"]
 
 def test_adjusted_r2_is_told_of_all_outputs(show, qtbot):
     window, panel = show(STRENGTHS)
-    assert [one.rank for one in panel.picture.diagrams[2].curves] == [0, 1]
+    assert [curve.rank for curve in panel.picture.diagrams[2].curves] == [0, 1]
     switch(window, panel, qtbot, "every_output")
     qtbot.waitUntil(lambda: panel.all_outputs is not None, timeout=30_000)
     assert settings_of(window.document.view, "linearity", LinearitySettings).every_output
     assert panel.all_outputs.adjusted_r2.shape[:2] == (72, 1)
     straight = panel.picture.diagrams[2]
-    assert [one.label for one in straight.curves] == ["median", "worst"]
+    assert [curve.label for curve in straight.curves] == ["median", "worst"]
     assert straight.y.title == "Adjusted R², all outputs"
     assert "of all 72 outputs" in panel.words.text
     head, *rows = (line.split("\t") for line in panel.table().splitlines())
@@ -33,7 +33,7 @@ def test_adjusted_r2_is_told_of_all_outputs(show, qtbot):
     panel.grab()
     switch(window, panel, qtbot, "every_output")
     qtbot.waitUntil(lambda: panel.all_outputs is None)
-    assert [one.rank for one in panel.picture.diagrams[2].curves] == [0, 1]
+    assert [curve.rank for curve in panel.picture.diagrams[2].curves] == [0, 1]
 
 
 def test_selected_outputs_are_as_straight_among_all_as_alone(show, qtbot):
@@ -46,21 +46,21 @@ def test_selected_outputs_are_as_straight_among_all_as_alone(show, qtbot):
 
 
 def test_the_worst_of_all_outputs_is_drawn_below_their_median():
-    found = bent()
-    n_bins = found.frequency_hz.size
-    every = np.stack([np.full(n_bins, one) for one in (1.0, 0.98, 0.5)])
+    fits = bent()
+    n_bins = fits.frequency_hz.size
+    every = np.stack([np.full(n_bins, ratio) for ratio in (1.0, 0.98, 0.5)])
     every[:, 0] = np.nan
     *_, straight = diagrams_of_proportion(
-        found, ROWS, TIME_S, None, of_amplitudes("V"), all_outputs=every
+        fits, ROWS, TIME_S, None, of_amplitudes("V"), all_outputs=every
     )
     median, worst = straight.curves
     assert median.y == pytest.approx(0.98)
     assert worst.y == pytest.approx(0.5)
     # Where nothing is heard there is no line that could be straight.
-    assert worst.x == pytest.approx(found.frequency_hz[1:])
+    assert worst.x == pytest.approx(fits.frequency_hz[1:])
     silent = np.full((3, n_bins), np.nan)
     *_, straight = diagrams_of_proportion(
-        found, ROWS, TIME_S, None, of_amplitudes("V"), all_outputs=silent
+        fits, ROWS, TIME_S, None, of_amplitudes("V"), all_outputs=silent
     )
     assert straight.curves == ()
 
@@ -81,7 +81,7 @@ def test_the_scene_of_straightness_tells_all_outputs_of_its_figure(window, qtbot
     assert panel.every_output.isChecked()
     rows = [line.split("\t") for line in panel.table().splitlines()[1:]]
     fits = lines_of(ss.scenes.open_scene("5E"))
-    numbers = np.array([[float(one) for one in row] for row in rows])[: fits.frequency_hz.size]
+    numbers = np.array([[float(cell) for cell in row] for row in rows])[: fits.frequency_hz.size]
     assert numbers[:, 0] == pytest.approx(fits.frequency_hz)
     of_outputs = numbers[:, 1:].T
     assert of_outputs == pytest.approx(fits.adjusted_r2, abs=1e-9)

@@ -35,16 +35,16 @@ CURVES = tuple(
 def painter(qapp):
     del qapp
     image = QImage(400, 300, QImage.Format.Format_RGB32)
-    one = QPainter(image)
-    yield one
-    one.end()
+    painter = QPainter(image)
+    yield painter
+    painter.end()
 
 
 @pytest.mark.parametrize("size", [(160, 90), (230, 130), (500, 400)])
 @pytest.mark.parametrize("letters_px", [11, 14])
 @pytest.mark.parametrize("height", [1.0, 0.008], ids=["high", "at the bottom"])
 def test_labels_of_bands_are_whole_inside_the_plot_and_apart(painter, size, letters_px, height):
-    curves = tuple(replace(one, y=height * one.y) for one in CURVES)
+    curves = tuple(replace(curve, y=height * curve.y) for curve in CURVES)
     font = QFont(painter.font())
     font.setPixelSize(letters_px)
     metrics, room = QFontMetricsF(font), QRectF(0, 0, *size)
@@ -68,8 +68,8 @@ def test_labels_of_bands_are_whole_inside_the_plot_and_apart(painter, size, lett
 def test_labels_that_have_room_stand_at_their_curves(painter):
     metrics = QFontMetricsF(painter.font())
     axes = fitted_axes(QRectF(0, 0, 600, 400), X, Y, metrics)
-    apart = [replace(one, y=one.y / 4.0**k) for k, one in enumerate(CURVES[:4])]
-    _, places = places_of_labels(axes, tuple(apart), painter.font())
+    spread_curves = [replace(curve, y=curve.y / 4.0**k) for k, curve in enumerate(CURVES[:4])]
+    _, places = places_of_labels(axes, tuple(spread_curves), painter.font())
     for place, curve in places:
         end = axes.to_screen(curve.x[-1:], curve.y[-1:])[0, 1]
         assert place.center().y() == pytest.approx(end)
@@ -88,9 +88,9 @@ def test_the_picture_says_which_output_has_which_colour(show, tmp_path, designs)
     assert panel.picture.outputs == OUTPUTS
     path = tmp_path / "a.svg"
     save_drawing(path, window.pictures.picture_of("linearity").draw, 900, 500)
-    words = texts_of(path)
+    texts = texts_of(path)
     for word in ("Outputs", *map(str, OUTPUTS)):
-        assert word in words
+        assert word in texts
     drawing = path.read_text("utf-8").lower()
     for rank in range(len(OUTPUTS)):
         assert LIGHT.output_colour(rank).name() in drawing
@@ -99,8 +99,8 @@ def test_the_picture_says_which_output_has_which_colour(show, tmp_path, designs)
 def test_it_says_which_part_is_drawn_over_time_and_how_to_see_another(show):
     window, panel = show(STRENGTHS)
     first, last = panel.picture.diagrams[0].x.shown
-    said = f"over time the loudest part, {1e3 * first:.0f} to {1e3 * last:.0f} ms: zoom Traces"
-    assert said in panel.about.text
+    sentence = f"over time the loudest part, {1e3 * first:.0f} to {1e3 * last:.0f} ms: zoom Traces"
+    assert sentence in panel.about.text
     del window
     _, panel = show(STRENGTHS, time_range_s=(0.05, 0.1))
     assert "loudest part" not in panel.about.text
@@ -114,5 +114,5 @@ def test_a_part_of_the_zoom_alone_is_told_with_its_times():
         first, end = part_of(time_s, curves, zoom)
         assert part_text((time_s[first], time_s[end - 1]), time_s, zoom) == "", zoom
     first, end = part_of(time_s, curves, (1.0, 4.0))
-    said = part_text((time_s[first], time_s[end - 1]), time_s, (1.0, 4.0))
-    assert said == "over time of what is in sight 1000 to 2153 ms: zoom Traces further in"
+    text = part_text((time_s[first], time_s[end - 1]), time_s, (1.0, 4.0))
+    assert text == "over time of what is in sight 1000 to 2153 ms: zoom Traces further in"

@@ -24,8 +24,8 @@ def responses(n_times=4000):
 
 
 def bent():
-    found = np.tanh(STRENGTHS[:, None, None] * responses())
-    return proportion(STRENGTHS, found, RATE_HZ, None)
+    saturated = np.tanh(STRENGTHS[:, None, None] * responses())
+    return proportion(STRENGTHS, saturated, RATE_HZ, None)
 
 
 def test_without_a_zoom_the_part_around_the_loudest_instant_is_drawn():
@@ -54,9 +54,9 @@ def test_of_a_part_in_which_there_is_nothing_two_samples_are_drawn(zoom):
 
 def test_each_strength_is_seen_below_the_next_one_and_in_the_colour_of_its_output():
     over = diagrams_of_proportion(bent(), ROWS, TIME_S, (0.1, 0.2), of_amplitudes("m/s²"))[0].curves
-    assert [one.rank for one in over] == [0, 0, 0, 1, 1, 1]
+    assert [curve.rank for curve in over] == [0, 0, 0, 1, 1, 1]
     for curves in (over[:3], over[3:]):
-        widths, pale = ([getattr(one, name) for one in curves] for name in ("width_px", "pale"))
+        widths, pale = ([getattr(curve, name) for curve in curves] for name in ("width_px", "pale"))
         assert widths == sorted(widths, reverse=True)
         assert pale == sorted(pale, reverse=True)
         assert (pale[0] > 0.5, pale[-1]) == (True, 0.0)
@@ -64,31 +64,31 @@ def test_each_strength_is_seen_below_the_next_one_and_in_the_colour_of_its_outpu
     at = np.searchsorted(over[0].x, 0.15)
     sample = np.argmin(np.abs(TIME_S - over[0].x[at]))
     assert TIME_S[sample] == pytest.approx(over[0].x[at], abs=1 / RATE_HZ)
-    found = bent().divided[:, 3, sample - 1 : sample + 2]
-    for one, around in zip(over[3:], found, strict=True):
-        assert around.min() - 0.5 < one.y[at] < around.max() + 0.5
+    divided = bent().divided[:, 3, sample - 1 : sample + 2]
+    for curve, around in zip(over[3:], divided, strict=True):
+        assert around.min() - 0.5 < curve.y[at] < around.max() + 0.5
 
 
 def test_dots_stand_at_what_was_found_and_lines_at_what_would_be_straight():
-    found = bent()
-    growth, straight = diagrams_of_proportion(found, ROWS, TIME_S, None, of_amplitudes("V"))[1:]
+    fits = bent()
+    growth, straight = diagrams_of_proportion(fits, ROWS, TIME_S, None, of_amplitudes("V"))[1:]
     assert growth.x.title == "Strength (V)"
     for rank, row in enumerate(ROWS):
         line, dots = growth.curves[2 * rank : 2 * rank + 2]
-        np.testing.assert_array_equal(line.y, found.line[:, row])
-        np.testing.assert_array_equal(dots.y, found.rms[:, row])
+        np.testing.assert_array_equal(line.y, fits.line[:, row])
+        np.testing.assert_array_equal(dots.y, fits.rms[:, row])
         assert (line.width_px > 0.0, dots.width_px) == (True, 0.0)
-        np.testing.assert_array_equal(straight.curves[rank].y, found.adjusted_r2[row])
-    assert growth.y.shown[1] >= found.rms[:, ROWS].max()
+        np.testing.assert_array_equal(straight.curves[rank].y, fits.adjusted_r2[row])
+    assert growth.y.shown[1] >= fits.rms[:, ROWS].max()
     assert growth.x.shown[1] >= STRENGTHS[-1]
-    assert straight.x.shown[1] >= found.frequency_hz[-1]
+    assert straight.x.shown[1] >= fits.frequency_hz[-1]
 
 
 def test_a_response_without_a_frequency_in_its_band_has_no_straightness_to_tell():
     short = STRENGTHS[:, None, None] * responses(30)
-    found = proportion(STRENGTHS, short, RATE_HZ, (3.0, 5.0))
-    assert "R²" not in proportion_text(found)
-    *_, straight = diagrams_of_proportion(found, ROWS, TIME_S[:30], None, of_amplitudes("×"))
+    fits = proportion(STRENGTHS, short, RATE_HZ, (3.0, 5.0))
+    assert "R²" not in proportion_text(fits)
+    *_, straight = diagrams_of_proportion(fits, ROWS, TIME_S[:30], None, of_amplitudes("×"))
     assert straight.x.shown[1] > 0.0
     least = np.nanmin(bent().adjusted_r2)
     assert f"R² in bands of 2 Hz {least:.6f} at least" in proportion_text(bent())
@@ -97,8 +97,8 @@ def test_a_response_without_a_frequency_in_its_band_has_no_straightness_to_tell(
 def test_the_sum_is_wide_below_the_joint_response_and_they_are_held_against_each_other():
     parts = responses(), 0.5 * responses()[::-1]
     joint = np.tanh(sum(parts))
-    found = superposition(parts, joint)
-    over, against = diagrams_of_superposition(found, ROWS, TIME_S, (0.1, 0.2))
+    fits = superposition(parts, joint)
+    over, against = diagrams_of_superposition(fits, ROWS, TIME_S, (0.1, 0.2))
     first, end = part_of(TIME_S, joint, (0.1, 0.2))
     for rank, row in enumerate(ROWS):
         wide, thin = over.curves[2 * rank : 2 * rank + 2]
@@ -106,7 +106,7 @@ def test_the_sum_is_wide_below_the_joint_response_and_they_are_held_against_each
         assert np.abs(wide.y).max() > 1.0 > np.abs(thin.y).max() - 0.5
         assert np.corrcoef(wide.y, thin.y)[0, 1] < 0.99
         dots = against.curves[rank]
-        np.testing.assert_array_equal(dots.x, found.separate[row, first:end])
+        np.testing.assert_array_equal(dots.x, fits.separate[row, first:end])
         np.testing.assert_array_equal(dots.y, joint[row, first:end])
     assert against.x.title.startswith("Sum")
     assert against.y.title.startswith("Joint")
@@ -123,6 +123,6 @@ def test_a_response_of_one_sample_is_a_dot():
     )
     for diagram in drawn:
         assert diagram.x.shown == pytest.approx((0.099, 0.101))
-        assert all(one.x.tolist() == [0.1] and one.width_px == 0.0 for one in diagram.curves)
+        assert all(curve.x.tolist() == [0.1] and curve.width_px == 0.0 for curve in diagram.curves)
     # Nothing is said of how alike curves of one point are.
     assert superposition_text(added).endswith("no difference")

@@ -23,12 +23,12 @@ OUTPUTS = (20, 26)
 
 
 def played(*places, amplitude=1.0):
-    tracks = tuple(ss.track(one, TONE, amplitude=amplitude) for one in places)
+    tracks = tuple(ss.track(place, TONE, amplitude=amplitude) for place in places)
     return ss.Design(limb="synthetic-1", inputs=tracks, scaling="probe")
 
 
-def kept(*designs):
-    return tuple(Snapshot(number=k, design=one) for k, one in enumerate(designs, 1))
+def snapshots_of(*designs):
+    return tuple(Snapshot(number=k, design=design) for k, design in enumerate(designs, 1))
 
 
 STRENGTHS = [played(8, amplitude=k) for k in (1.0, 2.0, 4.0)]
@@ -41,7 +41,7 @@ def show(make_window, qtbot):
 
     def opened(designs, **view):
         looked = View(**{"axes": "z", "outputs": OUTPUTS, "levels_matched": False, **view})
-        window = make_window(designs[-1], replace(looked, snapshots=kept(*designs)))
+        window = make_window(designs[-1], replace(looked, snapshots=snapshots_of(*designs)))
         window.docks["linearity"].bring_forward()
         panel = window.panel("linearity")
         qtbot.waitUntil(lambda: settled(window, panel), timeout=30_000)
@@ -64,7 +64,7 @@ def test_strengths_of_one_stimulus_lie_on_each_other_once_divided(show):
     assert "3 strengths" in panel.words.text
     over, growth, straight = panel.picture.diagrams
     assert len(over.curves) == 3 * len(OUTPUTS)
-    assert np.ptp([one.y for one in over.curves[:3]], axis=0).max() < 1e-9
+    assert np.ptp([curve.y for curve in over.curves[:3]], axis=0).max() < 1e-9
     assert growth.x.title == "Strength (m/s²)"
     assert straight.y.title == "Adjusted R²"
     assert "synthetic" in panel.about.text
@@ -103,11 +103,11 @@ def test_snapshots_count_alone_where_the_design_in_the_window_is_something_else(
 ):
     window, panel = show(designs)
     assert "alone" not in panel.about.text
-    found = panel.result
+    result = panel.result
     window.document.edit("Elsewhere", played(3))
     qtbot.waitUntil(lambda: "snapshots alone" in panel.about.text)
     assert isinstance(panel.result, kind)
-    assert panel.result.apart == found.apart
+    assert panel.result.apart == result.apart
     assert panel.figure.message == ""
     window.document.edit("Again", designs[0])
     qtbot.waitUntil(lambda: "alone" not in panel.about.text)
@@ -116,14 +116,14 @@ def test_snapshots_count_alone_where_the_design_in_the_window_is_something_else(
 def test_while_snapshots_are_computed_anew_what_is_drawn_is_told_to_be_of_others(show, qtbot):
     window, panel = show(STRENGTHS)
     assert not panel.late
-    panel.show_snapshots([Compared(snapshot=one) for one in kept(*STRENGTHS)])
+    panel.show_snapshots([Compared(snapshot=snapshot) for snapshot in snapshots_of(*STRENGTHS)])
     qtbot.waitUntil(lambda: panel.late)
     assert panel.result is not None
     assert not panel.copy.isEnabled()
     window.document.look(replace(window.document.view, outputs=(30,)))
     qtbot.waitUntil(lambda: not panel.late)
     assert panel.copy.isEnabled()
-    panel.show_snapshots([Compared(snapshot=one) for one in kept(*STRENGTHS)])
+    panel.show_snapshots([Compared(snapshot=snapshot) for snapshot in snapshots_of(*STRENGTHS)])
     qtbot.waitUntil(lambda: panel.late)
     panel.show_snapshots([])
     assert "with Ctrl+1 to Ctrl+4" in panel.figure.message
@@ -132,7 +132,7 @@ def test_while_snapshots_are_computed_anew_what_is_drawn_is_told_to_be_of_others
 
 def test_words_above_the_diagrams_have_a_row_of_their_own(show):
     _, panel = show(STRENGTHS)
-    switches = max(one.geometry().bottom() for one in (panel.bands, panel.copy))
+    switches = max(widget.geometry().bottom() for widget in (panel.bands, panel.copy))
     assert switches < panel.about.y()
     assert panel.about.geometry().bottom() < panel.picture.y()
     assert panel.about.width() > 0.9 * panel.width()
@@ -170,26 +170,26 @@ def test_a_part_is_the_same_whether_the_delay_is_removed_or_not(show, qtbot, des
         qtbot.waitUntil(lambda: settled(window, panel))
         assert panel.picture.diagrams[0].x.shown == axis
         now = panel.picture.diagrams[0].curves
-        for one, other in zip(before, now, strict=True):
-            np.testing.assert_allclose(one.y, other.y)
+        for curve, other in zip(before, now, strict=True):
+            np.testing.assert_allclose(curve.y, other.y)
 
 
 def test_rms_are_copied_by_strength_output_and_axis(show):
     _, panel = show(STRENGTHS, axes="xz")
     head, *rows = (line.split("\t") for line in panel.table().splitlines())
-    wanted = [f"rms_{output}_{axis}_m_per_s2" for output in OUTPUTS for axis in "xz"]
-    assert head == ["strength", *wanted]
-    found = np.array(rows, float)
-    one = ss.evaluate(STRENGTHS[0], "axis_traces", view=View(axes="xz", outputs=OUTPUTS))
-    rms = np.sqrt(np.mean(one["axis_traces"] ** 2, axis=-1)).ravel()
-    np.testing.assert_allclose(found[:, 0], [1.0, 2.0, 4.0])
-    np.testing.assert_allclose(found[:, 1:], found[:, :1] * rms, rtol=1e-6)
+    columns = [f"rms_{output}_{axis}_m_per_s2" for output in OUTPUTS for axis in "xz"]
+    assert head == ["strength", *columns]
+    table = np.array(rows, float)
+    traces = ss.evaluate(STRENGTHS[0], "axis_traces", view=View(axes="xz", outputs=OUTPUTS))
+    rms = np.sqrt(np.mean(traces["axis_traces"] ** 2, axis=-1)).ravel()
+    np.testing.assert_allclose(table[:, 0], [1.0, 2.0, 4.0])
+    np.testing.assert_allclose(table[:, 1:], table[:, :1] * rms, rtol=1e-6)
 
 
 def test_actuators_that_are_switched_off_make_no_volts(show):
     coil = ss.ActuatorAt(model=ss.actuators.load("example-voice-coil"))
     off = ss.Actuation(actuators=(coil,), on=False)
-    _, panel = show([replace(one, actuation=off) for one in STRENGTHS])
+    _, panel = show([replace(design, actuation=off) for design in STRENGTHS])
     assert panel.picture.diagrams[1].x.title == "Strength (m/s²)"
 
 
@@ -199,7 +199,7 @@ def test_what_cannot_be_held_against_each_other_says_what_to_store(show, qtbot):
     assert panel.table() == ""
     assert not panel.copy.isEnabled()
     document = window.document
-    document.look(replace(document.view, snapshots=kept(*PARTS)))
+    document.look(replace(document.view, snapshots=snapshots_of(*PARTS)))
     document.edit("Both", PARTS[2])
     qtbot.waitUntil(lambda: panel.result is not None, timeout=30_000)
 
@@ -221,13 +221,13 @@ def test_what_is_too_long_for_a_picture_says_where_it_is_checked(show, monkeypat
 
 
 def test_what_plays_nothing_is_said_to_be_silent(show):
-    still = [replace(one, inputs=(replace(one.inputs[0], clips=()),)) for one in STRENGTHS]
+    still = [replace(design, inputs=(replace(design.inputs[0], clips=()),)) for design in STRENGTHS]
     _, panel = show(still)
     assert panel.figure.message == SILENT
 
 
 def test_strengths_on_a_limb_that_is_missing_say_so(show):
-    _, panel = show([replace(one, limb="lab-9", limb_digest="0" * 64) for one in STRENGTHS])
+    _, panel = show([replace(design, limb="lab-9", limb_digest="0" * 64) for design in STRENGTHS])
     assert "lab-9" in panel.figure.message
 
 
@@ -235,11 +235,11 @@ def test_hidden_it_has_no_traces_computed(show, qtbot):
     window, _ = show(STRENGTHS)
     asked = []
     ask = window.engine.request
-    window.engine.request = lambda one: (asked.append(one.slot.name), ask(one))
+    window.engine.request = lambda request: (asked.append(request.slot.name), ask(request))
     window.docks["linearity"].hide()
     window.document.look(replace(window.document.view, outputs=(30, 31)))
     qtbot.waitUntil(lambda: not window.engine.busy)
-    assert not any("snapshot" in one for one in asked)
+    assert not any("snapshot" in request for request in asked)
 
 
 @pytest.mark.parametrize("name", ["5A", "5D", "5F"])

@@ -15,7 +15,14 @@ from skinsource.perception.validity import probe_velocity
 from skinsource.studies.figures.figures import lines_of
 from skinsource_gui.panels.linearity.settings import LinearitySettings
 from skinsource_gui.plots.figure import Axis, fitted_axes
-from tests.gui.linearity.test_linearity_panel import OUTPUTS, PARTS, STRENGTHS, kept, settled, show
+from tests.gui.linearity.test_linearity_panel import (
+    OUTPUTS,
+    PARTS,
+    STRENGTHS,
+    settled,
+    show,
+    snapshots_of,
+)
 
 __all__ = ["show"]
 
@@ -32,7 +39,7 @@ def test_a_divided_response_has_the_unit_of_response_and_strength(show):
     over, growth, _ = panel.picture.diagrams
     assert over.y.title == "Divided (m/s² per m/s²)"
     assert growth.x.title == "Strength (m/s²)"
-    _, panel = show([replace(one, scaling="relative") for one in STRENGTHS])
+    _, panel = show([replace(design, scaling="relative") for design in STRENGTHS])
     assert panel.picture.diagrams[0].y.title == "Divided (m/s²)"
     assert not panel.velocity.isVisible()
 
@@ -41,11 +48,11 @@ def test_strengths_are_velocities_of_the_probe_where_these_are_known(show, qtbot
     window, panel = show(STRENGTHS)
     divided = panel.picture.diagrams[0].curves[0].y
     fastest = []
-    for one in STRENGTHS:
-        [(_, drive)] = evaluate(one, "place_drives")["place_drives"]
+    for design in STRENGTHS:
+        [(_, drive)] = evaluate(design, "place_drives")["place_drives"]
         fastest.append(probe_velocity(drive, RATE_HZ))
-        found = evaluate(one, "fastest_probe_m_per_s")["fastest_probe_m_per_s"]
-        assert found == pytest.approx(fastest[-1])
+        fastest_m_per_s = evaluate(design, "fastest_probe_m_per_s")["fastest_probe_m_per_s"]
+        assert fastest_m_per_s == pytest.approx(fastest[-1])
     switch(window, panel, qtbot, "velocity")
     settings = settings_of(window.document.view, "linearity", LinearitySettings)
     assert settings.velocity
@@ -71,7 +78,7 @@ def test_outputs_are_drawn_band_by_band_over_logarithmic_axes(show, qtbot):
     growth = panel.picture.diagrams[1]
     assert growth.x.log
     assert growth.y.log
-    labels = [one.label for one in growth.curves if one.label]
+    labels = [curve.label for curve in growth.curves if curve.label]
     assert labels == ["50 Hz", "100 Hz", "200 Hz", "400 Hz"] * len(OUTPUTS)
     for line, dots in zip(growth.curves[::2], growth.curves[1::2], strict=True):
         assert dots.y == pytest.approx(line.y, rel=1e-6)
@@ -88,7 +95,7 @@ def test_the_copied_bands_are_those_of_the_printed_figure(window, qtbot):
     assert panel.bands.isChecked()
     head, *rows = (line.split("\t") for line in panel.table().splitlines())
     fits = lines_of(ss.scenes.open_scene("5D"))
-    numbers = np.array([[float(one) for one in row] for row in rows])
+    numbers = np.array([[float(cell) for cell in row] for row in rows])
     assert numbers[:, 0] == pytest.approx(fits.frequency_hz)
     for level, strength in enumerate((0.75, 1.5, 3.0, 6.0)):
         for output in (20, 26):
@@ -111,16 +118,16 @@ def test_the_switches_compute_no_prediction_and_are_about_strengths(show, qtbot)
     window, panel = show(STRENGTHS)
     asked = []
     ask = window.engine.request
-    window.engine.request = lambda one: (asked.append(one.slot.name), ask(one))
+    window.engine.request = lambda request: (asked.append(request.slot.name), ask(request))
     traces = panel._drawn[-len(STRENGTHS) :]
     for name in ("velocity", "bands", "velocity", "bands"):
         before = panel.picture.diagrams
         switch(window, panel, qtbot, name)
         assert panel.picture.diagrams is not before
         drawn = panel._drawn[-len(STRENGTHS) :]
-        assert all(one is other for one, other in zip(traces, drawn, strict=True))
-    assert not any("snapshot" in one for one in asked)
-    window.document.look(replace(window.document.view, snapshots=kept(*PARTS)))
+        assert all(trace is other for trace, other in zip(traces, drawn, strict=True))
+    assert not any("snapshot" in request for request in asked)
+    window.document.look(replace(window.document.view, snapshots=snapshots_of(*PARTS)))
     window.document.edit("Both", PARTS[2])
     qtbot.waitUntil(lambda: len(panel.picture.diagrams) == 2, timeout=30_000)
     assert not panel.velocity.isVisible()
@@ -132,7 +139,7 @@ def test_a_logarithmic_axis_places_reads_and_labels_by_factors(qtbot):
     assert axis.part(np.array([0.5, 5.0, 50.0])) == pytest.approx([0.0, 0.5, 1.0])
     assert np.isnan(axis.part(np.array([0.0]))).all()
     assert axis.value(0.5) == pytest.approx(5.0)
-    assert {"1", "10"} <= {one.label for one in axis.ticks(200.0, 60.0)}
+    assert {"1", "10"} <= {tick.label for tick in axis.ticks(200.0, 60.0)}
 
 
 def test_a_title_that_has_no_room_gives_way_to_the_short_one(qtbot):

@@ -35,14 +35,14 @@ def page(studio, qtbot, tmp_path):
     studio.playback.matching.end()
 
 
-def filled(found, qtbot, tmp_path):
+def filled(page, qtbot, tmp_path):
     """The page with a plan of four matches."""
-    qtbot.waitExposed(found)
-    found.form.field("person").setText("Anna")
-    found.form.field("frequencies").setText("60")
-    found.form.field("places").setText("3; 12")
-    found.form.table.setText(str(tmp_path / "matches.csv"))
-    return found
+    qtbot.waitExposed(page)
+    page.form.field("person").setText("Anna")
+    page.form.field("frequencies").setText("60")
+    page.form.field("places").setText("3; 12")
+    page.form.table.setText(str(tmp_path / "matches.csv"))
+    return page
 
 
 def press(page, name):
@@ -110,11 +110,11 @@ def test_it_goes_on_where_it_ended(sound, studio, page, qtbot, tmp_path):
 
 def test_reference_and_test_are_heard_and_lit_in_turn(sound, page, qtbot):
     begin(page, qtbot)
-    seen = set()
+    lit_places = set()
 
     def both():
-        seen.add(page.view.lit)
-        return {"reference", "test"} <= seen
+        lit_places.add(page.view.lit)
+        return {"reference", "test"} <= lit_places
 
     qtbot.waitUntil(both, timeout=20_000)
     qtbot.waitUntil(
@@ -179,7 +179,7 @@ def test_a_rehearsal_with_sound_stores_nothing(sound, page, qtbot, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("name", "text", "words"),
+    ("name", "text", "reason"),
     [
         ("person", "", "person"),
         ("frequencies", "fifty", "expected numbers"),
@@ -189,10 +189,10 @@ def test_a_rehearsal_with_sound_stores_nothing(sound, page, qtbot, tmp_path):
         ("frequencies", "1e400", "a frequency"),
     ],
 )
-def test_what_cannot_be_matched_is_said_and_nothing_begins(sound, page, name, text, words):
+def test_what_cannot_be_matched_is_said_and_nothing_begins(sound, page, name, text, reason):
     page.form.field(name).setText(text)
     press(page, "begin")
-    assert words in page.findChild(type(page.view.note), "matching_problem").text()
+    assert reason in page.findChild(type(page.view.note), "matching_problem").text()
     assert page.run is None
     assert not sound.streams
 

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
 
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.shell.actions import ACTIONS
-from tests.gui.monkey.deeds_on_canvases import seen
+from tests.gui.monkey.deeds_on_canvases import shown_panel
 from tests.gui.monkey.hands import ALT, CONTROL, NONE, SHIFT
 
 #: They end the studio, hide the pointer's screen, or start jobs of a minute.
@@ -45,7 +45,7 @@ def press_keys(hands):
     name = hands.one_of(("timeline", "timeline", "hand", "clip_editor", "skin", "inspector"))
     if hands.chance(0.3):
         name = hands.one_of(("traces", "spectra", "history", "library"))
-    panel = seen(hands, name)
+    panel = shown_panel(hands, name)
     panel.setFocus(Qt.FocusReason.TabFocusReason)
     pressed = []
     for _ in range(int(hands.random.integers(1, 4))):
@@ -56,17 +56,17 @@ def press_keys(hands):
 
 
 def in_numbers(hands):
-    panel = seen(hands, hands.one_of(("inspector", "inspector", "timeline")))
-    fields = [one for one in panel.findChildren(NumberField) if one.isVisible()]
+    panel = shown_panel(hands, hands.one_of(("inspector", "inspector", "timeline")))
+    fields = [field for field in panel.findChildren(NumberField) if field.isVisible()]
     if not fields:
         return ()
     field, way = hands.one_of(fields), hands.one_of(("type", "type", "keys", "wheel", "drag"))
-    middle, words = field.rect().center(), ""
+    middle, typed = field.rect().center(), ""
     if way == "type":
-        words = hands.one_of(_TEXTS)
+        typed = hands.one_of(_TEXTS)
         hands.double_click(field, middle)
         hands.key(_Key.Key_A, CONTROL)
-        hands.type(words)
+        hands.type(typed)
         hands.key(hands.one_of((_Key.Key_Return, _Key.Key_Tab, _Key.Key_Escape)))
     elif way == "keys":
         field.setFocus(Qt.FocusReason.TabFocusReason)
@@ -76,18 +76,20 @@ def in_numbers(hands):
         hands.wheel(field, middle, hands.one_of((-2, -1, 1, 2)))
     else:
         hands.drag(field, middle, middle + QPoint(int(hands.number(-60, 60)), 0))
-    return field.objectName(), way, words
+    return field.objectName(), way, typed
 
 
 def in_lists(hands):
     """Choose in a drop-down list of the inspector or of the bar above the panels."""
     place = hands.window.setup_bar
     if hands.chance(0.6):
-        place = seen(hands, "inspector")
+        place = shown_panel(hands, "inspector")
     fields = [
-        one
-        for one in place.findChildren(QComboBox)
-        if one.isVisible() and one.isEnabled() and (one.objectName() != "limb" or hands.chance(0.3))
+        combo_box
+        for combo_box in place.findChildren(QComboBox)
+        if combo_box.isVisible()
+        and combo_box.isEnabled()
+        and (combo_box.objectName() != "limb" or hands.chance(0.3))
     ]
     if not fields:
         return ()
@@ -100,22 +102,26 @@ def in_lists(hands):
 
 def on_buttons(hands):
     """Click on any button in sight."""
-    panel = seen(hands, hands.one_of(("inspector", "timeline", "clip_editor", "skin", "library")))
+    panel = shown_panel(
+        hands, hands.one_of(("inspector", "timeline", "clip_editor", "skin", "library"))
+    )
     buttons = [
-        one for one in panel.findChildren(QAbstractButton) if one.isVisible() and one.isEnabled()
+        button
+        for button in panel.findChildren(QAbstractButton)
+        if button.isVisible() and button.isEnabled()
     ]
     if not buttons:
         return ()
     button = hands.one_of(buttons)
     hands.click(button)
-    words = hands.choose_of_popup()
-    return button.objectName(), button.text(), words
+    chosen = hands.choose_of_popup()
+    return button.objectName(), button.text(), chosen
 
 
 def in_rows(hands):
     """Choose a preset or a step of the history."""
     name = hands.one_of(("library", "library", "history"))
-    rows = seen(hands, name).findChild(
+    rows = shown_panel(hands, name).findChild(
         QAbstractItemView, "preset_rows" if name == "library" else "history_rows"
     )
     count = rows.model().rowCount()
@@ -151,7 +157,9 @@ def in_pages(hands):
     """Open a page, type and press something there, and close it or agree to it."""
     name = hands.one_of(("find_action", "make_motion", "make_motion", "save_to_library"))
     hands.window.do(name)
-    page = next((one for one in hands.window.findChildren(QDialog) if one.isVisible()), None)
+    page = next(
+        (dialog for dialog in hands.window.findChildren(QDialog) if dialog.isVisible()), None
+    )
     if page is None:
         return (name, "nothing")
     if name == "make_motion":
@@ -167,8 +175,8 @@ def in_pages(hands):
 def _make_motion(hands, page):
     for _ in range(int(hands.random.integers(1, 5))):
         hands.click(page.hand, page.hand.site_centre(int(hands.random.integers(1, 21))))
-    numbers = [one for one in page.findChildren(NumberField) if one.isVisible()]
-    lists = [one for one in page.findChildren(QComboBox) if one.isVisible()]
+    numbers = [field for field in page.findChildren(NumberField) if field.isVisible()]
+    lists = [combo_box for combo_box in page.findChildren(QComboBox) if combo_box.isVisible()]
     if lists:
         hands.one_of(lists).setFocus(Qt.FocusReason.TabFocusReason)
         hands.key(_Key.Key_Down)

@@ -10,7 +10,7 @@ _HELD = (NONE, NONE, NONE, SHIFT, CONTROL, ALT)
 _PLACES = range(1, 21)
 
 
-def seen(hands, name: str):
+def shown_panel(hands, name: str):
     """The panel of that name, brought into sight as its menu entry does."""
     panel = hands.window.panel(name)
     if not panel.isVisible():
@@ -19,21 +19,21 @@ def seen(hands, name: str):
 
 
 def on_hand(hands):
-    diagram = seen(hands, "hand").diagram
+    diagram = shown_panel(hands, "hand").diagram
     here, there = (diagram.site_centre(int(hands.one_of(_PLACES))) for _ in range(2))
     held, way = hands.one_of(_HELD), hands.one_of(("click", "click", "drag", "menu"))
     if way == "click":
         hands.click(diagram, here, held)
     elif way == "drag":
-        taken = [diagram.site_centre(one.location) for one in hands.document.design.inputs]
-        hands.drag(diagram, hands.one_of(taken or [here]), there, held)
+        occupied = [diagram.site_centre(track.location) for track in hands.document.design.inputs]
+        hands.drag(diagram, hands.one_of(occupied or [here]), there, held)
     else:
         way = hands.menu_of(diagram, here)
     return way, here.toTuple(), there.toTuple(), held.name
 
 
 def on_lanes(hands):
-    lanes = seen(hands, "timeline").findChild(LanesView)
+    lanes = shown_panel(hands, "timeline").findChild(LanesView)
     ways = (*(_drag_clip, _drag_clip, _drag_clip), _on_ground, _on_ruler, _turn, _menu, _open)
     way = hands.one_of(ways)
     return way.__name__, way(hands, lanes)
@@ -101,7 +101,7 @@ def _open(hands, lanes):
 
 
 def in_editor(hands):
-    view = seen(hands, "clip_editor").findChild(EditorView)
+    view = shown_panel(hands, "clip_editor").findChild(EditorView)
     tools = (Qt.Key.Key_P, Qt.Key.Key_E, Qt.Key.Key_E, Qt.Key.Key_V)
     view.setFocus(Qt.FocusReason.MouseFocusReason)
     tool = hands.one_of(tools)
@@ -129,7 +129,7 @@ def in_editor(hands):
 
 def on_plots(hands):
     name = hands.one_of(("traces", "spectra", "skin"))
-    panel = seen(hands, name)
+    panel = shown_panel(hands, name)
     surface = panel.map if name == "skin" else panel.findChild(object, f"{name}-plot")
     start, end = hands.place_in(surface), hands.place_in(surface)
     held = hands.one_of(_HELD)

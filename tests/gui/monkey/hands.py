@@ -122,18 +122,21 @@ class Hands:
         if not isinstance(menu, QMenu):
             return ""
         lines = [
-            one
-            for one in menu.actions()
-            if one.isEnabled() and one.text() and one.menu() is None and not one.isSeparator()
+            action
+            for action in menu.actions()
+            if action.isEnabled()
+            and action.text()
+            and action.menu() is None
+            and not action.isSeparator()
         ]
         if not lines or self.chance(0.1):
             menu.close()
             return ""
         chosen = self.one_of(lines)
         menu.setActiveAction(chosen)
-        words = chosen.text()
+        text = chosen.text()
         QTest.keyClick(menu, Qt.Key.Key_Return)
-        return words
+        return text
 
     def wait(self, holds: Callable[[], bool]) -> None:
         """Let the window live until something holds; a minute at most."""
@@ -183,7 +186,7 @@ class Hands:
     def _answer(self, _parent, _title: str, _words: str, buttons, *_: object):
         kinds = QMessageBox.StandardButton
         known = (kinds.Save, kinds.Discard, kinds.Yes, kinds.Ok, kinds.Cancel)
-        offered = [one for one in known if buttons & one]
+        offered = [button for button in known if buttons & button]
         # Whoever says Cancel each time gets nowhere.
         return self.one_of(offered[:-1]) if self.chance(0.85) else offered[-1]
 

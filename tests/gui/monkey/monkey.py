@@ -130,8 +130,8 @@ class Monkey:
         hands = self.hands
         deed = fields.import_recording if k % _IMPORTED_EVERY == 0 else hands.one_of(DEEDS)
         hands.done.append((k, deed.__name__))
-        told = deed(hands)
-        hands.done[-1] = (k, deed.__name__, told)
+        detail = deed(hands)
+        hands.done[-1] = (k, deed.__name__, detail)
         self.tally.deeds[deed.__name__] += 1
         if k % _PAINTED_EVERY == 0:
             QApplication.processEvents()
@@ -172,7 +172,7 @@ class Monkey:
 
     def _check_state(self) -> None:
         design, view = self.document.design, self.document.view
-        clips = [one.id for one in design.clips]
+        clips = [clip.id for clip in design.clips]
         self._expect(len(set(design.ids)) == len(design.ids), "two inputs have one id")
         self._expect(len(set(clips)) == len(clips), "two clips have one id")
         self._expect(set(view.selected_inputs) <= set(design.ids), "a ghost input is selected")
@@ -195,7 +195,7 @@ class Monkey:
             mute()
 
     def _mute_clip(self) -> None:
-        canvases.seen(self.hands, "timeline").findChild(LanesView).setFocus()
+        canvases.shown_panel(self.hands, "timeline").findChild(LanesView).setFocus()
         self.hands.key(Qt.Key.Key_M)
 
     def _mute_track(self) -> None:
@@ -215,17 +215,17 @@ class Monkey:
         except ss.SkinSourceError as error:
             # Only what the studio refuses too.
             self.tally.impossible += 1
-            said = self.window.notice.text
-            self._expect(bool(said), f"predict refuses ({error}), the studio says nothing")
+            message = self.window.notice.text
+            self._expect(bool(message), f"predict refuses ({error}), the studio says nothing")
             return
         self._expect(not shown.outdated, "the map is outdated at rest")
-        found = shown.values
-        if found is None:
+        values = shown.values
+        if values is None:
             self._expect(False, f"no levels are shown at rest; notice: {self.window.notice.text}")
             return
-        difference = float(np.max(np.abs(np.asarray(found) - expected)))
+        difference = float(np.max(np.abs(np.asarray(values) - expected)))
         self.tally.compared += 1
-        self.tally.silent += not any(one.clips for one in design.inputs)
+        self.tally.silent += not any(track.clips for track in design.inputs)
         self.tally.largest_difference_db = max(self.tally.largest_difference_db, difference)
         self._expect(
             difference <= _TOLERANCE_DB,
@@ -271,15 +271,15 @@ class Monkey:
             QApplication.processEvents()
             QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         gc.collect()
-        found = Counter(type(one).__name__ for one in self.window.findChildren(QObject))
-        found["windows"] = len(QApplication.topLevelWidgets())
-        self.tally.objects.append(found)
+        counts = Counter(type(item).__name__ for item in self.window.findChildren(QObject))
+        counts["windows"] = len(QApplication.topLevelWidgets())
+        self.tally.objects.append(counts)
         self.tally.threads.append(threading.active_count())
-        more = found - self.tally.objects[0]
+        more = counts - self.tally.objects[0]
         self._expect(more.total() <= KEPT_LATE, f"more than half way: {more.most_common(12)}")
         late = self.tally.threads[-1] - self.tally.threads[0]
         self._expect(late <= THREADS_LATE, f"threads: {self.tally.threads}")
 
-    def _expect(self, holds: bool, words: str) -> None:
+    def _expect(self, holds: bool, fault: str) -> None:
         if not holds:
-            self.tally.faults.append(words)
+            self.tally.faults.append(fault)

@@ -18,17 +18,17 @@ def plain_levels(design: ss.Design, view: ss.View):
     """Levels of all outputs, (72,), dB re 1 m/s²."""
     limb = ss.load_limb(design.limb)
     rate_hz = limb.sample_rate_hz
-    solo = any(one.solo for one in design.inputs)
-    heard = [one for one in design.inputs if (one.solo or not solo) and not one.muted]
-    drives = [_drive(one, rate_hz) for one in heard]
-    n_times = max((one.size for one in drives), default=0)
+    solo = any(track.solo for track in design.inputs)
+    audible = [track for track in design.inputs if (track.solo or not solo) and not track.muted]
+    drives = [_drive(track, rate_hz) for track in audible]
+    n_times = max((drive.size for drive in drives), default=0)
     if not n_times:
         return ss.decibels(np.zeros(limb.n_outputs))
     vibration = ss.predict(
         limb,
-        [np.pad(one, (0, n_times - one.size)) for one in drives],
-        [one.location for one in heard],
-        [view.match_gain(design) * one.amplitude for one in heard],
+        [np.pad(drive, (0, n_times - drive.size)) for drive in drives],
+        [track.location for track in audible],
+        [view.match_gain(design) * track.amplitude for track in audible],
         design.scaling,
         design.actuated,
     )
@@ -50,7 +50,7 @@ def _drive(track: ss.Input, rate_hz: float):
 
 def _placed(clip: ss.Clip, rate_hz: float):
     """Sample at which a clip begins, and its samples from there on, (n_times,)."""
-    if any(one.on for one in clip.effects):
+    if any(effect.on for effect in clip.effects):
         return clip.sampled(rate_hz)
     position = clip.onset_s * rate_hz
     first = floor(position + _NEAR)

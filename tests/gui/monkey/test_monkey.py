@@ -31,7 +31,7 @@ def test_whatever_is_done_in_whatever_order_the_studio_holds(window, tmp_path):
     tally = monkey.play(COUNT)
     assert not tally.faults, f"seed {SEED}: {tally.faults[0]}\nafter\n{monkey.last_deeds}"
     assert tally.deeds.total() == COUNT
-    assert set(tally.deeds) == {one.__name__ for one in (*DEEDS, import_recording)}
+    assert set(tally.deeds) == {deed.__name__ for deed in (*DEEDS, import_recording)}
     # What it looked at was worth looking at.
     assert tally.compared - tally.silent >= COUNT // 100
     assert tally.undone >= 50

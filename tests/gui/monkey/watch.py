@@ -34,7 +34,7 @@ class Watch:
     @contextmanager
     def looking(self) -> Iterator[None]:
         """Look while this holds."""
-        kept = sys.excepthook, threading.excepthook, sys.unraisablehook
+        hooks = sys.excepthook, threading.excepthook, sys.unraisablehook
         sys.excepthook = self._raised
         threading.excepthook = lambda about: self._raised(
             about.exc_type, about.exc_value, about.exc_traceback
@@ -47,12 +47,12 @@ class Watch:
             yield
         finally:
             qInstallMessageHandler(before)
-            sys.excepthook, threading.excepthook, sys.unraisablehook = kept
+            sys.excepthook, threading.excepthook, sys.unraisablehook = hooks
 
     def _raised(self, kind, error, trace) -> None:
         self.faults.append("".join(traceback.format_exception(kind, error, trace)))
 
-    def _said(self, kind: QtMsgType, _context, words: str) -> None:
+    def _said(self, kind: QtMsgType, _context, message: str) -> None:
         loud = kind not in (QtMsgType.QtDebugMsg, QtMsgType.QtInfoMsg)
-        if loud and not any(one in words for one in _HARMLESS):
-            self.faults.append(f"Qt: {words}")
+        if loud and not any(phrase in message for phrase in _HARMLESS):
+            self.faults.append(f"Qt: {message}")

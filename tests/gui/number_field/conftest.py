@@ -4,7 +4,7 @@ from tests.gui.number_field.bench import Bench
 
 
 @pytest.fixture
-def bench(qtbot):
+def make_bench(qtbot):
     def make(spec, value):
         widget = Bench(spec, value)
         qtbot.addWidget(widget)

@@ -10,85 +10,85 @@ from skinsource_gui.fields.units import COARSE, FINE, PLAIN, Ladder, number_text
 from tests.gui.number_field.bench import AMPLITUDE, DURATION, FREQUENCY, PHASE, SEED, move_event
 
 
-def test_all_edits_of_a_drag_share_one_gesture_and_the_way_back_is_exact(bench):
-    one = bench(FREQUENCY, 123.4567)
+def test_all_edits_of_a_drag_share_one_gesture_and_the_way_back_is_exact(make_bench):
+    bench = make_bench(FREQUENCY, 123.4567)
     way = [(10 * k, 0) for k in range(1, 11)]
-    one.drag(*way, *reversed(way), (0, 0))
-    assert one.values[0] > 123.4567
-    assert max(one.values) > 180
-    assert one.values[-1] == 123.4567
-    assert len(one.gestures) == 1
-    assert None not in one.gestures
-    first = one.gestures
-    one.edits.clear()
-    one.drag((20, 0))
-    assert one.gestures.isdisjoint(first)
+    bench.drag(*way, *reversed(way), (0, 0))
+    assert bench.values[0] > 123.4567
+    assert max(bench.values) > 180
+    assert bench.values[-1] == 123.4567
+    assert len(bench.gestures) == 1
+    assert None not in bench.gestures
+    first = bench.gestures
+    bench.edits.clear()
+    bench.drag((20, 0))
+    assert bench.gestures.isdisjoint(first)
 
 
-def test_a_drag_up_raises_and_ctrl_makes_it_fine(bench):
-    one = bench(AMPLITUDE, 1.0)
-    one.drag((0, -10 * PIXELS_PER_STEP))
-    assert one.field.value_si == 1.5
-    one.drag((0, 10 * PIXELS_PER_STEP), modifiers=Qt.KeyboardModifier.ControlModifier)
-    assert one.field.value_si == 1.45
+def test_a_drag_up_raises_and_ctrl_makes_it_fine(make_bench):
+    bench = make_bench(AMPLITUDE, 1.0)
+    bench.drag((0, -10 * PIXELS_PER_STEP))
+    assert bench.field.value_si == 1.5
+    bench.drag((0, 10 * PIXELS_PER_STEP), modifiers=Qt.KeyboardModifier.ControlModifier)
+    assert bench.field.value_si == 1.45
 
 
-def test_a_drag_stops_at_the_range_and_turns_back_at_once(bench):
-    one = bench(AMPLITUDE, 999.9)
-    one.drag((400, 0), (400 - PIXELS_PER_STEP, 0))
-    assert one.values == [1000.0, 999.95]
+def test_a_drag_stops_at_the_range_and_turns_back_at_once(make_bench):
+    bench = make_bench(AMPLITUDE, 999.9)
+    bench.drag((400, 0), (400 - PIXELS_PER_STEP, 0))
+    assert bench.values == [1000.0, 999.95]
 
 
-def test_escape_during_a_drag_brings_back_the_number_in_the_same_gesture(bench):
-    one = bench(AMPLITUDE, 1.0)
-    start = one.field.rect().center()
-    QTest.mousePress(one.field, Qt.MouseButton.LeftButton, pos=start)
-    move = move_event(one.field, QPointF(start + QPoint(40, 0)), Qt.KeyboardModifier.NoModifier)
-    QApplication.sendEvent(one.field, move)
-    QTest.keyClick(one.field, Qt.Key.Key_Escape)
-    QTest.mouseRelease(one.field, Qt.MouseButton.LeftButton, pos=start)
-    assert one.values == [1.5, 1.0]
-    assert len(one.gestures) == 1
+def test_escape_during_a_drag_brings_back_the_number_in_the_same_gesture(make_bench):
+    bench = make_bench(AMPLITUDE, 1.0)
+    start = bench.field.rect().center()
+    QTest.mousePress(bench.field, Qt.MouseButton.LeftButton, pos=start)
+    move = move_event(bench.field, QPointF(start + QPoint(40, 0)), Qt.KeyboardModifier.NoModifier)
+    QApplication.sendEvent(bench.field, move)
+    QTest.keyClick(bench.field, Qt.Key.Key_Escape)
+    QTest.mouseRelease(bench.field, Qt.MouseButton.LeftButton, pos=start)
+    assert bench.values == [1.5, 1.0]
+    assert len(bench.gestures) == 1
 
 
-def test_the_wheel_changes_nothing_unless_the_field_has_the_focus(bench):
-    one = bench(AMPLITUDE, 1.0)
-    assert not one.turn(1)
-    assert one.edits == []
-    QTest.mouseClick(one.field, Qt.MouseButton.LeftButton)
-    assert one.turn(1)
-    assert one.values == [1.05]
+def test_the_wheel_changes_nothing_unless_the_field_has_the_focus(make_bench):
+    bench = make_bench(AMPLITUDE, 1.0)
+    assert not bench.turn(1)
+    assert bench.edits == []
+    QTest.mouseClick(bench.field, Qt.MouseButton.LeftButton)
+    assert bench.turn(1)
+    assert bench.values == [1.05]
 
 
-def test_ctrl_makes_steps_fine_and_shift_coarse(bench):
-    one = bench(AMPLITUDE, 1.0)
-    one.field.setFocus()
-    one.turn(1, Qt.KeyboardModifier.ControlModifier)
-    one.turn(-1, Qt.KeyboardModifier.ShiftModifier)
-    QTest.keyClick(one.field, Qt.Key.Key_Up)
-    assert one.values == [1.005, 1.0, 1.05]
+def test_ctrl_makes_steps_fine_and_shift_coarse(make_bench):
+    bench = make_bench(AMPLITUDE, 1.0)
+    bench.field.setFocus()
+    bench.turn(1, Qt.KeyboardModifier.ControlModifier)
+    bench.turn(-1, Qt.KeyboardModifier.ShiftModifier)
+    QTest.keyClick(bench.field, Qt.Key.Key_Up)
+    assert bench.values == [1.005, 1.0, 1.05]
 
 
-def test_a_burst_of_steps_shares_one_gesture_until_a_pause(bench, qtbot):
-    one = bench(AMPLITUDE, 1.0)
-    one.field.setFocus()
-    one.turn(2)
+def test_a_burst_of_steps_shares_one_gesture_until_a_pause(make_bench, qtbot):
+    bench = make_bench(AMPLITUDE, 1.0)
+    bench.field.setFocus()
+    bench.turn(2)
     for _ in range(3):
-        QTest.keyClick(one.field, Qt.Key.Key_Down)
-    assert len(one.edits) == 4
-    assert len(one.gestures) == 1
-    qtbot.waitUntil(lambda: not one.field.gestures.in_burst)
-    QTest.keyClick(one.field, Qt.Key.Key_Up)
-    assert len(one.gestures) == 2
+        QTest.keyClick(bench.field, Qt.Key.Key_Down)
+    assert len(bench.edits) == 4
+    assert len(bench.gestures) == 1
+    qtbot.waitUntil(lambda: not bench.field.gestures.in_burst)
+    QTest.keyClick(bench.field, Qt.Key.Key_Up)
+    assert len(bench.gestures) == 2
 
 
-def test_a_value_set_from_elsewhere_ends_a_burst(bench):
-    one = bench(AMPLITUDE, 1.0)
-    one.field.setFocus()
-    one.turn(1)
-    one.field.set_value(1.0)
-    one.turn(1)
-    assert len(one.gestures) == 2
+def test_a_value_set_from_elsewhere_ends_a_burst(make_bench):
+    bench = make_bench(AMPLITUDE, 1.0)
+    bench.field.setFocus()
+    bench.turn(1)
+    bench.field.set_value(1.0)
+    bench.turn(1)
+    assert len(bench.gestures) == 2
 
 
 @pytest.mark.parametrize(
@@ -102,9 +102,9 @@ def test_a_value_set_from_elsewhere_ends_a_burst(bench):
         (1.0, "ud", [1.02, 1.0]),
     ],
 )
-def test_steps_lead_to_round_numbers_about_two_percent_apart(bench, start, keys, values):
-    one = bench(FREQUENCY, start)
-    one.field.setFocus()
+def test_steps_lead_to_round_numbers_about_two_percent_apart(make_bench, start, keys, values):
+    bench = make_bench(FREQUENCY, start)
+    bench.field.setFocus()
     press = {
         "u": (Qt.Key.Key_Up, Qt.KeyboardModifier.NoModifier),
         "d": (Qt.Key.Key_Down, Qt.KeyboardModifier.NoModifier),
@@ -113,33 +113,33 @@ def test_steps_lead_to_round_numbers_about_two_percent_apart(bench, start, keys,
         "C": (Qt.Key.Key_Up, Qt.KeyboardModifier.ControlModifier),
     }
     for key in keys:
-        QTest.keyClick(one.field, *press[key])
-    assert one.values == values
+        QTest.keyClick(bench.field, *press[key])
+    assert bench.values == values
 
 
-def test_wheel_drag_and_keys_make_the_same_numbers(bench):
+def test_wheel_drag_and_keys_make_the_same_numbers(make_bench):
     for way in ("keys", "wheel", "drag"):
-        one = bench(FREQUENCY, 95.3)
-        one.field.setFocus()
+        bench = make_bench(FREQUENCY, 95.3)
+        bench.field.setFocus()
         if way == "keys":
             for _ in range(5):
-                QTest.keyClick(one.field, Qt.Key.Key_Up)
+                QTest.keyClick(bench.field, Qt.Key.Key_Up)
         elif way == "wheel":
-            one.turn(5)
+            bench.turn(5)
         else:
-            one.drag((5 * PIXELS_PER_STEP, 0))
-        assert one.field.value_si == 104.0, way
+            bench.drag((5 * PIXELS_PER_STEP, 0))
+        assert bench.field.value_si == 104.0, way
 
 
 @pytest.mark.parametrize(
     ("spec", "start", "shown"),
     [(DURATION, 0.123, "130"), (PHASE, 0.02, "5"), (AMPLITUDE, 0.333, "0.35")],
 )
-def test_a_step_makes_the_shown_number_round(bench, spec, start, shown):
-    one = bench(spec, start)
-    one.field.setFocus()
-    QTest.keyClick(one.field, Qt.Key.Key_Up)
-    assert one.field.text() == shown
+def test_a_step_makes_the_shown_number_round(make_bench, spec, start, shown):
+    bench = make_bench(spec, start)
+    bench.field.setFocus()
+    QTest.keyClick(bench.field, Qt.Key.Key_Up)
+    assert bench.field.text() == shown
 
 
 def test_a_thousand_steps_up_and_down_keep_numbers_short():
@@ -157,15 +157,15 @@ def test_the_way_back_on_a_ladder_leads_to_its_anchor():
     assert way == [123.4567, 128.0, 120.0, 123.4567]
 
 
-def test_a_whole_number_takes_only_whole_steps(bench):
-    one = bench(SEED, 0)
-    one.field.setFocus()
-    one.turn(1, Qt.KeyboardModifier.ControlModifier)
-    one.turn(3)
-    one.turn(-9)
-    assert one.values == [1, 4, 0]
-    one.type("1.5")
-    assert "whole" in one.field.problem
+def test_a_whole_number_takes_only_whole_steps(make_bench):
+    bench = make_bench(SEED, 0)
+    bench.field.setFocus()
+    bench.turn(1, Qt.KeyboardModifier.ControlModifier)
+    bench.turn(3)
+    bench.turn(-9)
+    assert bench.values == [1, 4, 0]
+    bench.type("1.5")
+    assert "whole" in bench.field.problem
 
 
 @pytest.mark.parametrize("spec", [DURATION, FREQUENCY, PHASE, AMPLITUDE, SEED])
@@ -181,29 +181,29 @@ def test_every_step_changes_the_value_and_stays_allowed(spec, size, direction):
         value = after
 
 
-def test_keys_that_mean_nothing_to_a_number_are_left_to_the_panel(bench, qtbot):
-    one = bench(AMPLITUDE, 1.0)
-    heard = []
-    one.keyPressEvent = lambda event: heard.append(event.text())
-    one.field.setFocus()
-    QTest.keyClicks(one.field, "ms")
-    assert heard == ["m", "s"]
-    assert not one.field.editing
+def test_keys_that_mean_nothing_to_a_number_are_left_to_the_panel(make_bench, qtbot):
+    bench = make_bench(AMPLITUDE, 1.0)
+    keys = []
+    bench.keyPressEvent = lambda event: keys.append(event.text())
+    bench.field.setFocus()
+    QTest.keyClicks(bench.field, "ms")
+    assert keys == ["m", "s"]
+    assert not bench.field.editing
 
 
-def test_a_number_can_be_copied_and_pasted(bench):
-    one = bench(DURATION, 0.1)
-    other = bench(DURATION, 0.5)
-    one.field.setFocus()
-    QTest.keyClick(one.field, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+def test_a_number_can_be_copied_and_pasted(make_bench):
+    bench = make_bench(DURATION, 0.1)
+    other = make_bench(DURATION, 0.5)
+    bench.field.setFocus()
+    QTest.keyClick(bench.field, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
     assert QApplication.clipboard().text() == "100 ms"
     QTest.keyClick(other.field, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
     QTest.keyClick(other.field, Qt.Key.Key_Return)
     assert other.edits == [(0.1, None)]
 
 
-def test_the_unit_can_change_with_the_design(bench):
-    one = bench(AMPLITUDE, 1.0)
-    one.field.set_spec(replace(AMPLITUDE, unit="×"))
-    one.type("2 x")
-    assert one.values == [2.0]
+def test_the_unit_can_change_with_the_design(make_bench):
+    bench = make_bench(AMPLITUDE, 1.0)
+    bench.field.set_spec(replace(AMPLITUDE, unit="×"))
+    bench.type("2 x")
+    assert bench.values == [2.0]

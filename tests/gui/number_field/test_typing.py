@@ -55,7 +55,7 @@ def test_other_units_are_understood(text, spec, value):
 
 
 @pytest.mark.parametrize(
-    ("text", "spec", "words"),
+    ("text", "spec", "reason"),
     [
         ("abc", FREQUENCY, "Frequency: “abc” is not a number. Allowed: 1 to 649 Hz."),
         ("", FREQUENCY, "nothing typed"),
@@ -76,10 +76,10 @@ def test_other_units_are_understood(text, spec, value):
         ("1e-999999999", DURATION, "is too low"),
     ],
 )
-def test_what_is_not_allowed_is_refused_with_what_is(text, spec, words):
+def test_what_is_not_allowed_is_refused_with_what_is(text, spec, reason):
     with pytest.raises(InvalidInputError) as error:
         parse_number(text, spec)
-    assert words in str(error.value)
+    assert reason in str(error.value)
 
 
 @pytest.mark.parametrize(
@@ -108,55 +108,55 @@ def test_any_shown_number_is_read_back_to_the_value_it_shows():
         assert parse_number(number_text(value, "s"), DURATION, value) == value
 
 
-def test_enter_commits_what_was_typed_as_a_step_of_its_own(bench):
-    one = bench(DURATION, 0.1)
-    one.type("0,2 s")
-    assert one.edits == [(0.2, None)]
-    assert one.field.text() == "200"
-    assert not one.field.editing
+def test_enter_commits_what_was_typed_as_a_step_of_its_own(make_bench):
+    bench = make_bench(DURATION, 0.1)
+    bench.type("0,2 s")
+    assert bench.edits == [(0.2, None)]
+    assert bench.field.text() == "200"
+    assert not bench.field.editing
 
 
-def test_escape_restores_the_number(bench):
-    one = bench(DURATION, 0.1)
-    one.field.setFocus()
-    QTest.keyClicks(one.field, "77")
-    assert one.field.text() == "77"
-    QTest.keyClick(one.field, Qt.Key.Key_Escape)
-    assert (one.field.text(), one.edits) == ("100", [])
+def test_escape_restores_the_number(make_bench):
+    bench = make_bench(DURATION, 0.1)
+    bench.field.setFocus()
+    QTest.keyClicks(bench.field, "77")
+    assert bench.field.text() == "77"
+    QTest.keyClick(bench.field, Qt.Key.Key_Escape)
+    assert (bench.field.text(), bench.edits) == ("100", [])
 
 
-def test_a_double_click_types_over_the_number(bench):
-    one = bench(FREQUENCY, 100.0)
-    QTest.mouseClick(one.field, Qt.MouseButton.LeftButton)
-    assert not one.field.editing
-    QTest.mouseDClick(one.field, Qt.MouseButton.LeftButton)
-    assert one.field.editing
-    QTest.keyClicks(one.field, "250")
-    QTest.keyClick(one.field, Qt.Key.Key_Enter)
-    assert one.edits == [(250.0, None)]
+def test_a_double_click_types_over_the_number(make_bench):
+    bench = make_bench(FREQUENCY, 100.0)
+    QTest.mouseClick(bench.field, Qt.MouseButton.LeftButton)
+    assert not bench.field.editing
+    QTest.mouseDClick(bench.field, Qt.MouseButton.LeftButton)
+    assert bench.field.editing
+    QTest.keyClicks(bench.field, "250")
+    QTest.keyClick(bench.field, Qt.Key.Key_Enter)
+    assert bench.edits == [(250.0, None)]
 
 
-def test_what_is_not_allowed_is_not_committed_and_says_why(bench, qtbot):
-    one = bench(FREQUENCY, 100.0)
-    with qtbot.waitSignal(one.field.problem_changed):
-        one.type("700")
-    assert one.edits == []
-    assert "1 to 649 Hz" in one.field.problem
-    assert one.field.toolTip() == one.field.problem
-    one.other.setFocus()
-    qtbot.waitUntil(lambda: not one.field.editing)
-    assert (one.field.text(), one.field.problem, one.edits) == ("100", "", [])
+def test_what_is_not_allowed_is_not_committed_and_says_why(make_bench, qtbot):
+    bench = make_bench(FREQUENCY, 100.0)
+    with qtbot.waitSignal(bench.field.problem_changed):
+        bench.type("700")
+    assert bench.edits == []
+    assert "1 to 649 Hz" in bench.field.problem
+    assert bench.field.toolTip() == bench.field.problem
+    bench.other.setFocus()
+    qtbot.waitUntil(lambda: not bench.field.editing)
+    assert (bench.field.text(), bench.field.problem, bench.edits) == ("100", "", [])
 
 
 @pytest.mark.parametrize("text", ["1e999", "-5", ""])
-def test_leaving_with_what_is_not_allowed_says_why_as_return_does(bench, qtbot, text):
-    one = bench(FREQUENCY, 100.0)
-    one.field.setFocus()
-    one.field.begin_editing(text)
-    QTest.keyClick(one.field, Qt.Key.Key_Tab)
-    assert (one.field.text(), one.edits, one.field.editing) == ("100", [], False)
+def test_leaving_with_what_is_not_allowed_says_why_as_return_does(make_bench, qtbot, text):
+    bench = make_bench(FREQUENCY, 100.0)
+    bench.field.setFocus()
+    bench.field.begin_editing(text)
+    QTest.keyClick(bench.field, Qt.Key.Key_Tab)
+    assert (bench.field.text(), bench.edits, bench.field.editing) == ("100", [], False)
     qtbot.waitUntil(lambda: "Allowed: 1 to 649 Hz." in QToolTip.text())
-    assert one.field.toolTip() == NumberDisplay(spec=FREQUENCY, value_si=100.0).help()
+    assert bench.field.toolTip() == NumberDisplay(spec=FREQUENCY, value_si=100.0).help()
     QToolTip.hideText()
 
 
@@ -184,47 +184,47 @@ def test_why_it_was_not_allowed_stands_below_the_field_until_there_is_another_va
     left_wrong(lambda: QTest.keyClick(cell.field, Qt.Key.Key_Up))
 
 
-def test_the_reason_goes_as_soon_as_the_text_is_allowed(bench):
-    one = bench(FREQUENCY, 100.0)
-    one.type("700")
-    assert one.field.problem
-    QTest.keyClick(one.field, Qt.Key.Key_Backspace)
-    assert not one.field.problem
-    QTest.keyClick(one.field, Qt.Key.Key_Return)
-    assert one.edits == [(70.0, None)]
+def test_the_reason_goes_as_soon_as_the_text_is_allowed(make_bench):
+    bench = make_bench(FREQUENCY, 100.0)
+    bench.type("700")
+    assert bench.field.problem
+    QTest.keyClick(bench.field, Qt.Key.Key_Backspace)
+    assert not bench.field.problem
+    QTest.keyClick(bench.field, Qt.Key.Key_Return)
+    assert bench.edits == [(70.0, None)]
 
 
-def test_leaving_the_field_commits_what_is_allowed(bench, qtbot):
-    one = bench(FREQUENCY, 100.0)
-    one.field.setFocus()
-    QTest.keyClicks(one.field, "120")
-    one.other.setFocus()
-    qtbot.waitUntil(lambda: one.edits == [(120.0, None)])
+def test_leaving_the_field_commits_what_is_allowed(make_bench, qtbot):
+    bench = make_bench(FREQUENCY, 100.0)
+    bench.field.setFocus()
+    QTest.keyClicks(bench.field, "120")
+    bench.other.setFocus()
+    qtbot.waitUntil(lambda: bench.edits == [(120.0, None)])
 
 
-def test_typing_what_is_shown_does_not_change_the_value(bench):
-    one = bench(DURATION, 1 / 3)
-    one.type(one.field.text())
-    assert one.edits == []
-    QTest.keyClick(one.field, Qt.Key.Key_Return)
-    QTest.keyClick(one.field, Qt.Key.Key_Return)
-    assert (one.edits, one.field.value_si) == ([], 1 / 3)
+def test_typing_what_is_shown_does_not_change_the_value(make_bench):
+    bench = make_bench(DURATION, 1 / 3)
+    bench.type(bench.field.text())
+    assert bench.edits == []
+    QTest.keyClick(bench.field, Qt.Key.Key_Return)
+    QTest.keyClick(bench.field, Qt.Key.Key_Return)
+    assert (bench.edits, bench.field.value_si) == ([], 1 / 3)
 
 
-def test_setting_the_value_tells_nobody_and_leaves_an_open_editor_alone(bench):
-    one = bench(DURATION, 0.1)
-    one.field.setFocus()
-    QTest.keyClicks(one.field, "7")
-    one.field.set_value(0.3)
-    assert (one.field.text(), one.edits) == ("7", [])
-    QTest.keyClick(one.field, Qt.Key.Key_Escape)
-    assert one.field.text() == "300"
+def test_setting_the_value_tells_nobody_and_leaves_an_open_editor_alone(make_bench):
+    bench = make_bench(DURATION, 0.1)
+    bench.field.setFocus()
+    QTest.keyClicks(bench.field, "7")
+    bench.field.set_value(0.3)
+    assert (bench.field.text(), bench.edits) == ("7", [])
+    QTest.keyClick(bench.field, Qt.Key.Key_Escape)
+    assert bench.field.text() == "300"
 
 
 @pytest.mark.parametrize("width_px", [400, 110, 96, 84])
 @pytest.mark.parametrize("value", [8 / 3, -8 / 3, 1000 / 3, -999.995, 0.0123456])
-def test_a_narrow_field_shows_fewer_digits_and_never_hides_the_first(bench, width_px, value):
-    shown = bench(AMPLITUDE, value)
+def test_a_narrow_field_shows_fewer_digits_and_never_hides_the_first(make_bench, width_px, value):
+    shown = make_bench(AMPLITUDE, value)
     field = shown.field
     field.setStyleSheet("QLineEdit { padding: 0 4px; }")
     field.setFixedWidth(width_px)
@@ -254,34 +254,34 @@ def test_a_reason_that_stands_beside_the_field_is_not_in_its_tooltip_too(qtbot):
 
 
 @pytest.mark.parametrize("value", [2.45, 2.45678, -2.45, 20.0, 649.5, 0.0123])
-def test_a_number_with_too_little_room_is_never_shown_as_another_one(bench, value):
+def test_a_number_with_too_little_room_is_never_shown_as_another_one(make_bench, value):
     number = NumberDisplay(spec=AMPLITUDE, value_si=value)
-    shown = bench(AMPLITUDE, value)
+    shown = make_bench(AMPLITUDE, value)
     metrics = shown.field.fontMetrics()
-    found = {number.fitting_text(metrics, room_px) for room_px in range(60)}
-    assert "…" in found
-    for text in found - {"…"}:
+    texts = {number.fitting_text(metrics, room_px) for room_px in range(60)}
+    assert "…" in texts
+    for text in texts - {"…"}:
         assert metrics.horizontalAdvance(text) <= 60
         read = float(text.removeprefix("≈").replace("−", "-"))
         assert read == pytest.approx(value, rel=0.3 if text.startswith("≈") else 0.005)
 
 
-def test_a_long_time_is_shown_typed_and_copied_in_seconds(bench):
-    one = bench(DURATION, 0.2)
-    for typed, meant in (
+def test_a_long_time_is_shown_typed_and_copied_in_seconds(make_bench):
+    bench = make_bench(DURATION, 0.2)
+    for typed, value_si in (
         ("2.5 s", 2.5),
         ("3", 3.0),
         ("800 ms", 0.8),
         ("900", 0.9),
         ("12.5s", 12.5),
     ):
-        one.type(typed)
-        assert one.edits[-1] == (meant, None)
-    assert one.field.text() == "12.5"
-    QTest.keyClick(one.field, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+        bench.type(typed)
+        assert bench.edits[-1] == (value_si, None)
+    assert bench.field.text() == "12.5"
+    QTest.keyClick(bench.field, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
     assert QApplication.clipboard().text() == "12.5 s"
-    one.type("601")
-    assert one.field.problem == "Duration: 601 s is too high. Allowed: 1 ms to 600 s."
+    bench.type("601")
+    assert bench.field.problem == "Duration: 601 s is too high. Allowed: 1 ms to 600 s."
 
 
 @pytest.mark.parametrize("digits", ["9" * 400, "9" * 5000])

@@ -6,8 +6,8 @@ from PySide6.QtTest import QTest
 from skinsource.design.effects.time import TO
 
 
-def test_words_stand_in_place_of_a_0_that_is_none(bench):
-    around = bench(TO, 0.0)
+def test_words_stand_in_place_of_a_0_that_is_none(make_bench):
+    around = make_bench(TO, 0.0)
     field = around.field
     assert field.text() == "by factor"
     assert field._number.unit_text(editing=False) == ""
@@ -16,8 +16,8 @@ def test_words_stand_in_place_of_a_0_that_is_none(bench):
     assert field._number.unit_text(editing=False) == "ms"
 
 
-def test_such_a_0_is_typed_and_copied_as_a_number(bench):
-    around = bench(TO, 0.0)
+def test_such_a_0_is_typed_and_copied_as_a_number(make_bench):
+    around = make_bench(TO, 0.0)
     field = around.field
     field.setFocus()
     field.begin_editing()
@@ -28,8 +28,8 @@ def test_such_a_0_is_typed_and_copied_as_a_number(bench):
     assert field.value_si == 0.25
 
 
-def test_where_words_have_no_room_the_number_stands(bench):
-    around = bench(TO, 0.0)
+def test_where_words_have_no_room_the_number_stands(make_bench):
+    around = make_bench(TO, 0.0)
     field = around.field
     field.setFixedWidth(60)
     assert field.text() == "0"

@@ -7,6 +7,6 @@ from PySide6.QtWidgets import QDialog
 @pytest.fixture
 def page(window, qtbot):
     window.pages.show_limbs()
-    found = window.findChild(QDialog, "limb_page")
-    yield found
-    found.close()
+    page = window.findChild(QDialog, "limb_page")
+    yield page
+    page.close()

@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QLabel, QPushButton
 from skinsource.limbs.own_limbs import own_limb_names
 
 
-def words(page):
+def text_of_page(page):
     return page.findChild(QLabel, "limb_words").text()
 
 
@@ -20,5 +20,5 @@ def opened(page, path, what, qtbot):
 
 def imported(page, name, qtbot):
     button(page, "import_limb").click()
-    qtbot.waitUntil(lambda: words(page).startswith("Imported as"), timeout=60_000)
+    qtbot.waitUntil(lambda: text_of_page(page).startswith("Imported as"), timeout=60_000)
     assert name in own_limb_names()

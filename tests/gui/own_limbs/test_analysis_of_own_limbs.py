@@ -66,7 +66,7 @@ def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
     # A lab does not say in which band it measured: nothing is shaded, all frequencies count.
     assert transfer.picture.content.transfer.band_hz is None
     assert "from 0 to 2000 Hz" in transfer.words.text
-    assert {one.name: one.state for one in judged(window)}["band"] == "unknown"
+    assert {finding.name: finding.state for finding in judged(window)}["band"] == "unknown"
     assert float(transfer.table().splitlines()[-1].split("\t")[0]) == pytest.approx(2000.0, abs=25)
     wave = panels["wave"]
     axis = "x" if one_axis else "z"
@@ -95,5 +95,5 @@ def test_as_many_outputs_do_not_make_an_own_limb_a_published_one(user_data):
     limb = own_limb(output_positions=places, n_taps=20, axes="z")
     install_limb(limb, (rng.standard_normal((72, 1, 20)) for _ in range(7)))
     design = Design(limb="lab-1", inputs=(track(3),))
-    found: Sensation = evaluate(design, "sensation", view=View(axes="z"))["sensation"]
-    assert "published limbs only" in found.problem
+    sensation: Sensation = evaluate(design, "sensation", view=View(axes="z"))["sensation"]
+    assert "published limbs only" in sensation.problem

@@ -9,7 +9,7 @@ from skinsource.limbs.catalogue import load_limb
 from skinsource.limbs.limb_layout import export_limb
 from skinsource_gui.pages.limbs.form import spacing_of
 from tests.core.own_limbs.lab_bench import N_TAPS, RATE_HZ, installed
-from tests.gui.own_limbs.limb_page_bench import button, imported, opened, words
+from tests.gui.own_limbs.limb_page_bench import button, imported, opened, text_of_page
 
 
 def test_places_are_clicked_on_a_photograph(user_data, tmp_path, window, page, qtbot):
@@ -20,7 +20,7 @@ def test_places_are_clicked_on_a_photograph(user_data, tmp_path, window, page, q
     picture.save(str(tmp_path / "hand.png"))
     opened(page, tmp_path / "two.npy", "responses", qtbot)
     assert page.form.name.text() == "two"
-    assert words(page) == "0 of 2 inputs have a place: click them, or open a table."
+    assert text_of_page(page) == "0 of 2 inputs have a place: click them, or open a table."
     opened(page, tmp_path / "hand.png", "photograph", qtbot)
 
     def click(what, *points):
@@ -33,7 +33,7 @@ def test_places_are_clicked_on_a_photograph(user_data, tmp_path, window, page, q
     button(page, "remove_last").click()
     click("outputs", (100, 100), (100, 150), (120, 200))
     click("outline", (20, 20), (180, 20), (180, 280), (20, 280))
-    assert words(page).startswith("Click both ends of the hand's length")
+    assert text_of_page(page).startswith("Click both ends of the hand's length")
     click("hand", (100, 30), (100, 230))
     imported(page, "two", qtbot)
     limb = load_limb("two")
@@ -55,8 +55,8 @@ def test_on_a_photograph_all_of_a_file_in_the_layout_is_clicked_or_nothing(
     picture.save(str(tmp_path / "hand.png"))
     opened(page, tmp_path / "lab.h5", "responses", qtbot)
     opened(page, tmp_path / "hand.png", "photograph", qtbot)
-    assert words(page) == "Ready to import."
-    for what, points, said in (
+    assert text_of_page(page) == "Ready to import."
+    for what, points, message in (
         ("inputs", 7, "0 of 31 outputs"),
         ("outputs", 31, "Click the corners of the outline"),
         ("outline", 3, "Click both ends of the hand's length"),
@@ -64,7 +64,7 @@ def test_on_a_photograph_all_of_a_file_in_the_layout_is_clicked_or_nothing(
     ):
         for k in range(points):
             page._take(page.draft.with_point(what, (10.0 * k, 7.0 * k * k)))
-        assert words(page).startswith(said)
+        assert text_of_page(page).startswith(message)
 
 
 def test_marks_of_many_places_make_room_for_each_other(page):

@@ -45,7 +45,7 @@ def rested(window, qtbot):
 def test_clips_have_their_waveforms_and_follow_edits(large_window, qtbot):
     window = large_window
     lanes = window.panel("timeline")._table.lanes
-    tone, noise = (one.clips[0].id for one in window.document.design.inputs)
+    tone, noise = (track.clips[0].id for track in window.document.design.inputs)
     assert set(lanes.content.waveforms) == {tone, noise}
     before = lanes.content.waveforms[tone]
     # 100 ms at the rate of the limb.
@@ -62,19 +62,19 @@ def test_clips_have_their_waveforms_and_follow_edits(large_window, qtbot):
 
 
 def test_no_response_is_read_for_it_and_nothing_is_judged(large, make_window, qtbot):
-    told, judged = [], []
+    results, judged = [], []
     window = make_window(large.design, large.view)
-    window.engine.finished.connect(told.append)
+    window.engine.finished.connect(results.append)
     rested(window, qtbot)
     window.validity._judge()
     window.document.edit("Softer", window.document.design.with_input(0, amplitude=0.5))
     rested(window, qtbot)
     window.validity._judge()
     rested(window, qtbot)
-    judged = [one for one in told if one.request.purpose is Purpose.JUDGE]
-    shown = [one for one in told if one.request.place == (FIRST_SLOT, Purpose.SHOW)]
+    judged = [result for result in results if result.request.purpose is Purpose.JUDGE]
+    shown = [result for result in results if result.request.place == (FIRST_SLOT, Purpose.SHOW)]
     assert shown
-    assert sum(one.work.bytes_read for one in shown) == 0
+    assert sum(result.work.bytes_read for result in shown) == 0
     assert judged == []
     assert window.validity.lamps.findings == ()
     assert window.notice.text == ""

@@ -14,7 +14,7 @@ from skinsource.limbs.limb_layout import export_limb
 from skinsource.limbs.own_limbs import facts_of, own_limb_names, remove_limb
 from skinsource_gui.qt.labels import NameLine
 from tests.core.own_limbs.lab_bench import installed
-from tests.gui.own_limbs.limb_page_bench import button, imported, opened, words
+from tests.gui.own_limbs.limb_page_bench import button, imported, opened, text_of_page
 
 YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.No
 
@@ -23,7 +23,9 @@ def answering(monkeypatch, answer):
     """What is asked from now on, a list that grows; each is answered alike."""
     asked = []
     monkeypatch.setattr(
-        QMessageBox, "question", lambda *words: asked.append((words[2], words[4])) or answer
+        QMessageBox,
+        "question",
+        lambda *arguments: asked.append((arguments[2], arguments[4])) or answer,
     )
     return asked
 
@@ -36,7 +38,7 @@ def test_a_file_in_the_layout_is_imported_and_can_be_chosen_at_once(
     digest = facts_of("lab-1").digest
     export_limb("lab-1", tmp_path / "lab.h5")
     remove_limb("lab-1")
-    assert words(page) == "Choose the file of the responses."
+    assert text_of_page(page) == "Choose the file of the responses."
     assert not button(page, "import_limb").isEnabled()
     opened(page, tmp_path / "lab.h5", "responses", qtbot)
     assert page.form.name.text() == "lab-1"
@@ -49,7 +51,7 @@ def test_a_file_in_the_layout_is_imported_and_can_be_chosen_at_once(
     assert "lab-1" in window.limbs.names
     assert page.own.chosen == "lab-1"
     button(page, "mirror_limb").click()
-    qtbot.waitUntil(lambda: words(page) == "Mirroring lab-1: done.", timeout=60_000)
+    qtbot.waitUntil(lambda: text_of_page(page) == "Mirroring lab-1: done.", timeout=60_000)
     assert facts_of("lab-1").mirrored
     assert button(page, "mirror_limb").text() == "Do not mirror"
     asked = answering(monkeypatch, NO)
@@ -68,7 +70,7 @@ def test_a_file_in_the_layout_is_imported_and_can_be_chosen_at_once(
 
 
 def test_names_on_the_page_are_selected_by_the_first_click(page):
-    assert all(isinstance(one, NameLine) for one in (page.form.name, page.form.title))
+    assert all(isinstance(field, NameLine) for field in (page.form.name, page.form.title))
 
 
 def test_a_limb_of_the_same_name_is_replaced_after_a_question(
@@ -83,7 +85,7 @@ def test_a_limb_of_the_same_name_is_replaced_after_a_question(
     opened(page, tmp_path / "lab.h5", "responses", qtbot)
     asked = answering(monkeypatch, NO)
     button(page, "import_limb").click()
-    assert [(words[:30], default) for words, default in asked] == [
+    assert [(text[:30], default) for text, default in asked] == [
         ("Replace “Lab 1” (lab-1)? Its r", NO)
     ]
     assert not page._jobs.busy
@@ -104,9 +106,9 @@ def test_what_a_file_said_goes_with_it_and_what_was_typed_stays(user_data, tmp_p
     form = page.form
     assert (form.name.text(), form.title.text(), form.note.text()) == ("first", "My title", "")
     assert form.values()["band_hz"] is None
-    assert words(page) == "The responses have 2 axes; choose as many."
+    assert text_of_page(page) == "The responses have 2 axes; choose as many."
     form.axes.choose("xy")
-    assert words(page) == "0 of 7 inputs have a place: click them, or open a table."
+    assert text_of_page(page) == "0 of 7 inputs have a place: click them, or open a table."
     opened(page, tmp_path / "second.npy", "responses", qtbot)
     assert form.name.text() == "second"
     form.name.setText("mine")
@@ -165,20 +167,20 @@ def test_tables_that_were_opened_stay_when_an_array_takes_the_place_of_a_file_in
     opened(page, tmp_path / "in.csv", "inputs", qtbot)
     opened(page, tmp_path / "plain.npy", "responses", qtbot)
     page.form.axes.choose("xz")
-    assert words(page) == "0 of 31 outputs have a place: click them, or open a table."
+    assert text_of_page(page) == "0 of 31 outputs have a place: click them, or open a table."
 
 
 def test_what_cannot_be_read_is_said_and_nothing_is_kept(user_data, tmp_path, page, qtbot):
     (tmp_path / "a.h5").write_bytes(b"nothing at all")
     opened(page, tmp_path / "a.h5", "responses", qtbot)
-    assert "a.h5" in words(page)
+    assert "a.h5" in text_of_page(page)
     opened(page, tmp_path / "a.h5", "photograph", qtbot)
-    assert "no picture can be read" in words(page)
+    assert "no picture can be read" in text_of_page(page)
     np.save(tmp_path / "two.npy", np.zeros((2, 3, 9)))
     opened(page, tmp_path / "two.npy", "responses", qtbot)
     (tmp_path / "in.csv").write_text("1,2\n3,x\n")
     opened(page, tmp_path / "in.csv", "inputs", qtbot)
-    assert "row 2" in words(page)
+    assert "row 2" in text_of_page(page)
     assert not button(page, "import_limb").isEnabled()
     assert own_limb_names() == ()
 
@@ -189,7 +191,7 @@ def test_a_file_that_is_refused_is_not_named_as_the_chosen_one(user_data, tmp_pa
     opened(page, tmp_path / "line.csv", "outline", qtbot)
     assert page.findChild(QLabel, "chosen_outline").text() == "line.csv"
     opened(page, tmp_path / "bad.svg", "outline", qtbot)
-    assert "bad.svg" in words(page)
+    assert "bad.svg" in text_of_page(page)
     assert page.findChild(QLabel, "chosen_outline").text() == "line.csv"
     assert len(page.draft.outline) == 3
 
@@ -203,7 +205,7 @@ def test_a_table_of_too_few_places_is_said_before_a_file_in_the_layout_is_import
     opened(page, tmp_path / "lab.h5", "responses", qtbot)
     assert button(page, "import_limb").isEnabled()
     opened(page, tmp_path / "in.csv", "inputs", qtbot)
-    assert words(page) == "2 of 7 inputs have a place: click them, or open a table."
+    assert text_of_page(page) == "2 of 7 inputs have a place: click them, or open a table."
     assert not button(page, "import_limb").isEnabled()
 
 
@@ -226,14 +228,14 @@ def test_a_job_of_the_page_is_cancelled_on_the_page_that_covers_the_bar(user_dat
     assert not button(page, "import_limb").isEnabled()
     # The second click of two on Import does not hit it.
     assert button(page, "cancel_import").x() < button(page, "import_limb").x()
-    qtbot.waitUntil(lambda: words(page) == "Importing a limb: 25 %")
+    qtbot.waitUntil(lambda: text_of_page(page) == "Importing a limb: 25 %")
     # Whoever closes the page and opens it again can cancel it too.
     page.close()
     window.pages.show_limbs()
     again = window.findChildren(QDialog, "limb_page")[-1]
     assert again is not page
     button(again, "cancel_import").click()
-    qtbot.waitUntil(lambda: words(again) == "Cancelled. Nothing was changed.")
+    qtbot.waitUntil(lambda: text_of_page(again) == "Cancelled. Nothing was changed.")
     assert button(again, "cancel_import").isHidden()
     again.close()
 

@@ -68,9 +68,9 @@ def test_names_places_and_axes_are_those_of_the_limb(lab_window, lab):
     enabled = [axes.itemData(k) for k in range(axes.count()) if axes.model().item(k).isEnabled()]
     assert enabled == ["x", "z", "xz"]
     place = window.panel("inspector").findChild(ChoiceField, "location") or next(
-        one
-        for one in window.panel("inspector").findChildren(ChoiceField)
-        if one.accessibleName() == "Place"
+        field
+        for field in window.panel("inspector").findChildren(ChoiceField)
+        if field.accessibleName() == "Place"
     )
     assert place.count() == N_INPUTS
     assert place.shown_text == "5 · site 5"
@@ -187,7 +187,7 @@ def test_outputs_without_a_place_stand_beside_the_map_however_many(
     assert np.isfinite(layout.points).all()
     beside = layout.points[:n_unplaced]
     assert layout.palmar_card.isEmpty() == (n_unplaced == 0)
-    assert all(layout.palmar_card.contains(QPointF(*one)) for one in beside)
+    assert all(layout.palmar_card.contains(QPointF(*point)) for point in beside)
     assert not skin.grab().isNull()
     assert window.notice.text == ""
 
@@ -263,9 +263,9 @@ def test_an_input_at_a_place_that_the_limb_lacks_is_said_with_what_to_do(lab, wi
     document.edit("Move", document.design.with_input(0, location=12))
     window.findChild(ChoiceField, "limb").choose("lab-1")
     rested(window, qtbot)
-    said = "lab-1 has the places 1 to 7, and there is an input at place 12."
-    assert window.notice.text == said
-    assert lane(window).problem.startswith(f"{said} Move the input, or")
+    message = "lab-1 has the places 1 to 7, and there is an input at place 12."
+    assert window.notice.text == message
+    assert lane(window).problem.startswith(f"{message} Move the input, or")
     document.edit("Move", document.design.with_input(0, location=7))
     rested(window, qtbot)
     assert (window.notice.text, lane(window).problem) == ("", "")

@@ -12,8 +12,8 @@ from skinsource_gui.pages.limbs import photograph
 
 @pytest.fixture(scope="module")
 def process():
-    with photograph.reading_process() as one:
-        yield one
+    with photograph.reading_process() as process:
+        yield process
 
 
 def png_of(width, height):
@@ -33,14 +33,14 @@ def test_pixels_are_those_of_the_file_and_large_ones_are_made_smaller(tmp_path, 
         for y in range(0, 530, 7):
             drawn.setPixelColor(x, y, QColor(x % 256, y % 256, (x * y) % 256))
     drawn.save(str(tmp_path / "hand.png"))
-    found = photograph.read(tmp_path / "hand.png", process)
-    assert found == QImage(str(tmp_path / "hand.png")).convertToFormat(found.format())
+    picture = photograph.read(tmp_path / "hand.png", process)
+    assert picture == QImage(str(tmp_path / "hand.png")).convertToFormat(picture.format())
     wide = QImage(photograph.LONGEST_SIDE_PX + 400, 64, QImage.Format.Format_RGB32)
     wide.fill(QColor("red"))
     wide.save(str(tmp_path / "wide.jpg"))
-    found = photograph.read(tmp_path / "wide.jpg", process)
-    assert found.width() == photograph.LONGEST_SIDE_PX
-    assert found.pixelColor(9, 9).red() > 250
+    picture = photograph.read(tmp_path / "wide.jpg", process)
+    assert picture.width() == photograph.LONGEST_SIDE_PX
+    assert picture.pixelColor(9, 9).red() > 250
 
 
 @pytest.mark.parametrize(

@@ -57,18 +57,18 @@ def tooltip_of_scaling(window):
     return scaling.itemData(scaling.currentIndex(), Qt.ItemDataRole.ToolTipRole)
 
 
-def told(window):
+def shown_unit(window):
     """The unit of amplitudes as the panel in front says it, and what is always in sight."""
     (head,) = window.panel("timeline").findChildren(NumberField, "amplitude_field")
     caption = caption_of(window.document.design)
     return {
-        "head": unit_told(head),
+        "head": checked_unit(head),
         "caption": caption.partition("Place 3, 0.5 ")[2].partition(":")[0],
         window.front: IN_FRONT[window.front](window),
     }
 
 
-def unit_told(field):
+def checked_unit(field):
     """Unit of a field whose tooltip says the same."""
     assert ("unit of the drive" in field.toolTip()) is (symbol_of(field) == "a.u.")
     assert "of the probe" not in field.toolTip() or symbol_of(field) == "m/s²"
@@ -76,14 +76,14 @@ def unit_told(field):
 
 
 def played_unit(window):
-    words = window.panel("playback").findChild(QLabel, "playback_words").text()
-    return words.partition("an amplitude of 1 ")[2].partition(" is full scale")[0]
+    text = window.panel("playback").findChild(QLabel, "playback_words").text()
+    return text.partition("an amplitude of 1 ")[2].partition(" is full scale")[0]
 
 
 #: Panels that say it, which stand behind each other.
 IN_FRONT = {
-    "inspector": lambda window: unit_told(window.panel("inspector")._fields._amplitude.field),
-    "frequency_and_amplitude": lambda window: unit_told(
+    "inspector": lambda window: checked_unit(window.panel("inspector")._fields._amplitude.field),
+    "frequency_and_amplitude": lambda window: checked_unit(
         window.panel("frequency_and_amplitude")._amplitude.field
     ),
     "playback": played_unit,
@@ -92,7 +92,7 @@ IN_FRONT = {
 
 def shows(window, qtbot, unit):
     rested(window, qtbot)
-    assert set(told(window).values()) == {unit}, told(window)
+    assert set(shown_unit(window).values()) == {unit}, shown_unit(window)
     hint = tooltip_of_scaling(window)
     assert ("unit of the drive" in hint) is (unit == "a.u.")
     assert ("of the probe" in hint) is (unit == "m/s²")
@@ -147,12 +147,12 @@ def test_another_scaling_changes_what_playback_says(playback_in_front, qtbot):
     scaling = opened.findChild(ChoiceField, "scaling")
     scaling.choose("relative")
     rested(playback_in_front, qtbot)
-    words = opened.panel("playback").findChild(QLabel, "playback_words").text()
-    assert "an amplitude of 1 is full scale" in words
+    text = opened.panel("playback").findChild(QLabel, "playback_words").text()
+    assert "an amplitude of 1 is full scale" in text
     assert "one unit of the drive" in tooltip_of_scaling(opened)
     scaling.choose("upstream")
     rested(playback_in_front, qtbot)
-    assert set(told(opened).values()) == {"m/s²"}
+    assert set(shown_unit(opened).values()) == {"m/s²"}
 
 
 def test_of_a_limb_that_goes_the_unit_is_not_known_until_it_is_back(opened, qtbot):
@@ -161,7 +161,7 @@ def test_of_a_limb_that_goes_the_unit_is_not_known_until_it_is_back(opened, qtbo
     remove_limb(PROBE)
     QApplication.sendEvent(opened, QEvent(QEvent.Type.WindowActivate))
     rested(opened, qtbot)
-    assert set(told(opened).values()) == {"a.u."}
+    assert set(shown_unit(opened).values()) == {"a.u."}
     installed(name=PROBE, per_unit_drive=False)
     QApplication.sendEvent(opened, QEvent(QEvent.Type.WindowActivate))
     shows(opened, qtbot, "m/s²")
@@ -170,8 +170,8 @@ def test_of_a_limb_that_goes_the_unit_is_not_known_until_it_is_back(opened, qtbo
 @pytest.mark.parametrize(("limb", "unit"), [(DRIVE, "a.u."), (PROBE, "m/s²")])
 def test_strengths_of_snapshots_are_told_in_it(limbs, make_window, qtbot, limb, unit):
     design, view = on(limb)
-    kept = [design.with_input(0, amplitude=k) for k in (1.0, 2.0, 4.0)]
-    snapshots = tuple(Snapshot(number=k, design=one) for k, one in enumerate(kept, 1))
+    designs = [design.with_input(0, amplitude=k) for k in (1.0, 2.0, 4.0)]
+    snapshots = tuple(Snapshot(number=k, design=design) for k, design in enumerate(designs, 1))
     window = make_window(design, replace(view, snapshots=snapshots, levels_matched=False))
     window.docks["linearity"].bring_forward()
     panel = window.panel("linearity")
@@ -187,7 +187,7 @@ def test_pages_ask_for_drives_in_it(limbs, make_desk, qtbot, monkeypatch, limb, 
     use(monkeypatch, MadeUpLibrary(Two=2))
     desk = make_desk(*on(limb))
     motion = desk.show_motion()
-    cells = {one.name: one for one in motion.motion_fields.cells}
+    cells = {cell.name: cell for cell in motion.motion_fields.cells}
     assert symbol_of(cells["amplitude"].field) == unit
     motion.reject()
     desk.stimuli.show()

@@ -85,25 +85,25 @@ def test_a_button_that_was_clicked_leaves_space_to_playing(studio, pressed):
 def test_escape_twice_is_heard_wherever_the_keyboard_is(studio, qtbot):
     qtbot.waitUntil(studio.isActiveWindow)
     escape = EscapeTwice(studio)
-    heard = []
-    escape.pressed.connect(lambda: heard.append(1))
+    presses = []
+    escape.pressed.connect(lambda: presses.append(1))
     escape.watch(True)
     for name in ("hand", "timeline"):
         studio.panel(name).setFocus()
         widget = QApplication.focusWidget()
         QTest.keyClick(widget, ESCAPE)
-        assert heard == []
+        assert presses == []
         QTest.keyClick(widget, ESCAPE)
-        assert heard == [1]
-        heard.clear()
+        assert presses == [1]
+        presses.clear()
     QTest.keyClick(widget, ESCAPE)
     QTest.keyClick(widget, Qt.Key.Key_A)
     QTest.keyClick(widget, ESCAPE)
-    assert heard == []
+    assert presses == []
     escape.watch(False)
     QTest.keyClick(widget, ESCAPE)
     QTest.keyClick(widget, ESCAPE)
-    assert heard == []
+    assert presses == []
 
 
 def test_escape_twice_stops_what_plays(sound, studio, player, qtbot, listen):
@@ -136,7 +136,7 @@ def test_space_plays_once_a_waveform_is_chosen_and_opens_the_list_when_one_comes
 ):
     QTest.mouseClick(kind, LEFT)
     menu = kind.findChild(QMenu, "kind_menu")
-    menu.setActiveAction(next(one for one in menu.actions() if "Noise" in one.text()))
+    menu.setActiveAction(next(action for action in menu.actions() if "Noise" in action.text()))
     QTest.keyClick(menu, Qt.Key.Key_Return)
     assert isinstance(studio.document.design.inputs[0].clips[0].waveform, Noise)
     kind = studio.panel("inspector").findChild(QComboBox, "kind_field")

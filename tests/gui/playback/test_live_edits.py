@@ -39,9 +39,9 @@ class HeldThread:
 
 @pytest.fixture
 def clock(monkeypatch):
-    found = Clock()
-    monkeypatch.setattr(live_edits, "perf_counter", found)
-    return found
+    clock = Clock()
+    monkeypatch.setattr(live_edits, "perf_counter", clock)
+    return clock
 
 
 def test_an_edit_that_waits_for_the_one_before_it_is_late_by_that_too(qapp, clock):

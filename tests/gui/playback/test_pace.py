@@ -20,11 +20,11 @@ def test_slow_motion_runs_in_silence_and_complains_of_nothing(sound, studio, pla
 
 
 def test_faster_and_slower_go_through_the_paces(studio):
-    document, found = studio.document, []
+    document, factors = studio.document, []
     for _ in range(9):
         studio.do("play_slower")
-        found.append(document.view.slow_motion)
-    assert found == [2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 200.0, 200.0]
+        factors.append(document.view.slow_motion)
+    assert factors == [2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 200.0, 200.0]
     document.look(replace(document.view, slow_motion=30.0))
     studio.do("play_faster")
     assert document.view.slow_motion == 20.0
@@ -52,10 +52,10 @@ def test_from_slow_motion_to_sound_and_back(sound, studio, player, qtbot, listen
     slow = listen()
     document.look(replace(document.view, slow_motion=1.0))
     qtbot.waitUntil(lambda: player.now is not slow and player.now is not None, **WAIT)
-    heard = player.now
-    assert heard.stream is not None
+    sounding = player.now
+    assert sounding.stream is not None
     document.look(replace(document.view, slow_motion=10.0))
-    qtbot.waitUntil(lambda: player.now is not heard and player.now is not None, **WAIT)
+    qtbot.waitUntil(lambda: player.now is not sounding and player.now is not None, **WAIT)
     assert player.now.silent is not None
     assert not sound.streams[0].active
 
@@ -76,10 +76,12 @@ def test_a_pause_leaves_the_playhead_where_it_is(no_sound, studio, player, qtbot
 
 
 def test_the_playhead_runs_on_until_the_skin_is_at_rest(sound, studio, player, qtbot, listen):
-    seen = []
-    studio.document.playhead_moved.connect(lambda: seen.append(studio.document.view.playhead_s))
+    playheads_s = []
+    studio.document.playhead_moved.connect(
+        lambda: playheads_s.append(studio.document.view.playhead_s)
+    )
     listen()
     qtbot.waitUntil(lambda: not player.playing, timeout=30_000)
-    assert max(seen) > 0.5 + 0.8 * RESPONSE_S
-    assert seen[-1] == 0.0
+    assert max(playheads_s) > 0.5 + 0.8 * RESPONSE_S
+    assert playheads_s[-1] == 0.0
     assert studio.notice.text == ""

@@ -17,7 +17,7 @@ def panel(studio, player, qtbot):
     return studio.panel("playback")
 
 
-def words(panel, name):
+def text_of(panel, name):
     return panel.findChild(QLabel, name).text()
 
 
@@ -41,7 +41,7 @@ def test_device_rate_delay_and_stand_in_are_chosen_there(sound, player, panel, q
     assert player.settings.output == Output(
         device="Eight", host_api="Made up", latency_s=0.05, stand_in=True, shift_hz=250.0
     )
-    assert "All frequencies sound 250 Hz higher" in words(panel, "playback_words")
+    assert "All frequencies sound 250 Hz higher" in text_of(panel, "playback_words")
     panel.fields.rate.choose("44100")
     assert player.settings.output.sample_rate_hz == 44_100
 
@@ -74,9 +74,9 @@ def test_a_tone_is_heard_on_the_output_of_its_place_alone(sound, player, panel, 
     button.click()
     qtbot.waitUntil(lambda: bool(sound.streams), **WAIT)
     qtbot.waitUntil(lambda: not player.playing, **WAIT)
-    heard = sound.streams[0].samples
-    assert not heard[0].any()
-    assert np.abs(heard[1]).max() == pytest.approx(0.1, rel=1e-3)
+    samples = sound.streams[0].samples
+    assert not samples[0].any()
+    assert np.abs(samples[1]).max() == pytest.approx(0.1, rel=1e-3)
 
 
 def test_where_nothing_can_be_heard_no_tone_is_offered_and_the_button_says_why(
@@ -84,7 +84,7 @@ def test_where_nothing_can_be_heard_no_tone_is_offered_and_the_button_says_why(
 ):
     button = panel.findChild(QToolButton, "tone_of_12")
     assert not button.isEnabled()
-    assert button.toolTip() == words(panel, "playback_problem") != ""
+    assert button.toolTip() == text_of(panel, "playback_problem") != ""
     no_sound.outputs = {"New": 4}
     no_sound.default.device["output"] = 0
     panel.fields.rescan.click()
@@ -95,7 +95,7 @@ def test_where_nothing_can_be_heard_no_tone_is_offered_and_the_button_says_why(
 def test_another_device_than_the_one_that_is_gone_is_not_missing(sound, player, panel):
     button = panel.findChild(QToolButton, "tone_of_12")
     player.settings.choose(Output(device="Nine"))
-    assert "Nine" in words(panel, "playback_problem")
+    assert "Nine" in text_of(panel, "playback_problem")
     assert not button.isEnabled()
     panel.fields.device.choose("Eight\nMade up")
     assert not panel.problem.isVisibleTo(panel)
@@ -107,9 +107,13 @@ def test_levels_delay_and_underruns_are_shown(sound, studio, player, panel, qtbo
     sound.streams[-1].underflows = 2
     design = studio.document.design
     studio.document.edit("Louder", design.with_input(1, amplitude=0.6))
-    qtbot.waitUntil(lambda: "from an edit to the output" in words(panel, "playback_words"), **WAIT)
-    qtbot.waitUntil(lambda: "ran out of samples 2 times" in words(panel, "playback_words"), **WAIT)
-    qtbot.waitUntil(lambda: words(panel, "level_of_7") == "\u221220.9 dBFS", **WAIT)
+    qtbot.waitUntil(
+        lambda: "from an edit to the output" in text_of(panel, "playback_words"), **WAIT
+    )
+    qtbot.waitUntil(
+        lambda: "ran out of samples 2 times" in text_of(panel, "playback_words"), **WAIT
+    )
+    qtbot.waitUntil(lambda: text_of(panel, "level_of_7") == "\u221220.9 dBFS", **WAIT)
     meter = panel._rows[0].meter
     qtbot.waitUntil(lambda: -30 < meter.rms_db < -20 and meter.peak_db > -22, **WAIT)
     assert now.stream.underruns == 2
@@ -121,7 +125,7 @@ def test_the_bar_of_a_level_has_room_in_the_narrowest_panel_while_it_plays(
     narrowest_px = panel.minimumSizeHint().width()
     panel.setFixedWidth(narrowest_px)
     listen(loops=True)
-    qtbot.waitUntil(lambda: "dBFS" in words(panel, "level_of_7"), **WAIT)
+    qtbot.waitUntil(lambda: "dBFS" in text_of(panel, "level_of_7"), **WAIT)
     # Nothing is cut at its right side, and playing asks for no more room than silence.
     assert panel.minimumSizeHint().width() == narrowest_px
     inside = panel.fields.rescan.parentWidget().parentWidget()
@@ -131,20 +135,20 @@ def test_the_bar_of_a_level_has_room_in_the_narrowest_panel_while_it_plays(
         assert part.mapTo(panel, part.rect().topRight()).x() < panel.width()
     for row in panel._rows:
         # Layouts inside layouts take a while.
-        wanted = row.level.sizeHint().width()
-        qtbot.waitUntil(lambda row=row, wanted=wanted: row.level.width() >= wanted, **WAIT)
+        needed_px = row.level.sizeHint().width()
+        qtbot.waitUntil(lambda row=row, needed_px=needed_px: row.level.width() >= needed_px, **WAIT)
         assert row.meter.width() >= 48
 
 
 def test_the_device_is_called_in_full_where_the_panel_has_room(sound, player, panel, qtbot):
     field = panel.fields.device
     panel.setFixedWidth(panel.sizeHint().width())
-    wanted = field.fontMetrics().horizontalAdvance(field.shown_text) + 40
-    qtbot.waitUntil(lambda: field.width() >= wanted, **WAIT)
+    needed_px = field.fontMetrics().horizontalAdvance(field.shown_text) + 40
+    qtbot.waitUntil(lambda: field.width() >= needed_px, **WAIT)
 
 
 def test_what_is_missing_is_said_with_what_to_do(no_sound, panel):
-    assert "No device to play on was found. Connect one" in words(panel, "playback_problem")
+    assert "No device to play on was found. Connect one" in text_of(panel, "playback_problem")
 
 
 def test_a_device_that_is_connected_later_is_found_by_looking_again(no_sound, player, panel, qtbot):
@@ -162,18 +166,20 @@ def test_rows_follow_the_places_of_the_design(sound, studio, panel):
     assert [row.place for row in panel._rows] == [12]
     studio.document.edit("Remove", replace(design, inputs=()))
     assert panel._rows == []
-    assert "No place is in use" in words(panel, "playback_words")
+    assert "No place is in use" in text_of(panel, "playback_words")
 
 
 def test_it_says_that_nothing_is_calibrated_and_what_full_scale_is(sound, panel):
-    assert "an amplitude of 1 m/s² is full scale. Uncalibrated" in words(panel, "playback_words")
+    assert "an amplitude of 1 m/s² is full scale. Uncalibrated" in text_of(panel, "playback_words")
 
 
 def test_hidden_it_is_told_nothing(sound, studio, player, panel, qtbot, listen, monkeypatch):
     studio.docks["playback"].hide()
-    told = []
-    monkeypatch.setattr(type(panel), "show_played", lambda self, played: told.append(played))
+    played_states = []
+    monkeypatch.setattr(
+        type(panel), "show_played", lambda self, played: played_states.append(played)
+    )
     listen(loops=True)
-    seen = studio.document.view.playhead_s
-    qtbot.waitUntil(lambda: studio.document.view.playhead_s != seen, **WAIT)
-    assert told == []
+    playhead_s = studio.document.view.playhead_s
+    qtbot.waitUntil(lambda: studio.document.view.playhead_s != playhead_s, **WAIT)
+    assert played_states == []

@@ -17,18 +17,18 @@ def settled(player):
 def test_space_plays_and_the_playhead_comes_back_where_it_was(sound, studio, player, qtbot, listen):
     document = studio.document
     document.look(replace(document.view, playhead_s=0.1))
-    seen = []
-    document.playhead_moved.connect(lambda: seen.append(document.view.playhead_s))
+    playheads_s = []
+    document.playhead_moved.connect(lambda: playheads_s.append(document.view.playhead_s))
     listen()
     qtbot.waitUntil(settled(player), **WAIT)
-    assert seen[-1] == 0.1
-    assert min(seen) >= 0.1
-    assert max(seen) > 0.1
+    assert playheads_s[-1] == 0.1
+    assert min(playheads_s) >= 0.1
+    assert max(playheads_s) > 0.1
     assert document.undo_stack.count() == 0
     # From the playhead on, at the gain that it starts with.
-    heard = sound.streams[0].samples
+    samples = sound.streams[0].samples
     expected = ss.stimulus_of(DESIGN, 48_000).samples[:, 4800:] * 0.1
-    assert heard[:, 240 : 240 + expected.shape[1]] == pytest.approx(expected, abs=1e-7)
+    assert samples[:, 240 : 240 + expected.shape[1]] == pytest.approx(expected, abs=1e-7)
 
 
 def test_a_playhead_that_runs_evaluates_nothing(sound, studio, player, qtbot, listen):
@@ -59,13 +59,13 @@ def test_an_edit_is_heard_while_it_loops_without_a_click(sound, studio, player, 
     qtbot.waitUntil(lambda: player.edits.render_s > 0, **WAIT)
     heard_to = now.stream.deck.played_samples
     qtbot.waitUntil(lambda: now.stream.deck.played_samples > heard_to + 30_000, **WAIT)
-    heard = sound.streams[0].samples.astype(float)
-    assert np.abs(heard[0, -24_000:]).max() == pytest.approx(0.02, rel=0.02)
+    samples = sound.streams[0].samples.astype(float)
+    assert np.abs(samples[0, -24_000:]).max() == pytest.approx(0.02, rel=0.02)
     own = np.abs(np.diff(ss.stimulus_of(DESIGN, 48_000).samples)).max() * 0.1
-    assert np.abs(np.diff(heard)).max() <= own + 0.1 * 2 * np.pi / 2 / 240
-    told = now.stream.delay(player.edits.render_s)
-    assert told.device_s == pytest.approx(0.015)
-    assert told.total_s == pytest.approx(told.render_s + told.wait_s + told.device_s)
+    assert np.abs(np.diff(samples)).max() <= own + 0.1 * 2 * np.pi / 2 / 240
+    delay = now.stream.delay(player.edits.render_s)
+    assert delay.device_s == pytest.approx(0.015)
+    assert delay.total_s == pytest.approx(delay.render_s + delay.wait_s + delay.device_s)
 
 
 def test_many_edits_at_once_are_heard_as_the_last_one(sound, studio, player, qtbot, listen):
@@ -141,10 +141,10 @@ def test_the_gain_reaches_what_is_heard(sound, studio, player, qtbot, listen):
 
 def test_a_playhead_that_is_put_elsewhere_is_followed(sound, studio, player, qtbot, listen):
     now = listen(loops=True)
-    deck = now.stream.deck
+    queue = now.stream.deck
     document = studio.document
     document.look(replace(document.view, playhead_s=0.4))
-    qtbot.waitUntil(lambda: deck.swap is None and deck.position > 0.39 * 48_000, **WAIT)
+    qtbot.waitUntil(lambda: queue.swap is None and queue.position > 0.39 * 48_000, **WAIT)
     studio.do("play")
     qtbot.waitUntil(settled(player), **WAIT)
     assert document.view.playhead_s == 0.4
@@ -154,12 +154,14 @@ def test_without_a_device_the_playhead_runs_in_silence(no_sound, studio, player,
     now = listen()
     assert now.stream is None
     # The status bar would cut it.
-    words = studio.notice.text
-    assert words.startswith("In silence: No device to play on was found.")
-    seen = []
-    studio.document.playhead_moved.connect(lambda: seen.append(studio.document.view.playhead_s))
+    text = studio.notice.text
+    assert text.startswith("In silence: No device to play on was found.")
+    playheads_s = []
+    studio.document.playhead_moved.connect(
+        lambda: playheads_s.append(studio.document.view.playhead_s)
+    )
     qtbot.waitUntil(settled(player), **WAIT)
-    assert max(seen) > 0.2
+    assert max(playheads_s) > 0.2
     assert studio.document.view.playhead_s == 0.0
 
 

@@ -29,11 +29,11 @@ def path(tmp_path):
 @pytest.fixture
 def panel(sound, studio, qtbot):
     studio.docks["playback"].bring_forward()
-    found = studio.panel("playback")
-    assert isinstance(found, PlaybackPanel)
-    qtbot.waitUntil(found.isVisible)
+    panel = studio.panel("playback")
+    assert isinstance(panel, PlaybackPanel)
+    qtbot.waitUntil(panel.isVisible)
     qtbot.waitUntil(lambda: studio.playback.player.settings.looked, **WAIT)
-    return found
+    return panel
 
 
 def test_without_a_rig_it_says_uncalibrated(panel):
@@ -91,7 +91,7 @@ def test_it_is_played_on_the_outputs_of_the_rig(sound, studio, player, path, lis
 
 def test_a_limit_that_would_be_passed_is_said(sound, studio, player, tmp_path, listen, qtbot):
     limits = Limits(peak_voltage_v=0.01)
-    limited = Rig(channels=tuple(replace(one, limits=limits) for one in BENCH.channels))
+    limited = Rig(channels=tuple(replace(channel, limits=limits) for channel in BENCH.channels))
     save_rig(tmp_path / "limited.skinrig", limited)
     player.settings.choose_rig(tmp_path / "limited.skinrig")
     studio.do("play")
@@ -104,7 +104,9 @@ def test_a_limit_in_the_first_block_is_said_even_if_that_is_over_before_play_was
     sound, studio, player, tmp_path, qtbot, monkeypatch
 ):
     limited = Rig(
-        channels=tuple(replace(one, limits=Limits(peak_voltage_v=0.01)) for one in BENCH.channels)
+        channels=tuple(
+            replace(channel, limits=Limits(peak_voltage_v=0.01)) for channel in BENCH.channels
+        )
     )
     save_rig(tmp_path / "limited.skinrig", limited)
     player.settings.choose_rig(tmp_path / "limited.skinrig")

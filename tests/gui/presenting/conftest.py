@@ -19,8 +19,8 @@ def design():
 def folder(tmp_path, design):
     """Three designs, each with its name as its title."""
     for name in ("1 tap", "2 tone", "3 both"):
-        one = replace(design, title=name, notes=f"Say {name}")
-        save_design(tmp_path / f"{name}.skinsource", one, ss.View())
+        scene_design = replace(design, title=name, notes=f"Say {name}")
+        save_design(tmp_path / f"{name}.skinsource", scene_design, ss.View())
     return tmp_path
 
 

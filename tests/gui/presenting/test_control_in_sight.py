@@ -44,7 +44,7 @@ def settle(window, qtbot):
 def turned(window):
     """The controls of the panel that can be seen."""
     cells = window.panel("frequency_and_amplitude").findChildren(FieldCell)
-    return [one for one in cells if one.isVisible()]
+    return [cell for cell in cells if cell.isVisible()]
 
 
 def is_whole(window, widget):
@@ -75,9 +75,9 @@ def test_the_one_control_of_each_scene_is_whole_in_the_window(presented, qtbot, 
 def pictures(panel):
     """What is drawn in a panel, without numbers and titles of axes: widgets, and where in them."""
     for plot in panel.findChildren(Plot):
-        boxes = [one for one in plot.scene().items() if isinstance(one, PlotViewBox)]
-        areas = [plot.mapFromScene(one.sceneBoundingRect()).boundingRect() for one in boxes]
-        yield plot, QRegion.boundingRect(sum((QRegion(one) for one in areas), QRegion()))
+        boxes = [item for item in plot.scene().items() if isinstance(item, PlotViewBox)]
+        areas = [plot.mapFromScene(box.sceneBoundingRect()).boundingRect() for box in boxes]
+        yield plot, QRegion.boundingRect(sum((QRegion(area) for area in areas), QRegion()))
     for figure in panel.findChildren(Figure):
         yield figure, figure.rect()
     for maps in panel.findChildren(MapsView):
@@ -98,31 +98,33 @@ def test_pictures_and_switches_of_each_scene_are_seen_in_the_largest_letters(pre
         settle(window, qtbot)
         qtbot.waitUntil(lambda: not window.engine.busy, timeout=60_000)
         settle(window, qtbot)
-        docks = [one for one in window.docks.values() if one.isVisible() and one.in_sight]
-        assert {"skin", "frequency_and_amplitude"} < {one.objectName() for one in docks}
+        docks = [dock for dock in window.docks.values() if dock.isVisible() and dock.in_sight]
+        assert {"skin", "frequency_and_amplitude"} < {dock.objectName() for dock in docks}
         for dock in docks:
             at, tops = (scene.name, dock.objectName()), [dock.panel.height()]
             for widget, area in pictures(dock.panel):
                 if widget.isVisible():
                     assert in_sight(dock, widget, area).height() >= 80, at
                     tops.append(widget.mapTo(dock.panel, area.topLeft()).y())
-            for one in dock.panel.findChildren(QAbstractButton):
-                above = one.mapTo(dock.panel, one.rect().topLeft()).y() < min(tops)
-                if one.isVisible() and one.text() and above:
-                    shown = in_sight(dock, one, one.rect())
-                    assert shown.width() == one.width(), (*at, one.text())
-                    assert one.fontMetrics().horizontalAdvance(one.text()) < one.width(), at
+            for button in dock.panel.findChildren(QAbstractButton):
+                above = button.mapTo(dock.panel, button.rect().topLeft()).y() < min(tops)
+                if button.isVisible() and button.text() and above:
+                    shown = in_sight(dock, button, button.rect())
+                    assert shown.width() == button.width(), (*at, button.text())
+                    assert button.fontMetrics().horizontalAdvance(button.text()) < button.width(), (
+                        at
+                    )
                     # Cards of snapshots go on below.
-                    assert shown.height() == one.height() or len(tops) == 1, (*at, one.text())
+                    assert shown.height() == button.height() or len(tops) == 1, (*at, button.text())
 
 
 @pytest.fixture
 def heading(qtbot):
-    one = Heading("")
-    qtbot.addWidget(one)
-    one.setFont(QFont("Sans", 10))
-    one.show()
-    return one
+    heading = Heading("")
+    qtbot.addWidget(heading)
+    heading.setFont(QFont("Sans", 10))
+    heading.show()
+    return heading
 
 
 TITLE = "Five strengths of three tones on the palm side of the hand of the first of four people"
@@ -142,11 +144,11 @@ def test_words_above_what_is_turned_are_as_high_for_long_titles_as_for_short_one
 def test_with_more_room_more_is_said(heading):
     full = QFontMetrics(heading.font()).horizontalAdvance(TITLE)
     heading.show_phrases(f"{TITLE} · Tone at place 8", TITLE, "Tone at place 8")
-    said = []
+    texts = []
     for share in (0.3, 0.6, 1.0):
         heading.resize(int(share * full), 100)
-        said.append(heading.text())
-    assert said == ["Tone at place 8", TITLE, f"{TITLE} · Tone at place 8"]
+        texts.append(heading.text())
+    assert texts == ["Tone at place 8", TITLE, f"{TITLE} · Tone at place 8"]
 
 
 def test_words_that_can_be_said_in_no_shorter_way_have_the_lines_that_they_need(heading):

@@ -47,7 +47,7 @@ def test_all_that_draws_maps_is_covered_together_and_revealed(studio, qtbot, nam
         assert cover.geometry() == part.rect()
     studio.do("cover_map")
     assert studio.panel("skin").map.content.message != COVERED
-    assert not any(one.isVisible() for one in panel.findChildren(Cover))
+    assert not any(cover.isVisible() for cover in panel.findChildren(Cover))
 
 
 def test_nothing_is_seen_through_a_cover_however_large_it_gets(studio, qtbot):
@@ -60,7 +60,7 @@ def test_nothing_is_seen_through_a_cover_however_large_it_gets(studio, qtbot):
     strip.resize(strip.width() + 60, strip.height() + 40)
     # Words alone, in greys between two colours.
     ground = strip.palette().window().color()
-    assert all(QColor(one).hsvSaturation() < 80 for one in colours(strip))
+    assert all(QColor(colour).hsvSaturation() < 80 for colour in colours(strip))
     assert ground.name() in colours(strip)
 
 
@@ -72,7 +72,7 @@ def test_a_panel_that_is_first_seen_while_maps_are_covered_is_covered(studio, qt
     wait(studio, qtbot)
     assert panel.strip.findChildren(Cover)
     studio.do("cover_map")
-    assert not any(one.isVisible() for one in panel.findChildren(Cover))
+    assert not any(cover.isVisible() for cover in panel.findChildren(Cover))
 
 
 def test_a_click_on_a_cover_reaches_nothing(studio, qtbot):
@@ -99,16 +99,16 @@ def test_nothing_stays_covered_once_presenting_ends(studio, qtbot):
     studio.do("present")
     studio.do("cover_map")
     studio.do("present")
-    assert not any(one.isVisible() for one in studio.panel("windowed").findChildren(Cover))
+    assert not any(cover.isVisible() for cover in studio.panel("windowed").findChildren(Cover))
 
 
 def test_no_tooltip_of_what_is_below_tells_it(qtbot):
-    told = []
+    events = []
 
     class Telling(QWidget):
         def event(self, event):
             if event.type() == QEvent.Type.ToolTip:
-                told.append(event)
+                events.append(event)
             return super().event(event)
 
     part = Telling()
@@ -116,6 +116,6 @@ def test_no_tooltip_of_what_is_below_tells_it(qtbot):
     part.show()
     cover = Cover(part)
     at = QPoint(5, 5)
-    for over, heard in ((cover, 0), (part, 1)):
+    for over, n_events in ((cover, 0), (part, 1)):
         QApplication.sendEvent(over, QHelpEvent(QEvent.Type.ToolTip, at, over.mapToGlobal(at)))
-        assert len(told) == heard
+        assert len(events) == n_events

@@ -10,7 +10,7 @@ def test_after_a_show_the_panels_of_the_scene_that_is_open_are_in_front(make_win
     window = make_window(design)
     # So low that other panels stand behind each other than on the whole screen.
     window.resize(1366, 600)
-    names = [one.name for one in all_scenes()]
+    names = [scene.name for scene in all_scenes()]
     window.scenes.open("1G")
     assert "side_by_side" in in_front(window)
     window.do("present")

@@ -12,8 +12,8 @@ def test_inputs_are_marked_on_the_map_where_they_are_behind(make_window, design)
     content, layout = skin.map.content, skin.map.stage.layout
     assert [mark.location for mark in content.inputs] == [7, 13]
     place = layout.frame.to_screen(content.limb_map.input_positions[[12]])[0]
-    [found] = marks_at(content.inputs, content.limb_map, layout, QPointF(*place))
-    assert found.location == 13
+    [mark_at_place] = marks_at(content.inputs, content.limb_map, layout, QPointF(*place))
+    assert mark_at_place.location == 13
     assert marks_at(content.inputs, content.limb_map, layout, QPointF(1.0, 1.0)) == ()
 
 

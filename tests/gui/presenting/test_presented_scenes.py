@@ -21,11 +21,11 @@ def title(window):
 
 
 def test_scenes_are_the_designs_of_the_folder_in_their_order(studio):
-    seen = []
+    titles = []
     for name in ("next_scene", "next_scene", "previous_scene", "previous_scene", "previous_scene"):
         studio.do(name)
-        seen.append(title(studio))
-    assert seen == ["3 both", "3 both", "2 tone", "1 tap", "1 tap"]
+        titles.append(title(studio))
+    assert titles == ["3 both", "3 both", "2 tone", "1 tap", "1 tap"]
     # A scene is no file any more: saving asks for a name.
     assert studio.document.path is None
 
@@ -45,7 +45,7 @@ def test_a_scene_that_is_open_is_presented_with_the_panels_that_show_it(
     make_window, opened_by, design
 ):
     window = make_window(design)
-    names = [one.name for one in all_scenes()]
+    names = [scene.name for scene in all_scenes()]
     if opened_by == "gallery":
         page = window.scenes.show()
         page.list.setCurrentRow(names.index("2H"))
@@ -71,16 +71,16 @@ def in_front(window):
 @pytest.fixture
 def asked(monkeypatch):
     """Questions about what would be lost; they are answered with Cancel."""
-    found = []
+    questions = []
 
     def question(*given):
-        found.append(given)
+        questions.append(given)
         return QMessageBox.StandardButton.Cancel
 
     monkeypatch.setattr(QMessageBox, "exec", lambda box: question(box.text()))
     for kind in ("question", "warning"):
         monkeypatch.setattr(QMessageBox, kind, question)
-    return found
+    return questions
 
 
 def louder(window, amplitude):
@@ -164,7 +164,7 @@ def test_work_that_was_done_in_a_scene_is_not_lost_unasked(make_window, asked, p
 
 def test_the_next_scene_is_that_after_the_one_that_was_opened_last(make_window, design):
     window = make_window(design)
-    names = [one.name for one in all_scenes()]
+    names = [scene.name for scene in all_scenes()]
     window.do("next_scene")
     window.scenes.open(names[5])
     window.do("next_scene")
@@ -176,7 +176,9 @@ def test_the_next_scene_is_that_after_the_one_that_was_opened_last(make_window, 
 
 def test_notes_follow_the_scenes(studio):
     studio.do("show_notes")
-    (notes,) = [one for one in QApplication.topLevelWidgets() if isinstance(one, NotesWindow)]
+    (notes,) = [
+        widget for widget in QApplication.topLevelWidgets() if isinstance(widget, NotesWindow)
+    ]
     assert notes.notes.toPlainText() == "Say 2 tone"
     studio.do("next_scene")
     assert notes.heading.text() == "3 both"
@@ -192,7 +194,9 @@ def test_notes_follow_the_scenes(studio):
 def test_keys_of_presenting_work_on_the_notes_too_whichever_came_first(studio, qtbot, first, leave):
     for name in (first, *({"show_notes", "present"} - {first})):
         studio.do(name)
-    (notes,) = [one for one in QApplication.topLevelWidgets() if isinstance(one, NotesWindow)]
+    (notes,) = [
+        widget for widget in QApplication.topLevelWidgets() if isinstance(widget, NotesWindow)
+    ]
     notes.activateWindow()
     notes.notes.setFocus()
     qtbot.waitUntil(notes.isActiveWindow)
@@ -216,12 +220,12 @@ def test_a_design_without_a_title_is_called_as_its_file_when_it_is_paged_to(stud
 
 
 def test_at_the_last_scene_nobody_is_asked_for_what_stays(studio, folder, asked):
-    told = []
-    studio.presenter.done.connect(told.append)
+    messages = []
+    studio.presenter.done.connect(messages.append)
     studio.files.open(folder / "3 both.skinsource")
     edited = louder(studio, 2.0)
     studio.do("next_scene")
-    assert told[-1] == "This is the last scene"
+    assert messages[-1] == "This is the last scene"
     assert not asked
     studio.do("previous_scene")
     assert len(asked) == 1
@@ -277,11 +281,11 @@ def test_colours_chosen_in_a_show_of_files_stay_where_a_file_has_chosen_none(
     magma = use_colours("magma", design, View()).view
     save_design(folder / "3 both.skinsource", design, magma)
     studio.do("use_cividis_colours")
-    seen = []
+    colour_sets = []
     for step in ("previous_scene", "next_scene", "next_scene", "previous_scene"):
         studio.do(step)
-        seen.append(colours(studio))
-    assert seen == ["cividis", "cividis", "magma", "cividis"]
+        colour_sets.append(colours(studio))
+    assert colour_sets == ["cividis", "cividis", "magma", "cividis"]
     studio.do("use_viridis_colours")
     studio.do("previous_scene")
     assert colours(studio) == "viridis"

@@ -65,11 +65,11 @@ def test_clickers_step_scenes_whatever_has_the_keyboard(studio, qtbot):
     studio.docks["traces"].bring_forward()
     at_s = studio.document.view.playhead_s
     panel.setFocus()
-    for key, wanted in (("PageUp", "1 tap"), ("PageDown", "2 tone"), ("PageDown", "3 both")):
+    for key, expected in (("PageUp", "1 tap"), ("PageDown", "2 tone"), ("PageDown", "3 both")):
         panel.setFocus()
         assert panel.isAncestorOf(studio.focusWidget())
         QTest.keyClick(studio.focusWidget(), getattr(Qt.Key, f"Key_{key}"))
-        assert title(studio) == wanted
+        assert title(studio) == expected
     assert studio.document.view.playhead_s == at_s
     studio.do("present")
     studio.docks["traces"].bring_forward()

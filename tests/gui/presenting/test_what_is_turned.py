@@ -39,15 +39,15 @@ def test_turning_the_onset_moves_the_clip(make_window, design):
 def test_the_list_of_what_is_turned_has_its_label(window):
     panel = window.panel("frequency_and_amplitude")
     fields = panel.findChildren(ChoiceField, "control_field")
-    labels = [one for one in panel.findChildren(QLabel) if one.buddy() in fields]
-    assert [one.text() for one in labels] == ["Turn"]
+    labels = [label for label in panel.findChildren(QLabel) if label.buddy() in fields]
+    assert [label.text() for label in labels] == ["Turn"]
 
 
 def test_what_plays_is_called_as_it_is_elsewhere(make_window, design):
     train = ss.track(7, ss.waveforms.WaveletTrain())
     window = make_window(replace(design, inputs=(train,)))
-    (one,) = window.document.design.inputs
-    window.document.look(replace(window.document.view, selected_inputs=(one.id,)))
+    (track,) = window.document.design.inputs
+    window.document.look(replace(window.document.view, selected_inputs=(track.id,)))
     panel = window.panel("frequency_and_amplitude")
     assert panel._heading.text() == "Wavelet train at place 7"
 

@@ -41,11 +41,11 @@ class Copy:
         assert text.count(before) == 1, f"{before!r} in {path.name}"
         path.write_text(text.replace(before, new + before), encoding="utf-8")
 
-    def run(self, script: str, *words: object) -> str:
+    def run(self, script: str, *arguments: object) -> str:
         """Run ``script`` with the copy; return what it prints."""
         place = os.pathsep.join([str(self.folder / "core"), str(self.folder)])
         result = subprocess.run(
-            [sys.executable, "-c", script, *map(str, words)],
+            [sys.executable, "-c", script, *map(str, arguments)],
             env={**os.environ, "PYTHONPATH": place, "QT_QPA_PLATFORM": "offscreen"},
             # Python looks there first.
             cwd=self.folder,

@@ -70,8 +70,8 @@ from skinsource.engine.evaluation import Evaluator
 
 def export_loudest(path, design, view, *, progress=silent, stop=never, largest_error=0.0):
     """Write one number."""
-    found = Evaluator().evaluate(design, ("loudest_level_db",), view)
-    path.write_text(f"{found['loudest_level_db']!r}")
+    results = Evaluator().evaluate(design, ("loudest_level_db",), view)
+    path.write_text(f"{results['loudest_level_db']!r}")
 '''
 TRY = """
 import json, sys
@@ -108,8 +108,8 @@ def settle():
 
 def over(part, others):
     place = QRect(part.mapTo(window, QPoint(0, 0)), part.size())
-    return [one.objectName() for one in others if one is not part and one.isVisible()
-            and place.intersects(QRect(one.mapTo(window, QPoint(0, 0)), one.size()))]
+    return [widget.objectName() for widget in others if widget is not part and widget.isVisible()
+            and place.intersects(QRect(widget.mapTo(window, QPoint(0, 0)), widget.size()))]
 
 facts["places"] = {}
 for arrangement in ARRANGEMENTS:
@@ -125,11 +125,11 @@ for arrangement in ARRANGEMENTS:
         "over": over(dock, [*bars, *window.docks.values()]),
         "words": panel.words.text(),
     }
-menus = {one.title().replace("&", ""): [entry.text() for entry in one.actions()]
-         for one in window.findChildren(QMenu)}
+menus = {menu.title().replace("&", ""): [entry.text() for entry in menu.actions()]
+         for menu in window.findChildren(QMenu)}
 facts["menus"] = {title: menus[title] for title in ("File", "Edit", "Panels")}
 
-def found(letters):
+def listed(letters):
     window.do("find_action")
     palette = window.findChildren(Palette)[-1]
     palette.line.setText(letters)
@@ -137,7 +137,7 @@ def found(letters):
     palette.close()
     return texts
 
-facts["palette"] = {letters: found(letters) for letters in ("loudest", "silence all")}
+facts["palette"] = {letters: listed(letters) for letters in ("loudest", "silence all")}
 window.do("show_keys")
 facts["keys"] = window.findChildren(QTextBrowser, "page_text")[-1].toPlainText()
 
@@ -145,7 +145,7 @@ facts["keys"] = window.findChildren(QTextBrowser, "page_text")[-1].toPlainText()
 action = window.actions_by_name["silence_all"]
 facts["enabled"] = [action.isEnabled()]
 action.trigger()
-facts["muted"] = [one.muted for one in window.document.design.inputs]
+facts["muted"] = [track.muted for track in window.document.design.inputs]
 window.document.undo_stack.undo()
 window.do("clear_inputs")
 facts["enabled"].append(action.isEnabled())

@@ -72,8 +72,8 @@ clicks = Clicks(gap_s=0.04, name="touché", envelope=((0.0, 0.5), (0.5, 1.0)), d
 design = Design(limb="synthetic-1", inputs=(track(location=7, waveform=clicks, label="first"),))
 view = View(bookmark_s=0.75)
 save_design(path, design, view)
-found = open_design(path)
-assert found.design == design and found.view == view
+opened = open_design(path)
+assert opened.design == design and opened.view == view
 levels = new_graph().evaluate({"output_levels_db"}, sources(design, view))["output_levels_db"]
 assert np.isfinite(levels).any()
 other = change_kind(design, view, design.ids, "Tone")
@@ -108,5 +108,5 @@ def test_a_new_waveform_is_a_file_and_a_name_and_a_new_field_is_a_line(
     copy.insert(
         copy.library / "design" / "view.py", "    delay_removed: bool = fields", f"    {bookmark}"
     )
-    found = copy.run(TRY, tmp_path / "new.skinsource", older_design)
-    assert found == "all of it works\n"
+    output = copy.run(TRY, tmp_path / "new.skinsource", older_design)
+    assert output == "all of it works\n"

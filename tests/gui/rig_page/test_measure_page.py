@@ -28,13 +28,13 @@ WAIT = {"timeout": 60_000}
 
 
 @pytest.fixture(scope="module")
-def heard():
+def recording():
     return ears(sensed(COIL))
 
 
 @pytest.fixture
-def card(monkeypatch, heard):
-    return use(monkeypatch, Card(heard, output=1))
+def card(monkeypatch, recording):
+    return use(monkeypatch, Card(recording, output=1))
 
 
 @pytest.fixture
@@ -44,22 +44,22 @@ def rig_page(card, make_window, qtbot):
     settings = window.playback.player.settings
     settings.choose(Output(sample_rate_hz=RATE_HZ))
     window.do("edit_rig")
-    found = window.findChild(RigPage)
-    qtbot.waitExposed(found)
-    QTest.mouseClick(found.button("add"), Qt.MouseButton.LeftButton)
-    channel = found.draft.rig.channels[0]
+    rig_page = window.findChild(RigPage)
+    qtbot.waitExposed(rig_page)
+    QTest.mouseClick(rig_page.button("add"), Qt.MouseButton.LeftButton)
+    channel = rig_page.draft.rig.channels[0]
     channel = replace(channel, actuator="example-voice-coil", full_scale_v=3.0)
-    found.draft.take_channel(0, channel)
-    yield found
-    found.draft.give_up()
-    found.reject()
+    rig_page.draft.take_channel(0, channel)
+    yield rig_page
+    rig_page.draft.give_up()
+    rig_page.reject()
 
 
 @pytest.fixture
 def page(rig_page, qtbot):
     rig_page.fields.measure.click()
-    found = rig_page.findChild(MeasurePage)
-    qtbot.waitUntil(found.start.isEnabled, **WAIT)
+    measure_page = rig_page.findChild(MeasurePage)
+    qtbot.waitUntil(measure_page.start.isEnabled, **WAIT)
     values = {
         "sensitivity_v_per_m_per_s2": SENSITIVITY,
         "input_full_scale_v": INPUT_VOLTS,
@@ -68,10 +68,10 @@ def page(rig_page, qtbot):
         "repeats": 2,
     }
     for name, value in values.items():
-        found.fields.cell(name).edited.emit(name, value, None)
-    yield found
-    if isValid(found) and found.isVisible():
-        found.reject()
+        measure_page.fields.cell(name).edited.emit(name, value, None)
+    yield measure_page
+    if isValid(measure_page) and measure_page.isVisible():
+        measure_page.reject()
 
 
 def test_what_is_measured_is_drawn_beside_the_model_and_kept(page, rig_page, qtbot):

@@ -30,12 +30,12 @@ def window(make_window):
 @pytest.fixture
 def page(window, qtbot):
     window.do("edit_rig")
-    found = window.findChild(RigPage)
-    qtbot.waitExposed(found)
-    yield found
-    if isValid(found):  # not closed by the test
-        found.draft.give_up()
-        found.reject()
+    page = window.findChild(RigPage)
+    qtbot.waitExposed(page)
+    yield page
+    if isValid(page):  # not closed by the test
+        page.draft.give_up()
+        page.reject()
 
 
 @pytest.fixture
@@ -98,7 +98,7 @@ def test_a_place_that_is_wired_twice_is_refused_and_said(page):
     press(page, "add")
     put(page, "place", page.draft.rig.channels[0].place)
     assert "place 7 2 times" in page.message.text()
-    assert [one.place for one in page.draft.rig.channels] == [7, 1]
+    assert [channel.place for channel in page.draft.rig.channels] == [7, 1]
     assert page.fields.cell("place").field.value_si == 1
 
 
@@ -107,7 +107,7 @@ def test_channels_are_removed_and_an_empty_rig_says_what_to_do(page):
     press(page, "add")
     press(page, "add")
     press(page, "remove")
-    assert [one.place for one in page.draft.rig.channels] == [7]
+    assert [channel.place for channel in page.draft.rig.channels] == [7]
     press(page, "remove")
     assert page.draft.rig.channels == ()
     assert not page.fields.widget.isEnabled()
@@ -155,7 +155,9 @@ def test_an_opened_rig_is_shown_and_what_is_none_is_refused(page, answer):
 def test_changes_are_not_lost_unasked(page, monkeypatch, tmp_path):
     asked, answers = [], [QMessageBox.StandardButton.Cancel, QMessageBox.StandardButton.Save]
     monkeypatch.setattr(
-        QMessageBox, "question", lambda *words: asked.append(words[2]) or answers[len(asked) - 1]
+        QMessageBox,
+        "question",
+        lambda *arguments: asked.append(arguments[2]) or answers[len(asked) - 1],
     )
     press(page, "add")
     press(page, "close")
@@ -188,11 +190,11 @@ def test_what_was_measured_goes_before_what_is_listed():
         RigChannel(place=12, output=2, actuator="of the lab"),
         RigChannel(place=3, output=3, actuator="example-piezo"),
     )
-    found = ss.actuation_of_rig(Rig(title="Bench", channels=channels))
-    assert [one.place for one in found.actuators] == [7, 3]
-    assert found.at(7).model == FLAT
-    assert found.at(3).model == ss.actuators.load("example-piezo")
-    assert found.rig == "Bench"
+    actuation = ss.actuation_of_rig(Rig(title="Bench", channels=channels))
+    assert [actuator.place for actuator in actuation.actuators] == [7, 3]
+    assert actuation.at(7).model == FLAT
+    assert actuation.at(3).model == ss.actuators.load("example-piezo")
+    assert actuation.rig == "Bench"
 
 
 def test_places_are_those_of_the_limb_of_the_design_the_driven_ones_first(user_data, qtbot):
@@ -202,12 +204,12 @@ def test_places_are_those_of_the_limb_of_the_design_the_driven_ones_first(user_d
     )
     parent = QObject()
     draft = RigDraft(None, None, edit.design, parent)
-    said = []
-    draft.noted.connect(said.append)
+    messages = []
+    draft.noted.connect(messages.append)
     for _ in range(N_INPUTS + 1):
         draft.add(0)
-    assert [one.place for one in draft.rig.channels] == [5, 2, 1, 3, 4, 6, 7]
-    assert said == ["All places are wired already."]
+    assert [channel.place for channel in draft.rig.channels] == [5, 2, 1, 3, 4, 6, 7]
+    assert messages == ["All places are wired already."]
     own = input_name(5, "lab-1").name
     assert title_of(draft.rig.channels[0], "lab-1") == f"5 · {own}, output 1"
     assert own != input_name(5).name

@@ -26,8 +26,8 @@ def test_without_a_limb_of_ones_own_none_is_asked_for(window):
 
 
 def test_a_scene_is_opened_on_a_limb_of_ones_own(lab_window, qtbot):
-    window, told = lab_window, []
-    window.scenes.done.connect(told.append)
+    window, messages = lab_window, []
+    window.scenes.done.connect(messages.append)
     page = window.scenes.show()
     assert page.played_on.shown_text == "The limbs of the paper"
     page.played_on.choose("lab-1")
@@ -42,7 +42,7 @@ def test_a_scene_is_opened_on_a_limb_of_ones_own(lab_window, qtbot):
     assert window.document.view == opened.view
     assert not window.document.modified
     assert window.notice.text == ""
-    assert told[-1] == "Opened 2F · Two inputs interfere, on Lab 1"
+    assert messages[-1] == "Opened 2F · Two inputs interfere, on Lab 1"
     again = window.scenes.show()
     assert (again.played_on.value, again.scene.name) == ("lab-1", "2F")
     again.reject()

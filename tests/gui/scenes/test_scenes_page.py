@@ -20,15 +20,15 @@ every = pytest.mark.parametrize("name", ss.scenes.names())
 def texts_of(content: bytes) -> dict[str, str]:
     """Words that a PNG file holds, by what they are called."""
     assert content.startswith(b"\x89PNG\r\n\x1a\n")
-    found, at = {}, 8
+    texts_by_key, at = {}, 8
     while at < len(content):
         (size,) = struct.unpack(">I", content[at : at + 4])
         kind, held = content[at + 4 : at + 8], content[at + 8 : at + 8 + size]
         if kind == b"tEXt":
-            key, _, words = held.partition(b"\0")
-            found[key.decode("latin-1")] = words.decode("latin-1")
+            key, _, text = held.partition(b"\0")
+            texts_by_key[key.decode("latin-1")] = text.decode("latin-1")
         at += 12 + size
-    return found
+    return texts_by_key
 
 
 @every
@@ -57,10 +57,10 @@ def test_the_page_of_the_documents_shows_every_scene():
 def test_each_names_an_arrangement_and_panels_with_settings_that_there_are(name):
     scene = ss.scenes.scene(name)
     panels = {spec.panel.name: spec for spec in PANELS}
-    assert scene.arrangement in {one.name for one in ARRANGEMENTS}
+    assert scene.arrangement in {arrangement.name for arrangement in ARRANGEMENTS}
     assert set(scene.panels) <= panels.keys()
     view = synthetic_scene(name).view
-    for panel, held in (one for one in view.panels if one[0] in panels):
+    for panel, held in (panel for panel in view.panels if panel[0] in panels):
         settings = settings_of(view, panel, panels[panel].settings)
         for field, value in held:
             assert getattr(settings, field) == value, f"{panel}.{field}"
@@ -69,13 +69,13 @@ def test_each_names_an_arrangement_and_panels_with_settings_that_there_are(name)
 def test_the_gallery_lists_all_scenes_and_shows_the_selected_one(window):
     page = window.scenes.show()
     headings = [page.list.item(row).text() for row in range(page.list.count())]
-    assert headings == [one.heading for one in ss.scenes.all_scenes()]
+    assert headings == [scene.heading for scene in ss.scenes.all_scenes()]
     page.list.setCurrentRow(headings.index("2F · Two inputs interfere"))
-    words = page.text.text()
-    assert ss.scenes.scene("2F").sentence in words
-    assert "Fig. 2F" in words
-    assert "Opens on Synthetic 3 (185 mm)." in words
-    assert "SYNTHETIC" in words
+    text = page.text.text()
+    assert ss.scenes.scene("2F").sentence in text
+    assert "Fig. 2F" in text
+    assert "Opens on Synthetic 3 (185 mm)." in text
+    assert "SYNTHETIC" in text
     page.list.setCurrentRow(headings.index("2H · A sensation that contracts"))
     assert "Inferred: kind, frequencies" in page.text.text()
     page.reject()
@@ -107,7 +107,7 @@ def test_a_scene_is_opened_with_the_keyboard(window, qtbot, settle):
     assert window.document.view == opened.view
     assert window.docks["side_by_side"].in_sight
     maps = window.panel("side_by_side").maps
-    qtbot.waitUntil(lambda: sum(one.small is not None for one in maps.content.cells) == 4)
+    qtbot.waitUntil(lambda: sum(cell.small is not None for cell in maps.content.cells) == 4)
     called = [cell.headings[1] for cell in maps.content.cells]
     assert called == [f"Snapshot {k} · {hz} Hz" for k, hz in enumerate((50, 100, 200, 400), 1)]
 
@@ -127,8 +127,8 @@ def test_a_double_click_opens_and_the_next_time_it_is_selected(window, qtbot, se
 
 
 def test_each_opens_with_the_panels_that_show_it_and_nothing_to_complain_of(window, settle):
-    told = []
-    window.scenes.done.connect(told.append)
+    messages = []
+    window.scenes.done.connect(messages.append)
     for scene in ss.scenes.all_scenes():
         window.scenes.open(scene.name)
         settle()
@@ -138,7 +138,7 @@ def test_each_opens_with_the_panels_that_show_it_and_nothing_to_complain_of(wind
         for panel in scene.panels:
             assert window.docks[panel].in_sight, (scene.name, panel)
         assert window.notice.text == "", scene.name
-        assert told[-1] == f"Opened {scene.heading}, on a SYNTHETIC limb"
+        assert messages[-1] == f"Opened {scene.heading}, on a SYNTHETIC limb"
 
 
 def test_saving_a_scene_asks_where_and_suggests_its_name(window):
@@ -154,7 +154,9 @@ def test_saving_a_scene_asks_where_and_suggests_its_name(window):
 def test_unsaved_work_is_asked_for_first(window, monkeypatch, answer, opened):
     window.document.edit("Softer", window.document.design.with_input(0, amplitude=0.25))
     asked = []
-    monkeypatch.setattr(QMessageBox, "question", lambda *words: asked.append(words) or answer)
+    monkeypatch.setattr(
+        QMessageBox, "question", lambda *arguments: asked.append(arguments) or answer
+    )
     window.scenes.open("2F")
     assert len(asked) == 1
     assert (window.document.design == ss.scenes.open_scene("2F").design) == opened
@@ -169,6 +171,6 @@ def test_the_page_that_is_cancelled_changes_nothing(window):
 
 def test_the_file_menu_leads_to_the_gallery(window, qtbot):
     window.do("show_scenes")
-    pages = [one for one in window.children() if one.objectName() == "scenes_page"]
+    pages = [page for page in window.children() if page.objectName() == "scenes_page"]
     assert len(pages) == 1
     pages[0].reject()

@@ -21,15 +21,15 @@ def in_front(window):
 
 def stepped_through(window, n_back):
     """Panels in front at each scene, which are the same on the way back."""
-    found = {}
+    panels_in_front = {}
     for name in NAMES:
         window.do("next_scene")
         assert f"Fig. {name}:" in window.document.design.title
-        found[name] = in_front(window)
+        panels_in_front[name] = in_front(window)
     for name in NAMES[-2 : -2 - n_back : -1]:
         window.do("previous_scene")
-        assert in_front(window) == found[name], name
-    return found
+        assert in_front(window) == panels_in_front[name], name
+    return panels_in_front
 
 
 @pytest.fixture
@@ -52,7 +52,7 @@ def opened_alone(qtbot, tmp_path):
         window.deleteLater()
         return plain, presented
 
-    def found(name):
+    def opened_once(name):
         scene = ss.scenes.scene(name)
         # What is arranged alike need not be opened twice.
         key = scene.arrangement, scene.panels
@@ -63,7 +63,7 @@ def opened_alone(qtbot, tmp_path):
             gc.collect()
         return known[key]
 
-    return found
+    return opened_once
 
 
 def test_each_scene_shows_the_same_panels_stepped_to_and_opened_alone(make_window, opened_alone):

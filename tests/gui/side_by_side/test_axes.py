@@ -31,7 +31,7 @@ def panel(window, settle):
 
 def test_each_axis_has_the_numbers_that_the_map_has_when_it_is_chosen(window, panel, qtbot, settle):
     cells = shown(panel, qtbot, 3)
-    assert [cell.headings for cell in cells] == [(f"Along {one}", one) for one in "xyz"]
+    assert [cell.headings for cell in cells] == [(f"Along {axis}", axis) for axis in "xyz"]
     loudest = max(float(cell.values_db.max()) for cell in cells)
     assert {cell.scale.range_db for cell in cells} == {map_range_db(loudest)}
     assert panel.maps.content.common_scale is not None
@@ -84,27 +84,27 @@ def test_only_who_looks_at_axes_pays_for_them(window, panel, qtbot, settle):
     shown(panel, qtbot, 3)
     asked = []
     ask = window.engine.request
-    window.engine.request = lambda one: (asked.append(one), ask(one))
+    window.engine.request = lambda request: (asked.append(request), ask(request))
     document = window.document
     amplitudes = iter((2.0, 3.0, 4.0))
 
-    def wanted():
+    def quantities_of_an_edit():
         asked.clear()
         document.edit("Louder", document.design.with_input(0, amplitude=next(amplitudes)))
         settle()
-        return frozenset().union(*(one.wanted for one in asked))
+        return frozenset().union(*(request.wanted for request in asked))
 
-    assert wanted() >= OWN
+    assert quantities_of_an_edit() >= OWN
     # In one slot: no limb or snapshot is predicted beside the window.
-    assert {one.slot.name for one in asked} == {"A"}
+    assert {request.slot.name for request in asked} == {"A"}
     choose(window, "limbs")
     shown(panel, qtbot, 4)
-    assert not wanted() & OWN
+    assert not quantities_of_an_edit() & OWN
     choose(window, "axes")
     shown(panel, qtbot, 3)
     window.docks["side_by_side"].toggleViewAction().trigger()
     settle()
-    assert not wanted() & OWN
+    assert not quantities_of_an_edit() & OWN
 
 
 def test_the_scene_of_three_axes_shows_them(window, qtbot, settle):

@@ -65,11 +65,11 @@ def test_a_design_of_a_file_is_one_of_the_sides_and_the_present_one_stays_open(
     choose("two hundred.skinsource")
     for _ in range(4):
         window.do("take_snapshot")
-    kept = document.view.snapshots
-    assert [one.number for one in kept] == [1, 2, 3, 4]
+    snapshots = document.view.snapshots
+    assert [snapshot.number for snapshot in snapshots] == [1, 2, 3, 4]
     window.do("take_snapshot")
     assert "Forget one first" in window.notice.text
-    assert document.view.snapshots == kept
+    assert document.view.snapshots == snapshots
 
 
 def test_a_difference_of_snapshots_on_two_limbs_says_on_which_they_are(window, panel, qtbot):
@@ -79,7 +79,9 @@ def test_a_difference_of_snapshots_on_two_limbs_says_on_which_they_are(window, p
     document.look(with_settings(document.view, "side_by_side", settings))
     [cell] = shown(panel, qtbot, 1)
     assert cell.headings[-1] == "1 on Synthetic 2 minus Edited on Synthetic 1"
-    assert all("on Synthetic 2" in one and "on Synthetic 1" in one for one in cell.headings)
+    assert all(
+        "on Synthetic 2" in heading and "on Synthetic 1" in heading for heading in cell.headings
+    )
 
 
 def test_a_snapshot_on_a_limb_without_the_axes_of_the_view_shows_those_it_has(
@@ -94,6 +96,6 @@ def test_a_snapshot_on_a_limb_without_the_axes_of_the_view_shows_those_it_has(
     cells = shown(panel, qtbot, 2)
     [lab] = [cell for cell in cells if cell.limb == "lab-1"]
     assert lab.heading == "Snapshot 1 (x, z)"
-    seen = View(axes="xz", method=document.view.method)
-    expected = evaluate(on_lab, "output_levels_db", view=seen)["output_levels_db"]
+    view = View(axes="xz", method=document.view.method)
+    expected = evaluate(on_lab, "output_levels_db", view=view)["output_levels_db"]
     assert lab.values_db == pytest.approx(expected, abs=1e-9)

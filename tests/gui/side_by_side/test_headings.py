@@ -17,7 +17,9 @@ LONG = tuple(f"Snapshot {k} on Synthetic {k} minus Edited on Synthetic 4" for k 
 
 
 def headed(*headings):
-    return SideBySideContent(cells=tuple(Cell(headings=(one,), limb="") for one in headings))
+    return SideBySideContent(
+        cells=tuple(Cell(headings=(heading,), limb="") for heading in headings)
+    )
 
 
 def test_long_headings_of_three_have_the_lines_they_need_and_short_ones_have_one(qapp):
@@ -27,10 +29,10 @@ def test_long_headings_of_three_have_the_lines_they_need_and_short_ones_have_one
     short = places_for(ROOM, headed("Snapshot 1", "Snapshot 2", "Snapshot 3"), font)
     assert {place.heading.height() for place in short.cells} == {line}
     long = places_for(ROOM, headed(*LONG), font)
-    for words, place in zip(LONG, long.cells, strict=True):
-        taken = metrics.boundingRect(place.heading, 0x1084, words)  # centred, wrapped at words
-        assert taken.height() <= place.heading.height() + 1
-        assert taken.width() <= place.heading.width()
+    for text, place in zip(LONG, long.cells, strict=True):
+        needed = metrics.boundingRect(place.heading, 0x1084, text)  # centred, wrapped at words
+        assert needed.height() <= place.heading.height() + 1
+        assert needed.width() <= place.heading.width()
         assert place.value.top() == place.heading.bottom()
         assert place.map.top() >= place.value.bottom()
 
@@ -57,7 +59,7 @@ def test_what_has_no_room_at_all_ends_with_dots_within_its_room(qapp):
 
 
 @pytest.mark.parametrize(
-    ("value", "reached", "words"),
+    ("value", "reached", "text"),
     [
         (-20.0, (-57.0, 3.0), "≤ −20"),
         (20.0, (-57.0, 3.0), "+20"),
@@ -66,8 +68,8 @@ def test_what_has_no_room_at_all_ends_with_dots_within_its_room(qapp):
         (-20.0, None, "−20"),
     ],
 )
-def test_the_ends_of_a_scale_say_what_else_has_their_colour(value, reached, words):
-    assert tick_text(value, (-20.0, 20.0), reached, signed=True) == words
+def test_the_ends_of_a_scale_say_what_else_has_their_colour(value, reached, text):
+    assert tick_text(value, (-20.0, 20.0), reached, signed=True) == text
 
 
 def test_snapshots_of_a_scene_are_told_by_what_their_titles_do_not_share():
@@ -76,15 +78,15 @@ def test_snapshots_of_a_scene_are_told_by_what_their_titles_do_not_share():
         return Compared(snapshot=Snapshot(number=number, design=design))
 
     tones = [stored(1, "Fig. 2B: Far · 50 Hz"), stored(2, "Fig. 2B: Far · 100 Hz")]
-    one, two = snapshot_names(tones, "xyz")
-    assert one == (
+    first, second = snapshot_names(tones, "xyz")
+    assert first == (
         "Snapshot 1 · Fig. 2B: Far · 50 Hz",
         "Snapshot 1 · 50 Hz",
         "1 · 50 Hz",
         "Snapshot 1",
         "1",
     )
-    assert two[1] == "Snapshot 2 · 100 Hz"
+    assert second[1] == "Snapshot 2 · 100 Hz"
     # What is the same throughout is said; nothing is taken from titles that share nothing.
     assert snapshot_names([tones[0], tones[0]], "xyz")[0][1] == "Snapshot 1 · 50 Hz"
     assert snapshot_names([tones[0], stored(2, "Other")], "xyz")[1] == (

@@ -11,7 +11,11 @@ def test_two_to_four_limbs_are_chosen_from_those_there_are(window, panel, qtbot)
 
     def entries():
         panel.bar.limbs.fill()
-        return {one.text(): one for one in panel.bar.limbs.menu_of_limbs.actions() if one.text()}
+        return {
+            action.text(): action
+            for action in panel.bar.limbs.menu_of_limbs.actions()
+            if action.text()
+        }
 
     offered = entries()
     assert offered["Those that belong together"].isChecked()
@@ -50,7 +54,9 @@ def test_a_limb_that_is_too_large_missing_or_otherwise_laid_out_says_so_and_runs
     monkeypatch.setattr("skinsource_gui.state.engine.LIVE_INPUTS", 5)
     asked = []
     ask = window.engine.request
-    monkeypatch.setattr(window.engine, "request", lambda one: (asked.append(one), ask(one)))
+    monkeypatch.setattr(
+        window.engine, "request", lambda request: (asked.append(request), ask(request))
+    )
     choose(window, shown="levels")
     document.edit("b", document.design.with_input(0, amplitude=0.3))
     settle()
@@ -63,7 +69,7 @@ def test_a_limb_that_is_too_large_missing_or_otherwise_laid_out_says_so_and_runs
     document.edit("c", document.design.with_input(0, amplitude=0.2))
     settle()
     # Lamps and error of what was shown before may still be on their way.
-    wanted = [one.wanted for one in asked if one.purpose == Purpose.SHOW]
+    quantities = [request.wanted for request in asked if request.purpose == Purpose.SHOW]
     # What clips play is drawn all the same, and runs through no limb.
-    assert not any("output_levels_db" in one or "vibration" in one for one in wanted)
+    assert not any("output_levels_db" in names or "vibration" in names for names in quantities)
     assert all("follow edits up to 5" in cell.text for cell in panel.maps.content.cells)

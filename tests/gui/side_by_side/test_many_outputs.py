@@ -20,7 +20,7 @@ def compared(number, noisy):
     names = ("limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db")
     values = dict(evaluate(DESIGN, *names))
     above = np.full(72, 20.0)
-    above[[one - 1 for one in noisy]] = 5.9
+    above[[output - 1 for output in noisy]] = 5.9
     return Compared(
         snapshot=Snapshot(number=number, design=DESIGN), values={**values, "above_noise_db": above}
     )
@@ -38,13 +38,13 @@ def painted(small):
 def test_what_is_mostly_noise_is_hatched_on_each_map_and_on_what_is_made_of_several(qapp):
     pair = [compared(1, noisy=(3, 70)), compared(2, noisy=(70, 71))]
     names = [("one",), ("two",)]
-    one, two = Cells().of_levels(pair, names)
-    assert (one.small.noisy, two.small.noisy) == ((3, 70), (70, 71))
+    first, second = Cells().of_levels(pair, names)
+    assert (first.small.noisy, second.small.noisy) == ((3, 70), (70, 71))
     [difference] = Cells().of_differences(pair, names, 0)
     assert difference.small.noisy == (3, 70, 71)
     assert [cell.small.noisy for cell in Cells().of_spread(pair, names, 0)] == [(3, 70, 71)] * 2
     [quiet, _] = Cells().of_levels([compared(1, noisy=()), pair[1]], names)
-    assert painted(one.small) != painted(quiet.small)
+    assert painted(first.small) != painted(quiet.small)
 
 
 def test_rings_and_bars_of_many_outputs_leave_map_and_curves_in_sight():

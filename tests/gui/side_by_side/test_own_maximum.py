@@ -50,16 +50,16 @@ def test_all_share_a_scale_until_each_is_drawn_to_its_maximum(window, panel, qtb
 
 def test_the_switch_computes_nothing(window, panel, qtbot, settle):
     shown(panel, qtbot, 4)
-    before = [one.values for one in panel._compared]
+    before = [values.values for values in panel._compared]
     asked = []
     ask = window.engine.request
-    window.engine.request = lambda one: (asked.append(one.slot.name), ask(one))
+    window.engine.request = lambda request: (asked.append(request.slot.name), ask(request))
     for _ in range(2):
         switch(panel)
         settle()
-        now = [one.values for one in panel._compared]
-        assert all(one is other for one, other in zip(before, now, strict=True))
-    assert not any("limb" in one for one in asked)
+        now = [values.values for values in panel._compared]
+        assert all(values is other for values, other in zip(before, now, strict=True))
+    assert not any("limb" in request for request in asked)
 
 
 def test_readings_and_copies_say_what_levels_are_relative_to(window, panel, qtbot):
@@ -81,16 +81,18 @@ def test_what_is_silent_stays_so(window, panel, qtbot):
     shown(panel, qtbot, 3)
     document = window.document
     document.edit("Silent", document.design.with_input(0, amplitude=0.0))
-    qtbot.waitUntil(lambda: not any(one.small for one in panel.maps.content.cells), timeout=10_000)
+    qtbot.waitUntil(
+        lambda: not any(cell.small for cell in panel.maps.content.cells), timeout=10_000
+    )
     assert panel.maps.content.message.startswith("Silent")
 
 
 def test_an_output_that_is_silent_is_no_level_below_the_maximum(panel, qtbot):
     shown(panel, qtbot, 4)
-    one = panel._compared[0]
-    levels = one.values["output_levels_db"].copy()
+    compared = panel._compared[0]
+    levels = compared.values["output_levels_db"].copy()
     levels[2] = FLOOR_DB
-    silent = replace(one, values={**one.values, "output_levels_db": levels})
+    silent = replace(compared, values={**compared.values, "output_levels_db": levels})
     (cell,) = Cells().of_own_maxima([silent], [("a limb",)])
     assert cell.value_text(3) == "silent"
     assert cell.value_text(4) != "silent"

@@ -28,7 +28,7 @@ def levels(window, limb):
 def ring(maps, index, output):
     """Pixels around an output in one of the maps, as they are painted."""
     image = maps.grab().toImage()
-    x, y = (round(one) for one in maps.visible_maps.points_of(index)[output - 1])
+    x, y = (round(coordinate) for coordinate in maps.visible_maps.points_of(index)[output - 1])
     return [image.pixel(x + dx, y + dy) for dx in range(-9, 10) for dy in range(-9, 10)]
 
 
@@ -42,9 +42,9 @@ def test_values_are_said_in_as_many_words_as_a_narrow_dock_has_room_for(window, 
     image = QImage(200, 40, QImage.Format.Format_RGB32)
     painter = QPainter(image)
     metrics = painter.fontMetrics()
-    for words in (whole, level, number):
-        room = metrics.horizontalAdvance(words) + 0.5 * metrics.height()
-        assert fitting(painter, cell.value_texts(None), room) == words
+    for text in (whole, level, number):
+        room = metrics.horizontalAdvance(text) + 0.5 * metrics.height()
+        assert fitting(painter, cell.value_texts(None), room) == text
     painter.end()
 
 
@@ -128,7 +128,7 @@ def test_it_costs_nothing_while_hidden_and_follows_edits_while_seen(window, pane
     qtbot.waitUntil(lambda: not any("limb" in slot.name for slot in graphs))
     asked = []
     ask = window.engine.request
-    window.engine.request = lambda one: (asked.append(one.slot.name), ask(one))
+    window.engine.request = lambda request: (asked.append(request.slot.name), ask(request))
     window.document.edit("Softer", design.with_input(0, amplitude=0.5))
     settle()
     assert asked == ["A"]
@@ -148,9 +148,9 @@ def test_snapshots_stand_side_by_side_as_loud_as_they_are_shown(window, panel, q
     loudest = [float(cell.values_db.max()) for cell in cells]
     assert loudest[0] == pytest.approx(loudest[1], abs=1e-9)
     assert np.nanmax(cells[1].small.field_levels_db) <= loudest[1] + 1e-9
-    words = panel.maps.content.common_scale.words
-    assert words.startswith("dB re 1 m/s², 2: \N{MINUS SIGN}")
-    assert words.endswith(" dB, matched")
+    text = panel.maps.content.common_scale.words
+    assert text.startswith("dB re 1 m/s², 2: \N{MINUS SIGN}")
+    assert text.endswith(" dB, matched")
     document.look(replace(document.view, levels_matched=False))
     qtbot.waitUntil(
         lambda: panel.maps.content.cells[1].values_db.max() > loudest[0] + 5.0, timeout=5000

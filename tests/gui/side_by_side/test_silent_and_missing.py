@@ -33,7 +33,7 @@ def one_silent(window, settle):
     window.do("store_snapshot_2")
     window.document.edit("Remove all", Design(limb="synthetic-1"))
     settle()
-    return [one.design for one in window.document.view.snapshots]
+    return [snapshot.design for snapshot in window.document.view.snapshots]
 
 
 def test_between_silence_and_sound_there_is_no_difference(choose, one_silent):
@@ -45,14 +45,14 @@ def test_between_silence_and_sound_there_is_no_difference(choose, one_silent):
 @pytest.mark.parametrize("own", [False, True])
 def test_silence_is_called_so_and_copied_as_nothing(choose, one_silent, own):
     content = choose(of="snapshots", shown="levels", own_maximum=own).maps.content
-    silent, one, two = sorted(content.cells, key=lambda cell: cell.values_db.max())
+    silent, first, second = sorted(content.cells, key=lambda cell: cell.values_db.max())
     assert silent.maximum_db is None
-    assert (one.maximum_db is not None) is own
+    assert (first.maximum_db is not None) is own
     assert silent.value_text(None) == silent.value_text(3) == "silent"
-    said = content.readout(3).rpartition(": ")[2]
-    told = (one.value_text(3), two.value_text(3))
-    said = said.removesuffix(" re each map's maximum")
-    assert set(said.split(" · ")) == {"silent", *told}
+    readout = content.readout(3).rpartition(": ")[2]
+    level_texts = (first.value_text(3), second.value_text(3))
+    readout = readout.removesuffix(" re each map's maximum")
+    assert set(readout.split(" · ")) == {"silent", *level_texts}
     place = 1 + content.cells.index(silent)
     rows = [line.split("\t") for line in tab_separated(content).splitlines()[1:]]
     assert {row[place] for row in rows} == {""}
@@ -61,10 +61,10 @@ def test_silence_is_called_so_and_copied_as_nothing(choose, one_silent, own):
 
 def test_silence_is_no_level_that_a_mean_is_over(choose, one_silent):
     mean, spread = choose(of="snapshots", shown="mean").maps.content.cells
-    felt = np.array([levels(one) for one in one_silent])
-    felt = np.maximum(felt, felt.max() - 60.0)
-    np.testing.assert_allclose(mean.values_db, felt.mean(axis=0), atol=1e-9)
-    np.testing.assert_allclose(spread.values_db, felt.std(axis=0, ddof=1), atol=1e-9)
+    levels_db = np.array([levels(levels_of) for levels_of in one_silent])
+    levels_db = np.maximum(levels_db, levels_db.max() - 60.0)
+    np.testing.assert_allclose(mean.values_db, levels_db.mean(axis=0), atol=1e-9)
+    np.testing.assert_allclose(spread.values_db, levels_db.std(axis=0, ddof=1), atol=1e-9)
     assert mean.headings[-2] == "Mean of 2 of 3"
 
 
@@ -95,9 +95,9 @@ def test_a_design_that_is_shown_with_a_gain_has_it_on_every_limb_and_axis(choose
     for number, cell in enumerate(panel.maps.content.cells, 1):
         stored = levels(replace(design, limb=f"synthetic-{number}"))
         np.testing.assert_allclose(cell.values_db, stored + gain_db, atol=1e-9)
-    said = f"{gain_db:.1f} dB, matched".replace("-", "\N{MINUS SIGN}")
+    gain_text = f"{gain_db:.1f} dB, matched".replace("-", "\N{MINUS SIGN}")
     for content in (panel.maps.content, choose(of="axes").maps.content):
-        assert content.common_scale.words == f"dB re 1 m/s², {said}"
+        assert content.common_scale.words == f"dB re 1 m/s², {gain_text}"
     window.docks["regions"].bring_forward()
     settle()
-    assert f"people: {said}" in window.panel("regions").about.text
+    assert f"people: {gain_text}" in window.panel("regions").about.text

@@ -47,6 +47,6 @@ def heights_px(signals, curve):
     ]
 
 
-def said_above(signals):
+def header_of(signals):
     """What is said above the curves."""
     return signals.plot.stack.header.header

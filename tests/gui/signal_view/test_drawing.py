@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter
 from skinsource_gui.plots.axis import Axis
 from skinsource_gui.plots.curves import CurvePoints, Curves, SignalCurve
 from skinsource_gui.qt.theme import LIGHT
-from tests.gui.signal_view.bench import TIME, drawn, said_above, waves
+from tests.gui.signal_view.bench import TIME, drawn, header_of, waves
 
 
 def test_each_curve_is_one_line_in_its_place(signals):
@@ -98,7 +98,7 @@ def test_more_than_twelve_rows_are_counted_instead_of_drawn(signals):
     signals.show_curves(waves(15), synthetic=False)
     signals.set_view(TIME, None, stacked=True)
     assert len(signals.plot.stack.rows) == 12
-    assert said_above(signals).mark == "+3 more"
+    assert header_of(signals).mark == "+3 more"
     assert len(drawn(signals)) == 12
     signals.set_view(TIME, None, stacked=False)
     assert len(drawn(signals)) == 15
@@ -107,7 +107,7 @@ def test_more_than_twelve_rows_are_counted_instead_of_drawn(signals):
 def test_thin_rows_say_their_range_in_words(signals):
     signals.show_curves(waves(12), synthetic=False)
     signals.set_view(TIME, None, stacked=True)
-    assert said_above(signals).unit == "m/s², each row ±0.32"
+    assert header_of(signals).unit == "m/s², each row ±0.32"
 
 
 def test_only_blocks_of_strokes_go_without_smooth_edges(signals):

@@ -59,12 +59,12 @@ def pictured(monkeypatch):
     def draw(plot):
         made = []
 
-        def kept(**how):
+        def made_plot(**how):
             made.append(Plot(**how))
             return made[-1]
 
         with monkeypatch.context() as patched:
-            patched.setattr(signal_view, "Plot", kept)
+            patched.setattr(signal_view, "Plot", made_plot)
             # To paint so many lines takes long, and is not what is looked at.
             noted = QPicture()
             painter = QPainter(noted)
@@ -93,11 +93,11 @@ def test_a_tone_reaches_its_peak_everywhere_whatever_its_samples_miss(
         # Blocks end with a whole row of pixels.
         low, high = signals.plot.value_scale.values
         near = EXTREMES_ERROR * peak + (high - low) / signals.plot.places.row(0).height()
-        seen, printed = envelope(signals.plot, rank), envelope(paper, rank)
-        for found in (seen, printed):
-            assert found.min() >= peak - near
-            assert found.max() <= peak + near
-        np.testing.assert_allclose(seen, printed, rtol=0, atol=near)
+        on_screen, printed = envelope(signals.plot, rank), envelope(paper, rank)
+        for picture in (on_screen, printed):
+            assert picture.min() >= peak - near
+            assert picture.max() <= peak + near
+        np.testing.assert_allclose(on_screen, printed, rtol=0, atol=near)
     assert paper.value_scale.values == signals.plot.value_scale.values
 
 

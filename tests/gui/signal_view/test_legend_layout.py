@@ -51,29 +51,29 @@ def read_of(n_outputs, where="12 ms"):
 
 
 def test_numbers_of_outputs_are_left_out_only_where_all_curves_are_written_then(qapp):
-    metrics, seen = QFontMetrics(QFont()), set()
+    metrics, layouts = QFontMetrics(QFont()), set()
     for width in range(200, 600):
         layout = LegendLayout(read_of(5), metrics, width)
         detail, fitting = layout.fitting()
-        seen.add((detail.number, fitting))
-    assert (False, 5) in seen
-    assert {fitting for number, fitting in seen if not number} == {5}
-    assert {1, 2, 5} <= {fitting for number, fitting in seen if number}
+        layouts.add((detail.number, fitting))
+    assert (False, 5) in layouts
+    assert {fitting for number, fitting in layouts if not number} == {5}
+    assert {1, 2, 5} <= {fitting for number, fitting in layouts if number}
 
 
 def test_no_peak_is_written_without_the_output_whose_it_is_nor_without_its_unit(qapp):
-    metrics, seen = QFontMetrics(QFont()), set()
+    metrics, layouts = QFontMetrics(QFont()), set()
     for width in range(20, 900):
         layout = LegendLayout(read_of(5, PEAK), metrics, width)
         detail, fitting = layout.fitting()
-        seen.add((detail.reading, fitting))
+        layouts.add((detail.reading, fitting))
         assert detail.number, width
         # What has the unit, and says what is written, goes with the peaks.
-        said = layout.where(PEAK, detail)
-        assert bool(said) == detail.reading, width
-        assert detail.unit or not detail.reading or said.endswith("m/s²"), width
+        text = layout.where(PEAK, detail)
+        assert bool(text) == detail.reading, width
+        assert detail.unit or not detail.reading or text.endswith("m/s²"), width
     # Before numbers of outputs are left out, peaks are.
-    assert {(True, 5), (False, 5)} <= seen
+    assert {(True, 5), (False, 5)} <= layouts
 
 
 def test_named_curves_share_a_line_where_they_may_take_no_more(qapp):

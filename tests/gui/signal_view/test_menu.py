@@ -24,9 +24,9 @@ def open_menu(signals):
     return signals.findChild(QMenu, "plot-menu")
 
 
-def choose(signals, words):
+def choose(signals, text):
     menu = open_menu(signals)
-    action = next(one for one in menu.actions() if one.text().startswith(words))
+    action = next(action for action in menu.actions() if action.text().startswith(text))
     menu.close()
     action.trigger()
 
@@ -88,13 +88,13 @@ def test_the_picture_on_the_clipboard_is_light_large_and_has_a_legend(signals, u
     picture = QApplication.clipboard().image()
     assert picture.width() == 2 * signals.plot.width()
     assert picture.height() > 2 * signals.plot.height()
-    seen = {
+    colours = {
         picture.pixelColor(x, y).name()
         for x in range(0, picture.width())
         for y in range(0, picture.height(), 3)
     }
-    assert {LIGHT.base, *LIGHT.outputs[:3]} <= seen
-    assert DARK.base not in seen
+    assert {LIGHT.base, *LIGHT.outputs[:3]} <= colours
+    assert DARK.base not in colours
     # The plot on the screen stays as it is.
     assert signals.plot.grab().toImage().pixelColor(1, 1).name() == DARK.base
     assert signals.plot.crosshair.index == 100
@@ -173,9 +173,9 @@ def test_a_drawing_is_saved_as_lines_and_letters(signals, save_to, stacked):
     painter = QPainter(picture)
     QSvgRenderer(str(path)).render(painter, QRectF(picture.rect()))
     painter.end()
-    seen = {picture.pixelColor(x, y).name() for x in range(420) for y in range(200)}
-    assert LIGHT.base in seen
-    assert len(seen) > 10
+    colours = {picture.pixelColor(x, y).name() for x in range(420) for y in range(200)}
+    assert LIGHT.base in colours
+    assert len(colours) > 10
 
 
 @pytest.mark.parametrize("kind", ["amplitude", "level"])
@@ -203,9 +203,9 @@ def test_a_file_that_cannot_be_written_is_told_and_an_answer_can_be_none(
 ):
     signals.show_curves(waves(2), synthetic=False)
     save_to("no such folder/traces.png")
-    with qtbot.waitSignal(signals.exports.failed) as told:
+    with qtbot.waitSignal(signals.exports.failed) as failure:
         choose(signals, "Save picture")
-    assert "no such folder" in told.args[0]
+    assert "no such folder" in failure.args[0]
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: ("", ""))
     with qtbot.assertNotEmitted(signals.exports.written):
         choose(signals, "Save picture")

@@ -29,16 +29,16 @@ def ink(plot, dpi):
     image = drawn_image(partial(draw_signals, plot=plot), *SIZE, dpi)
     dots = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1, 4)
     colour = QColor(LIGHT.outputs[0])
-    wanted = np.array([colour.blue(), colour.green(), colour.red()])
-    return np.abs(dots[..., :3].astype(int) - wanted).max(axis=-1) < 40
+    channels = np.array([colour.blue(), colour.green(), colour.red()])
+    return np.abs(dots[..., :3].astype(int) - channels).max(axis=-1) < 40
 
 
 def test_the_wave_itself_is_drawn_not_lines_between_samples(signals):
     signals.set_view(TIME, None, stacked=False)
     signals.show_curves(tone(2000), synthetic=False)
-    found = ink(signals.plot, 300)
-    legend = found.shape[0] // 4
-    columns = found[legend:, found.shape[1] // 4 : -found.shape[1] // 8]
+    pixels = ink(signals.plot, 300)
+    legend = pixels.shape[0] // 4
+    columns = pixels[legend:, pixels.shape[1] // 4 : -pixels.shape[1] // 8]
     tops = np.argmax(columns, axis=0)
     # Lines between three samples in a period lose up to half of its height.
     assert np.ptp(tops) <= 0.03 * columns.shape[0]
@@ -48,8 +48,8 @@ def test_lines_are_as_wide_in_print_as_everything_else(signals):
     signals.set_view(TIME, None, stacked=False)
     level = replace(waves(1), y=np.linspace(-1.0, 1.0, 651)[np.newaxis])
     signals.show_curves(level, synthetic=False)
-    found = ink(signals.plot, 600)
-    column = found[found.shape[0] // 4 :, found.shape[1] // 2]
+    pixels = ink(signals.plot, 600)
+    column = pixels[pixels.shape[0] // 4 :, pixels.shape[1] // 2]
     assert column.sum() >= 5
 
 

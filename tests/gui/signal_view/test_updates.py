@@ -5,7 +5,7 @@ from PySide6.QtCore import QRectF
 
 from skinsource_gui.plots.curves import Curves
 from skinsource_gui.qt.theme import DARK, LIGHT
-from tests.gui.signal_view.bench import TIME, said_above, waves
+from tests.gui.signal_view.bench import TIME, header_of, waves
 
 
 def test_ranges_do_not_change_while_data_change_a_little(signals):
@@ -18,13 +18,13 @@ def test_ranges_do_not_change_while_data_change_a_little(signals):
 
 def test_an_edit_that_keeps_times_and_zoom_finds_no_columns_anew(signals):
     signals.show_curves(waves(2, n_points=6000), synthetic=False)
-    found = signals.plot.columns.made
+    n_made = signals.plot.columns.made
     for amplitude in (0.1, 0.2, 5.0):
         signals.show_curves(waves(3, n_points=6000, amplitude=amplitude), synthetic=False)
-    assert signals.plot.columns.made == found
+    assert signals.plot.columns.made == n_made
     signals.set_view(TIME, (0.1, 4.0), stacked=False)
     signals.show_curves(waves(2, n_points=6001), synthetic=False)
-    assert signals.plot.columns.made == found + 2
+    assert signals.plot.columns.made == n_made + 2
 
 
 def test_values_that_are_not_finite_empty_the_picture(signals):
@@ -38,12 +38,12 @@ def test_values_that_are_not_finite_empty_the_picture(signals):
 def test_late_results_are_marked_and_quick_ones_are_not(signals, qtbot):
     signals.show_curves(waves(2), synthetic=False)
     signals.set_stale(True)
-    assert said_above(signals).mark == ""
+    assert header_of(signals).mark == ""
     signals.show_curves(waves(2), synthetic=False)
     signals.set_stale(True)
-    qtbot.waitUntil(lambda: said_above(signals).mark == "updating…")
+    qtbot.waitUntil(lambda: header_of(signals).mark == "updating…")
     signals.set_stale(False)
-    assert said_above(signals).mark == ""
+    assert header_of(signals).mark == ""
 
 
 def test_each_theme_has_its_own_background_and_colours(signals, use_theme):
@@ -52,8 +52,8 @@ def test_each_theme_has_its_own_background_and_colours(signals, use_theme):
         use_theme(theme)
         picture = signals.plot.grab().toImage()
         assert picture.pixelColor(1, picture.height() // 2).name() == theme.base
-        seen = {picture.pixelColor(x, y).name() for x in range(420) for y in range(150)}
-        assert set(theme.outputs[:2]) <= seen
+        colours = {picture.pixelColor(x, y).name() for x in range(420) for y in range(150)}
+        assert set(theme.outputs[:2]) <= colours
 
 
 def test_what_is_drawn_follows_the_data(signals):

@@ -52,12 +52,12 @@ def test_zoomed_in_it_draws_the_tone_itself_through_every_sample(signals, stacke
     signals.show_curves(curves, synthetic=False)
     signals.set_view(TIME, CLOSE, stacked=stacked)
     for rank, curve in enumerate(drawn(signals)):
-        at_s, found = curve.points.x, values(signals, curve.points.y)
+        at_s, levels = curve.points.x, values(signals, curve.points.y)
         assert at_s[0] <= CLOSE[0] <= CLOSE[1] <= at_s[-1]
-        np.testing.assert_allclose(found, tone(at_s) / (1 + rank), rtol=0, atol=1e-4)
+        np.testing.assert_allclose(levels, tone(at_s) / (1 + rank), rtol=0, atol=1e-4)
         first = round(at_s[0] * RATE_HZ)
         samples = curves.y[rank, first : first + at_s[::FINER].size]
-        np.testing.assert_allclose(found[::FINER], samples, rtol=0, atol=1e-12)
+        np.testing.assert_allclose(levels[::FINER], samples, rtol=0, atol=1e-12)
     # Straight lines would miss much of it.
     assert np.abs(np.interp(at_s, curves.x, curves.y[0]) - tone(at_s)).max() > 0.2
 
@@ -121,8 +121,8 @@ def test_peaks_between_samples_are_in_the_range_and_readings_stay_those_of_sampl
     signals.plot.crosshair.put(curves.nearest(0.4102))
     index = signals.plot.crosshair.index
     assert index == round(0.4102 * RATE_HZ)
-    said = float(signals.legend.text.readings[0].replace("−", "-"))
-    assert said == pytest.approx(curves.y[0, index], abs=1e-3)
+    reading = float(signals.legend.text.readings[0].replace("−", "-"))
+    assert reading == pytest.approx(curves.y[0, index], abs=1e-3)
 
 
 def test_a_magnitude_is_the_length_of_the_vector_between_samples_too(qtbot):
@@ -135,8 +135,8 @@ def test_a_magnitude_is_the_length_of_the_vector_between_samples_too(qtbot):
     panel.show_state(design, view)
     panel.show_results(evaluate(design, *panel.needs, view=view))
     plot = panel._plot.plot
-    found = evaluate(design, "axis_traces", "response_time_s", view=view)
-    at_s, dense = finer(found["response_time_s"], found["axis_traces"])
+    traces = evaluate(design, "axis_traces", "response_time_s", view=view)
+    at_s, dense = finer(traces["response_time_s"], traces["axis_traces"])
     length = np.sqrt(np.square(dense).sum(axis=1))
     for rank, curve in enumerate(drawn(panel._plot)):
         expected = np.interp(curve.points.x, at_s, length[rank])

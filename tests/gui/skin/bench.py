@@ -59,8 +59,8 @@ class Window:
         self.panel.show_state(self.design, self.view)
 
     def deliver(self, **changes):
-        wanted = {name: self.results[name] for name in self.panel.needs}
-        self.panel.show_results({**wanted, **changes})
+        needed = {name: self.results[name] for name in self.panel.needs}
+        self.panel.show_results({**needed, **changes})
         self.panel.show_stale(False)
 
 

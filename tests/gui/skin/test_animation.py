@@ -103,31 +103,35 @@ def test_what_is_no_animation_is_refused_and_nothing_is_left(tmp_path):
 def test_a_stopped_animation_leaves_what_stood_there(tmp_path, small):
     path = tmp_path / "a.mp4"
     path.write_bytes(b"before")
-    told = []
+    reports = []
     with pytest.raises(Stopped):
         export_animation(
-            path, DESIGN, VIEW, progress=lambda *now: told.append(now), stop=lambda: len(told) > 3
+            path,
+            DESIGN,
+            VIEW,
+            progress=lambda *now: reports.append(now),
+            stop=lambda: len(reports) > 3,
         )
     assert path.read_bytes() == b"before"
     assert list(tmp_path.iterdir()) == [path]
 
 
 def test_frames_are_taken_at_their_instants_and_told_as_progress(tmp_path, small, monkeypatch):
-    seen, told = [], []
+    looks, reports = [], []
     frame = time.Frames.frame
 
     def note(self, view, settings):
-        seen.append((view.playhead_s, settings.quantity))
+        looks.append((view.playhead_s, settings.quantity))
         return frame(self, view, settings)
 
     monkeypatch.setattr(time.Frames, "frame", note)
     path = tmp_path / "a.mp4"
-    export_animation(path, DESIGN, VIEW, progress=lambda *now: told.append(now))
-    times = np.array([time_s for time_s, _ in seen])
+    export_animation(path, DESIGN, VIEW, progress=lambda *now: reports.append(now))
+    times = np.array([time_s for time_s, _ in looks])
     # 1/20 at 60 frames in a second: 1200 instants of a second, twice what the band holds.
     assert times == pytest.approx(0.06 + np.arange(8) / 1200)
-    assert {name for _, name in seen} == {Z}
-    assert told[-1][:2] == (8, 8)
+    assert {name for _, name in looks} == {Z}
+    assert reports[-1][:2] == (8, 8)
     assert frames_of(path, 180 * 240).size == 8
 
 
@@ -176,16 +180,16 @@ def test_the_picture_says_when_how_slowly_and_of_whom(small):
 
 
 def test_the_settings_of_the_panel_are_those_of_the_film(tmp_path, small, monkeypatch):
-    seen = []
+    frames = []
     monkeypatch.setattr(
         animation,
         "paint_picture",
-        lambda painter, size, content, heading, *look: seen.append((content, heading, look)),
+        lambda painter, size, content, heading, *look: frames.append((content, heading, look)),
     )
     settings = SkinSettings(quantity=RMS, rms_window_s=0.05, moving_range_db=(-60.0, -10.0))
     view = with_settings(replace(VIEW, slow_motion=10.0), "skin", settings)
     export_animation(tmp_path / "a.gif", DESIGN, view, seen=VisiblePart(fit="hand"))
-    content, heading, look = seen[0]
+    content, heading, look = frames[0]
     assert look[-1] == VisiblePart(fit="hand")
     assert content.value_range == (-60.0, -10.0)
     assert heading.title == "Skin acceleration, RMS over 50 ms, at 60.0 ms"
@@ -222,11 +226,11 @@ def test_a_film_has_the_size_and_the_ground_that_was_asked_for(options, size):
 
 
 def test_a_film_has_its_stimulus_below_it_at_every_size(monkeypatch):
-    seen = []
+    captions = []
     monkeypatch.setattr(
         animation,
         "with_caption",
-        lambda draw, words: seen.append(words) or with_caption(draw, words),
+        lambda draw, caption: captions.append(caption) or with_caption(draw, caption),
     )
     exported = exported_design.ExportedDesign(DESIGN, VIEW, lambda *now: None, never)
     options = PictureOptions(width_px=200, height_px=300, dpi=192, colours="dark")
@@ -234,8 +238,8 @@ def test_a_film_has_its_stimulus_below_it_at_every_size(monkeypatch):
     film = film_of(VIEW, SkinSettings(quantity=Z), camera.end_s, 60, PERSON)
     frame = camera.frame(film, 0)
     assert frame.shape == (600, 400, 3)
-    assert "Place 7" in seen[0]
-    assert seen[0].endswith(" Responses are computed from a model, not measured.")
+    assert "Place 7" in captions[0]
+    assert captions[0].endswith(" Responses are computed from a model, not measured.")
     assert tuple(frame[1, 1]) == QColor(DARK.base).getRgb()[:3]
     # Its words, in the colour of words, at the foot.
     assert (np.abs(frame[-60:].astype(int) - frame[1, 1]).sum(axis=2) > 100).any()
@@ -253,9 +257,9 @@ def test_the_sizes_of_pictures_are_offered_for_films_and_none_is_too_large(qtbot
         PictureOptions(width_px=900, height_px=1200), kinds="MP4 or GIF", most_px=MOST_PX
     )
     qtbot.addWidget(dialog)
-    for one in LAYOUTS:
-        dialog._edit("layout", one.name, None)
+    for layout in LAYOUTS:
+        dialog._edit("layout", layout.name, None)
         assert max(frame_size(dialog.options)) <= MOST_PX
-        assert dialog.options.layout == one.name
-    words = [label.text() for label in dialog.findChildren(QLabel)]
-    assert "The next step asks where to, and whether as MP4 or GIF." in words
+        assert dialog.options.layout == layout.name
+    texts = [label.text() for label in dialog.findChildren(QLabel)]
+    assert "The next step asks where to, and whether as MP4 or GIF." in texts

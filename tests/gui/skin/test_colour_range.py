@@ -181,7 +181,7 @@ def test_the_right_button_on_the_colour_bar_offers_the_colours(window):
     [menu] = strip.findChildren(QMenu, "colours_menu")
     offered = {action.text(): action for action in menu.actions()}
     assert list(offered) == [title for _, title in COLOURS.options]
-    assert [words for words, action in offered.items() if action.isChecked()] == ["Viridis"]
+    assert [text for text, action in offered.items() if action.isChecked()] == ["Viridis"]
     offered["Magma"].trigger()
     assert window.settings.colours == "magma"
     menu.close()
@@ -193,8 +193,8 @@ def test_numbers_of_the_scale_stand_beside_its_handles(window):
     strip = window.panel.colour_bar.strip
     strip.high.hide()
     strip.low.hide()
-    seen = strip.grab().toImage()
+    image = strip.grab().toImage()
     handle, ground = strip.high.geometry(), strip.palette().window().color()
     for y in range(max(handle.top(), 0), handle.bottom()):
-        assert seen.pixelColor(handle.right(), y) == ground
-        assert seen.pixelColor(handle.right() + 1, y) == ground
+        assert image.pixelColor(handle.right(), y) == ground
+        assert image.pixelColor(handle.right() + 1, y) == ground

@@ -61,7 +61,7 @@ def test_everything_that_can_be_used_is_reached_by_tab_and_named(window):
         if stops and widget.isEnabled() and widget.isVisibleTo(panel):
             reached.append(widget)
         widget = widget.nextInFocusChain()
-    names = [one.objectName() for one in reached]
+    names = [widget.objectName() for widget in reached]
     assert names == [
         "map_interpolated",
         "map_sensors_shown",
@@ -76,7 +76,7 @@ def test_everything_that_can_be_used_is_reached_by_tab_and_named(window):
         "range_low_field",
         "range_auto",
     ]
-    assert all(one.accessibleName() or one.text() for one in reached)
+    assert all(widget.accessibleName() or widget.text() for widget in reached)
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK])

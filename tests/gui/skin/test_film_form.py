@@ -53,7 +53,7 @@ def choose(form, name, option):
     form.findChild(ChoiceField, f"{name}_field").choose(option)
 
 
-def said(form):
+def remark(form):
     return form.remark_label.text().replace("\N{NO-BREAK SPACE}", " ")
 
 
@@ -102,26 +102,28 @@ def test_it_begins_with_the_size_and_the_resolution_of_the_last_time():
 
 def test_length_frames_and_size_follow_what_is_chosen(form):
     begin = "50 to 150 ms of the response: "
-    assert said(form) == f"{begin}10 s of film, 601 frames, 0.5 to 2 MB."
+    assert remark(form) == f"{begin}10 s of film, 601 frames, 0.5 to 2 MB."
     choose(form, "pace", "20")
-    assert said(form).startswith(f"{begin}2.02 s of film, 121 frames, 0.3 to 1 MB.")
+    assert remark(form).startswith(f"{begin}2.02 s of film, 121 frames, 0.3 to 1 MB.")
     choose(form, "kind", ".gif")
     # Of 50 frames per second 20 times slower would be too fast.
-    assert said(form).startswith(f"{begin}5.02 s of film, 251 frames, 3 to 10 MB. It runs at 1/50")
+    assert remark(form).startswith(
+        f"{begin}5.02 s of film, 251 frames, 3 to 10 MB. It runs at 1/50"
+    )
     choose(form, "quantity", "rms")
-    assert said(form) == f"{begin}2.02 s of film, 101 frames, 0.9 to 3 MB."
-    small = said(form)
+    assert remark(form) == f"{begin}2.02 s of film, 101 frames, 0.9 to 3 MB."
+    small = remark(form)
     form.findChild(ChoiceField, "layout_field").choose("slide")
-    assert said(form) != small
+    assert remark(form) != small
 
 
 def test_what_is_too_fast_for_its_waves_says_how_fast_it_will_run(form):
     choose(form, "pace", "1")
-    assert "It runs at 1/20: at 1/1 it would have fewer than two frames" in said(form)
+    assert "It runs at 1/20: at 1/1 it would have fewer than two frames" in remark(form)
     choose(form, "quantity", "magnitude")
-    assert "It runs at 1/50: at 1/1" in said(form)
+    assert "It runs at 1/50: at 1/1" in remark(form)
     choose(form, "pace", "200")
-    assert "It runs" not in said(form)
+    assert "It runs" not in remark(form)
 
 
 def test_what_cannot_be_written_says_why_and_cannot_be_saved(qtbot):
@@ -132,18 +134,18 @@ def test_what_cannot_be_written_says_why_and_cannot_be_saved(qtbot):
     )
     qtbot.addWidget(form)
     form.show()
-    save = next(one for one in form.findChildren(QPushButton) if one.text() == "Save as…")
-    assert "expected at most 36000: 10 minutes" in said(form)
+    save = next(button for button in form.findChildren(QPushButton) if button.text() == "Save as…")
+    assert "expected at most 36000: 10 minutes" in remark(form)
     assert not save.isEnabled()
     QTest.keyClick(form.findChild(NumberField, "width_px_field"), Qt.Key.Key_Return)
     assert form.isVisible()
     choose(form, "pace", "5")
     choose(form, "quantity", "rms")
-    assert said(form).startswith("All of the response: about ")
-    assert said(form).endswith("Zoom the traces to film a part.")
+    assert remark(form).startswith("All of the response: about ")
+    assert remark(form).endswith("Zoom the traces to film a part.")
     assert save.isEnabled()
     form._edit("width_px", 5000.0, None)
-    assert "expected at most 4096 on a side" in said(form)
+    assert "expected at most 4096 on a side" in remark(form)
     assert not save.isEnabled()
 
 
@@ -182,11 +184,11 @@ def test_the_name_of_a_film_says_what_it_shows_how_slowly_and_ends_as_its_kind(q
 
 
 def test_what_was_chosen_is_filmed_and_not_what_the_screen_shows(tmp_path, monkeypatch):
-    seen = []
+    frames = []
     monkeypatch.setattr(
         film,
         "paint_picture",
-        lambda painter, size, content, heading, *look: seen.append((content, heading, look)),
+        lambda painter, size, content, heading, *look: frames.append((content, heading, look)),
     )
     view = shown("z", View(time_range_s=(0.06, 0.064)), slow_motion=100.0, map_style="sensors")
     options = FilmOptions(
@@ -194,7 +196,7 @@ def test_what_was_chosen_is_filmed_and_not_what_the_screen_shows(tmp_path, monke
     )
     whole = VisiblePart(fit="whole")
     export_animation(tmp_path / "a.gif", DESIGN, view, options=options, seen=whole)
-    _content, heading, look = seen[0]
+    _content, heading, look = frames[0]
     assert heading.title == "Skin acceleration, RMS over 40 ms, at 60.0 ms"
     assert heading.details.endswith("1/50 of real time")
     assert look[-1] == VisiblePart(fit="hand")
@@ -209,7 +211,7 @@ def test_the_size_that_is_told_is_about_that_of_the_file(tmp_path, kind):
     options = replace(film_options(DESIGN, view, SIZES), width_px=300, height_px=400, kind=kind)
     path = tmp_path / f"a{kind}"
     export_animation(path, DESIGN, view, options=options)
-    least, most = told_bytes(view, options)
+    least, most = predicted_bytes(view, options)
     # Of so small films what is in no frame is a large part.
     assert least / 2 < path.stat().st_size < most * 2
 
@@ -219,11 +221,11 @@ def test_more_pixels_are_never_told_as_a_smaller_file(kind):
     view = shown("z", slow_motion=50.0)
     upright = replace(film_options(DESIGN, view, SIZES), kind=kind)
     wide = replace(upright, width_px=1920, height_px=1080)
-    assert told_bytes(view, wide) >= told_bytes(view, upright)
+    assert predicted_bytes(view, wide) >= predicted_bytes(view, upright)
 
 
-def told_bytes(view, options):
-    words = film_remark(DESIGN, view, options).words.replace("\N{NO-BREAK SPACE}", " ")
-    least, most, unit = re.search(r"frames, ([\d.]+) to ([\d.]+) (kB|MB)\.", words).groups()
+def predicted_bytes(view, options):
+    text = film_remark(DESIGN, view, options).words.replace("\N{NO-BREAK SPACE}", " ")
+    least, most, unit = re.search(r"frames, ([\d.]+) to ([\d.]+) (kB|MB)\.", text).groups()
     known = {"kB": 1e3, "MB": 1e6}[unit]
     return float(least) * known, float(most) * known

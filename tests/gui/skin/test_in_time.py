@@ -42,7 +42,7 @@ def look(qtbot):
     return change
 
 
-def kept(design, view, name):
+def computed(design, view, name):
     return new_graph().evaluate({NEEDS[name]}, sources(design, view))[NEEDS[name]]
 
 
@@ -56,7 +56,7 @@ def test_until_accelerations_are_known_their_bar_has_no_decibels_of_what_was_sho
 def test_the_map_shows_the_skin_where_the_playhead_is(make_window, look):
     window = make_window(SHORT)
     content = look(window, playhead_s=0.0751, quantity=Z)
-    moving = kept(SHORT, window.document.view, Z)
+    moving = computed(SHORT, window.document.view, Z)
     assert content.values == pytest.approx(moving.acceleration(0.0751)[:, 0])
     assert content.colours == DIVERGING
     assert content.value_range[0] == -content.value_range[1]
@@ -64,10 +64,10 @@ def test_the_map_shows_the_skin_where_the_playhead_is(make_window, look):
     field = surface.interpolate(moving.acceleration(0.0751)[:, 0])
     assert content.field_values[surface.mask] == pytest.approx(field[surface.mask])
     content = look(window, quantity=MAGNITUDE)
-    vector = kept(SHORT, window.document.view, MAGNITUDE)
+    vector = computed(SHORT, window.document.view, MAGNITUDE)
     assert content.values == pytest.approx(ss.decibels(vector.magnitude(0.0751)))
     content = look(window, quantity=RMS, rms_window_s=0.05)
-    energy = kept(SHORT, window.document.view, RMS)
+    energy = computed(SHORT, window.document.view, RMS)
     assert content.values == pytest.approx(ss.decibels(energy.rms(0.0751, 0.05)))
     levels = look(window, quantity=LEVELS)
     assert levels.values.max() < 0.0
@@ -79,12 +79,12 @@ def test_each_step_is_another_frame_and_evaluates_nothing(make_window, look, qtb
     look(window, quantity=Z)
     asked, frames = [], window.panel("skin").time.frames
     window.conductor.delivered.connect(asked.append)
-    made, seen = frames.made, set()
+    made, levels_db = frames.made, set()
     for k in range(40):
         content = look(window, playhead_s=0.06 + k / 1300 / 7)
-        seen.add(float(content.values[28]))
+        levels_db.add(float(content.values[28]))
     assert frames.made == made + 40
-    assert len(seen) == 40
+    assert len(levels_db) == 40
     assert asked == []
 
 
@@ -128,8 +128,8 @@ def test_with_the_delay_removed_the_wave_comes_so_much_earlier(make_window, look
     window = make_window(SHORT)
     there = look(window, playhead_s=0.08, quantity=Z).values
     window.do("remove_delay")
-    found = look(window, playhead_s=0.08 - PRE_TRIGGER_DELAY_S).values
-    assert found == pytest.approx(there, abs=1e-9)
+    levels_db = look(window, playhead_s=0.08 - PRE_TRIGGER_DELAY_S).values
+    assert levels_db == pytest.approx(there, abs=1e-9)
     end_s = window.panel("skin").time.frames.end_s(window.document.view)
     assert end_s == pytest.approx((260 + 522 - 2) / 1300 - PRE_TRIGGER_DELAY_S)
 
@@ -145,11 +145,11 @@ def test_another_part_of_a_long_design_is_asked_for_once(make_window, look):
         content = look(window, playhead_s=time_s)
     assert len(asked) == 1
     assert not content.outdated
-    moving = kept(LONG, window.document.view, Z)
+    moving = computed(LONG, window.document.view, Z)
     assert content.values == pytest.approx(moving.acceleration(BLOCK_S + 3.0)[:, 0])
     # Far away nothing is known at first, and then all of it.
     content = look(window, playhead_s=38.0)
-    moving = kept(LONG, window.document.view, Z)
+    moving = computed(LONG, window.document.view, Z)
     assert content.values == pytest.approx(moving.acceleration(38.0)[:, 0])
 
 

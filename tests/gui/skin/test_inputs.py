@@ -49,7 +49,7 @@ def test_delete_removes_the_input_that_was_clicked_and_keeps_the_outputs(window,
     QTest.keyClick(map_, key)
     assert window.design.ids == (first,)
     assert window.view.outputs == (29, 52)
-    assert [one.id for one in map_.content.inputs] == [first]
+    assert [track.id for track in map_.content.inputs] == [first]
 
 
 def test_without_a_selected_input_delete_says_so_and_removes_nothing(window, map_):
@@ -132,7 +132,7 @@ def test_an_input_under_an_output_is_selected_by_a_second_click(window, map_):
     # A place that lies over an output, at this size.
     points = map_.stage.layout.points
     under = [(k, output_at(points, QPointF(place_of(map_, k)))) for k in range(1, 21)]
-    location, output = next((k, found) for k, found in under if found is not None)
+    location, output = next((k, output) for k, output in under if output is not None)
     window.design = window.design.adding(track(location=location))
     window.show(selected_inputs=window.design.ids[:1])
     first, _, third = window.design.ids

@@ -91,17 +91,17 @@ def test_every_place_of_the_skin_is_drawn_where_it_is(qtbot):
             at = QPoint(int(x), int(y))
             centre = QPointF(at.x() + 0.5, at.y() + 0.5)
             level = frame.to_drawing(centre)[0 if along_x else 1] / 2.0
-            found = [row_of_colour[c] for c in near(picture.pixel(at), row_of_colour)]
+            rows = [row_of_colour[c] for c in near(picture.pixel(at), row_of_colour)]
             expected = level / 64.0 * 255
             # Half a pixel of the field is two rows of the table.
-            assert min(abs(k - expected) for k in found) <= 1.6
+            assert min(abs(k - expected) for k in rows) <= 1.6
 
 
 def near(argb, colours):
     """The colours of a table nearest to one that may lie between two of them."""
     channels = np.array([[(c >> s) & 255 for s in (0, 8, 16)] for c in colours], int)
-    wanted = np.array([(argb >> s) & 255 for s in (0, 8, 16)])
-    distance = np.abs(channels - wanted).sum(axis=1)
+    colour = np.array([(argb >> s) & 255 for s in (0, 8, 16)])
+    distance = np.abs(channels - colour).sum(axis=1)
     return [c for c, d in zip(colours, distance, strict=True) if d == distance.min()]
 
 
@@ -238,10 +238,10 @@ def test_a_message_hides_no_output_and_no_card(window):
     for size in ((266, 576), (420, 640), (600, 900)):
         view.resize(*size)
         layout, room = view.stage.layout, QRectF(view.rect())
-        wanted = QRectF(0, 0, 150, 30)
-        wanted.moveCenter(room.center())
-        place = message_place(wanted, room, layout)
-        assert place.size() == wanted.size()
+        area = QRectF(0, 0, 150, 30)
+        area.moveCenter(room.center())
+        place = message_place(area, room, layout)
+        assert place.size() == area.size()
         assert room.contains(place)
         assert not any(place.contains(QPointF(x, y)) for x, y in layout.points)
         assert not place.intersects(layout.palmar_card)
@@ -265,12 +265,12 @@ def test_words_on_a_small_map_are_broken_rather_than_that_they_hide_a_card(windo
 def test_numbers_of_outputs_lie_beside_the_words_above_the_map(window):
     view = window.panel.map
     metrics = QFontMetricsF(small_font(view.font()))
-    words = QRectF(0, 0, 2000, 1.7 * metrics.height())
+    caption_area = QRectF(0, 0, 2000, 1.7 * metrics.height())
     for size in ((266, 576), (420, 640), (900, 500)):
         view.resize(*size)
         labels = output_labels(range(1, 61), view.stage.layout, 4.5, metrics, QRectF())
         assert len(labels) > 10
-        assert not any(label.area.intersects(words) for label in labels)
+        assert not any(label.area.intersects(caption_area) for label in labels)
 
 
 def test_many_selected_outputs_do_not_hide_the_map_until_it_is_magnified(window):

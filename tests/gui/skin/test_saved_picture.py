@@ -26,11 +26,11 @@ def test_pictures_have_the_size_asked_for(window, size):
 
 
 @pytest.mark.parametrize("size", [(320, 240), (400, 900), (1200, 1800), (2400, 600)])
-@pytest.mark.parametrize("words", ["short", "a much longer heading " * 6])
-def test_no_heading_is_cut(qtbot, size, words):
+@pytest.mark.parametrize("text", ["short", "a much longer heading " * 6])
+def test_no_heading_is_cut(qtbot, size, text):
     """With and without a margin that words could reach into, the same pixels are inked."""
     width, height = size
-    content, heading = MapContent(), Heading(title=words, details=words)
+    content, heading = MapContent(), Heading(title=text, details=text)
     inked = []
     for margin in (0, 400):
         image = QImage(width + 2 * margin, height, QImage.Format.Format_RGB32)
@@ -54,17 +54,17 @@ def test_pictures_say_what_is_shown_over_what_and_of_whom(window):
 
 
 def test_pictures_say_what_strokes_mean_where_there_are_some(window, monkeypatch):
-    said = []
+    headings = []
     monkeypatch.setattr(
         map_picture,
         "_paint_heading",
-        lambda painter, inner, heading, *rest: said.append(heading) or 0.0,
+        lambda painter, inner, heading, *rest: headings.append(heading) or 0.0,
     )
     for noisy in ((), (3, 4)):
         window.panel.show_noisy(noisy)
         window.panel.picture(300, 400)
-    assert ["hatched" in one.details for one in said] == [False, True]
-    assert said[1].details.endswith("hatched: less than 6 dB above the noise")
+    assert ["hatched" in cell.details for cell in headings] == [False, True]
+    assert headings[1].details.endswith("hatched: less than 6 dB above the noise")
 
 
 def test_pictures_are_light_unless_another_theme_is_asked_for(window, use_theme):
@@ -85,11 +85,11 @@ def test_pictures_of_lines_look_like_those_of_pixels(window, tmp_path):
     assert renderer.isValid()
     renderer.render(painter)
     painter.end()
-    apart = np.abs(
+    difference = np.abs(
         np.frombuffer(drawn.constBits(), np.uint8).astype(int)
         - np.frombuffer(expected.convertToFormat(drawn.format()).constBits(), np.uint8)
     )
-    assert apart.mean() < 6
+    assert difference.mean() < 6
     svg = (tmp_path / "map.svg").read_text("utf-8")
     assert "<path" in svg
     assert "whole record" in svg
@@ -104,6 +104,6 @@ def test_pictures_of_lines_look_like_those_of_pixels(window, tmp_path):
 def test_words_on_a_slide_are_read_from_afar(window, tmp_path, size, least_px):
     save_drawing(tmp_path / "a.svg", window.panel.draw_picture, *size)
     drawing = (tmp_path / "a.svg").read_text("utf-8")
-    sizes = [float(one) for one in re.findall(r'<text[^>]*font-size="([\d.]+)"', drawing)]
+    sizes = [float(size) for size in re.findall(r'<text[^>]*font-size="([\d.]+)"', drawing)]
     assert max(sizes) >= least_px
     assert min(sizes) >= 0.7 * least_px

@@ -123,7 +123,7 @@ def test_many_labels_do_not_pile_up_however_large_the_text(window, size, text):
         labels = output_labels(outputs, layout, radius, QFontMetricsF(font), QRectF())
         rings = [square(window.panel.map.stage.place_of(number), radius) for number in outputs]
         for label in labels:
-            others = [one.area for one in labels if one is not label]
+            others = [other_label.area for other_label in labels if other_label is not label]
             assert not any(map(label.area.intersects, others + rings)), label
         assert len(labels) >= least * len(outputs)
 
@@ -139,7 +139,7 @@ def test_labels_of_neighbours_cover_neither_each_other_nor_a_ring(window, size, 
     rings = [square(window.panel.map.stage.place_of(number), radius) for number in outputs]
     assert [label.number for label in labels] == list(outputs)
     for label in labels:
-        others = [one.area for one in labels if one is not label]
+        others = [other_label.area for other_label in labels if other_label is not label]
         assert not any(map(label.area.intersects, others + rings)), label
 
 
@@ -154,7 +154,7 @@ def test_no_number_lies_under_the_bar_of_millimetres(window, text):
     for label in free:
         bar = label.area.adjusted(-20, -4, 0, 4)
         labels = output_labels(outputs, layout, radius, QFontMetricsF(font), bar)
-        assert not any(one.area.intersects(bar) for one in labels)
+        assert not any(label.area.intersects(bar) for label in labels)
 
 
 def test_numbers_are_painted_beside_the_bar_of_millimetres(window, monkeypatch):

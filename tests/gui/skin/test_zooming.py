@@ -199,8 +199,8 @@ def menu_of(window, qtbot):
 
 
 def test_the_right_button_offers_fits_and_pictures(window, qtbot):
-    view, wanted = window.panel.map, []
-    window.panel.action_wanted.connect(wanted.append)
+    view, requested = window.panel.map, []
+    window.panel.action_wanted.connect(requested.append)
     menu, actions = menu_of(window, qtbot)
     assert [name for name in actions if name] == [
         "Fit hand",
@@ -216,7 +216,7 @@ def test_the_right_button_offers_fits_and_pictures(window, qtbot):
     assert view.stage.pan_zoom.fit == WHOLE
     actions["Save picture as…"].trigger()
     actions["Export data…"].trigger()
-    assert wanted == ["export_picture", "export_levels"]
+    assert requested == ["export_picture", "export_levels"]
     actions["Copy picture"].trigger()
     assert QApplication.clipboard().image() == window.panel.picture(1200, 1800)
     menu.close()
@@ -246,10 +246,12 @@ def test_a_picture_shows_what_is_seen(window, size, monkeypatch):
     assert scales == sorted(scales)
     # The same place in the middle, and all that was seen.
     frame, room = frames[-1]
-    seen = QRectF(view.rect())
+    visible_area = QRectF(view.rect())
     on_screen = view.stage.layout.frame
-    assert frame.to_drawing(room.center()) == pytest.approx(on_screen.to_drawing(seen.center()))
-    for corner in (seen.topLeft(), seen.bottomRight()):
+    assert frame.to_drawing(room.center()) == pytest.approx(
+        on_screen.to_drawing(visible_area.center())
+    )
+    for corner in (visible_area.topLeft(), visible_area.bottomRight()):
         at = frame.to_screen(np.array([on_screen.to_drawing(corner)]))[0]
         assert room.adjusted(-1, -1, 1, 1).contains(QPointF(*at))
     # Nothing of the magnified map lies on the words above it or on the scale beside it.

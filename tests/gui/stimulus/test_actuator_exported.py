@@ -30,18 +30,18 @@ def view_of(**settings):
 @pytest.fixture
 def form_on(qtbot):
     def make(design, view):
-        found = StimulusForm(design, view)
-        qtbot.addWidget(found)
-        return found
+        form = StimulusForm(design, view)
+        qtbot.addWidget(form)
+        return form
 
     return make
 
 
 def order_of(form):
-    found = []
-    form.changed.connect(found.append)
+    changes = []
+    form.changed.connect(changes.append)
     form.emit_order()
-    return found[-1]
+    return changes[-1]
 
 
 def test_what_was_chosen_in_the_panel_is_exported_and_said(make_window, qtbot, save_as):
@@ -54,10 +54,10 @@ def test_what_was_chosen_in_the_panel_is_exported_and_said(make_window, qtbot, s
     assert page.form.field("actuator").currentText() == f"{TITLE} (as in the panel)"
     path = save_as("volts.wav")
     export(window, page, qtbot)
-    told = json.loads((path.parent / "volts.wav.json").read_text())
-    assert told["equalised"] == f"Equalised for {TITLE} (regularised inverse)"
-    assert told["unit"] == "V"
-    assert told["actuator"] == [TITLE]
+    metadata = json.loads((path.parent / "volts.wav.json").read_text())
+    assert metadata["equalised"] == f"Equalised for {TITLE} (regularised inverse)"
+    assert metadata["unit"] == "V"
+    assert metadata["actuator"] == [TITLE]
     # The next page starts there again, and another choice is free.
     window.do("export_stimulus")
     page = opened(window.stimuli, qtbot)

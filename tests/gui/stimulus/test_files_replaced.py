@@ -13,8 +13,8 @@ def asked(monkeypatch):
     """Questions that were asked; each was answered with the last of ``answers``."""
     questions, answers = [], [_Answer.Cancel]
 
-    def question(_parent, _title, words, *_):
-        questions.append(words)
+    def question(_parent, _title, text, *_):
+        questions.append(text)
         return answers[-1]
 
     monkeypatch.setattr(QMessageBox, "question", question)
@@ -22,7 +22,7 @@ def asked(monkeypatch):
 
 
 def contents(folder):
-    return {one.name: one.read_bytes() for one in folder.iterdir() if one.is_file()}
+    return {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()}
 
 
 def test_the_file_of_another_channel_is_replaced_only_if_the_user_says_so(

@@ -31,7 +31,7 @@ def gate(monkeypatch):
     gate.set()
 
 
-def told(page):
+def computing_label(page):
     return page.findChild(QLabel, "stimulus_computing")
 
 
@@ -44,13 +44,17 @@ def test_the_page_says_that_it_computes_and_how_far_it_is(desk, qtbot, gate):
     desk.stimuli.show()
     page = desk.stimuli.page
     qtbot.waitExposed(page)
-    qtbot.waitUntil(lambda: told(page).isVisible() and told(page).text() == "Computing… 12 %")
+    qtbot.waitUntil(
+        lambda: (
+            computing_label(page).isVisible() and computing_label(page).text() == "Computing… 12 %"
+        )
+    )
     bar = page.findChild(QProgressBar, "stimulus_progress")
     assert bar.isVisible()
     assert (bar.value(), bar.maximum()) == (1, 8)
     gate.set()
     qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
-    assert not told(page).isVisible()
+    assert not computing_label(page).isVisible()
     assert not bar.isVisible()
     desk.stimuli.end()
 
@@ -58,7 +62,7 @@ def test_the_page_says_that_it_computes_and_how_far_it_is(desk, qtbot, gate):
 def test_escape_leaves_the_page_while_it_computes(desk, qtbot, gate):
     desk.stimuli.show()
     page = desk.stimuli.page
-    qtbot.waitUntil(lambda: told(page).isVisible())
+    qtbot.waitUntil(lambda: computing_label(page).isVisible())
     with qtbot.waitSignal(page.finished):
         QTest.keyClick(page, Qt.Key.Key_Escape)
     assert not gate.is_set()
@@ -81,19 +85,19 @@ def test_a_refusal_is_not_pale(page, qtbot):
     page.form.field("map").setText("1")
     qtbot.waitUntil(lambda: "each channel" in label(page, "problem"), timeout=WAIT_MS)
     assert not pale(page, "problem")
-    assert not told(page).isVisible()
+    assert not computing_label(page).isVisible()
 
 
 def test_a_stimulus_is_given_up_between_two_of_its_channels():
     design = ss.Design(limb="synthetic-1", inputs=tuple(ss.track(place) for place in (7, 8, 9)))
-    seen = []
+    progress = []
 
     def note(done, total, text):
-        seen.append((done, total))
+        progress.append((done, total))
 
     ss.stimulus_of(design, 48_000, progress=note)
-    assert seen == [(0, 3), (1, 3), (2, 3)]
-    seen.clear()
+    assert progress == [(0, 3), (1, 3), (2, 3)]
+    progress.clear()
     with pytest.raises(Stopped):
-        ss.stimulus_of(design, 48_000, progress=note, stop=lambda: len(seen) > 1)
-    assert seen == [(0, 3), (1, 3)]
+        ss.stimulus_of(design, 48_000, progress=note, stop=lambda: len(progress) > 1)
+    assert progress == [(0, 3), (1, 3)]

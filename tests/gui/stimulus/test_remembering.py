@@ -25,23 +25,23 @@ COIL = ss.ActuatorAt(actuator="coil", model=ss.actuators.load("example-voice-coi
 
 @pytest.fixture
 def form(qtbot):
-    found = StimulusForm(DESIGN, View())
-    qtbot.addWidget(found)
-    return found
+    form = StimulusForm(DESIGN, View())
+    qtbot.addWidget(form)
+    return form
 
 
 @pytest.fixture
 def other(qtbot):
-    found = StimulusForm(DESIGN, View())
-    qtbot.addWidget(found)
-    return found
+    form = StimulusForm(DESIGN, View())
+    qtbot.addWidget(form)
+    return form
 
 
 def orders(form):
-    found = []
-    form.changed.connect(found.append)
+    changes = []
+    form.changed.connect(changes.append)
     form.emit_order()
-    return found[-1]
+    return changes[-1]
 
 
 def test_the_next_page_exports_as_the_last_one_did(form, other, tmp_path):
@@ -85,10 +85,10 @@ def test_a_rig_that_is_gone_is_said_and_the_rest_is_kept(form, other, tmp_path):
     form.rigs.open_rig(tmp_path / "bench.skinrig")
     text = remembered(form)
     (tmp_path / "bench.skinrig").unlink()
-    said = []
-    other.refused.connect(said.append)
+    messages = []
+    other.refused.connect(messages.append)
     recall(other, text)
-    assert "bench.skinrig" in said[0]
+    assert "bench.skinrig" in messages[0]
     assert orders(other).rig is None
     assert orders(other).format.name == "flac"
 
@@ -163,6 +163,8 @@ def test_a_name_without_an_ending_gets_all_of_it(
     page.accept()
     qtbot.waitUntil(lambda: (tmp_path / written).exists(), **WAIT)
     window.do("export_stimulus")
-    again = [one for one in window.findChildren(StimulusPage) if one is not page][-1]
+    again = [
+        other_page for other_page in window.findChildren(StimulusPage) if other_page is not page
+    ][-1]
     assert again.form.field("format").value == "bids"
     again.reject()

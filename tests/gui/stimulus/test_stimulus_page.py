@@ -15,16 +15,19 @@ from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
 
 def test_it_shows_the_channels_as_they_will_be(page, design):
-    found = page.channels.overview
-    assert [(one.place, one.inputs) for one in found.channels] == [(7, (1, 3)), (12, (2,))]
-    assert max(one.peak for one in found.channels) == pytest.approx(1.0)
-    assert found.channels[1].extremes.max() == pytest.approx(1.0)
-    assert found.channels[0].extremes.shape == (2, 600)
+    overview = page.channels.overview
+    assert [(channel.place, channel.inputs) for channel in overview.channels] == [
+        (7, (1, 3)),
+        (12, (2,)),
+    ]
+    assert max(channel.peak for channel in overview.channels) == pytest.approx(1.0)
+    assert overview.channels[1].extremes.max() == pytest.approx(1.0)
+    assert overview.channels[0].extremes.shape == (2, 600)
     assert "1  Place 7, Digit II, pad; peak" in page.channels.accessibleDescription()
     text = label(page, "summary")
     n_times = ss.stimulus_of(design, 48_000).n_times
     assert text.startswith(f"2 channels, {1e3 * n_times / 48_000:.4g} ms at 48 000 Hz, about ")
-    assert size_text(found.n_bytes) in text
+    assert size_text(overview.n_bytes) in text
     assert "Uncalibrated" in label(page, "loses")
 
 
@@ -48,7 +51,7 @@ def test_only_rows_that_mean_something_are_shown(page, qtbot):
 
 def test_options_reach_what_is_shown(page, qtbot):
     def shown():
-        return [one.title for one in page.channels.overview.channels]
+        return [channel.title for channel in page.channels.overview.channels]
 
     choose(page, qtbot, "plays", "tracks")
     assert shown() == ["Digit II, base"]
@@ -77,7 +80,7 @@ def test_what_cannot_be_says_why_and_cannot_be_exported(page, qtbot):
     assert not page.ready
     page.form.field("map").setText("2, 0, 1")
     qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
-    assert [one.place for one in page.channels.overview.channels] == [12, None, 7]
+    assert [channel.place for channel in page.channels.overview.channels] == [12, None, 7]
     assert label(page, "problem") == ""
 
 
@@ -108,9 +111,9 @@ def test_a_rig_says_what_is_wired_and_an_equaliser_makes_volts(
     assert page.channels.overview.channels[0].peak == pytest.approx(0.02, rel=0.05)
     path = save_as("volts.wav")
     export(desk, page, qtbot)
-    told = json.loads((path.parent / "volts.wav.json").read_text())
-    assert told["rig"] == "Bench 3"
-    assert told["equaliser"]["phase"] == "linear"
+    metadata = json.loads((path.parent / "volts.wav.json").read_text())
+    assert metadata["rig"] == "Bench 3"
+    assert metadata["equaliser"]["phase"] == "linear"
 
 
 def test_what_is_no_rig_says_so_and_changes_nothing(page, qtbot, monkeypatch, tmp_path):
@@ -129,16 +132,16 @@ def test_where_nothing_is_heard_there_is_nothing_to_export(make_window):
 
 
 def test_every_format_of_the_table_is_offered_and_shown(page, qtbot):
-    for one in FORMATS:
-        choose(page, qtbot, "format", one.name)
-        assert page.ready, one.name
-        for name in one.choices:
+    for file_format in FORMATS:
+        choose(page, qtbot, "format", file_format.name)
+        assert page.ready, file_format.name
+        for name in file_format.choices:
             assert page.form.field(name).isVisible()
 
 
 def test_lengths_of_time_are_said_as_people_read_them():
-    said = [duration_text(time_s) for time_s in (37 / 48_000, 0.2, 1.5)]
-    assert said == ["0.77 ms", "200 ms", "1.5 s"]
+    texts = [duration_text(time_s) for time_s in (37 / 48_000, 0.2, 1.5)]
+    assert texts == ["0.77 ms", "200 ms", "1.5 s"]
 
 
 def test_neighbours_in_the_picture_of_a_channel_meet():

@@ -11,10 +11,10 @@ from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
 
 def test_the_bytes_that_are_told_are_those_of_the_file(page, desk, qtbot, save_as):
-    told = page.channels.overview.n_bytes
+    n_bytes = page.channels.overview.n_bytes
     path = save_as("drive.wav")
     export(desk, page, qtbot)
-    assert abs(path.stat().st_size - told) < 300
+    assert abs(path.stat().st_size - n_bytes) < 300
 
 
 def test_what_was_looked_at_is_written_with_its_sidecar(
@@ -26,8 +26,8 @@ def test_what_was_looked_at_is_written_with_its_sidecar(
     export(window, page_in_window, qtbot)
     about = soundfile.info(path)
     assert (about.samplerate, about.channels, about.subtype) == (44_100, 2, "PCM_24")
-    told = json.loads((path.parent / "drive.wav.json").read_text())
-    assert told["rate_hz"] == 44_100
+    metadata = json.loads((path.parent / "drive.wav.json").read_text())
+    assert metadata["rate_hz"] == 44_100
     assert "Saved" in window.statusBar().currentMessage()
     assert window.document.design is design or window.document.design == design
     assert window.document.undo_stack.count() == 0

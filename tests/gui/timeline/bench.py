@@ -27,7 +27,7 @@ class Bench:
         )
         self.edits = []
         self.refusals = []
-        self.told = []
+        self.requests = []
         self.panel.edited.connect(self._edit)
         self.panel.view_changed.connect(self._look)
         self.panel.playhead_wanted.connect(self._put_playhead)
@@ -52,7 +52,7 @@ class Bench:
 
     @property
     def places(self):
-        return [one.location for one in self.design.inputs]
+        return [track.location for track in self.design.inputs]
 
     def show(self, design):
         self.design = design
@@ -69,7 +69,7 @@ class Bench:
             self._look(outcome.view)
             return
         self.edits.append((outcome.label, outcome.design, gesture))
-        self.told.append("edit")
+        self.requests.append("edit")
         self.view = outcome.view
         self.show(outcome.design)
 
@@ -78,7 +78,7 @@ class Bench:
         self.panel.show_playhead(self.view)
 
     def _look(self, view):
-        self.told.append("view")
+        self.requests.append("view")
         self.view = view
         self.panel.show_state(self.design, self.view)
 
@@ -97,6 +97,6 @@ def click(widget, at=None):
 def results_of(design):
     """What the engine would tell of a design, so far as the panel needs it."""
     waveforms = tuple(
-        tuple(clip.waveform.samples(1300.0) for clip in one.clips) for one in design.inputs
+        tuple(clip.waveform.samples(1300.0) for clip in track.clips) for track in design.inputs
     )
     return {"clip_waveforms": waveforms, "inputs": design.inputs, "sample_rate_hz": 1300.0}

@@ -122,10 +122,10 @@ def below(bench):
 
 
 def opened(bench):
-    told = []
-    bench.panel.action_wanted.connect(told.append)
+    actions = []
+    bench.panel.action_wanted.connect(actions.append)
     double_click(bench, middle(bench, 2))
-    assert told == ["show_clip_editor"]
+    assert actions == ["show_clip_editor"]
     assert bench.view.selected_clips == (2,)
 
 
@@ -144,10 +144,10 @@ def menu(bench):
     at = middle(bench, 2).toPoint()
     event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, bench.lanes.mapToGlobal(at))
     QApplication.sendEvent(bench.lanes.viewport(), event)
-    (shown,) = (one for one in bench.panel.findChildren(QMenu) if one.isVisible())
-    words = " ".join(one.text() for one in shown.actions()).lower()
+    (shown,) = (menu for menu in bench.panel.findChildren(QMenu) if menu.isVisible())
+    text = " ".join(action.text() for action in shown.actions()).lower()
     shown.close()
-    assert all(word in words for word in ("split", "repeat", "mute", "remove"))
+    assert all(word in text for word in ("split", "repeat", "mute", "remove"))
 
 
 def wheel(bench, turns, held):
@@ -196,19 +196,19 @@ def loop_end(bench):
 
 def marker(bench):
     double_click(bench, on_ruler(bench, 0.4))
-    assert [one.time_s for one in bench.design.markers] == pytest.approx([0.4], abs=0.004)
+    assert [marker.time_s for marker in bench.design.markers] == pytest.approx([0.4], abs=0.004)
 
 
 def move_marker(bench):
     marker(bench)
     bench.drag(on_ruler(bench, 0.4), on_ruler(bench, 0.6))
-    assert [one.time_s for one in bench.design.markers] == pytest.approx([0.6], abs=0.008)
+    assert [marker.time_s for marker in bench.design.markers] == pytest.approx([0.6], abs=0.008)
 
 
 def strip_of(bench):
     bench._look(show_gain_curves(bench.view, (1,)))
     bench.show(bench.design.with_input(0, gain_curve=((0.0, 1.0), (0.6, 1.0))))
-    return next(one for one in bench.content.strips if one.lane.track.id == 1)
+    return next(strip for strip in bench.content.strips if strip.lane.track.id == 1)
 
 
 def curve(bench):

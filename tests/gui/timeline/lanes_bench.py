@@ -48,15 +48,15 @@ class LanesBench(Bench):
         return self.lanes.content
 
     def box(self, clip):
-        return next(one.rect for one in self.content.boxes if one.clip.id == clip)
+        return next(box.rect for box in self.content.boxes if box.clip.id == clip)
 
     def onset(self, clip):
         return self.design.clip(clip).onset_s
 
     def at(self, time_s, lane=0):
         """A place in the middle of a lane."""
-        one = self.content.lanes[lane]
-        return QPointF(self.content.scale.x(time_s), (one.top_px + one.bottom_px) / 2)
+        lane_box = self.content.lanes[lane]
+        return QPointF(self.content.scale.x(time_s), (lane_box.top_px + lane_box.bottom_px) / 2)
 
     def drag(self, start, end, held=NONE, *, release=True, steps=3):
         """Press, move in some steps, and let go."""

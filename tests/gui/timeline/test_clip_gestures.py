@@ -160,7 +160,7 @@ def test_keys_act_on_the_clip_that_the_inspector_shows_where_none_is_selected(la
     lanes.click(lanes.at(0.62))
     assert lanes.view.selected_clips == ()
     lanes.key(Qt.Key.Key_M)
-    assert [one.muted for one in lanes.design.inputs[0].clips] == [True, False, False]
+    assert [clip.muted for clip in lanes.design.inputs[0].clips] == [True, False, False]
 
 
 def test_a_new_clip_lies_on_the_grid(lanes):

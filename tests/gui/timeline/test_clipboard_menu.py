@@ -26,36 +26,36 @@ def active(window, qtbot):
 
 
 def waveforms(window):
-    return [one.waveform for one in window.document.design.clips]
+    return [clip.waveform for clip in window.document.design.clips]
 
 
 def test_they_stand_in_the_menu_and_say_the_keys_of_the_timeline(active):
-    menus = [one for one in active.findChildren(QMenu) if one.title().replace("&", "") == "Edit"]
-    hints = {one.text(): one.statusTip() for menu in menus for one in menu.actions()}
-    for words, key in (
+    menus = [menu for menu in active.findChildren(QMenu) if menu.title().replace("&", "") == "Edit"]
+    hints = {action.text(): action.statusTip() for menu in menus for action in menu.actions()}
+    for text, key in (
         ("Cut clips", "Ctrl+X"),
         ("Copy clips", "Ctrl+C"),
         ("Paste clips at playhead", "Ctrl+V"),
     ):
         # After a tab: the menu shows it in its column of keys.
-        assert f"({key}, in the timeline)" in hints[f"{words}\t{key}"]
+        assert f"({key}, in the timeline)" in hints[f"{text}\t{key}"]
     assert not active.actions_by_name["copy_clips"].shortcuts()
 
 
 def test_the_palette_calls_them_by_their_names_with_the_keys_at_the_right(active):
     palette = Palette(list(active.actions_by_name.values()), active)
     palette.line.setText("cut cl")
-    found = palette.list.item(0)
-    assert found.text() == "Cut clips"
-    assert _state_and_keys(palette.list.indexFromItem(found)) == "Ctrl+X"
+    row = palette.list.item(0)
+    assert row.text() == "Cut clips"
+    assert _state_and_keys(palette.list.indexFromItem(row)) == "Ctrl+X"
     palette.deleteLater()
 
 
 def test_a_paste_on_top_of_the_original_says_how_many_clips_and_when(active):
     active.do("copy_clips")
     active.do("paste_clips")
-    told = active.statusBar().currentMessage()
-    assert told == "1 clip pasted at 0 ms, on top of what was copied"
+    message = active.statusBar().currentMessage()
+    assert message == "1 clip pasted at 0 ms, on top of what was copied"
     active.document.look(replace(active.document.view, playhead_s=0.35))
     active.do("paste_clips")
     assert active.statusBar().currentMessage() == "1 clip pasted at 350 ms"
@@ -78,10 +78,10 @@ def test_selected_clips_are_copied_cut_and_pasted_wherever_the_keyboard_is(activ
 
 
 def test_of_no_clips_and_an_empty_clipboard_they_say_so(active):
-    said = []
-    active.document.refused.connect(said.append)
+    messages = []
+    active.document.refused.connect(messages.append)
     active.do("paste_clips")
-    assert "holds no clips" in said[-1]
+    assert "holds no clips" in messages[-1]
     active.document.edit("Empty", replace(active.document.design, inputs=()))
     assert not active.actions_by_name["copy_clips"].isEnabled()
     assert not active.actions_by_name["cut_clips"].isEnabled()
@@ -89,7 +89,7 @@ def test_of_no_clips_and_an_empty_clipboard_they_say_so(active):
 
 def test_where_one_types_the_keys_are_about_the_words(active):
     field = next(
-        one for one in active.panel("inspector").findChildren(NumberField) if one.isVisible()
+        field for field in active.panel("inspector").findChildren(NumberField) if field.isVisible()
     )
     field.setFocus()
     QTest.keyClick(field, Qt.Key.Key_C, CONTROL)

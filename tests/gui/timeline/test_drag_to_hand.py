@@ -65,7 +65,8 @@ def carry(window, lanes, clip, site, held=NONE):
 
 def tracks(window):
     return [
-        (one.location, [clip.id for clip in one.clips]) for one in window.document.design.inputs
+        (track.location, [clip.id for clip in track.clips])
+        for track in window.document.design.inputs
     ]
 
 
@@ -136,8 +137,8 @@ def test_a_menu_of_the_keyboard_moves_a_clip_to_a_place(window, lanes):
     QApplication.sendEvent(lanes, event)
     menu = lanes.findChild(QMenu, "lanes_menu")
     places = menu.findChild(QMenu, "lanes_places")
-    wanted = next(one for one in places.actions() if one.text().startswith("15 "))
-    assert wanted.text().endswith("(new track)")
-    wanted.trigger()
+    entry = next(action for action in places.actions() if action.text().startswith("15 "))
+    assert entry.text().endswith("(new track)")
+    entry.trigger()
     menu.close()
     assert tracks(window)[-1] == (15, [1])

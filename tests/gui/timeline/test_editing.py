@@ -22,9 +22,9 @@ def test_delete_removes_the_selected_input_and_selects_the_next(bench, key):
 
 def test_removing_the_last_row_selects_the_one_before(bench):
     bench.key(Qt.Key.Key_End)
-    bench.told.clear()
+    bench.requests.clear()
     bench.key(Qt.Key.Key_Delete)
-    assert bench.told == ["edit"]
+    assert bench.requests == ["edit"]
     assert bench.view.selected_input == 2
 
 

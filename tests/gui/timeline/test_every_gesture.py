@@ -26,9 +26,9 @@ def test_what_help_lists_is_what_the_mouse_does(lanes, where, name):
 
 
 def test_over_the_end_of_a_clip_it_says_how_to_trim_and_how_to_stretch(lanes):
-    words = timeline_tooltip(lanes.content, end_of(lanes, 2))
-    assert "trim a clip" in words
-    assert "with Shift or Alt: stretch" in words.replace("\n", " ")
+    text = timeline_tooltip(lanes.content, end_of(lanes, 2))
+    assert "trim a clip" in text
+    assert "with Shift or Alt: stretch" in text.replace("\n", " ")
     assert "fade" in timeline_tooltip(lanes.content, lanes.box(2).topLeft() + QPointF(3, 3))
     assert timeline_tooltip(lanes.content, middle(lanes, 2)) == ""
     assert timeline_tooltip(lanes.content, lanes.at(0.6)) == ""

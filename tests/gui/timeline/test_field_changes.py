@@ -10,7 +10,7 @@ BOTH = View(selected_inputs=(1, 2))
 
 
 def onsets_s(design):
-    return [one.clips[0].onset_s for one in design.inputs]
+    return [track.clips[0].onset_s for track in design.inputs]
 
 
 def change(changes, design, value, gesture):

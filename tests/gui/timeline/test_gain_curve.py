@@ -34,7 +34,7 @@ def with_curve(bench, *points):
 
 
 def strip(bench):
-    return next(one for one in bench.content.strips if one.lane.track.id == 1)
+    return next(strip for strip in bench.content.strips if strip.lane.track.id == 1)
 
 
 def curve(bench):
@@ -46,8 +46,10 @@ def on_line(bench, time_s):
 
 
 def px(bench, seconds=0.0, gain=0.0):
-    one = strip(bench)
-    return QPointF(bench.content.scale.px_per_s * seconds, -gain * one.height_px / one.top)
+    gain_strip = strip(bench)
+    return QPointF(
+        bench.content.scale.px_per_s * seconds, -gain * gain_strip.height_px / gain_strip.top
+    )
 
 
 def double_click(bench, at):
@@ -70,7 +72,7 @@ def test_the_menu_of_a_head_shows_it_too(lanes):
     event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, row.mapToGlobal(at))
     QApplication.sendEvent(row, event)
     menu = lanes.panel.findChild(QMenu, "inputs_menu")
-    line = next(one for one in menu.actions() if one.text().startswith("Gain curve"))
+    line = next(action for action in menu.actions() if action.text().startswith("Gain curve"))
     assert not line.isChecked()
     line.trigger()
     menu.close()
@@ -210,7 +212,7 @@ def test_insert_adds_a_point_at_the_playhead_and_shows_the_curve(lanes):
 def menu_of(lanes, place):
     lanes.lanes.menu_wanted.emit(lanes.lanes.mapToGlobal(place).toPoint(), place)
     menu = lanes.panel.findChildren(QMenu, "lanes_menu")[-1]
-    return menu, {one.text().split("\t")[0]: one for one in menu.actions()}
+    return menu, {action.text().split("\t")[0]: action for action in menu.actions()}
 
 
 def test_the_menu_on_a_point_removes_it_or_the_curve(lanes):
@@ -229,8 +231,8 @@ def test_the_menu_on_a_point_removes_it_or_the_curve(lanes):
 def test_a_curve_that_is_not_shown_is_hinted_at_and_not_caught(lanes):
     with_curve(lanes, (0.1, 1.0), (0.5, 0.4))
     lanes.key(_Key.Key_G)
-    (one,) = lanes.content.strips
-    assert not one.shown
+    (strip,) = lanes.content.strips
+    assert not strip.shown
     lanes.drag(on_line(lanes, 0.4), on_line(lanes, 0.4) + px(lanes, gain=0.3))
     assert curve(lanes) == ((0.1, 1.0), (0.5, 0.4))
 
@@ -255,8 +257,8 @@ def test_a_lane_gives_higher_gains_room_only_once_the_button_is_up(lanes):
 def test_how_a_curve_begins_is_said_of_a_selected_track_without_one(lanes):
     lanes._look(replace(show_gain_curves(lanes.view, (1, 2)), selected_inputs=(2,)))
     with_curve(lanes)
-    assert [has_hint(one) for one in lanes.content.strips] == [False, True]
+    assert [has_hint(strip) for strip in lanes.content.strips] == [False, True]
     lanes._look(replace(lanes.view, selected_inputs=(1,)))
-    assert [has_hint(one) for one in lanes.content.strips] == [True, False]
+    assert [has_hint(strip) for strip in lanes.content.strips] == [True, False]
     with_curve(lanes, (0.1, 1.0))
-    assert [has_hint(one) for one in lanes.content.strips] == [False, False]
+    assert [has_hint(strip) for strip in lanes.content.strips] == [False, False]

@@ -25,7 +25,7 @@ def menu_at(lanes):
         close()
         lanes.lanes.menu_wanted.emit(QPoint(0, 0), place)
         (menu,) = lanes.panel.findChildren(QMenu, "lanes_menu")
-        return {one.text().split("\t")[0]: one for one in menu.actions() if one.text()}
+        return {action.text().split("\t")[0]: action for action in menu.actions() if action.text()}
 
     yield open_menu
     close()
@@ -37,7 +37,7 @@ def test_on_a_clip_it_is_about_that_clip(lanes, menu_at):
     lines["Mute clip"].trigger()
     assert lanes.design.clip(2).muted
     menu_at(lanes.box(2).center())["Remove clip"].trigger()
-    assert [one.id for one in lanes.design.clips] == [1, 3, 4]
+    assert [clip.id for clip in lanes.design.clips] == [1, 3, 4]
 
 
 def test_on_one_of_several_it_is_about_all_of_them(lanes, menu_at):
@@ -80,4 +80,4 @@ def test_a_loop_goes_round_the_selected_clips_and_its_time_can_be_taken_out(lane
     assert lanes.design.loop_s == pytest.approx((0.3, 0.5))
     menu_at(place)["Remove the loop's time"].trigger()
     assert lanes.design.clip(3).onset_s == pytest.approx(0.5)
-    assert 2 not in [one.id for one in lanes.design.clips]
+    assert 2 not in [clip.id for clip in lanes.design.clips]

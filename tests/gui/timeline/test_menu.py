@@ -27,7 +27,7 @@ def menu_of(bench):
         where = bench.rows.mapToGlobal(at)
         QApplication.sendEvent(bench.rows, QContextMenuEvent(reason, at, where))
         (menu,) = bench.panel.findChildren(QMenu, "inputs_menu")
-        return {one.text().split("\t")[0]: one for one in menu.actions() if one.text()}
+        return {action.text().split("\t")[0]: action for action in menu.actions() if action.text()}
 
     yield open_menu
     close()
@@ -38,7 +38,7 @@ def test_the_menu_is_about_the_row_under_the_pointer_and_selects_it(bench, menu_
     assert list(actions) == ALL
     assert bench.view.selected_inputs == (3,)
     actions["Mute"].trigger()
-    assert [one.muted for one in bench.design.inputs] == [False, False, True]
+    assert [track.muted for track in bench.design.inputs] == [False, False, True]
     actions = menu_of(2)
     assert actions["Mute"].isChecked()
     assert not actions["Solo"].isChecked()
@@ -46,7 +46,7 @@ def test_the_menu_is_about_the_row_under_the_pointer_and_selects_it(bench, menu_
 
 def test_each_line_does_what_it_says(bench, menu_of):
     menu_of(1)["Solo"].trigger()
-    assert [one.solo for one in bench.design.inputs] == [False, True, False]
+    assert [track.solo for track in bench.design.inputs] == [False, True, False]
     menu_of(1)["Move up"].trigger()
     assert bench.places == [2, 7, 15]
     menu_of(0)["Move down"].trigger()
@@ -63,7 +63,7 @@ def test_on_one_of_several_it_is_about_all_of_them(bench, menu_of):
     assert set(bench.view.selected_inputs) == {1, 2, 3}
     assert "Move 3 inputs up" in actions
     actions["Mute 3 inputs"].trigger()
-    assert all(one.muted for one in bench.design.inputs)
+    assert all(track.muted for track in bench.design.inputs)
     menu_of(1)["Remove 3 inputs"].trigger()
     assert bench.places == []
 
@@ -75,8 +75,6 @@ def test_the_menu_key_means_the_row_that_was_selected_last(bench, menu_of):
 
 
 def test_lines_say_the_keys_of_the_table(bench, menu_of):
-    shown = {words: line.text().split("\t")[1] for words, line in menu_of(0).items()}
+    shown = {text: line.text().split("\t")[1] for text, line in menu_of(0).items()}
     names = ("mute", "solo", "duplicate", "remove", "shift_up", "shift_down", "gain_curve")
-    assert shown == {
-        words: key_text("inputs", name) for words, name in zip(ALL, names, strict=True)
-    }
+    assert shown == {text: key_text("inputs", name) for text, name in zip(ALL, names, strict=True)}

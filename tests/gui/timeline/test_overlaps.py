@@ -39,8 +39,8 @@ def test_stretches_are_where_two_clips_or_more_play():
 
 
 def test_the_stretches_of_a_track_that_stays_are_found_once(monkeypatch):
-    found, count = content.stretches, []
-    monkeypatch.setattr(content, "stretches", lambda clips: count.append(1) or found(clips))
+    stretches, count = content.stretches, []
+    monkeypatch.setattr(content, "stretches", lambda clips: count.append(1) or stretches(clips))
     memory, track = Overlaps(), Input(location=1, clips=CLIPS, id=1)
     assert memory.of(track) is memory.of(track)
     assert len(count) == 1
@@ -50,12 +50,12 @@ def test_the_stretches_of_a_track_that_stays_are_found_once(monkeypatch):
 def test_repeated_clicks_go_through_the_clips_below_the_pointer(lanes):
     place = lanes.at(0.25)
     ids = [clip.id for clip in lanes.design.inputs[0].clips]
-    found = []
+    selected = []
     for _ in range(4):
         lanes.click(place)
-        found += lanes.view.selected_clips
-    assert set(found[:2]) == set(ids[:2])
-    assert found[2:] == found[:2]
+        selected += lanes.view.selected_clips
+    assert set(selected[:2]) == set(ids[:2])
+    assert selected[2:] == selected[:2]
     assert lanes.edits == []
 
 
@@ -87,11 +87,11 @@ def test_a_double_click_opens_the_clip_that_was_on_top(lanes):
 def test_a_key_goes_through_clips_that_overlap(lanes):
     ids = [clip.id for clip in lanes.design.inputs[0].clips]
     lanes.click(lanes.at(0.05))
-    found = []
+    selected = []
     for _ in range(3):
         lanes.key(Qt.Key.Key_O)
-        found.append(lanes.view.selected_clips[0])
-    assert found == [ids[1], ids[0], ids[1]]
+        selected.append(lanes.view.selected_clips[0])
+    assert selected == [ids[1], ids[0], ids[1]]
     track = lanes.design.inputs[0]
     assert overlapping(track, track.clips[0]) == tuple(ids[:3])
     assert overlapping(track, track.clips[3]) == (ids[3],)
@@ -101,19 +101,19 @@ def test_the_menu_lists_the_clips_here(lanes):
     place = lanes.at(0.25)
     lanes.lanes.menu_wanted.emit(QPoint(0, 0), place)
     menu = lanes.panel.findChild(QMenu, "clips_here")
-    words = [one.text() for one in menu.actions()]
-    assert words == ["Tone · 0 ms", "Tone · 200 ms"]
+    texts = [action.text() for action in menu.actions()]
+    assert texts == ["Tone · 0 ms", "Tone · 200 ms"]
     menu.actions()[1].trigger()
     assert lanes.view.selected_clips == (lanes.design.inputs[0].clips[1].id,)
-    for one in lanes.panel.findChildren(QMenu, "lanes_menu"):
-        one.close()
+    for action in lanes.panel.findChildren(QMenu, "lanes_menu"):
+        action.close()
 
 
 def test_where_one_clip_is_the_menu_lists_none(lanes):
     lanes.lanes.menu_wanted.emit(QPoint(0, 0), lanes.at(0.05))
     assert lanes.panel.findChild(QMenu, "clips_here") is None
-    for one in lanes.panel.findChildren(QMenu, "lanes_menu"):
-        one.close()
+    for menu in lanes.panel.findChildren(QMenu, "lanes_menu"):
+        menu.close()
 
 
 def test_the_pointer_is_told_how_many_clips_are_here(lanes):
@@ -136,5 +136,5 @@ def test_overlaps_are_marked_at_the_foot_of_the_lane(lanes, monkeypatch):
         x = round(scale.x(time_s))
         return marked.pixel(x, y) != plain.pixel(x, y)
 
-    found = [is_marked(time_s) for time_s in (0.1, 0.25, 0.4, 0.575, 0.62)]
-    assert found == [False, True, False, True, False]
+    marks = [is_marked(time_s) for time_s in (0.1, 0.25, 0.4, 0.575, 0.62)]
+    assert marks == [False, True, False, True, False]

@@ -154,7 +154,7 @@ def test_a_clip_that_the_inspector_showed_already_is_seen_to_be_selected(bench):
 
 
 def test_the_clip_that_the_inspector_shows_is_another_one_where_tracks_stay_selected(bench):
-    first, second = (one.id for one in bench.design.inputs[:2])
+    first, second = (track.id for track in bench.design.inputs[:2])
     bench._look(replace(bench.view, selected_inputs=(first, second)))
     settled(bench)
     shown = picture(bench)
@@ -168,11 +168,11 @@ def test_what_was_not_repainted_looks_as_if_everything_were(bench, name):
     before = picture(bench)
     EDITS[name](bench)
     settled(bench)
-    found = picture(bench)
-    assert found != before
+    zoomed_picture = picture(bench)
+    assert zoomed_picture != before
     bench.lanes.item.update()
     settled(bench)
-    assert found == picture(bench)
+    assert zoomed_picture == picture(bench)
 
 
 def test_only_clips_that_changed_are_asked_for_their_length(bench):
@@ -233,7 +233,7 @@ def test_dots_are_where_they_would_be_painted_anew(qapp, ratio):
 
         return paint
 
-    kept = CountedPicture()
+    mark_picture = CountedPicture()
     # The second lies elsewhere among the same pixels; of the last, both ends are out of sight.
     for rect, times in (
         (QRectF(12.3, 7.0, 90.6, 31.0), 1),
@@ -241,10 +241,12 @@ def test_dots_are_where_they_would_be_painted_anew(qapp, ratio):
         (QRectF(-300.2, 5.5, 700.0, 40.0), 2),
     ):
         shown = rect.intersected(QRectF(-2, 0, 204, 60))
-        marked = partial(mark_clip, rect=rect, shown=shown, mark=kept, colour=QColor(DARK.accent))
+        marked = partial(
+            mark_clip, rect=rect, shown=shown, mark=mark_picture, colour=QColor(DARK.accent)
+        )
         # Through a picture, colours may be rounded once more.
         assert most_apart(drawn(marked), drawn(dots(rect))) <= 1
-        assert kept.times == times
+        assert mark_picture.times == times
 
 
 def test_a_marked_clip_is_painted_however_little_of_its_lane_is_in_sight(bench):
@@ -253,7 +255,7 @@ def test_a_marked_clip_is_painted_however_little_of_its_lane_is_in_sight(bench):
     bench.view = replace(bench.view, selected_inputs=(10,))
     bench.show(Design(limb="synthetic-1", inputs=tracks))
     bars = bench.panel.findChildren(QScrollBar)
-    (bar,) = (one for one in bars if one.accessibleName() == "Tracks shown")
+    (bar,) = (bar for bar in bars if bar.accessibleName() == "Tracks shown")
     in_sight = set()
     for scrolled in range(bar.maximum() + 1):
         bar.setValue(scrolled)
@@ -264,7 +266,7 @@ def test_a_marked_clip_is_painted_however_little_of_its_lane_is_in_sight(bench):
     assert set(range(8)) <= in_sight
 
 
-def most_apart(one, other):
+def most_apart(first, other):
     """Largest difference of two pictures in any colour of any pixel."""
-    pixels = [np.array(each.constBits(), np.int16) for each in (one, other)]
+    pixels = [np.array(each.constBits(), np.int16) for each in (first, other)]
     return np.abs(pixels[0] - pixels[1]).max()

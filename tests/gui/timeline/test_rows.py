@@ -20,9 +20,9 @@ def test_there_is_one_row_for_each_input_in_the_order_of_the_design(bench):
 
 def test_an_empty_list_says_what_to_do(bench):
     bench.show(Design(limb="synthetic-1"))
-    words = bench.panel.findChild(QLabel, "inputs_empty")
-    assert words.isVisible()
-    assert words.text() == "Click a place on the hand to add a track"
+    label = bench.panel.findChild(QLabel, "inputs_empty")
+    assert label.isVisible()
+    assert label.text() == "Click a place on the hand to add a track"
     assert bench.rows.rows == ()
 
 
@@ -74,7 +74,7 @@ def test_the_keys_m_and_s_mute_and_solo_the_selected_input(bench):
 def test_the_keys_m_and_s_also_work_while_a_number_has_the_focus(bench):
     click(bench.row(1).amplitude)
     bench.key(Qt.Key.Key_M)
-    assert [one.muted for one in bench.design.inputs] == [False, True, False]
+    assert [track.muted for track in bench.design.inputs] == [False, True, False]
 
 
 def test_buttons_act_on_their_own_row_and_leave_the_selection(bench):
@@ -145,7 +145,7 @@ def test_heads_and_the_buttons_above_them_have_room_for_larger_text(bench, scale
     bench.panel.setFont(font)
     QApplication.processEvents()
     buttons = bench.panel.findChildren(QToolButton)
-    snap = next(one for one in buttons if one.objectName() == "timeline_snap")
+    snap = next(button for button in buttons if button.objectName() == "timeline_snap")
     assert snap.width() >= snap.sizeHint().width()
     places = row_places(bench.row(0).width(), bench.row(0).fontMetrics().height())
     number = bench.row(0).fontMetrics().horizontalAdvance("15")
@@ -161,9 +161,9 @@ def test_the_row_that_has_the_keyboard_may_give_way_to_others(bench):
         limb="synthetic-1", inputs=tuple(replace(track(location=k), id=50 + k) for k in (4, 5))
     )
     bench.show(new)
-    assert [one.id for one in bench.rows.rows] == [54, 55]
+    assert [row.id for row in bench.rows.rows] == [54, 55]
     assert bench.rows.hasFocus()
-    assert all(one.state.list_focused for one in bench.rows.rows)
+    assert all(row.state.list_focused for row in bench.rows.rows)
 
 
 def test_the_head_of_a_recording_that_keeps_its_size_says_the_peak_beside_a_gain(bench):

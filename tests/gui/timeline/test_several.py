@@ -89,9 +89,9 @@ def test_keys_act_on_all_that_are_selected_in_one_step(bench, key, modifiers, la
 def test_the_button_of_a_selected_row_acts_on_all_and_that_of_another_row_on_itself(bench):
     bench.key(KEY.Key_Down, SHIFT)
     click(bench.row(0).mute)
-    assert [one.muted for one in bench.design.inputs] == [True, True, False]
+    assert [track.muted for track in bench.design.inputs] == [True, True, False]
     click(bench.row(2).mute)
-    assert [one.muted for one in bench.design.inputs] == [True, True, True]
+    assert [track.muted for track in bench.design.inputs] == [True, True, True]
     click(bench.row(0).remove)
     assert bench.places == list(PLACES[1:])
 
@@ -145,7 +145,7 @@ def test_an_amplitude_typed_in_one_of_several_rows_sets_all(bench):
     click(bench.row(0).amplitude)
     QTest.keyClicks(bench.row(0).amplitude, "2.5")
     bench.key(KEY.Key_Return)
-    assert [one.amplitude for one in bench.design.inputs] == [2.5, 2.5, 1.0]
+    assert [track.amplitude for track in bench.design.inputs] == [2.5, 2.5, 1.0]
     assert bench.view.selected_inputs == (1, 2)
 
 
@@ -156,9 +156,9 @@ def test_the_wheel_moves_the_amplitudes_of_all_by_as_much(bench):
     field.setFocus()
     for _ in range(2):
         QTest.keyClick(field, KEY.Key_Up)
-    one, other, third = (each.amplitude for each in bench.design.inputs)
+    first, other, third = (each.amplitude for each in bench.design.inputs)
     assert other > 2.0
-    assert one - 1.0 == pytest.approx(other - 2.0)
+    assert first - 1.0 == pytest.approx(other - 2.0)
     assert third == 1.0
 
 
@@ -196,4 +196,4 @@ def test_a_drag_held_on_an_amplitude_ends_when_its_input_goes(bench):
     QTest.mouseMove(field, start + QPoint(60, 0))
     QTest.mouseRelease(field, LEFT, pos=start)
     assert len(bench.edits) == count
-    assert [one.clips[0].waveform for one in bench.design.inputs] == [Tone()] * 2
+    assert [track.clips[0].waveform for track in bench.design.inputs] == [Tone()] * 2

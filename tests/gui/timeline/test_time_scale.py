@@ -24,16 +24,16 @@ def test_the_ends_of_what_is_shown_lie_at_the_ends_of_the_width():
 def test_what_lies_under_the_pointer_stays_there_when_zooming(share, factor):
     shown = (2.0, 4.0)
     anchor_s = shown[0] + share * 2
-    found = zoomed(shown, anchor_s, factor, (0.0, 100.0))
-    length = found[1] - found[0]
+    span_s = zoomed(shown, anchor_s, factor, (0.0, 100.0))
+    length = span_s[1] - span_s[0]
     assert length == pytest.approx(2.0 / factor)
-    if found[0] > 0:
-        assert found[0] + share * length == pytest.approx(anchor_s)
+    if span_s[0] > 0:
+        assert span_s[0] + share * length == pytest.approx(anchor_s)
 
 
 def test_zooming_ends_where_nothing_more_could_be_seen():
-    found = zoomed((0.0, 0.01), 0.005, 1000.0, (0.0, 1.0))
-    assert found[1] - found[0] == pytest.approx(SHORTEST_S)
+    span_s = zoomed((0.0, 0.01), 0.005, 1000.0, (0.0, 1.0))
+    assert span_s[1] - span_s[0] == pytest.approx(SHORTEST_S)
 
 
 def test_the_whole_is_shown_by_no_range_at_all():

@@ -37,12 +37,12 @@ def test_no_line_of_the_grid_runs_through_why_a_track_is_silent(qtbot, chosen):
     item._paint_silence_reason(painter, lane)
     painter.end()
     grid = QColor(LIGHT.grid).rgb()
-    seen = {
+    colours = {
         image.pixel(x, y)
         for x in range(int(room.left()), int(room.right()))
         for y in range(int(room.top()) + 1, int(room.bottom()))
     }
-    assert grid not in seen
-    assert len(seen) > 2
+    assert grid not in colours
+    assert len(colours) > 2
     outside = {image.pixel(x, int(room.center().y())) for x in range(0, int(room.left()) - 8)}
     assert grid in outside

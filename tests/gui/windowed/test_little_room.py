@@ -82,7 +82,7 @@ def test_the_map_of_differences_is_seen_in_the_largest_letters_below_the_cards(l
 
 def test_names_of_curves_are_as_long_as_they_fit():
     def names(room):
-        return [name for name, _ in curve_names(room, lambda words: 10.0 * len(words), 20.0)]
+        return [name for name, _ in curve_names(room, lambda text: 10.0 * len(text), 20.0)]
 
     assert names(500.0) == ["mean distance", "90 % of the energy within"]
     assert names(180.0) == ["mean", "90 % within"]

@@ -20,10 +20,10 @@ TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
 def panel(make_window):
     window = make_window(TRAIN, ss.View(method="mag", windows_cut="length", window_s=0.12))
     window.docks["windowed"].bring_forward()
-    found = window.panel("windowed")
+    panel = window.panel("windowed")
     window.catch_up()
-    found.window_of_test = window
-    return found
+    panel.window_of_test = window
+    return panel
 
 
 @pytest.fixture
@@ -37,10 +37,10 @@ def settle(window, qtbot):
 
 def test_it_shows_what_was_computed_in_one_scale(panel, studio):
     content = panel.strip.content
-    found = ss.evaluate(TRAIN, "rms_of_windows", "extents_of_windows", view=studio.document.view)
+    energies = ss.evaluate(TRAIN, "rms_of_windows", "extents_of_windows", view=studio.document.view)
     assert content.windows.count == 5
-    assert (content.levels_db == ss.decibels(found["rms_of_windows"])).all()
-    assert content.extents == found["extents_of_windows"]
+    assert (content.levels_db == ss.decibels(energies["rms_of_windows"])).all()
+    assert content.extents == energies["extents_of_windows"]
     assert content.scale.range_db[1] >= content.levels_db.max() > content.scale.range_db[1] - 5.0
     assert content.synthetic
 
@@ -51,8 +51,8 @@ def test_every_map_has_a_cell_of_its_own_within_the_panel(panel):
     room = panel.strip.rect().toRectF()
     areas = [*places.cells, places.scale, places.plot]
     assert all(room.contains(area) for area in areas)
-    for k, one in enumerate(areas):
-        assert not any(one.adjusted(1, 1, -1, -1).intersects(other) for other in areas[k + 1 :])
+    for k, cell in enumerate(areas):
+        assert not any(cell.adjusted(1, 1, -1, -1).intersects(other) for other in areas[k + 1 :])
 
 
 @pytest.mark.parametrize("count", [1, 7, 24, 60])
@@ -95,7 +95,7 @@ def test_hidden_it_costs_nothing(panel, studio, qtbot, monkeypatch):
     content = panel.strip.content
 
     monkeypatch.setattr(
-        window_rules.WindowEnergy, "add", lambda *words: asked.append(words), raising=True
+        window_rules.WindowEnergy, "add", lambda *arguments: asked.append(arguments), raising=True
     )
     studio.document.edit("Softer", TRAIN.with_input(0, amplitude=0.5))
     settle(studio, qtbot)
@@ -136,26 +136,26 @@ def test_a_click_on_a_window_and_arrow_keys_move_the_playhead_to_its_begin(panel
 
 def test_the_pointer_reads_times_and_extent(panel):
     cell = panel.strip.places.cells[1]
-    words = panel.strip.text_at(cell.center())
+    text = panel.strip.text_at(cell.center())
     extent = panel.strip.content.extents[1]
-    assert words.startswith("120–240 ms\n")
-    assert f"{extent.mean_distance_mm:.1f} mm" in words
-    assert f"{extent.d90_mm:.1f} mm" in words
+    assert text.startswith("120–240 ms\n")
+    assert f"{extent.mean_distance_mm:.1f} mm" in text
+    assert f"{extent.d90_mm:.1f} mm" in text
     assert panel.strip.text_at(QPointF(1.0, 1.0)) == ""
 
 
 @pytest.mark.parametrize(
-    ("design", "view", "words"),
+    ("design", "view", "text"),
     [
         (Design(limb="synthetic-4"), {}, "Silent"),
         (TRAIN, {"windows_cut": "length", "window_s": 5.0}, "No whole window"),
     ],
 )
-def test_where_there_is_nothing_to_show_it_says_why(panel, studio, qtbot, design, view, words):
+def test_where_there_is_nothing_to_show_it_says_why(panel, studio, qtbot, design, view, text):
     studio.document.edit("Other", design)
     studio.document.look(replace(studio.document.view, **view))
     settle(studio, qtbot)
-    assert words in panel.strip.message
+    assert text in panel.strip.message
     assert panel.strip.text_at(panel.strip.rect().toRectF().center()) == ""
     panel.strip.grab()
 

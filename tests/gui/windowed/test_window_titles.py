@@ -14,8 +14,8 @@ from skinsource_gui.plots.pictures import save_drawing
 TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
 
 
-def width_of(words):
-    return 8.0 * len(words)
+def width_of(text):
+    return 8.0 * len(text)
 
 
 def bounds_s(count, length_s=0.05):
@@ -28,15 +28,15 @@ def cells(count, width, columns=None):
 
 
 def test_where_there_is_room_begin_and_end_stand_above_each_map():
-    found = window_titles(bounds_s(3), cells(3, 100.0), width_of)
-    assert found.texts == ("0–50 ms", "50–100 ms", "100–150 ms")
-    assert not found.by_begin
+    titles = window_titles(bounds_s(3), cells(3, 100.0), width_of)
+    assert titles.texts == ("0–50 ms", "50–100 ms", "100–150 ms")
+    assert not titles.by_begin
 
 
 def test_where_there_is_less_room_begins_stand_there():
-    found = window_titles(bounds_s(3), cells(3, 40.0), width_of)
-    assert found.texts == ("0", "50", "100")
-    assert found.by_begin
+    titles = window_titles(bounds_s(3), cells(3, 40.0), width_of)
+    assert titles.texts == ("0", "50", "100")
+    assert titles.by_begin
 
 
 def test_where_begins_have_no_room_either_each_second_or_third_of_a_row_has_one():
@@ -49,12 +49,12 @@ def test_where_begins_have_no_room_either_each_second_or_third_of_a_row_has_one(
 @pytest.mark.parametrize("width", [180.0, 420.0, 1300.0])
 def test_no_two_times_lie_on_each_other(count, width):
     places = strip_layout(QRectF(0, 0, width, 400.0), count, 16.0).cells
-    words = window_titles(bounds_s(count, 0.6 / count), places, width_of).texts
-    assert words[0]
+    texts = window_titles(bounds_s(count, 0.6 / count), places, width_of).texts
+    assert texts[0]
     ends = {}
-    for cell, one in zip(places, words, strict=True):
-        half = width_of(one) / 2
-        if one:
+    for cell, text in zip(places, texts, strict=True):
+        half = width_of(text) / 2
+        if text:
             assert cell.center().x() - half >= ends.get(cell.top(), -20.0)
             ends[cell.top()] = cell.center().x() + half
 
@@ -85,7 +85,7 @@ def test_how_long_windows_are_is_said_where_only_their_begins_are(studio, tmp_pa
     assert f"Windows of {length}; above each when it begins, in ms of the stimulus; " in printed
     assert "the traces show it about 52 ms later" in printed
     content = studio(count, delay_removed=True).strip.content
-    assert not any("traces" in one for one in content.begin_phrases)
+    assert not any("traces" in begin_phrase for begin_phrase in content.begin_phrases)
 
 
 def test_with_begin_and_end_above_each_map_only_what_times_they_are_is_said(studio, tmp_path):
