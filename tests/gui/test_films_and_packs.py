@@ -26,7 +26,7 @@ def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_this_machine(
         qtbot.waitUntil(lambda: not window.runner.busy, timeout=20_000)
 
     window.panel("skin").map.stage.pan_zoom.show("hand")
-    write_with("animation", lambda *_, options, view, **more: given.append((options, view.fit)))
+    write_with("animation", lambda *_, options, seen, **more: given.append((options, seen.fit)))
     chosen = FilmOptions(width_px=640, height_px=480, colours="dark", kind=".webm")
 
     def ask(_window, usual, *, title, kinds, most_px, remark, shape):
