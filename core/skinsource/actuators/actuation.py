@@ -92,7 +92,9 @@ class Actuation:
     def __post_init__(self) -> None:
         fields.check(self)
         twice = [
-            place for place, n in Counter(one.place for one in self.actuators).items() if n > 1
+            place
+            for place, n in Counter(actuator.place for actuator in self.actuators).items()
+            if n > 1
         ]
         if twice:
             words = "all other places" if twice[0] is None else f"place {twice[0]}"
@@ -111,9 +113,9 @@ class Actuation:
             There is none.
         """
         for wanted in (place, None):
-            for one in self.actuators:
-                if one.place == wanted:
-                    return one
+            for actuator in self.actuators:
+                if actuator.place == wanted:
+                    return actuator
         rig = f"the rig {self.rig}" if self.rig else "the actuators that are predicted through"
         raise InvalidInputError(
             f"Place {place} has no actuator among {rig}. Move or mute what plays there, choose "
@@ -123,7 +125,9 @@ class Actuation:
     @property
     def title(self) -> str:
         """The rig, or the actuator: "Example voice coil"."""
-        names = list(dict.fromkeys(one.actuator or one.model.title for one in self.actuators))
+        names = list(
+            dict.fromkeys(actuator.actuator or actuator.model.title for actuator in self.actuators)
+        )
         return self.rig or (names[0] if len(names) == 1 else f"{len(names)} actuators")
 
     @property
@@ -186,22 +190,22 @@ def transfers_of(
     """
     band = followed_band(band_hz, sample_rate_hz)
     whole = {
-        one.place: _whole(one, actuation.equaliser, sample_rate_hz, band)
-        for one in actuation.actuators
+        actuator.place: _whole(actuator, actuation.equaliser, sample_rate_hz, band)
+        for actuator in actuation.actuators
     }
     length = _length_at(sample_rate_hz)
     lead = max(_reach(row[: -length // 2 : -1], row) for row in whole.values())
     tail = max(_reach(row[: length // 2], row) for row in whole.values())
     most = int(LONGEST_S * sample_rate_hz)
     lead, tail = min(lead, most), min(tail, most)
-    found = {}
-    for one in actuation.actuators:
-        row = whole[one.place]
+    transfers = {}
+    for actuator in actuation.actuators:
+        row = whole[actuator.place]
         kept = np.concatenate((row[length - lead :], row[:tail]))
-        _refuse_ringing(one, kept, row)
+        _refuse_ringing(actuator, kept, row)
         kept.flags.writeable = False
-        found[one.place] = Transfer(kept, lead)
-    return found
+        transfers[actuator.place] = Transfer(kept, lead)
+    return transfers
 
 
 def _length_at(sample_rate_hz: float) -> int:
@@ -210,12 +214,12 @@ def _length_at(sample_rate_hz: float) -> int:
 
 
 def _whole(
-    one: ActuatorAt, equaliser: Equaliser | None, sample_rate_hz: float, band_hz: Band
+    actuator: ActuatorAt, equaliser: Equaliser | None, sample_rate_hz: float, band_hz: Band
 ) -> Floats:
     try:
-        return _impulse_response(one.model, equaliser, sample_rate_hz, band_hz)
+        return _impulse_response(actuator.model, equaliser, sample_rate_hz, band_hz)
     except InvalidInputError as error:
-        where = "" if one.place is None else f"place {one.place}: "
+        where = "" if actuator.place is None else f"place {actuator.place}: "
         raise InvalidInputError(f"{where}{error}") from error
 
 
@@ -233,8 +237,8 @@ def _impulse_response(
     half_hz, top_hz = 0.5 * sample_rate_hz, band_hz[1]
     beyond = np.clip((frequency_hz - top_hz) / (half_hz - top_hz), 0.0, 1.0)
     fall = 0.5 * (1.0 + np.cos(np.pi * beyond))
-    found: Floats = scipy.fft.irfft(response * fall, length)
-    return found
+    impulse_response: Floats = scipy.fft.irfft(response * fall, length)
+    return impulse_response
 
 
 def _reach(side: Floats, whole: Floats) -> int:
@@ -243,13 +247,13 @@ def _reach(side: Floats, whole: Floats) -> int:
     return int(np.count_nonzero(left > _LEFT_OUT * np.square(whole).sum()))
 
 
-def _refuse_ringing(one: ActuatorAt, kept: Floats, whole: Floats) -> None:
+def _refuse_ringing(actuator: ActuatorAt, kept: Floats, whole: Floats) -> None:
     energy = float(np.square(whole).sum())
     beyond = energy - float(np.square(kept).sum())
     if not beyond <= _MOST_BEYOND * energy:
-        where = "" if one.place is None else f"Place {one.place}: the"
+        where = "" if actuator.place is None else f"Place {actuator.place}: the"
         raise InvalidInputError(
-            f"{where or 'The'} actuator {quoted(one.actuator or one.model.title)} rings for longer "
+            f"{where or 'The'} actuator {quoted(actuator.actuator or actuator.model.title)} rings for longer "
             f"than {LONGEST_S:g} s, so that nothing can be predicted through it. Give it damping, "
             "or an equaliser."
         )

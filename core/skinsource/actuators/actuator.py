@@ -64,10 +64,10 @@ class ResponseShape:
         s² / (s² + s w / Q + w²), of the shape of ``frequency_hz``.
         """
         ratio = finite_array("frequency_hz", frequency_hz) / self.resonance_hz
-        found: Complexes = np.asarray(
+        acceleration: Complexes = np.asarray(
             -(ratio**2) / (1.0 - ratio**2 + 1j * ratio / self.quality), np.complex128
         )
-        return found
+        return acceleration
 
 
 # What every actuator can do.
@@ -154,14 +154,14 @@ class LinearActuator(Actuator):
         """Acceleration over voltage, in m/s² per V."""
         s = _imaginary(frequency_hz)
         with np.errstate(all="ignore"):
-            found = self.response_at(s)
-        return _known(np.where(s == 0.0, 0.0, found))
+            response = self.response_at(s)
+        return _known(np.where(s == 0.0, 0.0, response))
 
     def admittance(self, frequency_hz: ArrayLike) -> Complexes:
         """Current over voltage, in A/V, at frequencies other than 0."""
         with np.errstate(all="ignore"):
-            found = self.current_at(_imaginary(frequency_hz))
-        return _known(found)
+            current = self.current_at(_imaginary(frequency_hz))
+        return _known(current)
 
     def simulate(
         self, voltage: ArrayLike, sample_rate_hz: float, hold: Hold = "zero"
@@ -173,8 +173,8 @@ class LinearActuator(Actuator):
 
 
 def _imaginary(frequency_hz: ArrayLike) -> Complexes:
-    found = finite_array("frequency_hz", frequency_hz, "finite frequencies in Hz")
-    s: Complexes = (2j * np.pi * found).astype(np.complex128)
+    frequency = finite_array("frequency_hz", frequency_hz, "finite frequencies in Hz")
+    s: Complexes = (2j * np.pi * frequency).astype(np.complex128)
     return s
 
 

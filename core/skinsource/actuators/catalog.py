@@ -72,12 +72,12 @@ _FORMAT, _VERSION = "skinsource actuator", 1
 
 def names() -> tuple[str, ...]:
     """Names of the actuators whose models are complete: `load` gives what `simulate` moves."""
-    return tuple(name for name, one in _shelf().items() if one.complete)
+    return tuple(name for name, actuator in _shelf().items() if actuator.complete)
 
 
 def shape_names() -> tuple[str, ...]:
     """Names of those of which only the resonance is known: `load_shape` gives its shape."""
-    return tuple(name for name, one in _shelf().items() if not one.complete)
+    return tuple(name for name, actuator in _shelf().items() if not actuator.complete)
 
 
 def profile(name: str) -> ActuatorProfile:
@@ -99,13 +99,13 @@ def load(name: str) -> Model:
     InvalidInputError
         No actuator has this name, or too little is known of it for a model.
     """
-    found = profile(name).model
-    if isinstance(found, ResponseShape):
+    model = profile(name).model
+    if isinstance(model, ResponseShape):
         raise InvalidInputError(
             f"actuator {quoted(name)} is known by the shape of its response only; take load_shape, "
             f"or one of {', '.join(names())}"
         )
-    return found
+    return model
 
 
 def load_shape(name: str) -> ResponseShape:
@@ -116,18 +116,18 @@ def load_shape(name: str) -> ResponseShape:
     InvalidInputError
         No actuator has this name, or it has a model.
     """
-    found = profile(name).model
-    if not isinstance(found, ResponseShape):
+    model = profile(name).model
+    if not isinstance(model, ResponseShape):
         raise InvalidInputError(f"actuator {quoted(name)} has a model; take load")
-    return found
+    return model
 
 
 @cache
 def _shelf() -> dict[str, ActuatorProfile]:
     """Shipped files do not change while the program runs."""
     folder = data_folder() / "actuators"
-    found = {}
+    profiles = {}
     for path in sorted(folder.glob("*.json")):
         tree = from_plain_text(read_bytes(path, most=MAX_TEXT_BYTES), _FORMAT, _VERSION)
-        found[path.stem] = models.decode(tree, (ActuatorProfile,), Address())
-    return found
+        profiles[path.stem] = models.decode(tree, (ActuatorProfile,), Address())
+    return profiles

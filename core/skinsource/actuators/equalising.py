@@ -104,8 +104,8 @@ def target(frequency_hz: ArrayLike, band_hz: Band = BAND_HZ) -> Floats:
         np.clip((place - np.log(full)) / (np.log(gone) - np.log(full)), 0.0, 1.0)
         for full, gone in edges
     ]
-    found: Floats = np.prod([0.5 * (1.0 + np.cos(np.pi * part)) for part in beyond], axis=0)
-    return found
+    gain: Floats = np.prod([0.5 * (1.0 + np.cos(np.pi * part)) for part in beyond], axis=0)
+    return gain
 
 
 def in_band_hz(band_hz: Band = BAND_HZ) -> Floats:
@@ -310,10 +310,10 @@ def equalised(
             f"drive has the shape {rows.shape}, expected (n_times,) or (n_channels, n_times)"
         )
     for place, row in enumerate(np.atleast_2d(rows)):
-        found = net_velocity(row, rate_hz, band[0])
-        if not found.returns:
+        velocity = net_velocity(row, rate_hz, band[0])
+        if not velocity.returns:
             where = f"channel {place}: " if rows.ndim == 2 else ""
-            raise InvalidInputError(f"{where}{found.reason}")
+            raise InvalidInputError(f"{where}{velocity.reason}")
     n, silence = rows.shape[-1], int(_RINGING_S * rate_hz)
     length = scipy.fft.next_fast_len(n + 2 * silence, real=True)
     frequency_hz = np.arange(length // 2 + 1) * rate_hz / length
@@ -397,8 +397,8 @@ class PolePairReplacement(Equaliser):
     def _replaced(self, frequency_hz: Floats) -> Complexes:
         ratio = frequency_hz / self.resonance_hz
         still = 1.0 - ratio**2
-        found = (still + 1j * ratio / self.quality) / (still + 1j * ratio / self.new_quality)
-        return found.astype(np.complex128)
+        replaced = (still + 1j * ratio / self.quality) / (still + 1j * ratio / self.new_quality)
+        return replaced.astype(np.complex128)
 
 
 def resonance_of(actuator: Actuator) -> tuple[float, float]:
@@ -429,8 +429,8 @@ def _shown_by(actuator: Actuator) -> tuple[float, float]:
     frequency_hz = np.geomspace(5.0, 2000.0, 20_001)
     phase_rad = np.unwrap(np.angle(-actuator.response(frequency_hz)))
     late = phase_rad - phase_rad[0] + 0.5 * np.pi
-    found = int(np.argmax(late <= 0.0)) if (late <= 0.0).any() else int(np.abs(late).argmin())
-    place = min(max(found, 1), frequency_hz.size - 2)
+    crossing = int(np.argmax(late <= 0.0)) if (late <= 0.0).any() else int(np.abs(late).argmin())
+    place = min(max(crossing, 1), frequency_hz.size - 2)
     step = np.log(frequency_hz[place + 1] / frequency_hz[place - 1])
     slope = (phase_rad[place + 1] - phase_rad[place - 1]) / step
     return float(frequency_hz[place]), float(-0.5 * slope)
@@ -504,8 +504,8 @@ class RegularisedInverse(Equaliser):
         # In parts of the largest gain, so that no square leaves the range of floats.
         response = actuator.response(frequency_hz) / most
         beta = 0.25 * 10.0 ** (-self.boost_db / 10.0)
-        found = response.conj() / (np.abs(response) ** 2 + beta)
-        return target(frequency_hz, band_hz) * found / most
+        inverse = response.conj() / (np.abs(response) ** 2 + beta)
+        return target(frequency_hz, band_hz) * inverse / most
 
 
 @lru_cache(maxsize=16)

@@ -66,9 +66,11 @@ def fit(
     best = min(
         (
             scipy.optimize.least_squares(misfits, start, bounds=(start - 14.0, start + 14.0))
-            for start in sorted(starts, key=lambda one: float(np.square(misfits(one)).sum()))[:4]
+            for start in sorted(starts, key=lambda start: float(np.square(misfits(start)).sum()))[
+                :4
+            ]
         ),
-        key=lambda one: float(one.cost),
+        key=lambda result: float(result.cost),
     )
     return coil(best.x)
 
@@ -84,11 +86,11 @@ def misfit_db(actuator: Actuator, frequency_hz: ArrayLike, response: ArrayLike) 
 def _differences(
     coil: VoiceCoil, frequency_hz: Floats, values: Complexes, with_phase: bool
 ) -> Floats:
-    found = coil.response(frequency_hz)
+    response = coil.response(frequency_hz)
     if not with_phase:
-        gain: Floats = np.log(np.abs(found) / np.abs(values))
+        gain: Floats = np.log(np.abs(response) / np.abs(values))
         return gain
-    relative = (found - values) / np.abs(values)
+    relative = (response - values) / np.abs(values)
     return np.concatenate((relative.real, relative.imag))
 
 
@@ -101,7 +103,7 @@ def _starts(
     """
     first, last = frequency_hz[0], frequency_hz[-1]
     resonances = [*np.geomspace(first, last, 7), frequency_hz[np.abs(values).argmax()]]
-    found = []
+    starts = []
     for resonance_hz, quality, time_s in product(resonances, _QUALITIES, _TIMES_S):
         turning = 2.0 * np.pi * resonance_hz
         own = 1e-3 if mass is None else mass
@@ -115,5 +117,5 @@ def _starts(
             own * turning / quality - force**2 / resistance, 0.05 * own * turning / quality
         )
         logs = [resistance * time_s, force, damping, own * turning**2]
-        found.append(np.log([*logs, own] if mass is None else logs))
-    return found
+        starts.append(np.log([*logs, own] if mass is None else logs))
+    return starts

@@ -59,8 +59,8 @@ class Bands:
     @property
     def counts(self) -> Floats:
         """How many frequencies each takes in, (n_bands,)."""
-        found: Floats = (self.last + 1 - self.first).astype(np.float64)
-        return found
+        counts: Floats = (self.last + 1 - self.first).astype(np.float64)
+        return counts
 
     def sums(self, spectrum: Any) -> Any:
         """Sums of spectra, (..., n_frequencies), over each, (..., n_bands)."""
@@ -124,8 +124,8 @@ def part_from(samples: Floats, begin: float, n: int) -> Floats:
     """``n`` samples from a place on that may lie between two of them; silence behind the last."""
     whole = round(begin)
     part = np.zeros(n)
-    found = samples[whole : whole + n]
-    part[: found.size] = found
+    available = samples[whole : whole + n]
+    part[: available.size] = available
     if begin == whole:
         return part
     length = scipy.fft.next_fast_len(n, real=True)
@@ -171,7 +171,7 @@ def exponential_sweep(
         They do not go together.
     """
     rate_hz = integer("sample_rate_hz", sample_rate_hz, 1, 10**7)
-    first_hz, last_hz = (real_number("band_hz", one) for one in band_hz)
+    first_hz, last_hz = (real_number("band_hz", frequency) for frequency in band_hz)
     if not 0.0 < first_hz < last_hz < rate_hz / 2.0:
         raise InvalidInputError(
             f"band_hz is {first_hz:g} to {last_hz:g}, expected rising, above 0 and below "
@@ -288,8 +288,8 @@ def minimum_phase(frequency_hz: Floats, gain: Floats) -> Floats:
     cepstrum = scipy.fft.irfft(levels, _LENGTH)
     cepstrum[1 : _LENGTH // 2] *= 2.0
     cepstrum[_LENGTH // 2 + 1 :] = 0.0
-    found: Floats = np.interp(frequency_hz, every_hz, scipy.fft.rfft(cepstrum).imag)
-    return found
+    phase: Floats = np.interp(frequency_hz, every_hz, scipy.fft.rfft(cepstrum).imag)
+    return phase
 
 
 def _slope(place: Floats, level: Floats, end: float, inwards: float) -> float:
@@ -413,19 +413,19 @@ def delay_of(sweeps: Sweeps, band_hz: tuple[float, float]) -> ExcessDelay:
     first = sweeps.recorded[0]
     shift = coarse_delay(sweeps.voltage, first, _noise_power(sweeps, first.size))
     latest = first.size - sweeps.voltage.size
-    found = ExcessDelay(0.0, False, 0.0)
+    delay = ExcessDelay(0.0, False, 0.0)
     for _ in range(_REPEATED_SWEEPS_ROUNDS):
         hz, response, error = _points(sweeps, shift, band_hz)
         heard = error <= _MOST_ERROR_OF_DELAY
         if heard.sum() < FEWEST:
             raise InvalidInputError(_nothing_heard(error))
-        found = excess_delay(hz[heard], response[heard])
-        found = replace(found, seconds=found.seconds + shift / rate_hz)
-        nearest = min(max(round(found.seconds * rate_hz), 0), latest)
+        delay = excess_delay(hz[heard], response[heard])
+        delay = replace(delay, seconds=delay.seconds + shift / rate_hz)
+        nearest = min(max(round(delay.seconds * rate_hz), 0), latest)
         if nearest == shift:
             break
         shift = nearest
-    return found
+    return delay
 
 
 def _points(
@@ -461,8 +461,8 @@ def _noise_power(sweeps: Sweeps, n: int, length: int | None = None) -> Floats:
     part = max(noise.size // 8, 1)
     hz, density = scipy.signal.welch(noise, 1.0, nperseg=part, detrend="constant")
     wanted = np.arange(length // 2 + 1) / length
-    found: Floats = np.interp(wanted, hz, density) * (n / 2.0)
-    return found
+    power: Floats = np.interp(wanted, hz, density) * (n / 2.0)
+    return power
 
 
 def _nothing_heard(error: Floats) -> str:
@@ -514,7 +514,7 @@ def response_from_sweep(
             f"voltage and acceleration have the shapes {driven.shape} and {moved.shape}, expected "
             "two rows of equal length"
         )
-    low_hz, high_hz = (positive_number("band_hz", one) for one in band_hz)
+    low_hz, high_hz = (positive_number("band_hz", frequency) for frequency in band_hz)
     if not low_hz < high_hz <= rate_hz / 2.0:
         raise InvalidInputError(
             f"band_hz is {low_hz:g} to {high_hz:g}, expected rising and at most {rate_hz / 2:g} Hz"
@@ -576,18 +576,18 @@ def open_response(
         positive_number("m_per_s2_at_full_scale", m_per_s2_at_full_scale),
     )
     with ReadingProcess() as process:
-        found = process.look(file)
-        rate_hz = found.rate_hz
-        keys = [one.key for one in found.series]
-        n_samples = min(one.n_samples for one in found.series)
+        contents = process.look(file)
+        rate_hz = contents.rate_hz
+        keys = [series.key for series in contents.series]
+        n_samples = min(series.n_samples for series in contents.series)
         values = process.read(file, keys, 0, n_samples).astype(np.float64)
     try:
-        table = _columns(found, values)
+        table = _columns(contents, values)
         if _FREQUENCY[0] in table:
             return _of_table(table)
         if rate_hz is None or len(values) < 2:
             raise InvalidInputError(
-                f"it holds {_names(found)}; expected a table with columns frequency_hz and gain, "
+                f"it holds {_names(contents)}; expected a table with columns frequency_hz and gain, "
                 "or sound with a voltage and an acceleration"
             )
         return response_from_sweep(values[0] * scales[0], values[1] * scales[1], rate_hz)
@@ -595,18 +595,18 @@ def open_response(
         raise RecordingError(f"{named(Path(file.name))}: {sentence(str(error))}") from error
 
 
-def _names(found: Found) -> str:
+def _names(contents: Found) -> str:
     """What a file holds, in words, and only the first of many."""
-    names = [quoted(one.name) for one in found.series]
+    names = [quoted(series.name) for series in contents.series]
     more = len(names) - _MOST_NAMES
     return ", ".join(names[:_MOST_NAMES]) + (f" and {more} more" if more > 0 else "")
 
 
-def _columns(found: Found, values: Floats) -> dict[str, Floats]:
+def _columns(contents: Found, values: Floats) -> dict[str, Floats]:
     """Columns by the first of the names that mean the same."""
     known = (_FREQUENCY, _GAIN, _GAIN_DB, _RADIANS, _DEGREES, _REAL, _IMAGINARY)
     table: dict[str, Floats] = {}
-    for series, column in zip(found.series, values, strict=True):
+    for series, column in zip(contents.series, values, strict=True):
         name = series.name.strip().lower().removesuffix("_hz").removesuffix(" (hz)")
         for names in known:
             if name in names:

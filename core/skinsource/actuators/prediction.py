@@ -246,21 +246,21 @@ class Breach:
     limit: float
 
     def __str__(self) -> str:
-        found, limit = (with_unit(self.name, one) for one in (self.found, self.limit))
-        return f"{limit_text(self.name)}: {found}, expected at most {limit}"
+        value, limit = (with_unit(self.name, value) for value in (self.found, self.limit))
+        return f"{limit_text(self.name)}: {value}, expected at most {limit}"
 
 
 def breaches(prediction: Prediction, limits: Limits) -> tuple[Breach, ...]:
     """The limits that a prediction passes; what the model does not tell passes none."""
-    found = {
-        one.name: getattr(prediction, one.name)
-        for one in dataclass_fields(Limits)
-        if one.name != "displacement_m"
+    values = {
+        limit.name: getattr(prediction, limit.name)
+        for limit in dataclass_fields(Limits)
+        if limit.name != "displacement_m"
     }
-    found["displacement_m"] = prediction.peak_displacement_m
+    values["displacement_m"] = prediction.peak_displacement_m
     return tuple(
         Breach(name, value, limit)
-        for name, value in found.items()
+        for name, value in values.items()
         if (limit := getattr(limits, name)) is not None and value > limit
     )
 

@@ -185,13 +185,13 @@ class Rig:
 
     def __post_init__(self) -> None:
         fields.check(self)
-        places = Counter(one.place for one in self.channels)
+        places = Counter(channel.place for channel in self.channels)
         for place, count in places.items():
             if count > 1:
                 raise InvalidInputError(
                     f"Rig.channels has place {place} {count} times, expected once; remove one"
                 )
-        outputs = Counter((one.device, one.output) for one in self.channels)
+        outputs = Counter((channel.device, channel.output) for channel in self.channels)
         for (device, output), count in outputs.items():
             if count > 1:
                 raise InvalidInputError(
@@ -201,7 +201,7 @@ class Rig:
 
     def channel_of(self, place: int) -> RigChannel | None:
         """The channel of an input place; None where nothing is wired to it."""
-        return next((one for one in self.channels if one.place == place), None)
+        return next((channel for channel in self.channels if channel.place == place), None)
 
 
 # Between the samples that are sent to a rig and the volts at its actuators.
@@ -229,8 +229,8 @@ def calibration_words(rig: Rig | None, places: Sequence[int]) -> str:
             missing.append(f"place {place} has no measured response")
     if missing:
         return f"uncalibrated: {', '.join(missing)}"
-    dates = [channel.measured_on for one in places if (channel := rig.channel_of(one))]
-    known = [one for one in dates if one]
+    dates = [channel.measured_on for place in places if (channel := rig.channel_of(place))]
+    known = [day for day in dates if day]
     return f"calibrated, measured on {min(known)}" if known else "calibrated"
 
 
@@ -242,8 +242,8 @@ def volts_of(channel: RigChannel, samples: ArrayLike) -> Floats:
     InvalidInputError
         The channel does not say its volts at full scale.
     """
-    found: Floats = finite_array("samples", samples) * _volts(channel)
-    return found
+    volts: Floats = finite_array("samples", samples) * _volts(channel)
+    return volts
 
 
 def samples_for(channel: RigChannel, volts: ArrayLike) -> Floats:
@@ -302,11 +302,11 @@ class RigBreach:
 
 def strictest(*several: Limits) -> Limits:
     """For each limit the least of those that are known."""
-    found = {}
-    for one in dataclass_fields(Limits):
-        known = [value for limits in several if (value := getattr(limits, one.name)) is not None]
-        found[one.name] = min(known, default=None)
-    return Limits(**found)
+    least = {}
+    for limit in dataclass_fields(Limits):
+        known = [value for limits in several if (value := getattr(limits, limit.name)) is not None]
+        least[limit.name] = min(known, default=None)
+    return Limits(**least)
 
 
 def limits_of(channel: RigChannel) -> Limits:
@@ -346,15 +346,17 @@ def rig_breaches(
         raise InvalidInputError(
             f"samples have the shape {rows.shape}, expected ({len(places)} places, n_times)"
         )
-    found = []
+    passed = []
     for place, row in zip(places, rows, strict=True):
         channel = rig.channel_of(place)
         if channel is None:
             raise InvalidInputError(
                 f"place {place} is not wired in the rig {quoted(rig.title)}; add a channel for it"
             )
-        found += [RigBreach(place, one) for one in _of_channel(channel, row, sample_rate_hz)]
-    return tuple(found)
+        passed += [
+            RigBreach(place, breach) for breach in _of_channel(channel, row, sample_rate_hz)
+        ]
+    return tuple(passed)
 
 
 def _of_channel(channel: RigChannel, row: np.ndarray, sample_rate_hz: int) -> tuple[Breach, ...]:
@@ -366,18 +368,22 @@ def _of_channel(channel: RigChannel, row: np.ndarray, sample_rate_hz: int) -> tu
     # A measured response knows no current, the model does.
     flowing = channel.model if channel.model is not None else model
     (told,) = predicted(volts, sample_rate_hz, flowing or _UNMOVED, thermal=channel.thermal)
-    passed = {one.name: one for one in breaches(told, limits)}
+    passed = {breach.name: breach for breach in breaches(told, limits)}
     if model is not flowing and model is not None:
         (moved,) = predicted(volts, sample_rate_hz, model)
         passed.pop("displacement_m", None)
-        passed |= {one.name: one for one in breaches(moved, limits) if one.name == "displacement_m"}
+        passed |= {
+            breach.name: breach
+            for breach in breaches(moved, limits)
+            if breach.name == "displacement_m"
+        }
     unknown = (
         set()
         if known_volts
-        else {one.name for one in dataclass_fields(Limits)} - {"duration_s", "duty"}
+        else {limit.name for limit in dataclass_fields(Limits)} - {"duration_s", "duty"}
     )
     unknown |= set() if model is not None else {"displacement_m"}
-    return tuple(one for name, one in passed.items() if name not in unknown)
+    return tuple(breach for name, breach in passed.items() if name not in unknown)
 
 
 # How far what is sent to a rig may be turned up.
@@ -429,18 +435,18 @@ def highest_gain(
         As `rig_breaches`.
     """
     rows = np.asarray(samples, np.float64)
-    found = Margin()
-    for one in rig_breaches(rig, places, rows * _LOUDER, sample_rate_hz):
-        breach = one.breach
+    margin = Margin()
+    for rig_breach in rig_breaches(rig, places, rows * _LOUDER, sample_rate_hz):
+        breach = rig_breach.breach
         allowed = 0.0 if breach.name in _OF_TIME else _LOUDER * breach.limit / breach.found
-        if allowed < found.factor:
-            found = Margin(allowed, f"place {one.place}: {limit_text(breach.name)}")
+        if allowed < margin.factor:
+            margin = Margin(allowed, f"place {rig_breach.place}: {limit_text(breach.name)}")
     if repeated:
         for place in places:
             channel = rig.channel_of(place)
             if channel is not None and limits_of(channel).duration_s is not None:
                 return Margin(0.0, f"place {place}: duration, repeated without end")
-    return found
+    return margin
 
 
 # A rig as a file: JSON text that can be written by hand, and is checked when it is read.
@@ -480,8 +486,8 @@ def open_rig(path: str | os.PathLike[str]) -> Rig:
     place = Path(path)
     try:
         tree = from_plain_text(read_bytes(place, most=MAX_TEXT_BYTES + 1), FORMAT, VERSION)
-        found: Rig = models.decode(tree, (Rig,), Address())
+        rig: Rig = models.decode(tree, (Rig,), Address())
     except (FileFormatError, InvalidInputError) as error:
         words = str(error).removeprefix(f"{named(Path(place.name))}: ")
         raise FileFormatError(f"{named(Path(place.name))}: {sentence(words)}") from error
-    return found
+    return rig

@@ -74,16 +74,16 @@ def simulated(
     samples = samples_of(voltage, hold)
     tally(samples_moved=samples.size)
     # At rest, but what the first sample passes on at once.
-    found = np.zeros((len(OUTPUTS), samples.size))
-    found[-1, :1] = equations.passed_a_per_v * samples[:1]
+    outputs = np.zeros((len(OUTPUTS), samples.size))
+    outputs[-1, :1] = equations.passed_a_per_v * samples[:1]
     if samples.size > 1:
-        _fill(found[:, 1:], samples, step_matrix(equations, step_s, hold))
-    if not np.isfinite(found).all():
+        _fill(outputs[:, 1:], samples, step_matrix(equations, step_s, hold))
+    if not np.isfinite(outputs).all():
         raise InvalidInputError(
             "the motion is beyond all floating-point numbers; lower the voltage, or move the "
             "parameters nearer to those of real actuators"
         )
-    return ActuatorMotion(**dict(zip(OUTPUTS, found, strict=True)))
+    return ActuatorMotion(**dict(zip(OUTPUTS, outputs, strict=True)))
 
 
 def samples_of(voltage: ArrayLike, hold: Hold) -> Floats:
@@ -114,13 +114,13 @@ def step_matrix(equations: Equations, step_s: float, hold: Hold) -> Floats:
     read = np.array([equations.velocity, equations.displacement, equations.current])
     # Not the sum of the forces: beside them, that of a light mass has lost its digits.
     acceleration = read[0] @ rates[:n] / step_s
-    found = np.vstack((states, acceleration, read @ states))
+    result = np.vstack((states, acceleration, read @ states))
     # From what the voltage gains to the voltage after the step.
-    rising = found[:, n + 1] * (hold == "first")
-    found[:, n] -= rising
-    found[:, n + 1] = rising
-    found[-1, n + 1] += equations.passed_a_per_v
-    return found
+    rising = result[:, n + 1] * (hold == "first")
+    result[:, n] -= rising
+    result[:, n + 1] = rising
+    result[-1, n + 1] += equations.passed_a_per_v
+    return result
 
 
 def exponential_less_1(matrix: Floats) -> tuple[Floats, Floats]:
@@ -136,14 +136,14 @@ def exponential_less_1(matrix: Floats) -> tuple[Floats, Floats]:
     """
     doublings = max(int(np.frexp(np.abs(matrix).sum(axis=1).max())[1]) + 1, 0)
     small = np.ldexp(matrix, -doublings)
-    found = np.zeros_like(matrix)
+    gained = np.zeros_like(matrix)
     for k in range(16, 0, -1):
-        found = (small + small @ found) / k
-    rates = matrix + found @ matrix
+        gained = (small + small @ gained) / k
+    rates = matrix + gained @ matrix
     for _ in range(doublings):
-        rates = rates + found @ rates
-        found = 2.0 * found + found @ found
-    return found, rates
+        rates = rates + gained @ rates
+        gained = 2.0 * gained + gained @ gained
+    return gained, rates
 
 
 def _fill(found: Floats, samples: Floats, step: Floats) -> None:
@@ -182,8 +182,8 @@ def _accumulated(added: Floats, step: Floats) -> Floats:
 
     What one step adds is carried on by one step, then what two have added by two, and so on.
     """
-    found, apart = added, 1
-    while apart < len(found):
-        found = found + np.pad(found[:-apart] @ step.T, ((apart, 0), (0, 0)))
+    states, apart = added, 1
+    while apart < len(states):
+        states = states + np.pad(states[:-apart] @ step.T, ((apart, 0), (0, 0)))
         step, apart = step @ step, 2 * apart
-    return found
+    return states

@@ -75,7 +75,7 @@ def extent(rms: ArrayLike, limb: Limb, location: int | Sequence[int]) -> Extent:
             "rms is zero at all outputs with a place on the map, so it has no extent. Choose a "
             "window in which the skin moves."
         )
-    return Extent(**{name: float(one) for name, one in spread(values, distance_mm).items()})
+    return Extent(**{name: float(value) for name, value in spread(values, distance_mm).items()})
 
 
 def spread(rms: Floats, distance_mm: Floats) -> dict[str, Floats]:
@@ -120,13 +120,13 @@ def distances_mm(limb: Limb, location: int | Sequence[int]) -> Floats:
 
 
 def _share_above(relative: Floats, below_db: float) -> Floats:
-    found: Floats = np.mean(relative > 10.0 ** (-below_db / 20.0), axis=-1)
-    return found
+    share: Floats = np.mean(relative > 10.0 ** (-below_db / 20.0), axis=-1)
+    return share
 
 
 def _distance_of_share(share: Floats, distance_mm: Floats) -> Floats:
     order = np.argsort(distance_mm, kind="stable")
     reached = np.cumsum(share[..., order], axis=-1)
     # The last sum may be a little less than 1, but never less than nine tenths.
-    found: Floats = distance_mm[order][np.argmax(reached >= _ENERGY_SHARE, axis=-1)]
-    return found
+    distance: Floats = distance_mm[order][np.argmax(reached >= _ENERGY_SHARE, axis=-1)]
+    return distance

@@ -178,18 +178,18 @@ class HandProportions:
             "thumb_root": 2,
         }
         for name, count in expected.items():
-            found = len(getattr(self, name))
-            if found != count:
+            value = len(getattr(self, name))
+            if value != count:
                 raise InvalidInputError(
-                    f"hand proportions: {name} has {found} entries, expected {count}, from the "
+                    f"hand proportions: {name} has {value} entries, expected {count}, from the "
                     "thumb to the little finger. Correct the list."
                 )
         positive = ("digit_lengths", "digit_widths", "knuckle_spacings", "wrist_width")
         for name in (*positive, "thumb_metacarpal_length", "forearm_length", "forearm_width"):
-            found = getattr(self, name)
-            if not np.all(np.asarray(found) > 0):
+            value = getattr(self, name)
+            if not np.all(np.asarray(value) > 0):
                 raise InvalidInputError(
-                    f"hand proportions: {name} is {quoted(found)}, expected positive fractions of "
+                    f"hand proportions: {name} is {quoted(value)}, expected positive fractions of "
                     "the hand length. Correct the numbers."
                 )
 

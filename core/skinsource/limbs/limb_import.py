@@ -94,15 +94,15 @@ def import_limb(
         ``stop`` said so; nothing is left behind.
     """
     with ReadingProcess() as process:
-        found = prepare_limb(source, process, stop=stop)
+        prepared = prepare_limb(source, process, stop=stop)
         if not replace:
-            _refuse_taken(found.limb.name)
-        responses = _responses(source.responses, found, process, stop)
+            _refuse_taken(prepared.limb.name)
+        responses = _responses(source.responses, prepared, process, stop)
         try:
-            install_limb(found.limb, responses, progress=progress, stop=stop)
+            install_limb(prepared.limb, responses, progress=progress, stop=stop)
         except InvalidInputError as error:
             raise FileFormatError(f"{named(Path(source.responses.name))}: {error}") from error
-    return facts_of(found.limb.name)
+    return facts_of(prepared.limb.name)
 
 
 def _refuse_taken(name: str) -> None:
@@ -162,16 +162,16 @@ class Points:
 
 def read_points(path: Path, process: ReadingProcess, *, stop: Stop = never) -> Points:
     """Places of a CSV file, or the outline of a CSV or SVG file; raises as `import_limb`."""
-    found = process.ask(path, {"do": "points"}, stop=stop)["points"]
+    answer = process.ask(path, {"do": "points"}, stop=stop)["points"]
     try:
-        rows = [(np.nan, np.nan) if row is None else row for row in found["points"]]
+        rows = [(np.nan, np.nan) if row is None else row for row in answer["points"]]
         points = np.array(rows, np.float64).reshape(-1, 2)
-        names = tuple(map(str, found["names"]))
+        names = tuple(map(str, answer["names"]))
     except (TypeError, ValueError, KeyError) as error:
         raise FileFormatError(
             f"{named(Path(path.name))}: its points make no sense, expected rows of x and y."
         ) from error
-    return Points(points=points, names=names, y_down=bool(found["y_down"]))
+    return Points(points=points, names=names, y_down=bool(answer["y_down"]))
 
 
 def _arranged(
@@ -181,14 +181,14 @@ def _arranged(
     if about["header"] is not None:
         inputs, outputs, axes, taps = about["header"]["shape"]
         return (inputs, outputs, axes, taps), {"do": "responses", "array": None, "order": ""}
-    arrays = [one for one in about["arrays"] if source.array in ("", one["name"])]
+    arrays = [array for array in about["arrays"] if source.array in ("", array["name"])]
     if not arrays:
-        names = ", ".join(quoted(one["name"]) for one in about["arrays"][:10])
+        names = ", ".join(quoted(array["name"]) for array in about["arrays"][:10])
         raise InvalidInputError(
             f"{named(Path(source.responses.name))}: it has no array {quoted(source.array)}, "
             f"expected one of {names}"
         )
-    array = max(arrays, key=lambda one: prod(one["shape"]))
+    array = max(arrays, key=lambda array: prod(array["shape"]))
     order = source.order or USUAL_ORDERS[len(array["shape"])]
     if sorted(order) not in (sorted("ioat"), sorted("iot")) or len(order) != len(array["shape"]):
         raise InvalidInputError(
@@ -250,7 +250,7 @@ def _turn_up(values: dict[str, Any], source: LimbSource, *, down: bool) -> None:
 
 def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:
     """Say what is missing, and whether the numbers of places are those of the responses."""
-    known = {one.name for one in fields(OwnLimb)}
+    known = {spec.name for spec in fields(OwnLimb)}
     for name in ("axes", "sample_rate_hz", "hand_length_mm"):
         if values.get(name) is None:
             raise InvalidInputError(f"{name} is not known, expected it with the responses")
@@ -285,16 +285,16 @@ def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:
 
 
 def _responses(
-    path: Path, found: PreparedLimb, process: ReadingProcess, stop: Stop
+    path: Path, prepared: PreparedLimb, process: ReadingProcess, stop: Stop
 ) -> Iterator[Floats]:
-    for block in process.stream(path, found.request, stop=stop):
-        rows = found.limb.n_outputs * len(found.limb.axes)
-        if block.shape != (rows, found.limb.n_taps):
+    for block in process.stream(path, prepared.request, stop=stop):
+        rows = prepared.limb.n_outputs * len(prepared.limb.axes)
+        if block.shape != (rows, prepared.limb.n_taps):
             raise FileFormatError(
                 f"{named(Path(path.name))}: a response has shape {block.shape}, expected "
-                f"{(rows, found.limb.n_taps)}. The file has changed, or is damaged."
+                f"{(rows, prepared.limb.n_taps)}. The file has changed, or is damaged."
             )
-        yield block.reshape(found.limb.shape[1:])
+        yield block.reshape(prepared.limb.shape[1:])
 
 
 # What the child process does for limbs.

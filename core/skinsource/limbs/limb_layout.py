@@ -26,9 +26,9 @@ from skinsource.readers.readers import reader_of
 _ADVICE = "docs/limbs.md says what a limb consists of."
 
 
-def limb_file_error(path: Path, found: str, expected: str) -> RecordingError:
+def limb_file_error(path: Path, problem: str, expected: str) -> RecordingError:
     """The error that names the file, what was found and expected, and where to look."""
-    return RecordingError(f"{named(Path(path.name))}: {found}, expected {expected}. {_ADVICE}")
+    return RecordingError(f"{named(Path(path.name))}: {problem}, expected {expected}. {_ADVICE}")
 
 
 # The HDF5 file that a lab hands over: `docs/limbs.md` describes it for people.
@@ -72,10 +72,8 @@ def is_limb_file(path: Path) -> bool:
         if "format" in file.attrs and _text(file, path, "format", "") == FORMAT:
             return True
         if any(name in file.attrs for name in _ONLY_OF_LIMBS):
-            found = _text(file, path, "format", None)
-            raise limb_file_error(
-                path, f"the attribute 'format' is {quoted(found)}", quoted(FORMAT)
-            )
+            text = _text(file, path, "format", None)
+            raise limb_file_error(path, f"the attribute 'format' is {quoted(text)}", quoted(FORMAT))
         return False
 
 
@@ -116,8 +114,8 @@ def response_blocks(path: Path) -> Iterator[Floats]:
     with files.File(path, "r", locking=False) as file:
         responses = _responses(file, path)
         for number in range(responses.shape[0]):
-            found = np.asarray(responses[number], np.float64)
-            yield found.reshape(-1, found.shape[-1])
+            response = np.asarray(responses[number], np.float64)
+            yield response.reshape(-1, response.shape[-1])
 
 
 def export_limb(name: str, path: Path, *, progress: Progress = silent, stop: Stop = never) -> None:
@@ -175,7 +173,7 @@ def _put_header(file: Any, limb: OwnLimb) -> None:
         group.create_dataset(name, data=getattr(limb, field), track_times=False)
     for name, field in _NAMES.items():
         if getattr(limb, field):
-            texts_of = np.array([one.encode() for one in getattr(limb, field)])
+            texts_of = np.array([name.encode() for name in getattr(limb, field)])
             file.require_group("names").create_dataset(name, data=texts_of, track_times=False)
 
 
@@ -184,17 +182,17 @@ def _responses(file: Any, path: Path) -> Any:
 
 
 def _dataset(group: Any, path: Path, name: str, n_dimensions: int, longest: int) -> Any:
-    found = files.own_member(group, name, files.Dataset)
-    if found is None:
+    dataset = files.own_member(group, name, files.Dataset)
+    if dataset is None:
         raise limb_file_error(path, f"it has no dataset {quoted(name)}", "one of numbers")
-    reason = reason_against(found, path.stat().st_size)
+    reason = reason_against(dataset, path.stat().st_size)
     if reason:
         raise limb_file_error(path, f"{quoted(name)} cannot be read: {reason}", "plain numbers")
-    shape = tuple(int(n) for n in found.shape)
+    shape = tuple(int(n) for n in dataset.shape)
     if len(shape) != n_dimensions or not all(1 <= n <= longest for n in shape):
         expected = "(n, 2)" if n_dimensions == 2 else "(inputs, outputs, axes, taps)"
         raise limb_file_error(path, f"{quoted(name)} has shape {shape}", expected)
-    return found
+    return dataset
 
 
 def _text(group: Any, path: Path, name: str, default: str | None) -> str:
@@ -227,7 +225,7 @@ def _band(group: Any, path: Path) -> list[float] | None:
         raise limb_file_error(
             path, f"the attribute 'band_hz' is {quoted(value)}", "two frequencies"
         )
-    return [float(one) for one in array]
+    return [float(frequency) for frequency in array]
 
 
 def _attribute(group: Any, path: Path, name: str, default: Any) -> Any:
@@ -247,17 +245,18 @@ def _attribute(group: Any, path: Path, name: str, default: Any) -> Any:
 
 
 def _names(group: Any, path: Path, name: str) -> list[str]:
-    found = files.own_member(group, name, files.Dataset)
-    if found is None:
+    dataset = files.own_member(group, name, files.Dataset)
+    if dataset is None:
         return []
-    shape = found.shape
-    if shape is None or len(shape) != 1 or shape[0] > _MOST_NAMES or found.dtype.kind not in "SO":
+    shape = dataset.shape
+    if shape is None or len(shape) != 1 or shape[0] > _MOST_NAMES or dataset.dtype.kind not in "SO":
         raise limb_file_error(
             path, f"'names/{name}' is no list of texts", "one text for each place"
         )
-    values = found[()]
+    values = dataset[()]
     return [
-        one.decode("utf-8", "replace") if isinstance(one, bytes) else str(one) for one in values
+        value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
+        for value in values
     ]
 
 
@@ -282,18 +281,18 @@ _KINDS, _MOST_ARRAYS = "iuf", 200
 def arrays_of(path: Path) -> list[dict[str, Any]]:
     """Name and shape of each array of numbers with three or four dimensions."""
     with _opened(path) as members:
-        found = [
-            {"name": one.name, "shape": [int(n) for n in one.array.shape]}
-            for one in members.members
-            if len(one.array.shape) in (3, 4) and np.dtype(one.array.dtype).kind in _KINDS
+        descriptions = [
+            {"name": member.name, "shape": [int(n) for n in member.array.shape]}
+            for member in members.members
+            if len(member.array.shape) in (3, 4) and np.dtype(member.array.dtype).kind in _KINDS
         ]
-        if not found:
+        if not descriptions:
             raise limb_file_error(
                 path,
                 f"it holds no array of 3 or 4 dimensions. {' '.join(members.notes)}".rstrip(" ."),
                 "responses: inputs, outputs, axes and taps in some order",
             )
-        return found[:_MOST_ARRAYS]
+        return descriptions[:_MOST_ARRAYS]
 
 
 def offered_by(path: Path) -> dict[str, Any]:
@@ -304,17 +303,17 @@ def offered_by(path: Path) -> dict[str, Any]:
     if reader_of(path).name not in _OPENED:
         return {"arrays": [], "rate_hz": None}
     with _opened(path) as members:
-        found = [
+        descriptions = [
             {
-                "name": one.name,
-                "shape": [int(n) for n in one.array.shape],
-                "rate_hz": one.rate_hz,
+                "name": member.name,
+                "shape": [int(n) for n in member.array.shape],
+                "rate_hz": member.rate_hz,
             }
-            for one in members.members
-            if len(one.array.shape) == 3 and np.dtype(one.array.dtype).kind in _KINDS
+            for member in members.members
+            if len(member.array.shape) == 3 and np.dtype(member.array.dtype).kind in _KINDS
         ]
         stated = stated_rate(members)
-        return {"arrays": found[:_MOST_ARRAYS], "rate_hz": stated[1] if stated else None}
+        return {"arrays": descriptions[:_MOST_ARRAYS], "rate_hz": stated[1] if stated else None}
 
 
 def array_blocks(path: Path, name: str, order: str) -> Iterator[Floats]:
@@ -339,21 +338,21 @@ def array_blocks(path: Path, name: str, order: str) -> Iterator[Floats]:
         for number in range(shape[order.index("i")]):
             at: list[Any] = [slice(None)] * len(shape)
             at[order.index("i")] = number
-            found = np.asarray(array[tuple(at)], np.float64)
+            response = np.asarray(array[tuple(at)], np.float64)
             rest = order.replace("i", "")
             if "a" not in rest:
-                found, rest = found[..., None], f"{rest}a"
-            found = found.transpose([rest.index(letter) for letter in "oat"])
-            yield found.reshape(-1, found.shape[-1])
+                response, rest = response[..., None], f"{rest}a"
+            response = response.transpose([rest.index(letter) for letter in "oat"])
+            yield response.reshape(-1, response.shape[-1])
 
 
 def _chosen(path: Path, members: Members, name: str) -> Any:
-    offered = [one for one in members.members if len(one.array.shape) in (3, 4)]
-    named = [one for one in offered if one.name == name] if name else offered
+    offered = [member for member in members.members if len(member.array.shape) in (3, 4)]
+    named = [member for member in offered if member.name == name] if name else offered
     if not named:
-        names = ", ".join(quoted(one.name) for one in offered[:10]) or "none"
+        names = ", ".join(quoted(member.name) for member in offered[:10]) or "none"
         raise limb_file_error(path, f"it has no array {quoted(name)}", f"one of {names}")
-    return max(named, key=lambda one: int(np.prod(one.array.shape))).array
+    return max(named, key=lambda member: int(np.prod(member.array.shape))).array
 
 
 def _opened(path: Path) -> AbstractContextManager[Members]:
@@ -404,18 +403,18 @@ def _rows(path: Path, content: bytes) -> list[list[str]]:
     skip = delimiter == " "
     read = csv.reader(io.StringIO("\n".join(lines)), delimiter=delimiter, skipinitialspace=skip)
     try:
-        found = [row for row in read if row]
+        rows = [row for row in read if row]
     except csv.Error as error:
         raise limb_file_error(path, f"it is no table ({error})", "rows of x and y") from error
-    if not 1 <= len(found) <= _POINTS_MOST_ROWS:
+    if not 1 <= len(rows) <= _POINTS_MOST_ROWS:
         raise limb_file_error(
-            path, f"it has {len(found)} rows", f"1 to {_POINTS_MOST_ROWS} rows of x and y"
+            path, f"it has {len(rows)} rows", f"1 to {_POINTS_MOST_ROWS} rows of x and y"
         )
-    return found
+    return rows
 
 
 def _columns(rows: list[list[str]]) -> tuple[int, int, int | None, list[list[str]]]:
-    header = [one.strip().lower() for one in rows[0]]
+    header = [cell.strip().lower() for cell in rows[0]]
     if "x" in header and "y" in header:
         name = header.index("name") if "name" in header else None
         return header.index("x"), header.index("y"), name, rows[1:]
@@ -424,19 +423,19 @@ def _columns(rows: list[list[str]]) -> tuple[int, int, int | None, list[list[str
 
 def _point(path: Path, row: list[str], x: int, y: int, number: int) -> list[float] | None:
     cells = [row[k].strip() if k < len(row) else "" for k in (x, y)]
-    if all(one.lower() in _MISSING for one in cells):
+    if all(cell.lower() in _MISSING for cell in cells):
         return None
     try:
-        found = [float(one) for one in cells]
+        point = [float(cell) for cell in cells]
     except ValueError as error:
         raise limb_file_error(
             path, f"row {number} has {quoted(','.join(cells))}", "two numbers, x and y"
         ) from error
-    if not np.isfinite(found).all():
+    if not np.isfinite(point).all():
         raise limb_file_error(
             path, f"row {number} has {quoted(','.join(cells))}", "two finite numbers"
         )
-    return found
+    return point
 
 
 # An outline for places that came without one.

@@ -146,7 +146,7 @@ class OwnLimb:
             ("input_names", self.input_names, self.n_inputs),
             ("output_names", self.output_names, self.n_outputs),
         ):
-            texts = tuple(_line(what, one, _LONGEST_PLACE) for one in names)
+            texts = tuple(_line(what, name, _LONGEST_PLACE) for name in names)
             if texts and len(texts) != n:
                 raise InvalidInputError(
                     f"{what} are {len(texts)}, expected {n}, one for each place"
@@ -204,35 +204,35 @@ def _line(what: str, text: object, longest: int) -> str:
 def _band(band_hz: object, sample_rate_hz: float) -> Band | None:
     if band_hz is None:
         return None
-    found = real_array("band_hz", band_hz, "two frequencies")  # type: ignore[arg-type]
+    band = real_array("band_hz", band_hz, "two frequencies")  # type: ignore[arg-type]
     highest = sample_rate_hz / 2.0
-    if found.shape != (2,) or not 0.0 <= found[0] < found[1] <= highest:
+    if band.shape != (2,) or not 0.0 <= band[0] < band[1] <= highest:
         raise InvalidInputError(
             f"band_hz is {quoted(band_hz)}, expected a lower and a higher frequency, up to half "
             f"the sample rate, {highest:g} Hz"
         )
-    return float(found[0]), float(found[1])
+    return float(band[0]), float(band[1])
 
 
 def _points(what: str, points: object, fewest: int, most: int, *, missing: bool = True) -> Floats:
     """Checked places, (n, 2); a row without a number is no place, where that may be."""
-    found = np.array(real_array(what, points, "(n, 2)"))  # type: ignore[arg-type]
-    if found.ndim != 2 or found.shape[1] != 2 or not fewest <= len(found) <= most:
+    positions = np.array(real_array(what, points, "(n, 2)"))  # type: ignore[arg-type]
+    if positions.ndim != 2 or positions.shape[1] != 2 or not fewest <= len(positions) <= most:
         raise InvalidInputError(
-            f"{what} has shape {found.shape}, expected (n, 2) with {fewest} to {most} rows: x, y"
+            f"{what} has shape {positions.shape}, expected (n, 2) with {fewest} to {most} rows: x, y"
         )
-    unusable = ~(np.abs(found) <= _FARTHEST)
+    unusable = ~(np.abs(positions) <= _FARTHEST)
     if missing:
-        found[np.isnan(found).any(axis=1)] = np.nan
-        unusable = ~(np.abs(found) <= _FARTHEST) & ~np.isnan(found)
+        positions[np.isnan(positions).any(axis=1)] = np.nan
+        unusable = ~(np.abs(positions) <= _FARTHEST) & ~np.isnan(positions)
     if unusable.any():
         row, column = np.argwhere(unusable)[0]
         raise InvalidInputError(
-            f"{what}, row {row + 1}: {'xy'[column]} is {found[row, column]}, expected a number of "
+            f"{what}, row {row + 1}: {'xy'[column]} is {positions[row, column]}, expected a number of "
             f"at most {_FARTHEST:g}"
         )
-    found.flags.writeable = False
-    return found
+    positions.flags.writeable = False
+    return positions
 
 
 # The file that an imported limb is kept in.
@@ -297,7 +297,7 @@ class LimbFile:
             ) from error
         try:
             tree = json.loads(text)
-            self._sums = tuple(str(one) for one in tree.pop("sha256"))
+            self._sums = tuple(str(checksum) for checksum in tree.pop("sha256"))
             self.limb = _limb_of(tree)
         except InvalidInputError as error:
             raise _damaged(path, str(error)) from error
@@ -477,8 +477,8 @@ def own_limb_path(name: str) -> Path:
 def own_limb_names() -> tuple[str, ...]:
     """Names of the limbs that were imported, in the order of the alphabet."""
     try:
-        found = sorted((user_folder() / FOLDER).glob(f"own-*{ENDING}"))
-        names = [path.name.removeprefix("own-").removesuffix(ENDING) for path in found]
+        paths = sorted((user_folder() / FOLDER).glob(f"own-*{ENDING}"))
+        names = [path.name.removeprefix("own-").removesuffix(ENDING) for path in paths]
         return tuple(name for name in names if is_free_name(name) and is_file(own_limb_path(name)))
     except (OSError, StorageError):
         return ()  # of a folder that may not be searched nothing can be used either
@@ -600,8 +600,8 @@ def outputs_on(limb: str, outputs: tuple[int, ...]) -> tuple[int, ...]:
     facts = facts_of(limb)
     if not facts.known:
         return outputs
-    found = tuple(number for number in outputs if number <= facts.n_outputs)
-    return found or tuple(range(1, min(len(outputs), facts.n_outputs) + 1))
+    available = tuple(number for number in outputs if number <= facts.n_outputs)
+    return available or tuple(range(1, min(len(outputs), facts.n_outputs) + 1))
 
 
 def drive_unit_known(name: str, digest: str = "") -> bool:

@@ -91,8 +91,8 @@ def _give_overview(answers: IO[bytes], request: dict[str, Any], path: Path) -> N
         overview.add(block)
         _answer(answers, {"done": overview.done})
         limit_time(_CPU_S)
-    found = overview.extremes
-    _answer(answers, {"block": [*found.shape, "f8"]}, np.ascontiguousarray(found, "<f8"))
+    extremes = overview.extremes
+    _answer(answers, {"block": [*extremes.shape, "f8"]}, np.ascontiguousarray(extremes, "<f8"))
     _answer(answers, {"end": True})
 
 

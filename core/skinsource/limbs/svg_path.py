@@ -55,7 +55,7 @@ def _lines(element: ElementTree.Element, outer: Affine, depth: int) -> Iterator[
         for line in path_lines(element.get("d", "")):
             yield _moved(line, here)
     elif kind in ("polygon", "polyline"):
-        numbers = [float(one) for one in re.findall(_NUMBER, element.get("points", ""))]
+        numbers = [float(number) for number in re.findall(_NUMBER, element.get("points", ""))]
         yield _moved(np.array(numbers[: len(numbers) // 2 * 2]).reshape(-1, 2), here)
     for inner in element:
         yield from _lines(inner, here, depth + 1)
@@ -66,9 +66,9 @@ def _moved(line: Floats, affine: Affine) -> Floats:
 
 
 def _affine(text: str) -> Affine:
-    found = np.eye(3)
+    affine = np.eye(3)
     for name, inside in _TRANSFORM.findall(text):
-        v = [float(one) for one in re.findall(_NUMBER, inside)]
+        v = [float(number) for number in re.findall(_NUMBER, inside)]
         step = np.eye(3)
         if name == "matrix" and len(v) == 6:
             step[:2] = np.array(v).reshape(3, 2).T
@@ -83,8 +83,8 @@ def _affine(text: str) -> Affine:
             step[:2, 2] = centre - step[:2, :2] @ centre
         else:
             raise ValueError(f"its transform {quoted(text)} is not understood")
-        found = found @ step
-    return found
+        affine = affine @ step
+    return affine
 
 
 def path_lines(text: str) -> list[Floats]:

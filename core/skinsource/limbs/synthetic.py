@@ -328,8 +328,8 @@ def _model(number: int) -> SyntheticModel:
 
 
 def _read_only(held: HandShape | SyntheticModel) -> None:
-    for one in fields(held):
-        value = getattr(held, one.name)
+    for field in fields(held):
+        value = getattr(held, field.name)
         for array in value if isinstance(value, tuple) else (value,):
             if isinstance(array, np.ndarray):
                 array.flags.writeable = False

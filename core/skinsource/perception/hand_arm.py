@@ -36,8 +36,8 @@ def hand_arm_weighting(frequency_hz: ArrayLike) -> Complexes:
     band = s**2 * w2**2 / ((s**2 + s * w1 / _Q1 + w1**2) * (s**2 + s * w2 / _Q1 + w2**2))
     gain = 2.0 * np.pi * _F4_HZ**2 / _F3_HZ
     transition = (s + w3) * gain / (s**2 + s * w4 / _Q2 + w4**2)
-    found: Complexes = band * transition
-    return found
+    response: Complexes = band * transition
+    return response
 
 
 def weighted_rms(acceleration: ArrayLike, sample_rate_hz: float) -> Floats:

@@ -106,14 +106,14 @@ def sensation_levels_db(
             "published limbs: where others lie is not known. Hand over offsets_db."
         )
     power, frequency_hz = _power_by_bin(data, rate_hz)
-    found: dict[Channel, Floats] = {}
+    levels: dict[Channel, Floats] = {}
     for channel in CHANNELS:
         above = power @ threshold_rms(frequency_hz, channel, area_cm2=area_cm2) ** -2.0
         offset_db = np.broadcast_to(offsets[channel], above.shape)
         with np.errstate(divide="ignore"):
             levels_db = 10.0 * np.log10(above) - offset_db
-        found[channel] = np.maximum(levels_db, _SILENCE_DB)
-    return found
+        levels[channel] = np.maximum(levels_db, _SILENCE_DB)
+    return levels
 
 
 def sensation_magnitude(levels_db: dict[Channel, Floats]) -> Floats:

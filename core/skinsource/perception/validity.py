@@ -71,9 +71,9 @@ def findings_lines(findings: Findings) -> list[str]:
     """A line for each condition that is not kept, for the head of a file."""
     said = {"left": "CAUTION", "unknown": "unknown"}
     return [
-        f"validity, {one.name}: {said[one.state]}: {one.sentence}"
-        for one in findings
-        if one.state in said
+        f"validity, {finding.name}: {said[finding.state]}: {finding.sentence}"
+        for finding in findings
+        if finding.state in said
     ]
 
 
@@ -105,7 +105,9 @@ class Judged:
         """The same for what draws no map: nothing is told of what lies between outputs."""
         if self.findings is None:
             return self
-        return replace(self, findings=tuple(one for one in self.findings if not one.of_maps))
+        return replace(
+            self, findings=tuple(finding for finding in self.findings if not finding.of_maps)
+        )
 
 
 def in_short(judged: Sequence[Judged]) -> tuple[str, ...]:
@@ -114,10 +116,10 @@ def in_short(judged: Sequence[Judged]) -> tuple[str, ...]:
     Where numbers differ between designs, the smallest and the largest are told.
     """
     numbers: dict[str, list[float]] = {}
-    for one in judged:
-        for found in one.findings or ():
-            if found.number is not None:
-                numbers.setdefault(found.in_short, []).append(found.number)
+    for design in judged:
+        for finding in design.findings or ():
+            if finding.number is not None:
+                numbers.setdefault(finding.in_short, []).append(finding.number)
     said = _together(judged, _sentences)
     return tuple(
         sentence(whose + (_with_range(words, numbers[words]) if words in numbers else words))
@@ -135,9 +137,9 @@ def _together(
 ) -> list[tuple[str, str]]:
     """What holds for all of them once, and what holds for some once, with which they are."""
     labels_of: dict[str, list[str]] = {}
-    for one in judged:
-        for words in dict.fromkeys(said_of(one)):
-            labels_of.setdefault(words, []).append(one.label)
+    for design in judged:
+        for words in dict.fromkeys(said_of(design)):
+            labels_of.setdefault(words, []).append(design.label)
     return [
         ("" if len(labels) == len(judged) else f"{', '.join(labels)}: ", words)
         for words, labels in labels_of.items()
@@ -147,21 +149,21 @@ def _together(
 def _with_range(words: str, numbers: Sequence[float]) -> str:
     """The words with their number; with two where numbers look different."""
     before, field, after = _FIELD.split(words, maxsplit=1)
-    ends = dict.fromkeys(field.format(one) for one in (min(numbers), max(numbers)))
+    ends = dict.fromkeys(field.format(number) for number in (min(numbers), max(numbers)))
     return f"{before}{' to '.join(ends)}{after}"
 
 
-def _sentences(one: Judged) -> list[str]:
-    note = [f"{one.note[:1].upper()}{one.note[1:]}"] if one.note else []
-    if one.findings is None:
+def _sentences(design: Judged) -> list[str]:
+    note = [f"{design.note[:1].upper()}{design.note[1:]}"] if design.note else []
+    if design.findings is None:
         return [*note, f"{_UNJUDGED[:1].upper()}{_UNJUDGED[1:]}"]
-    return [*note, *(found.in_short for found in one.findings if found.in_short)]
+    return [*note, *(finding.in_short for finding in design.findings if finding.in_short)]
 
 
-def _lines(one: Judged) -> list[str]:
-    note = [f"NOTE on the limb: {one.note}"] if one.note else []
+def _lines(design: Judged) -> list[str]:
+    note = [f"NOTE on the limb: {design.note}"] if design.note else []
     return note + (
-        [f"validity: {_UNJUDGED}"] if one.findings is None else findings_lines(one.findings)
+        [f"validity: {_UNJUDGED}"] if design.findings is None else findings_lines(design.findings)
     )
 
 
@@ -218,7 +220,7 @@ def fastest_probe(
 ) -> float:
     """Return the largest velocity of any of the probes that are driven so, m/s; 0: none is."""
     lowest_hz = lowest_hz_of(band_hz)
-    return max((probe_velocity(one, sample_rate_hz, lowest_hz) for one in drives), default=0.0)
+    return max((probe_velocity(drive, sample_rate_hz, lowest_hz) for drive in drives), default=0.0)
 
 
 def lowest_hz_of(band_hz: Band | None) -> float:
@@ -400,10 +402,10 @@ def listed(outputs: Sequence[int]) -> str:
 
 def _share(played: Sequence[_Drive], rate: float, band: Band) -> float:
     """Share of the energy of all drives outside a band; 0 in silence."""
-    energy = sum(one.energy for one in played)
+    energy = sum(drive.energy for drive in played)
     if energy == 0.0:
         return 0.0
-    outside = sum(share_outside_band(one.samples, rate, band) * one.energy for one in played)
+    outside = sum(share_outside_band(drive.samples, rate, band) * drive.energy for drive in played)
     return outside / energy
 
 
@@ -444,7 +446,7 @@ def _velocity(
     if not probe:
         sentence = "Drives go through actuators here: the actuator panel tells how fast these move."
         return Finding(name="drive", state="unknown", sentence=sentence)
-    fastest = fastest_probe((one.samples for one in played), rate, band_hz)
+    fastest = fastest_probe((drive.samples for drive in played), rate, band_hz)
     lowest_hz = lowest_hz_of(band_hz)
     left = fastest > LARGEST_VELOCITY_M_PER_S
     moves, speed = "The probe moves at up to {:.3g} mm/s", fastest * _MM_PER_M

@@ -91,32 +91,32 @@ def add_to(subparsers: Any) -> None:
     )
     actions = dataset.add_subparsers(title="actions", metavar="ACTION", required=True)
 
-    one = actions.add_parser("install", help="install from files you have downloaded")
-    one.add_argument(
+    action = actions.add_parser("install", help="install from files you have downloaded")
+    action.add_argument(
         "path",
         type=Path,
         metavar="PATH",
         help="folder that holds impulseResponses.mat and the toolbox's folder 'visualization', "
         "or impulseResponses.mat itself with that folder beside it",
     )
-    one.add_argument(
+    action.add_argument(
         "--unpublished",
         action="store_true",
         help="accept map files that are not the published ones",
     )
-    one.set_defaults(run=_install)
+    action.set_defaults(run=_install)
 
-    one = actions.add_parser("fetch", help="download (70 MB) and install")
-    one.add_argument("--dataset-url", default=DATASET_URL, help="mirror (default: %(default)s)")
-    one.add_argument("--map-url", default=MAP_URL, help="mirror (default: %(default)s)")
-    one.set_defaults(run=_fetch)
+    action = actions.add_parser("fetch", help="download (70 MB) and install")
+    action.add_argument("--dataset-url", default=DATASET_URL, help="mirror (default: %(default)s)")
+    action.add_argument("--map-url", default=MAP_URL, help="mirror (default: %(default)s)")
+    action.set_defaults(run=_fetch)
 
     actions.add_parser("list", help="show what is installed").set_defaults(run=_list)
     actions.add_parser("verify", help="compare every checksum").set_defaults(run=_verify)
 
-    one = actions.add_parser("remove", help="delete what is installed")
-    one.add_argument("--yes", action="store_true", help="do not ask")
-    one.set_defaults(run=_remove)
+    action = actions.add_parser("remove", help="delete what is installed")
+    action.add_argument("--yes", action="store_true", help="do not ask")
+    action.set_defaults(run=_remove)
 
 
 def _install(arguments: argparse.Namespace) -> int:

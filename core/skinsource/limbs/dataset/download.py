@@ -241,8 +241,8 @@ def fetch(
     total, done = sum(file.size_bytes for file in files), 0
     for file in files:
         progress(done, total, f"Downloading {file.name}")
-        one = _OneDownload(file, downloads, _moved_on(progress, done, total), stop)
-        _fetch_one(registry, file, downloads, one)
+        downloader = _OneDownload(file, downloads, _moved_on(progress, done, total), stop)
+        _fetch_one(registry, file, downloads, downloader)
         done += file.size_bytes
     progress(total, total, "Downloaded")
     # Each file was compared with ``files`` when it came.
@@ -275,12 +275,12 @@ class _OneDownload:
 
     def _refuse_other_content(self) -> None:
         algorithm, _, expected = self._file.checksum.partition(":")
-        found = checksum_of(self._part, algorithm).partition(":")[2]
-        if found != expected:
+        digest = checksum_of(self._part, algorithm).partition(":")[2]
+        if digest != expected:
             self._part.unlink()
             raise DownloadError(
                 f"{self._file.url}: what was downloaded is not the published file: its "
-                f"{algorithm} is {found}, expected {expected}. It was deleted; run 'skinsource "
+                f"{algorithm} is {digest}, expected {expected}. It was deleted; run 'skinsource "
                 "dataset fetch' again."
             )
 
@@ -292,9 +292,9 @@ def _moved_on(progress: Progress, before: int, total: int) -> Progress:
     return of_all
 
 
-def _fetch_one(registry: Any, file: RemoteFile, downloads: Path, one: _OneDownload) -> None:
+def _fetch_one(registry: Any, file: RemoteFile, downloads: Path, downloader: _OneDownload) -> None:
     try:
-        registry.fetch(file.name, downloader=one)
+        registry.fetch(file.name, downloader=downloader)
     except OSError as error:
         raise StorageError(
             f"{downloads / file.name}: cannot be written ({error.strerror or error}). Free some "

@@ -71,20 +71,20 @@ def install(
     Stopped
         ``stop`` said so.
     """
-    found = find_downloaded(source)
-    strange = unpublished_files(found)
+    downloaded = find_downloaded(source)
+    strange = unpublished_files(downloaded)
     if not unpublished:
-        check_map_files(found, strange)
+        check_map_files(downloaded, strange)
     folder = user_folder() if folder is None else folder
     make_folder(folder)
     path = folder / published.FILE_NAME
     stop_if(stop, STOPPED)
-    progress(0, 2 * N_ROWS, f"Reading {found.responses.name}")
-    maps = read_map_files(found.map_folder)
+    progress(0, 2 * N_ROWS, f"Reading {downloaded.responses.name}")
+    maps = read_map_files(downloaded.map_folder)
     responses = read_responses(
-        found.responses, lambda done, _, text: progress(done, 2 * N_ROWS, text), stop
+        downloaded.responses, lambda done, _, text: progress(done, 2 * N_ROWS, text), stop
     )
-    image = _image(responses, maps, _origin(found.responses, strange))
+    image = _image(responses, maps, _origin(downloaded.responses, strange))
     stop_if(stop, STOPPED)
     _write(path, image, progress, stop)
     return describe(path)

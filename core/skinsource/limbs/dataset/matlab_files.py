@@ -66,9 +66,9 @@ def check_contiguous(path: Path) -> None:
 
     with files.File(path, "r", locking="best-effort") as file:
         file.visititems(look_at)
-    for one, other in pairwise(sorted(spans)):
-        if one.first_byte + one.size_bytes > other.first_byte:
-            raise _damaged(path, f"{one.name} and {other.name} lie in the same place")
+    for span, other in pairwise(sorted(spans)):
+        if span.first_byte + span.size_bytes > other.first_byte:
+            raise _damaged(path, f"{span.name} and {other.name} lie in the same place")
 
 
 def _spans_of(dataset: "h5py.Dataset", path: Path) -> list[_Span]:
@@ -102,11 +102,11 @@ def _chunks_of(dataset: "h5py.Dataset", path: Path) -> list[_Span]:
         raise _damaged(path, f"{name} is packed in an unknown way")
     size_bytes = math.prod(chunk) * dataset.dtype.itemsize
     expected = math.prod(-(-length // step) for length, step in zip(shape, chunk, strict=True))
-    found = dataset.id.get_num_chunks()
-    if found != expected:
-        raise _damaged(path, f"{name} has {found} pieces, expected {expected}")
+    n_chunks = dataset.id.get_num_chunks()
+    if n_chunks != expected:
+        raise _damaged(path, f"{name} has {n_chunks} pieces, expected {expected}")
     spans = []
-    for k in range(found):
+    for k in range(n_chunks):
         piece = dataset.id.get_chunk_info(k)
         spans.append(_Span(piece.byte_offset, piece.size, f"{name}, piece {k + 1}"))
     starts = (range(0, length, step) for length, step in zip(shape, chunk, strict=True))
@@ -177,9 +177,9 @@ def read_variable(path: Path, name: str) -> Any:
             f"{WHAT_TO_DO}"
         ) from error
     if name not in variables:
-        found = ", ".join(sorted(variables)) or "nothing"
+        names = ", ".join(sorted(variables)) or "nothing"
         raise DatasetError(
-            f"{path.name}: holds {found}, expected a variable '{name}'. Is this the right file? "
+            f"{path.name}: holds {names}, expected a variable '{name}'. Is this the right file? "
             f"{WHAT_TO_DO}"
         )
     return variables[name]

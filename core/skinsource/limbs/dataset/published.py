@@ -162,9 +162,9 @@ def find_downloaded(path: Path) -> DownloadedFiles:
 
 def _first(folder: Path, patterns: tuple[str, ...], name: str) -> Path | None:
     for pattern in patterns:
-        found = sorted(folder.glob(f"{pattern}/{name}" if pattern else name))
-        if found:
-            return found[0]
+        paths = sorted(folder.glob(f"{pattern}/{name}" if pattern else name))
+        if paths:
+            return paths[0]
     return None
 
 
@@ -261,18 +261,18 @@ def checksum_of(path: Path, algorithm: str) -> str:
         ) from error
 
 
-def unpublished_files(found: DownloadedFiles) -> tuple[str, ...]:
+def unpublished_files(downloaded: DownloadedFiles) -> tuple[str, ...]:
     """Published names of those files in a download that are not the published ones."""
     strange = []
     for file in published_files():
         name = file.name.rpartition("/")[2]
-        path = found.responses if name == RESPONSES_FILE else found.map_folder / name
+        path = downloaded.responses if name == RESPONSES_FILE else downloaded.map_folder / name
         if checksum_of(path, file.checksum.partition(":")[0]) != file.checksum:
             strange.append(name)
     return tuple(strange)
 
 
-def check_map_files(found: DownloadedFiles, unpublished: tuple[str, ...]) -> None:
+def check_map_files(downloaded: DownloadedFiles, unpublished: tuple[str, ...]) -> None:
     """Raise `DatasetError` if any of the ``unpublished`` files is one of the map's.
 
     A damaged one moves sensors, and nothing in it tells.
@@ -280,7 +280,7 @@ def check_map_files(found: DownloadedFiles, unpublished: tuple[str, ...]) -> Non
     strange = [name for name in unpublished if name in MAP_FILES]
     if strange:
         raise DatasetError(
-            f"{found.map_folder}: not the published content: {', '.join(strange)} (the checksum "
+            f"{downloaded.map_folder}: not the published content: {', '.join(strange)} (the checksum "
             "differs). The download may be damaged; run 'skinsource dataset fetch' again. If other "
             "files are meant, use 'skinsource dataset install PATH --unpublished'."
         )

@@ -109,19 +109,19 @@ class StoreParts:
         if name not in part.attrs:
             raise self._damaged(f"{part.name} lacks {name}")
         # HDF5 keeps texts of free length outside its checksums, and may never end reading one.
-        found = part.attrs.get_id(name)
-        right = found.shape == shape and found.dtype.kind == kind
-        if not right or found.dtype.itemsize > _MAX_TEXT_BYTES:
+        attribute = part.attrs.get_id(name)
+        right = attribute.shape == shape and attribute.dtype.kind == kind
+        if not right or attribute.dtype.itemsize > _MAX_TEXT_BYTES:
             expected = "texts of fixed length" if kind == "S" else "whole numbers"
             raise self._damaged(
-                f"{name} of {part.name} is {found.dtype} of shape {found.shape}, expected "
+                f"{name} of {part.name} is {attribute.dtype} of shape {attribute.shape}, expected "
                 f"{expected} of shape {shape}"
             )
         return part.attrs[name]
 
-    def refuse_unknown(self, place: str, found: Any, known: set[str]) -> None:
+    def refuse_unknown(self, place: str, names: Any, known: set[str]) -> None:
         """Refuse names in a group, or among attributes, that no installation writes."""
-        unknown = set(found) - known
+        unknown = set(names) - known
         if unknown:
             raise self._damaged(f"{place} holds {', '.join(sorted(unknown))}, which is unknown")
 
@@ -167,8 +167,8 @@ class Contents:
 
     def unpublished(self) -> tuple[str, ...]:
         """Files that were not the published ones."""
-        found = self.text("unpublished")
-        return () if found == published.ALL_PUBLISHED else tuple(found.split(","))
+        names = self.text("unpublished")
+        return () if names == published.ALL_PUBLISHED else tuple(names.split(","))
 
     def limbs(self) -> tuple[int, ...]:
         """Numbers of the limbs whose responses are there."""
@@ -197,10 +197,10 @@ class Contents:
 
     def _check_version(self) -> None:
         known = "format" in self._parts.root.attrs and "format_version" in self._parts.root.attrs
-        found = self.text("format") if known else None
-        if found != published.FORMAT:
+        format_name = self.text("format") if known else None
+        if format_name != published.FORMAT:
             raise DatasetError(
-                f"{self._parts.path}: is no store of the measured dataset (format {quoted(found)}, "
+                f"{self._parts.path}: is no store of the measured dataset (format {quoted(format_name)}, "
                 f"expected {quoted(published.FORMAT)}). Move it away. {REINSTALL}"
             )
         version = self.number("format_version")
@@ -390,10 +390,10 @@ def _read_response(path: Path, limb: int, location: int, expected: str) -> Float
     return response
 
 
-def _compare(found: str, expected: str, what: str, path: Path) -> None:
-    if found != expected:
+def _compare(checksum: str, expected: str, what: str, path: Path) -> None:
+    if checksum != expected:
         raise DatasetError(
-            f"{path}: {what} is damaged: its checksum is {found[:12]}…, expected {expected[:12]}…. "
+            f"{path}: {what} is damaged: its checksum is {checksum[:12]}…, expected {expected[:12]}…. "
             f"{REINSTALL}"
         )
 
@@ -436,10 +436,10 @@ def verify(*, progress: Progress = silent, stop: Stop = never) -> tuple[str, ...
     problems = []
     path = store_path()
     with open_store(path) as store:
-        for done, (what, found, expected) in enumerate(_checksums(store), start=1):
+        for done, (what, checksum, expected) in enumerate(_checksums(store), start=1):
             stop_if(stop, "Verifying was stopped.")
-            if found != expected:
-                problems.append(f"{path}: {what}: checksum {found}, expected {expected}")
+            if checksum != expected:
+                problems.append(f"{path}: {what}: checksum {checksum}, expected {expected}")
             progress(done, total, f"Verifying {what}")
     return tuple(problems)
 
@@ -450,8 +450,8 @@ def _checksums(store: Contents) -> Iterator[tuple[str, str, str]]:
         yield name, published.checksum(array), expected
     for limb in published.LIMBS:
         for place, expected in enumerate(store.checksums(limb), start=1):
-            found = published.checksum(store.response(limb, place))
-            yield f"limb {limb}, input {place}", found, expected
+            checksum = published.checksum(store.response(limb, place))
+            yield f"limb {limb}, input {place}", checksum, expected
 
 
 def installed_files() -> tuple[Path, ...]:

@@ -88,8 +88,8 @@ def triangulate(sites: Floats) -> Triangulation:
     step = 2.0 ** np.floor(np.log2(extent / 2**10))
     centre = np.round((low + high) / 2 / step) * step
     local = sites - centre
-    found = scipy.spatial.Delaunay(local)
-    corners, neighbours = found.simplices.astype(np.intp), found.neighbors.astype(np.intp)
+    delaunay = scipy.spatial.Delaunay(local)
+    corners, neighbours = delaunay.simplices.astype(np.intp), delaunay.neighbors.astype(np.intp)
     a, b, c = (local[corners[:, k]] for k in range(3))
     clockwise = cross(b - a, c - a) < 0
     corners[clockwise] = corners[clockwise][:, [0, 2, 1]]
@@ -502,17 +502,17 @@ class ScatteredSites:
         it counts.  Sites at one place share its weight.
         """
         if isinstance(self.arrangement, SiteLine):
-            found = self.arrangement.weights_at(points)
+            weights = self.arrangement.weights_at(points)
         else:
-            found = natural_neighbour_weights(self.arrangement, points)
-        if found.weights.shape[1] == len(self.place):
-            return found
+            weights = natural_neighbour_weights(self.arrangement, points)
+        if weights.weights.shape[1] == len(self.place):
+            return weights
         share = 1.0 / np.bincount(self.place)
         shared = scipy.sparse.csr_array(
             (share[self.place], (self.place, np.arange(len(self.place)))),
             shape=(len(share), len(self.place)),
         )
-        return replace(found, weights=scipy.sparse.csr_array(found.weights @ shared))
+        return replace(weights, weights=scipy.sparse.csr_array(weights.weights @ shared))
 
 
 def scattered_sites(sites: Floats) -> ScatteredSites:

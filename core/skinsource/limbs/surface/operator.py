@@ -66,15 +66,15 @@ def check_values_of_shared_places(values: Floats, pairs: Pairs) -> None:
     InvalidInputError
         Names both outputs and their values.
     """
-    for one, other in pairs:
-        differ = np.argwhere(np.atleast_1d(values[one] != values[other]))
+    for first, other in pairs:
+        differ = np.argwhere(np.atleast_1d(values[first] != values[other]))
         if len(differ):
             at = tuple(differ[0])
-            found = (np.atleast_1d(values[k])[at] for k in (one, other))
+            pair = (np.atleast_1d(values[k])[at] for k in (first, other))
             raise InvalidInputError(
-                f"outputs {one + 1} and {other + 1} lie at the same place of the map, but were "
+                f"outputs {first + 1} and {other + 1} lie at the same place of the map, but were "
                 "given {:g} and {:g}; expected one value for one place. Move one of the two, or "
-                "give both the same value.".format(*found)
+                "give both the same value.".format(*pair)
             )
 
 

@@ -67,14 +67,14 @@ def count_crossings(outline: Floats) -> int:
     for axis in range(2):
         overlap &= low[:, None, axis] <= high[None, :, axis]
         overlap &= low[None, :, axis] <= high[:, None, axis]
-    one, other = np.nonzero(overlap)
+    first, other = np.nonzero(overlap)
 
     def side(edge: Indices, point: Floats) -> Floats:
         along, aside = end[edge] - start[edge], point - start[edge]
         return np.sign(along[:, 0] * aside[:, 1] - along[:, 1] * aside[:, 0])
 
-    apart = side(one, start[other]) * side(one, end[other]) < 0
-    return int(np.sum(apart & (side(other, start[one]) * side(other, end[one]) < 0)))
+    apart = side(first, start[other]) * side(first, end[other]) < 0
+    return int(np.sum(apart & (side(other, start[first]) * side(other, end[first]) < 0)))
 
 
 def ranges(start: Indices, stop: Indices) -> tuple[Indices, Indices]:
@@ -284,15 +284,15 @@ def nearest_visible(
     order = np.argsort(distances, axis=1, kind="stable")
     index = np.full((len(vertices), count), -1)
     distance = np.full((len(vertices), count), np.inf)
-    found = np.zeros(len(vertices), dtype=np.intp)
+    n_found = np.zeros(len(vertices), dtype=np.intp)
     for rank in range(order.shape[1]):
-        vertex = np.flatnonzero(found < count)
+        vertex = np.flatnonzero(n_found < count)
         output = order[vertex, rank]
         seen = sees(region, vertices[vertex], outputs[output])
         vertex, output = vertex[seen], output[seen]
-        index[vertex, found[vertex]] = output
-        distance[vertex, found[vertex]] = distances[vertex, output]
-        found[vertex] += 1
+        index[vertex, n_found[vertex]] = output
+        distance[vertex, n_found[vertex]] = distances[vertex, output]
+        n_found[vertex] += 1
     return index, distance
 
 

@@ -199,9 +199,9 @@ def _point_weights(
     parts, fallback_count = [], 0
     for first in range(0, len(points), _PIXELS_PER_CHUNK):
         stop_if(stop)
-        found = scattered.weights_at(points[first : first + _PIXELS_PER_CHUNK])
-        parts.append(found.weights @ from_outputs)
-        fallback_count += int(found.fallback.sum())
+        weights = scattered.weights_at(points[first : first + _PIXELS_PER_CHUNK])
+        parts.append(weights.weights @ from_outputs)
+        fallback_count += int(weights.fallback.sum())
     together = scipy.sparse.csr_array(scipy.sparse.vstack(parts, format="csr"))
     together.sort_indices()
     return together, fallback_count, scattered.on_a_line
@@ -251,12 +251,12 @@ def cached_surface_operator(
     The same bits either way.  `skinsource.base.work` counts what was built.
     """
     path = cache_folder() / "surface" / f"{_key(limb, spacing_mm)}.operator"
-    found = _read(path)
-    if found is None:
-        found = surface_operator(limb, spacing_mm, stop=stop)
+    operator = _read(path)
+    if operator is None:
+        operator = surface_operator(limb, spacing_mm, stop=stop)
         tally(operators_built=1)
-        _keep(path, found)
-    return found
+        _keep(path, operator)
+    return operator
 
 
 def encoded(operator: SurfaceOperator) -> bytes:
@@ -317,15 +317,15 @@ def decoded(image: bytes) -> SurfaceOperator:
 
 def _key(limb: Limb, spacing_mm: float) -> str:
     """Digest of all that an operator depends on."""
-    found = hashlib.sha256(_code())
+    digest = hashlib.sha256(_code())
     lengths = limb.map.hand_length_px, limb.hand_length_mm, spacing_mm
-    found.update(repr((*map(float, lengths), limb.map.densify)).encode())
+    digest.update(repr((*map(float, lengths), limb.map.densify)).encode())
     for array in (limb.map.outline, limb.map.output_positions, limb.map.visibility):
         if array is not None:
-            found.update(f"{array.dtype.str}{array.shape}".encode())
-            found.update(array.tobytes())
-        found.update(b";")
-    return found.hexdigest()[:32]
+            digest.update(f"{array.dtype.str}{array.shape}".encode())
+            digest.update(array.tobytes())
+        digest.update(b";")
+    return digest.hexdigest()[:32]
 
 
 @cache
@@ -338,11 +338,11 @@ def _code() -> bytes:
 
 def _read(path: Path) -> SurfaceOperator | None:
     try:
-        found = decoded(read_bytes(path, most=LARGEST_BYTES))
+        operator = decoded(read_bytes(path, most=LARGEST_BYTES))
         os.utime(path)  # used last is deleted last
     except (OSError, SkinSourceError, ValueError, KeyError, TypeError, EOFError):
         return None
-    return found
+    return operator
 
 
 def _keep(path: Path, operator: SurfaceOperator) -> None:
@@ -358,7 +358,7 @@ def _keep(path: Path, operator: SurfaceOperator) -> None:
 
 
 def _make_room(folder: Path) -> None:
-    kept = [(one.stat(), one) for one in folder.glob("*.operator")]
+    kept = [(path.stat(), path) for path in folder.glob("*.operator")]
     kept.sort(key=lambda pair: pair[0].st_mtime_ns, reverse=True)
     total = 0
     for about, path in kept:
