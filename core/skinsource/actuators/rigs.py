@@ -1,7 +1,7 @@
-"""The rig: what is wired to what, how strong it is, and what it may not be driven beyond.
+"""The rig: which actuator is wired to which output, its calibration, and its limits.
 
-A file of its own beside designs, made by hand or from measurements.  Limits stand in it, and in
-nothing that a design holds: no design can loosen them.
+A rig is a JSON file of its own beside designs, made by hand or from measurements.  Limits stand in
+it, and in nothing that a design holds: no design can loosen them.
 """
 
 import os
@@ -16,7 +16,15 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skinsource.actuators.catalog import MODEL, Model, names, profile, shape_names
+from skinsource.actuators.catalog import (
+    LIMITS,
+    MODEL,
+    THERMAL,
+    Model,
+    names,
+    profile,
+    shape_names,
+)
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.prediction import Breach, Limits, Thermal, breaches, limit_text, predicted
 from skinsource.base.arguments import finite_array
@@ -47,8 +55,6 @@ __all__ = [
     "volts_of",
 ]
 
-
-# One actuator of a rig and all that lies before it.
 
 PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_PLACES, whole=True)
 NAME = TextSpec(label="Actuator", longest=100, one_line=True)
@@ -117,13 +123,8 @@ class RigChannel:
     polarity: str = fields.choice("normal", POLARITY)
     delay_s: float = fields.number(0.0, DELAY)
     measured_on: str = fields.text("", DATE)
-    limits: Limits = fields.field(
-        ModelSpec(label="Limits", kinds=lambda: (Limits,)), factory=Limits
-    )
-    thermal: Thermal | None = fields.field(
-        OptionalSpec(label="Warming", of=ModelSpec(label="Warming", kinds=lambda: (Thermal,))),
-        None,
-    )
+    limits: Limits = fields.field(LIMITS, factory=Limits)
+    thermal: Thermal | None = fields.field(THERMAL, None)
 
     def __post_init__(self) -> None:
         fields.check(self)
@@ -154,8 +155,6 @@ class RigChannel:
         sign = -1.0 if self.polarity == "inverted" else 1.0
         return sign * self.full_scale_v * self.amplifier_gain
 
-
-# All channels of a set-up.
 
 MAX_CHANNELS = 256
 TITLE = TextSpec(label="Title", longest=100, one_line=True)
@@ -200,18 +199,16 @@ class Rig:
                 )
 
     def channel_of(self, place: int) -> RigChannel | None:
-        """The channel of an input place; None where nothing is wired to it."""
+        """Return the channel of an input place; None where nothing is wired to it."""
         return next((channel for channel in self.channels if channel.place == place), None)
 
 
-# Between the samples that are sent to a rig and the volts at its actuators.
-
-#: What is said where no rig is known.
+#: Text on the calibration where no rig is known.
 UNCALIBRATED = "uncalibrated: no rig says how many volts, and how many m/s², a sample of 1 is"
 
 
 def calibration_words(rig: Rig | None, places: Sequence[int]) -> str:
-    """What an export or the player says about these places.
+    """Return the text on the calibration of these places for exports and the player.
 
     ``"calibrated"``, where volts and measured responses of all of them are known, with the date of
     the oldest measurement where it is; else what is missing, beginning with ``"uncalibrated"``.
@@ -235,37 +232,37 @@ def calibration_words(rig: Rig | None, places: Sequence[int]) -> str:
 
 
 def volts_of(channel: RigChannel, samples: ArrayLike) -> Floats:
-    """Volts at the actuator for samples from -1 to 1, of the shape of ``samples``.
+    """Return volts at the actuator for samples from -1 to 1, shaped as ``samples``.
 
     Raises
     ------
     InvalidInputError
         The channel does not say its volts at full scale.
     """
-    volts: Floats = finite_array("samples", samples) * _volts(channel)
+    volts: Floats = finite_array("samples", samples) * _full_scale_volts(channel)
     return volts
 
 
 def samples_for(channel: RigChannel, volts: ArrayLike) -> Floats:
-    """Samples that give these volts at the actuator, of the shape of ``volts``.
+    """Return samples that give these volts at the actuator, shaped as ``volts``.
 
     Raises
     ------
     InvalidInputError
         The channel does not say its volts at full scale, or they do not suffice.
     """
-    wanted = finite_array("volts", volts)
-    full = _volts(channel)
-    peak = float(np.abs(wanted).max(initial=0.0))
+    needed_v = finite_array("volts", volts)
+    full = _full_scale_volts(channel)
+    peak = float(np.abs(needed_v).max(initial=0.0))
     if peak > abs(full):
         raise InvalidInputError(
             f"place {channel.place}: {peak:.4g} V are needed, and output {channel.output} gives at "
             f"most {abs(full):.4g} V; lower the amplitude, or raise the gain of the amplifier"
         )
-    return wanted / full
+    return needed_v / full
 
 
-def _volts(channel: RigChannel) -> float:
+def _full_scale_volts(channel: RigChannel) -> float:
     full = channel.volts_at_full_scale
     if full is None:
         raise InvalidInputError(
@@ -275,10 +272,10 @@ def _volts(channel: RigChannel) -> float:
     return full
 
 
-# Whether what is sent to a rig stays within its limits.
-
-# Where nothing is known of the motion, volts can be looked at all the same.
-_UNMOVED = MeasuredResponse(((1.0, 1.0, 0.0), (1000.0, 1.0, 0.0)))
+#: Limits that depend neither on volts nor on the gain.
+_TIME_LIMITS = frozenset({"duration_s", "duty"})
+# Where nothing is known of the motion, limits of the voltage can be checked all the same.
+_UNIT_RESPONSE = MeasuredResponse(((1.0, 1.0, 0.0), (1000.0, 1.0, 0.0)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -301,7 +298,7 @@ class RigBreach:
 
 
 def strictest(*several: Limits) -> Limits:
-    """For each limit the least of those that are known."""
+    """Return for each limit the least of those that are known."""
     least = {}
     for limit in dataclass_fields(Limits):
         known = [value for limits in several if (value := getattr(limits, limit.name)) is not None]
@@ -310,7 +307,7 @@ def strictest(*several: Limits) -> Limits:
 
 
 def limits_of(channel: RigChannel) -> Limits:
-    """Limits of the channel, and of the actuator that it names where the library knows it."""
+    """Return the limits of the channel and of its actuator, where the library knows that."""
     if channel.actuator in (*names(), *shape_names()):
         return strictest(channel.limits, profile(channel.actuator).limits)
     return channel.limits
@@ -319,7 +316,7 @@ def limits_of(channel: RigChannel) -> Limits:
 def rig_breaches(
     rig: Rig, places: Sequence[int], samples: ArrayLike, sample_rate_hz: int
 ) -> tuple[RigBreach, ...]:
-    """Limits that samples would pass when they are sent to a rig.
+    """Return the limits that samples would exceed when they are sent to a rig.
 
     Parameters
     ----------
@@ -353,45 +350,33 @@ def rig_breaches(
             raise InvalidInputError(
                 f"place {place} is not wired in the rig {quoted(rig.title)}; add a channel for it"
             )
-        passed += [
-            RigBreach(place, breach) for breach in _of_channel(channel, row, sample_rate_hz)
-        ]
+        broken = _breaches_of(channel, row, sample_rate_hz)
+        passed += [RigBreach(place, breach) for breach in broken]
     return tuple(passed)
 
 
-def _of_channel(channel: RigChannel, row: np.ndarray, sample_rate_hz: int) -> tuple[Breach, ...]:
+def _breaches_of(channel: RigChannel, row: np.ndarray, sample_rate_hz: int) -> tuple[Breach, ...]:
     limits = limits_of(channel)
     if not row.size or limits == Limits():
         return ()
     known_volts, model = channel.full_scale_v is not None, channel.moves_as
     volts = volts_of(channel, row) if known_volts else row
     # A measured response knows no current, the model does.
-    flowing = channel.model if channel.model is not None else model
-    (told,) = predicted(volts, sample_rate_hz, flowing or _UNMOVED, thermal=channel.thermal)
-    passed = {breach.name: breach for breach in breaches(told, limits)}
-    if model is not flowing and model is not None:
-        (moved,) = predicted(volts, sample_rate_hz, model)
-        passed.pop("displacement_m", None)
-        passed |= {
-            breach.name: breach
-            for breach in breaches(moved, limits)
-            if breach.name == "displacement_m"
-        }
-    unknown = (
-        set()
-        if known_volts
-        else {limit.name for limit in dataclass_fields(Limits)} - {"duration_s", "duty"}
+    electrical = channel.model if channel.model is not None else model
+    (prediction,) = predicted(
+        volts, sample_rate_hz, electrical or _UNIT_RESPONSE, thermal=channel.thermal
     )
-    unknown |= set() if model is not None else {"displacement_m"}
-    return tuple(breach for name, breach in passed.items() if name not in unknown)
+    passed = list(breaches(prediction, limits))
+    if model is not electrical or model is None:
+        passed = [breach for breach in passed if breach.name != "displacement_m"]
+    if model is not electrical and model is not None:
+        (motion,) = predicted(volts, sample_rate_hz, model)
+        passed += [breach for breach in breaches(motion, limits) if breach.name == "displacement_m"]
+    return tuple(breach for breach in passed if known_volts or breach.name in _TIME_LIMITS)
 
 
-# How far what is sent to a rig may be turned up.
-
-#: Limits that no gain has a part in.
-_OF_TIME = frozenset({"duration_s", "duty"})
-# So much louder every limit is passed; a power of two, so that nothing rounds.
-_LOUDER = 2.0**40
+# So much louder every limit is exceeded; a power of two, so that nothing rounds.
+_TEST_GAIN = 2.0**40
 
 
 @dataclass(frozen=True, slots=True)
@@ -418,7 +403,7 @@ def highest_gain(
     *,
     repeated: bool = False,
 ) -> Margin:
-    """How far samples may be turned up before they pass a limit of a rig.
+    """Return the gain that samples may get before they exceed a limit of a rig.
 
     All figures but those of time grow as the samples do.
 
@@ -436,9 +421,9 @@ def highest_gain(
     """
     rows = np.asarray(samples, np.float64)
     margin = Margin()
-    for rig_breach in rig_breaches(rig, places, rows * _LOUDER, sample_rate_hz):
+    for rig_breach in rig_breaches(rig, places, rows * _TEST_GAIN, sample_rate_hz):
         breach = rig_breach.breach
-        allowed = 0.0 if breach.name in _OF_TIME else _LOUDER * breach.limit / breach.found
+        allowed = 0.0 if breach.name in _TIME_LIMITS else _TEST_GAIN * breach.limit / breach.found
         if allowed < margin.factor:
             margin = Margin(allowed, f"place {rig_breach.place}: {limit_text(breach.name)}")
     if repeated:
@@ -448,8 +433,6 @@ def highest_gain(
                 return Margin(0.0, f"place {place}: duration, repeated without end")
     return margin
 
-
-# A rig as a file: JSON text that can be written by hand, and is checked when it is read.
 
 FORMAT, VERSION = "skinsource rig", 1
 SUFFIX = ".skinrig"
@@ -488,6 +471,6 @@ def open_rig(path: str | os.PathLike[str]) -> Rig:
         tree = from_plain_text(read_bytes(place, most=MAX_TEXT_BYTES + 1), FORMAT, VERSION)
         rig: Rig = models.decode(tree, (Rig,), Address())
     except (FileFormatError, InvalidInputError) as error:
-        words = str(error).removeprefix(f"{named(Path(place.name))}: ")
-        raise FileFormatError(f"{named(Path(place.name))}: {sentence(words)}") from error
+        message = str(error).removeprefix(f"{named(Path(place.name))}: ")
+        raise FileFormatError(f"{named(Path(place.name))}: {sentence(message)}") from error
     return rig

@@ -1,4 +1,4 @@
-"""How an actuator moves."""
+"""Motion of an actuator under a sampled voltage, exact for the way the voltage is held."""
 
 from dataclasses import dataclass
 from typing import Literal, get_args
@@ -31,13 +31,11 @@ class ActuatorMotion:
     current: Floats
 
 
-# Motion under a sampled voltage, exactly as it is held between the samples.
-
 Hold = Literal["zero", "first"]
 HOLDS: tuple[Hold, ...] = get_args(Hold)
 OUTPUTS = ("acceleration", "velocity", "displacement", "current")
 
-#: Steps of a block.
+# Steps that one matrix product computes.
 _BLOCK = 32
 
 
@@ -66,7 +64,7 @@ class Equations:
 def simulated(
     equations: Equations, voltage: ArrayLike, step_s: float, hold: Hold
 ) -> ActuatorMotion:
-    """Motion at the samples of a voltage, (n_times,), from rest.
+    """Return the motion at the samples of a voltage, (n_times,), from rest.
 
     A sum over blocks of samples and over blocks of blocks: rounding grows with their number only
     where nothing is damped.
@@ -77,7 +75,7 @@ def simulated(
     outputs = np.zeros((len(OUTPUTS), samples.size))
     outputs[-1, :1] = equations.passed_a_per_v * samples[:1]
     if samples.size > 1:
-        _fill(outputs[:, 1:], samples, step_matrix(equations, step_s, hold))
+        _fill_outputs(outputs[:, 1:], samples, step_matrix(equations, step_s, hold))
     if not np.isfinite(outputs).all():
         raise InvalidInputError(
             "the motion is beyond all floating-point numbers; lower the voltage, or move the "
@@ -87,7 +85,7 @@ def simulated(
 
 
 def samples_of(voltage: ArrayLike, hold: Hold) -> Floats:
-    """The voltage as one row of floats; refuses what is none, and holds that are not known."""
+    """Return the voltage as one row of floats; raise where it or ``hold`` is unusable."""
     samples = finite_array("voltage", voltage, "finite numbers in V, (n_times,)")
     if samples.ndim != 1 or samples.size > MAX_SAMPLES:
         raise InvalidInputError(
@@ -98,7 +96,7 @@ def samples_of(voltage: ArrayLike, hold: Hold) -> Floats:
 
 
 def step_matrix(equations: Equations, step_s: float, hold: Hold) -> Floats:
-    """States and outputs after a step, from the states before it and the voltages on both sides.
+    """Return the matrix of a step: from states before and both voltages to states and outputs.
 
     Of the shape (n_states + 4, n_states + 2).
     """
@@ -124,7 +122,7 @@ def step_matrix(equations: Equations, step_s: float, hold: Hold) -> Floats:
 
 
 def exponential_less_1(matrix: Floats) -> tuple[Floats, Floats]:
-    """Exponential of a matrix less the identity, and the exponential times the matrix.
+    """Return the exponential of a matrix less the identity, and the exponential times the matrix.
 
     Its series at a small part of it, doubled up.  Less the identity, slow parts keep their digits
     beside parts that are 1e100 times as fast, and no state needs to be scaled.
@@ -146,14 +144,14 @@ def exponential_less_1(matrix: Floats) -> tuple[Floats, Floats]:
     return gained, rates
 
 
-def _fill(found: Floats, samples: Floats, step: Floats) -> None:
-    """Outputs after each step, (4, n_steps)."""
+def _fill_outputs(found: Floats, samples: Floats, step: Floats) -> None:
+    """Fill in the outputs after each step, (4, n_steps)."""
     n_steps = found.shape[1]
     n_blocks = -(-n_steps // _BLOCK)
     padded = np.zeros(n_blocks * _BLOCK + 1)
     padded[: samples.size] = samples
     blocks = np.lib.stride_tricks.sliding_window_view(padded, _BLOCK + 1)[::_BLOCK]
-    outputs, end = _over_a_block(step)
+    outputs, end = _block_matrices(step)
     ends = _accumulated(blocks @ end[:, : _BLOCK + 1].T, end[:, _BLOCK + 1 :])
     # Before each block: what all blocks before it have left.
     known = np.hstack((blocks, np.pad(ends[:-1], ((1, 0), (0, 0)))))
@@ -161,8 +159,8 @@ def _fill(found: Floats, samples: Floats, step: Floats) -> None:
         row[:] = (known @ after.T).ravel()[:n_steps]
 
 
-def _over_a_block(step: Floats) -> tuple[Floats, Floats]:
-    """Outputs after each step of a block, and states at its end, from voltages and states.
+def _block_matrices(step: Floats) -> tuple[Floats, Floats]:
+    """Return the matrices from voltages and states to a block's outputs and to its last states.
 
     Of the shapes (4, _BLOCK, n) and (n_states, n): n is _BLOCK + 1 voltages and the states before.
     """
@@ -178,12 +176,12 @@ def _over_a_block(step: Floats) -> tuple[Floats, Floats]:
 
 
 def _accumulated(added: Floats, step: Floats) -> Floats:
-    """States after each step from what each step adds, both (n_steps, n_states), from rest.
+    """Return the states after each step from what each step adds, (n_steps, n_states) both.
 
     What one step adds is carried on by one step, then what two have added by two, and so on.
     """
-    states, apart = added, 1
-    while apart < len(states):
-        states = states + np.pad(states[:-apart] @ step.T, ((apart, 0), (0, 0)))
-        step, apart = step @ step, 2 * apart
+    states, stride = added, 1
+    while stride < len(states):
+        states = states + np.pad(states[:-stride] @ step.T, ((stride, 0), (0, 0)))
+        step, stride = step @ step, 2 * stride
     return states

@@ -79,7 +79,7 @@ def extent(rms: ArrayLike, limb: Limb, location: int | Sequence[int]) -> Extent:
 
 
 def spread(rms: Floats, distance_mm: Floats) -> dict[str, Floats]:
-    """How far vibrations reach, by the distance of each output from the contact.
+    """Compute how far vibrations reach, from the distance of each output to the contact.
 
     Parameters
     ----------
@@ -107,15 +107,15 @@ def spread(rms: Floats, distance_mm: Floats) -> dict[str, Floats]:
 
 
 def distances_mm(limb: Limb, location: int | Sequence[int]) -> Floats:
-    """Distance of each output from the nearest place, (n_outputs,), mm; NaN: not on the map."""
+    """Return each output's distance from the nearest place, (n_outputs,), mm; NaN: not mapped."""
     places = [location] if isinstance(location, int) else list(location)
     if not places:
         raise InvalidInputError(f"location is {quoted(location)}, expected an input place")
     for place in places:
         check_input_location(place, limb.n_inputs)
     contacts = limb.map.input_positions[np.array(places) - 1]
-    apart = limb.map.output_positions[:, None] - contacts[None]
-    distance_px = np.hypot(apart[..., 0], apart[..., 1]).min(axis=1)
+    offset = limb.map.output_positions[:, None] - contacts[None]
+    distance_px = np.hypot(offset[..., 0], offset[..., 1]).min(axis=1)
     return distance_px * (limb.hand_length_mm / limb.map.hand_length_px)
 
 

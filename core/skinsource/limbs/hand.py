@@ -14,7 +14,7 @@ from skinsource.limbs.limb import LimbMap
 
 
 def smooth(points: ArrayLike, *, closed: bool, per_span: int = 12) -> Floats:
-    """Centripetal Catmull-Rom curve through points in the plane.
+    """Return the centripetal Catmull-Rom curve through points in the plane.
 
     It passes through every point and, unlike a uniform spline, forms no loops (Yuksel, Schaefer
     and Keyser, 2011).
@@ -52,14 +52,14 @@ def smooth(points: ArrayLike, *, closed: bool, per_span: int = 12) -> Floats:
 
 
 def bezier(start: Floats, leave: Floats, arrive: Floats, stop: Floats, *, count: int) -> Floats:
-    """Cubic Bezier curve from ``start`` to ``stop``, both included, (count, 2)."""
+    """Return the cubic Bezier curve from ``start`` to ``stop``, both included, (count, 2)."""
     t = np.linspace(0, 1, count)[:, None]
     edges = (1 - t) ** 3 * start + t**3 * stop
     return np.asarray(edges + 3 * t * (1 - t) * ((1 - t) * leave + t * arrive))
 
 
 def profile(stations: tuple[tuple[float, float], ...], at: ArrayLike) -> Floats:
-    """A smooth curve through ``stations`` (place, value), read at ``at``, same shape."""
+    """Return the values at ``at`` of a smooth curve through ``stations`` (position, value)."""
     curve = _curve_through(stations)
     return np.asarray(np.interp(np.asarray(at, dtype=float), curve[:, 0], curve[:, 1]))
 
@@ -223,17 +223,17 @@ class Digit:
         return _THUMB_JOINTS if self.is_thumb else _FINGER_JOINTS
 
     def half_width(self, fraction: ArrayLike) -> Floats:
-        """Half of the width at ``fraction`` of the length from the base, same shape."""
+        """Return half the width at ``fraction`` of the length from the base, same shape."""
         stations = _THUMB_STATIONS if self.is_thumb else _FINGER_STATIONS
         return profile(stations, fraction) * self.width / 2
 
     def normal(self, fraction: ArrayLike) -> Floats:
-        """Unit vectors across the digit towards its ulnar side, (..., 2)."""
+        """Return unit vectors across the digit towards its ulnar side, (..., 2)."""
         angle = self.angle_rad + self.bend_rad * np.asarray(fraction, dtype=float)
         return np.stack([np.cos(angle), -np.sin(angle)], axis=-1)
 
     def point(self, fraction: ArrayLike, side: ArrayLike = 0.0) -> Floats:
-        """Places on the digit, (..., 2).
+        """Return positions on the digit, (..., 2).
 
         Parameters
         ----------
@@ -251,7 +251,7 @@ class Digit:
         return np.asarray(self.base + axis + across[..., None] * self.normal(along))
 
     def joints(self) -> Floats:
-        """Base, joints and tip, (3 or 4, 2)."""
+        """Return the base, joints and tip, (3 or 4, 2)."""
         return self.point(self.joint_fractions)
 
 
@@ -274,7 +274,7 @@ class Skeleton:
     thumb_root: Floats
 
     def arm_edge(self, arm_fraction: ArrayLike, side: int) -> Floats:
-        """X of the arm's edge at fractions of the forearm length past the wrist, same shape.
+        """Return x of the arm's edge at fractions of the forearm length past the wrist.
 
         ``side`` is -1 for the radial (left) and +1 for the ulnar (right) edge.  Both swell
         towards the elbow; the radial muscles sit nearer to it.
@@ -338,7 +338,7 @@ _THUMB_CREASES = (0.07, 0.525, 0.56)
 
 
 def nails_of(skeleton: Skeleton) -> list[Floats]:
-    """Closed outlines of the nails of digits I to V, each (n, 2)."""
+    """Return the closed outlines of the nails of digits I to V, each (n, 2)."""
     return [_nail(digit) for digit in skeleton.digits]
 
 
@@ -365,7 +365,7 @@ def _nail(digit: Digit) -> Floats:
 
 
 def creases_of(skeleton: Skeleton) -> list[Floats]:
-    """Finger, palm and wrist creases, open lines, each (n, 2)."""
+    """Return the finger, palm and wrist creases, open lines, each (n, 2)."""
     lines = []
     for number, digit in enumerate(skeleton.digits):
         at = _THUMB_CREASES if number == THUMB else _FINGER_CREASES
@@ -380,7 +380,7 @@ def _across(digit: Digit, fraction: float) -> Floats:
 
 
 def _palm_lines(skeleton: Skeleton) -> list[Floats]:
-    """The distal, the proximal and the thenar crease."""
+    """Return the distal, the proximal and the thenar crease."""
     _, index, middle, ring, little = (digit.base for digit in skeleton.digits)
     radial = skeleton.digits[INDEX].point(0.0, -0.78)
     ulnar = skeleton.digits[LITTLE].point(0.0, 1.0)
@@ -507,7 +507,7 @@ _ON_PALM = {
 
 
 def input_points(skeleton: Skeleton) -> Floats:
-    """Input places 1 to 20, (20, 2)."""
+    """Return the positions of input places 1 to 20, (20, 2)."""
     places = np.empty((N_INPUTS, 2))
     for number, digit in enumerate(skeleton.digits):
         pad, base = (_THUMB_PAD, _THUMB_BASE) if number == THUMB else (_PAD, _BASE)
@@ -520,7 +520,7 @@ def input_points(skeleton: Skeleton) -> Floats:
 
 
 def output_points(skeleton: Skeleton) -> tuple[Floats, Floats]:
-    """Output places 1 to 72 on the back, (72, 2), NaN where volar; volar ones, (6, 2)."""
+    """Return the outputs on the back, (72, 2), NaN where volar, and the volar ones, (6, 2)."""
     places = np.full((N_OUTPUTS, 2), np.nan)
     for finger, numbers in _ON_FINGERS.items():
         digit = skeleton.digits[finger]
@@ -546,7 +546,7 @@ def output_points(skeleton: Skeleton) -> tuple[Floats, Floats]:
 
 
 def _half_palm(skeleton: Skeleton) -> float:
-    """Half the width of the palm at the knuckles, in hand lengths."""
+    """Return half the width of the palm at the knuckles, in hand lengths."""
     radial = skeleton.digits[INDEX].point(0.0, -1.0)
     ulnar = skeleton.digits[LITTLE].point(0.0, 1.0)
     return float(ulnar[0] - radial[0]) / 2 + skeleton.proportions.palm_margin
@@ -612,7 +612,7 @@ class HandShape:
     hand_length_px: float = HAND_LENGTH_PX
 
     def limb_map(self) -> LimbMap:
-        """The part of this drawing that a `Limb` carries."""
+        """Return the part of this drawing that a `Limb` carries."""
         return LimbMap(
             outline=self.outline,
             output_positions=self.output_positions,
@@ -659,7 +659,7 @@ def hand_shape(proportions: HandProportions) -> HandShape:
 
 
 def _contour(skeleton: Skeleton) -> Floats:
-    """Control points of the outline, counter-clockwise from the ulnar end of the arm, (n, 2)."""
+    """Return the outline's control points, counter-clockwise from the arm's ulnar end, (n, 2)."""
     digits = skeleton.digits
     feet = _web_feet(digits)
     parts = [_arm_edge(skeleton, 1), _ulnar_palm(skeleton)]
@@ -677,7 +677,7 @@ def _contour(skeleton: Skeleton) -> Floats:
 
 
 def _web_feet(digits: tuple[Digit, ...]) -> dict[int, tuple[float, float]]:
-    """Where the gaps end on each finger: radial and ulnar side, in its lengths.
+    """Return where the gaps end on each finger's radial and ulnar side, in its lengths.
 
     Both sides of a gap end at the same height.
     """
@@ -693,14 +693,14 @@ def _web_feet(digits: tuple[Digit, ...]) -> dict[int, tuple[float, float]]:
 
 
 def _arm_edge(skeleton: Skeleton, side: int) -> Floats:
-    """From just before the end of the arm up to just past the wrist, (n, 2)."""
+    """Return the edge from just before the end of the arm to just past the wrist, (n, 2)."""
     fractions = np.linspace(1.07, 0.09, 15)
     length = skeleton.proportions.forearm_length
     return np.stack([skeleton.arm_edge(fractions, side), -fractions * length], axis=-1)
 
 
 def _arm_end(skeleton: Skeleton) -> Floats:
-    """A soft cut across the arm, from radial to ulnar, (n, 2)."""
+    """Return a rounded cut across the arm, from radial to ulnar, (n, 2)."""
     at = np.array([-0.97, -0.88, -0.6, -0.2, 0.2, 0.6, 0.88, 0.97])
     drop = np.array([1.098, 1.108, 1.112, 1.115, 1.115, 1.112, 1.108, 1.098])
     return np.array([skeleton.arm_point(d, s) for d, s in zip(drop, at, strict=True)])
@@ -731,7 +731,7 @@ def _web(radial: Digit, ulnar: Digit, foot_radial: float, foot_ulnar: float) -> 
 
 
 def _first_web(skeleton: Skeleton) -> Floats:
-    """The hollow between index and thumb, from the index down, (n, 2)."""
+    """Return the hollow between index and thumb, from the index down, (n, 2)."""
     index, thumb = skeleton.digits[INDEX], skeleton.digits[THUMB]
     start, stop = index.point(_INDEX_FOOT, -1.0), thumb.point(_THUMB_WEB, 1.0)
     back = np.stack([-_ahead(index, _INDEX_FOOT), -_ahead(thumb, _THUMB_WEB)])
@@ -742,13 +742,13 @@ def _first_web(skeleton: Skeleton) -> Floats:
 
 
 def _ahead(digit: Digit, fraction: float) -> Floats:
-    """Unit vector along the digit towards its tip, (2,)."""
+    """Return the unit vector along the digit towards its tip, (2,)."""
     normal = digit.normal(fraction)
     return np.array([-normal[1], normal[0]])
 
 
 def _ulnar_palm(skeleton: Skeleton) -> Floats:
-    """From the wrist up to the little finger's knuckle, (n, 2)."""
+    """Return the edge from the wrist up to the little finger's knuckle, (n, 2)."""
     p = skeleton.proportions
     knuckle = skeleton.digits[LITTLE].point(0.0, 1.0)
     edge = float(knuckle[0]) + p.palm_margin
@@ -766,7 +766,7 @@ def _ulnar_palm(skeleton: Skeleton) -> Floats:
 
 
 def _radial_palm(skeleton: Skeleton) -> Floats:
-    """From the thumb's knuckle along its ball down to the wrist, (n, 2)."""
+    """Return the edge from the thumb's knuckle along its ball down to the wrist, (n, 2)."""
     thumb = skeleton.digits[THUMB]
     start = thumb.point(0.05, -1.0)
     stop = skeleton.arm_point(0.065, -1.0)
@@ -777,7 +777,7 @@ def _radial_palm(skeleton: Skeleton) -> Floats:
 
 
 def _resampled(curve: Floats, count: int) -> Floats:
-    """A closed curve with ``count`` vertices, denser where it bends, (count, 2)."""
+    """Resample a closed curve to ``count`` vertices, denser where it bends, (count, 2)."""
     steps = np.roll(curve, -1, axis=0) - curve
     lengths = np.linalg.norm(steps, axis=1)
     angles = np.arctan2(steps[:, 1], steps[:, 0])
@@ -787,6 +787,6 @@ def _resampled(curve: Floats, count: int) -> Floats:
     turns = (np.roll(turns, 1) + 2 * turns + np.roll(turns, -1)) / 4
     density = lengths / _STRAIGHT_SPACING + turns / _TURN_RAD
     position = np.concatenate([[0.0], np.cumsum(density)])
-    wanted = np.arange(count) * position[-1] / count
+    targets = np.arange(count) * position[-1] / count
     closed = np.vstack([curve, curve[:1]])
-    return np.stack([np.interp(wanted, position, closed[:, axis]) for axis in (0, 1)], axis=-1)
+    return np.stack([np.interp(targets, position, closed[:, axis]) for axis in (0, 1)], axis=-1)

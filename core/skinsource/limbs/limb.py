@@ -163,7 +163,7 @@ class Limb:
             ) from error
 
     def response_to(self, location: int) -> Floats:
-        """Impulse responses to one input place, (n_outputs, n_axes, n_taps), in m/s²."""
+        """Return the impulse responses to one input place, (n_outputs, n_axes, n_taps), in m/s²."""
         self.check_place(location)
         if location not in self._responses:
             response = self._read_response(location)
@@ -181,7 +181,7 @@ class Limb:
         return self._responses[location]
 
     def largest_response_to(self, location: int) -> float:
-        """Largest magnitude of a response to one input place, m/s²; NaN where one is no number."""
+        """Return the largest magnitude of the responses to a place, m/s²; NaN if one holds NaN."""
         if location not in self._largest:
             response = self.response_to(location)
             # Twice through it, but without a copy of it all.

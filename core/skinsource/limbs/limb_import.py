@@ -71,7 +71,7 @@ def import_limb(
     progress: Progress = silent,
     stop: Stop = never,
 ) -> LimbFacts:
-    """Read, check and keep a limb.
+    """Read, check and store a limb.
 
     Parameters
     ----------
@@ -96,7 +96,7 @@ def import_limb(
     with ReadingProcess() as process:
         prepared = prepare_limb(source, process, stop=stop)
         if not replace:
-            _refuse_taken(prepared.limb.name)
+            _check_name_free(prepared.limb.name)
         responses = _responses(source.responses, prepared, process, stop)
         try:
             install_limb(prepared.limb, responses, progress=progress, stop=stop)
@@ -105,8 +105,8 @@ def import_limb(
     return facts_of(prepared.limb.name)
 
 
-def _refuse_taken(name: str) -> None:
-    """A damaged limb counts too: what is left of it may be all that there is."""
+def _check_name_free(name: str) -> None:
+    """Raise if the name is in use, even by a damaged limb, which may be the only copy."""
     if is_file(own_limb_path(name)):
         raise InvalidInputError(
             f"an own limb is called {quoted(name)} already, and would be lost: give this one "
@@ -121,28 +121,30 @@ def prepare_limb(
     path = source.responses
     about = process.ask(path, {"do": "limb"}, stop=stop)["limb"]
     header: dict[str, Any] = about["header"] or {}
-    shape, request = _arranged(source, about)
+    shape, request = _array_request(source, about)
     values: dict[str, Any] = {
         "name": "",
-        **_of_layout(path, header),
+        **_layout_values(path, header),
         **{key: value for key, value in source.values.items() if value is not None},
     }
     down = False
-    for part, whole in (
+    for part, field_name in (
         ("outline", "outline"),
         ("inputs", "input_positions"),
         ("outputs", "output_positions"),
     ):
-        given = getattr(source, part)
-        if given is None:
-            values.setdefault(whole, None)
+        part_source = getattr(source, part)
+        if part_source is None:
+            values.setdefault(field_name, None)
             continue
-        points = read_points(given, process, stop=stop) if isinstance(given, Path) else None
-        values[whole] = np.array(given) if points is None else points.points
+        points = (
+            read_points(part_source, process, stop=stop) if isinstance(part_source, Path) else None
+        )
+        values[field_name] = np.array(part_source) if points is None else points.points
         down = down or (points is not None and points.y_down)
         if points is not None and points.names and part != "outline":
             values[f"{part[:-1]}_names"] = points.names
-    _turn_up(values, source, down=down if source.y_down is None else source.y_down)
+    _flip_vertically(values, source, down=down if source.y_down is None else source.y_down)
     values["n_taps"] = shape[3]
     try:
         _complete(values, shape)
@@ -161,7 +163,7 @@ class Points:
 
 
 def read_points(path: Path, process: ReadingProcess, *, stop: Stop = never) -> Points:
-    """Places of a CSV file, or the outline of a CSV or SVG file; raises as `import_limb`."""
+    """Read the places of a CSV file, or the outline of a CSV or SVG file."""
     answer = process.ask(path, {"do": "points"}, stop=stop)["points"]
     try:
         rows = [(np.nan, np.nan) if row is None else row for row in answer["points"]]
@@ -174,10 +176,10 @@ def read_points(path: Path, process: ReadingProcess, *, stop: Stop = never) -> P
     return Points(points=points, names=names, y_down=bool(answer["y_down"]))
 
 
-def _arranged(
+def _array_request(
     source: LimbSource, about: dict[str, Any]
 ) -> tuple[tuple[int, int, int, int], dict[str, Any]]:
-    """Shape of the responses, (inputs, outputs, axes, taps), and how they are asked for."""
+    """Return the shape of the responses, (inputs, outputs, axes, taps), and their request."""
     if about["header"] is not None:
         inputs, outputs, axes, taps = about["header"]["shape"]
         return (inputs, outputs, axes, taps), {"do": "responses", "array": None, "order": ""}
@@ -201,8 +203,8 @@ def _arranged(
     return shape, {"do": "responses", "array": array["name"], "order": order}
 
 
-def _of_layout(path: Path, header: dict[str, Any]) -> dict[str, Any]:
-    """Fields of `OwnLimb` that a file in the layout says."""
+def _layout_values(path: Path, header: dict[str, Any]) -> dict[str, Any]:
+    """Return the fields of `OwnLimb` in the header of a file."""
     if not header:
         return {}
     return {
@@ -210,8 +212,8 @@ def _of_layout(path: Path, header: dict[str, Any]) -> dict[str, Any]:
         "title": header["title"],
         "note": " ".join(str(header["note"]).split()),
         "axes": header["axes"],
-        "per_unit_drive": _either(path, header, "answers", "drive", "pulse"),
-        "left": _either(path, header, "hand", "left", "right"),
+        "per_unit_drive": _is_first(path, header, "answers", "drive", "pulse"),
+        "left": _is_first(path, header, "hand", "left", "right"),
         "synthetic": bool(header["synthetic"]),
         "sample_rate_hz": header["sample_rate_hz"],
         "pre_trigger_delay_s": header["pre_trigger_delay_s"],
@@ -227,7 +229,7 @@ def _of_layout(path: Path, header: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def _either(path: Path, header: dict[str, Any], name: str, first: str, second: str) -> bool:
+def _is_first(path: Path, header: dict[str, Any], name: str, first: str, second: str) -> bool:
     if header[name] not in (first, second):
         raise limb_file_error(
             path,
@@ -237,15 +239,15 @@ def _either(path: Path, header: dict[str, Any], name: str, first: str, second: s
     return bool(header[name] == first)
 
 
-def _turn_up(values: dict[str, Any], source: LimbSource, *, down: bool) -> None:
+def _flip_vertically(values: dict[str, Any], source: LimbSource, *, down: bool) -> None:
     """Let y point up in what was given beside the layout."""
-    for part, whole in (
+    for part, field_name in (
         ("outline", "outline"),
         ("inputs", "input_positions"),
         ("outputs", "output_positions"),
     ):
         if down and getattr(source, part) is not None:
-            values[whole] = np.asarray(values[whole]) * (1.0, -1.0)
+            values[field_name] = np.asarray(values[field_name]) * (1.0, -1.0)
 
 
 def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:

@@ -27,7 +27,7 @@ _ADVICE = "docs/limbs.md says what a limb consists of."
 
 
 def limb_file_error(path: Path, problem: str, expected: str) -> RecordingError:
-    """The error that names the file, what was found and expected, and where to look."""
+    """Return an error that names the file, the problem, what was expected, and where to look."""
     return RecordingError(f"{named(Path(path.name))}: {problem}, expected {expected}. {_ADVICE}")
 
 
@@ -57,7 +57,7 @@ _ONLY_OF_LIMBS = ("format_version", "hand_length_mm")
 _POINTS = {"outline": "outline", "inputs": "input_positions", "outputs": "output_positions"}
 _NAMES = {"inputs": "input_names", "outputs": "output_names"}
 _LONGEST_TEXT, _MOST_NAMES, _MOST_ROWS = 4000, 512, 20_001
-_BESIDE_BYTES = 2**20
+_HEADER_BYTES = 2**20
 
 
 def is_limb_file(path: Path) -> bool:
@@ -78,7 +78,7 @@ def is_limb_file(path: Path) -> bool:
 
 
 def header_of(path: Path) -> dict[str, Any]:
-    """All but the responses, as JSON carries it; for the child process.
+    """Return all but the responses, ready for JSON; for the child process.
 
     Raises
     ------
@@ -102,7 +102,7 @@ def header_of(path: Path) -> dict[str, Any]:
         header["hand_length"] = _number(group, path, "hand_length", header["hand_length_mm"])
         for name, field in _POINTS.items():
             points = np.asarray(_dataset(group, path, name, 2, _MOST_ROWS)[()], np.float64)
-            header[field] = _without_nan(points)
+            header[field] = _json_points(points)
         names = files.own_member(file, "names", files.Group)
         for name, field in _NAMES.items():
             header[field] = [] if names is None else _names(names, path, name)
@@ -110,7 +110,7 @@ def header_of(path: Path) -> dict[str, Any]:
 
 
 def response_blocks(path: Path) -> Iterator[Floats]:
-    """Responses to one input after another, (n_outputs x n_axes, n_taps); for the child process."""
+    """Yield the responses to each input, (n_outputs x n_axes, n_taps); for the child process."""
     with files.File(path, "r", locking=False) as file:
         responses = _responses(file, path)
         for number in range(responses.shape[0]):
@@ -132,7 +132,7 @@ def export_limb(name: str, path: Path, *, progress: Progress = silent, stop: Sto
     """
     held = LimbFile(existing_path(name))
     limb = held.limb
-    n_bytes = 8 * int(np.prod(limb.shape)) + _BESIDE_BYTES
+    n_bytes = 8 * int(np.prod(limb.shape)) + _HEADER_BYTES
     free_bytes = shutil.disk_usage(path.resolve().parent).free if path.parent.is_dir() else n_bytes
     if free_bytes < n_bytes:
         # Where the disk is full, HDF5 ends the process.
@@ -260,13 +260,13 @@ def _names(group: Any, path: Path, name: str) -> list[str]:
     ]
 
 
-def _without_nan(points: Floats) -> list[list[float] | None]:
+def _json_points(points: Floats) -> list[list[float] | None]:
     return [row.tolist() if np.isfinite(row).all() else None for row in points]
 
 
 # Arrays of any number of dimensions in NPY, NPZ, MATLAB and HDF5 files; for the child process.
 
-_OPENED = {
+_OPENERS = {
     "NPY": arrays.opened_npy,
     "NPZ": arrays.opened_npz,
     "MATLAB": arrays.opened_matlab,
@@ -279,8 +279,8 @@ _KINDS, _MOST_ARRAYS = "iuf", 200
 
 
 def arrays_of(path: Path) -> list[dict[str, Any]]:
-    """Name and shape of each array of numbers with three or four dimensions."""
-    with _opened(path) as members:
+    """Return the name and shape of each array of numbers with three or four dimensions."""
+    with _open_arrays(path) as members:
         descriptions = [
             {"name": member.name, "shape": [int(n) for n in member.array.shape]}
             for member in members.members
@@ -296,13 +296,13 @@ def arrays_of(path: Path) -> list[dict[str, Any]]:
 
 
 def offered_by(path: Path) -> dict[str, Any]:
-    """Name, shape and rate of each array of three dimensions, and the rate of the file.
+    """Return the name, shape and rate of each array of three dimensions, and the rate of the file.
 
     None of tables and sound, which are read signal by signal.
     """
-    if reader_of(path).name not in _OPENED:
+    if reader_of(path).name not in _OPENERS:
         return {"arrays": [], "rate_hz": None}
-    with _opened(path) as members:
+    with _open_arrays(path) as members:
         descriptions = [
             {
                 "name": member.name,
@@ -317,7 +317,7 @@ def offered_by(path: Path) -> dict[str, Any]:
 
 
 def array_blocks(path: Path, name: str, order: str) -> Iterator[Floats]:
-    """Responses to one input after another, (n_outputs x n_axes, n_taps).
+    """Yield the responses to one input after another, (n_outputs x n_axes, n_taps).
 
     Parameters
     ----------
@@ -326,8 +326,8 @@ def array_blocks(path: Path, name: str, order: str) -> Iterator[Floats]:
     order
         A letter for each dimension, in the order of the file: i input, o output, a axis, t tap.
     """
-    with _opened(path) as members:
-        array = _chosen(path, members, name)
+    with _open_arrays(path) as members:
+        array = _chosen_array(path, members, name)
         shape = tuple(int(n) for n in array.shape)
         if sorted(order) != sorted(ORDER_LETTERS.replace("a", "") if len(shape) == 3 else "ioat"):
             raise limb_file_error(
@@ -346,7 +346,7 @@ def array_blocks(path: Path, name: str, order: str) -> Iterator[Floats]:
             yield response.reshape(-1, response.shape[-1])
 
 
-def _chosen(path: Path, members: Members, name: str) -> Any:
+def _chosen_array(path: Path, members: Members, name: str) -> Any:
     offered = [member for member in members.members if len(member.array.shape) in (3, 4)]
     named = [member for member in offered if member.name == name] if name else offered
     if not named:
@@ -355,11 +355,11 @@ def _chosen(path: Path, members: Members, name: str) -> Any:
     return max(named, key=lambda member: int(np.prod(member.array.shape))).array
 
 
-def _opened(path: Path) -> AbstractContextManager[Members]:
+def _open_arrays(path: Path) -> AbstractContextManager[Members]:
     file_format = reader_of(path).name
-    if file_format not in _OPENED:
+    if file_format not in _OPENERS:
         raise limb_file_error(path, f"it is a {file_format} file", "NPY, NPZ, MATLAB or HDF5")
-    return _OPENED[file_format](path)
+    return _OPENERS[file_format](path)
 
 
 # Places from CSV, and outlines from CSV or SVG; for the child process.
@@ -369,7 +369,7 @@ _MISSING = ("", "nan", "-", "none")
 
 
 def points_of(path: Path) -> dict[str, Any]:
-    """Points of a file as JSON carries them: ``points``, rows of x and y or None, and ``names``.
+    """Return the points of a file for JSON: ``points``, rows of x and y or None, and ``names``.
 
     A CSV file has a point a row: x, y and, if wanted, a name; with a header its columns are found
     by the names ``x``, ``y`` and ``name``.  Of an SVG file the largest closed line is taken.
@@ -445,7 +445,7 @@ _MARGIN = 0.12
 
 
 def hull_around(places: Floats) -> Floats:
-    """The convex hull of places, (n, 2), NaN where one is missing, moved outwards."""
+    """Return the convex hull of places, (n, 2), moved outwards; NaN where one is missing."""
     points = places[np.isfinite(places).all(axis=1)]
     if len(points) < 1:
         raise InvalidInputError("no place is known, expected some, or an outline")

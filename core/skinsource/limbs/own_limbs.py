@@ -37,7 +37,7 @@ LEAST_RATE_HZ, MOST_RATE_HZ = 100.0, 768_000.0
 NAME_RULE = "small letters, digits and '-', at most 40, a letter first"
 _NAME = re.compile(r"[a-z][a-z0-9-]{0,39}")
 # As the limbs that come with the studio, and those that are published.
-_TAKEN = ("measured-", "synthetic-")
+_RESERVED = ("measured-", "synthetic-")
 _LONGEST_TITLE, _LONGEST_NOTE, _LONGEST_PLACE = 100, 2000, 80
 # Coordinates beyond this are no places on a hand, in whatever unit.
 _FARTHEST = 1e6
@@ -45,7 +45,7 @@ _FARTHEST = 1e6
 
 def is_free_name(name: object) -> bool:
     """Whether an own limb may be called so: `NAME_RULE`, and no limb that comes with the studio."""
-    return isinstance(name, str) and bool(_NAME.fullmatch(name)) and not name.startswith(_TAKEN)
+    return isinstance(name, str) and bool(_NAME.fullmatch(name)) and not name.startswith(_RESERVED)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -102,7 +102,7 @@ class OwnLimb:
         if not is_free_name(self.name):
             raise InvalidInputError(
                 f"the name of the limb is {quoted(self.name)}, expected {NAME_RULE}, not beginning "
-                f"with {' or '.join(_TAKEN)}"
+                f"with {' or '.join(_RESERVED)}"
             )
         self._put(title=_line("title", self.title, _LONGEST_TITLE))
         self._put(note=_line("note", self.note, _LONGEST_NOTE))
@@ -173,7 +173,7 @@ class OwnLimb:
         return self.n_inputs, self.n_outputs, len(self.axes), self.n_taps
 
     def map(self) -> LimbMap:
-        """Outline and places, as they are shown."""
+        """Return the outline and places as they are shown."""
         # About the middle of the outline, so that it stays where it is.
         both = self.outline[:, 0].min() + self.outline[:, 0].max()
 
@@ -189,7 +189,7 @@ class OwnLimb:
         )
 
     def shown_mirrored(self, mirrored: bool) -> "OwnLimb":
-        """The same, shown the other way round or not."""
+        """Return this limb, shown mirrored or not."""
         return replace(self, mirrored=mirrored)
 
 
@@ -215,7 +215,7 @@ def _band(band_hz: object, sample_rate_hz: float) -> Band | None:
 
 
 def _points(what: str, points: object, fewest: int, most: int, *, missing: bool = True) -> Floats:
-    """Checked places, (n, 2); a row without a number is no place, where that may be."""
+    """Return checked places, (n, 2); where ``missing``, a row with NaN is no place."""
     positions = np.array(real_array(what, points, "(n, 2)"))  # type: ignore[arg-type]
     if positions.ndim != 2 or positions.shape[1] != 2 or not fewest <= len(positions) <= most:
         raise InvalidInputError(
@@ -260,7 +260,7 @@ _DIGESTED = (
     "sha256",
 )
 #: And of these, where they are said: limbs that say nothing of them keep their digest.
-_DIGESTED_IF_SAID = ("band_hz",)
+_DIGESTED_IF_SET = ("band_hz",)
 _FIELDS = tuple(OwnLimb.__dataclass_fields__)
 
 
@@ -314,7 +314,7 @@ class LimbFile:
         return 8 * self.limb.n_outputs * len(self.limb.axes) * self.limb.n_taps
 
     def response(self, location: int) -> Floats:
-        """Responses to one input place, (n_outputs, n_axes, n_taps), m/s²."""
+        """Return the responses to one input place, (n_outputs, n_axes, n_taps), m/s²."""
         try:
             with self.path.open("rb") as file:
                 if _text_of(file, self.path)[1] != self._text_sum:
@@ -454,8 +454,8 @@ def _limb_of(tree: dict[str, Any]) -> OwnLimb:
 
 def _digest(limb: OwnLimb, sums: tuple[str, ...]) -> str:
     tree = _tree(limb, sums)
-    said = tuple(name for name in _DIGESTED_IF_SAID if tree[name] is not None)
-    return hashlib.sha256(_json({name: tree[name] for name in (*_DIGESTED, *said)})).hexdigest()
+    optional = tuple(name for name in _DIGESTED_IF_SET if tree[name] is not None)
+    return hashlib.sha256(_json({name: tree[name] for name in (*_DIGESTED, *optional)})).hexdigest()
 
 
 def _damaged(path: Path, reason: str) -> FileFormatError:
@@ -470,12 +470,12 @@ FOLDER, ENDING = "limbs", ".limb"
 
 
 def own_limb_path(name: str) -> Path:
-    """Where an own limb is kept, or would be."""
+    """Return the path of an own limb, whether or not it exists."""
     return user_folder() / FOLDER / f"own-{name}{ENDING}"
 
 
 def own_limb_names() -> tuple[str, ...]:
-    """Names of the limbs that were imported, in the order of the alphabet."""
+    """Return the names of the imported limbs, in alphabetical order."""
     try:
         paths = sorted((user_folder() / FOLDER).glob(f"own-*{ENDING}"))
         names = [path.name.removeprefix("own-").removesuffix(ENDING) for path in paths]
@@ -554,7 +554,7 @@ def _opened(name: str) -> LimbFile:
 
 
 def existing_path(name: str) -> Path:
-    """Where an own limb is kept; raises `UnknownLimbError` where there is none."""
+    """Return the path of an own limb; raise `UnknownLimbError` where there is none."""
     if not is_free_name(name) or not is_file(own_limb_path(name)):
         raise UnknownLimbError(
             f"no own limb is called {quoted(name)}; there are "
@@ -567,7 +567,7 @@ def existing_path(name: str) -> Path:
 
 
 def facts_of(name: str) -> LimbFacts:
-    """Names and sizes of a limb; of one that is not here, or damaged, sizes of the published ones.
+    """Return names and sizes of a limb; of a missing or damaged one, the published sizes.
 
     Where none is named, all is that of the published ones.
     Quick enough for each edit: a file is read again only after it has changed.
@@ -579,7 +579,7 @@ def facts_of(name: str) -> LimbFacts:
         path = own_limb_path(name)
         try:
             about = path.stat()
-            return _read(name, path, _state_of(about))[0]
+            return _read_facts(name, path, _state_of(about))[0]
         except (OSError, SkinSourceError):
             pass
     band_hz = None if name else BAND_HZ
@@ -587,7 +587,7 @@ def facts_of(name: str) -> LimbFacts:
 
 
 def axes_on(limb: str, axes: Axes) -> Axes:
-    """These axes, or all of a limb that was not measured along each of them."""
+    """Return these axes, or all of a limb that was not measured along each of them."""
     measured = facts_of(limb).axes
     try:
         return axes_of(measured, axes)
@@ -596,7 +596,7 @@ def axes_on(limb: str, axes: Axes) -> Axes:
 
 
 def outputs_on(limb: str, outputs: tuple[int, ...]) -> tuple[int, ...]:
-    """Those of these outputs that a limb has; where it has none of them, as many of its first."""
+    """Return those of these outputs that a limb has; if none, as many of its first ones."""
     facts = facts_of(limb)
     if not facts.known:
         return outputs
@@ -620,19 +620,19 @@ def drive_unit_known(name: str, digest: str = "") -> bool:
 
 
 def own_map(name: str) -> LimbMap | None:
-    """The map of an own limb, as quickly; None of others, and of one that is not here."""
+    """Return the map of an own limb as quickly as `facts_of`; None of any other limb."""
     if not facts_of(name).own:
         return None
     path = own_limb_path(name)
     try:
         about = path.stat()
-        return _read(name, path, _state_of(about))[1]
+        return _read_facts(name, path, _state_of(about))[1]
     except (OSError, SkinSourceError):
         return None
 
 
 def missing_limb(name: str, digest: str) -> str:
-    """Why a design of this limb cannot be computed here, in a sentence; empty if it can.
+    """Return why a design of this limb cannot be computed here; "" if it can.
 
     Parameters
     ----------
@@ -653,12 +653,12 @@ def missing_limb(name: str, digest: str) -> str:
     return ""
 
 
-def _band_words(band_hz: Band | None) -> str:
+def _band_text(band_hz: Band | None) -> str:
     return "" if band_hz is None else f", measured from {band_hz[0]:g} to {band_hz[1]:g} Hz"
 
 
 def _state_of(about: os.stat_result) -> tuple[int, ...]:
-    """What differs wherever a file took the place of another.
+    """Return what differs wherever a file took the place of another.
 
     Its time alone does not: the clock of a file system ticks a few milliseconds apart, and copies
     keep the time of what was copied.
@@ -667,7 +667,7 @@ def _state_of(about: os.stat_result) -> tuple[int, ...]:
 
 
 @lru_cache(maxsize=64)
-def _read(name: str, path: Path, _state: tuple[int, ...]) -> tuple[LimbFacts, LimbMap]:
+def _read_facts(name: str, path: Path, _state: tuple[int, ...]) -> tuple[LimbFacts, LimbMap]:
     file = LimbFile(path)
     held = file.limb
     hand = f"{'Left' if held.left else 'Right'} hand{', shown mirrored' if held.mirrored else ''}"
@@ -676,7 +676,7 @@ def _read(name: str, path: Path, _state: tuple[int, ...]) -> tuple[LimbFacts, Li
         title=held.title or name,
         sentence=f"{hand}, imported: {counted(held.n_inputs, 'place')}, "
         f"{counted(held.n_outputs, 'output')} along "
-        f"{axes_text(held.axes)}, {held.sample_rate_hz:g} Hz{_band_words(held.band_hz)}.",
+        f"{axes_text(held.axes)}, {held.sample_rate_hz:g} Hz{_band_text(held.band_hz)}.",
         n_inputs=held.n_inputs,
         n_outputs=held.n_outputs,
         n_taps=held.n_taps,

@@ -66,7 +66,7 @@ def _carry_out(answers: IO[bytes], request: dict[str, Any], path: Path) -> None:
         _answer(answers, {"found": to_tree(readers.look(path))})
         return
     if request["do"] == "overview":
-        _give_overview(answers, request, path)
+        _answer_overview(answers, request, path)
         return
     if request["do"] in ("limb", "points", "arrays"):
         _answer(answers, limb_import.look(request, path))
@@ -84,7 +84,7 @@ def _blocks(request: dict[str, Any], path: Path) -> Iterator[Any]:
     return readers.blocks(path, request["keys"], int(request["start"]), int(request["stop"]))
 
 
-def _give_overview(answers: IO[bytes], request: dict[str, Any], path: Path) -> None:
+def _answer_overview(answers: IO[bytes], request: dict[str, Any], path: Path) -> None:
     n = int(request["samples"])
     overview = Overview(n, int(request["columns"]))
     for block in readers.blocks(path, [request["key"]], 0, n):

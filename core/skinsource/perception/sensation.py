@@ -30,7 +30,7 @@ _EXPONENTS: dict[Channel, float] = {"P": 0.6, "NP I": 0.9}
 
 
 def site_offsets_db(limb: str = LIMB_NAMES[0]) -> dict[Channel, Floats]:
-    """By how much the thresholds at the outputs lie above those of glabrous skin, (n_outputs,).
+    """Return how much the outputs' thresholds exceed those of glabrous skin, dB, (n_outputs,).
 
     Infinite where a channel plays no part: P on wrist, forearm and elbow, where NP governs
     (Whitehouse and Griffin, 2006).
@@ -126,12 +126,12 @@ def sensation_magnitude(levels_db: dict[Channel, Floats]) -> Floats:
         np.maximum(10.0 ** (_EXPONENTS[channel] * levels_db[channel] / 20.0) - 1.0, 0.0)
         for channel in CHANNELS
     ]
-    together: Floats = np.maximum(*parts) + 0.5 * np.minimum(*parts)
-    return together
+    magnitude: Floats = np.maximum(*parts) + 0.5 * np.minimum(*parts)
+    return magnitude
 
 
 def _power_by_bin(data: Floats, rate_hz: float) -> tuple[Floats, Floats]:
-    """Mean square by frequency, axes added up, (n_outputs, n_bins) without 0 Hz; and hertz."""
+    """Return mean squares, axes added up, (n_outputs, n_bins) without 0 Hz, and frequencies."""
     n_times = data.shape[-1]
     spectra = scipy.fft.rfft(data, axis=-1)
     power = np.sum(spectra.real**2 + spectra.imag**2, axis=1) / float(n_times) ** 2

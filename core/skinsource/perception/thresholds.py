@@ -210,5 +210,5 @@ class PerceptionSettings:
 
 
 def settings_table(table: ThresholdTable) -> tuple[float, ...]:
-    """A table as settings hold it."""
+    """Return a table as settings hold it."""
     return tuple(number for pair in table for number in pair)

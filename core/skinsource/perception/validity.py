@@ -68,19 +68,19 @@ Findings = tuple[Finding, ...]
 
 
 def findings_lines(findings: Findings) -> list[str]:
-    """A line for each condition that is not kept, for the head of a file."""
-    said = {"left": "CAUTION", "unknown": "unknown"}
+    """Return a line for each condition that is not kept, for the head of a file."""
+    state_labels = {"left": "CAUTION", "unknown": "unknown"}
     return [
-        f"validity, {finding.name}: {said[finding.state]}: {finding.sentence}"
+        f"validity, {finding.name}: {state_labels[finding.state]}: {finding.sentence}"
         for finding in findings
-        if finding.state in said
+        if finding.state in state_labels
     ]
 
 
 # What goes with a result wherever it is taken: notes on its limbs, and conditions not kept.
 
 _FIELD = re.compile(r"(\{:[^}]*\})")
-_UNJUDGED = "whether conditions of the measurement are kept was not judged"
+_NOT_JUDGED = "whether conditions of the measurement are kept was not judged"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -102,7 +102,7 @@ class Judged:
     findings: Findings | None = None
 
     def without_maps(self) -> "Judged":
-        """The same for what draws no map: nothing is told of what lies between outputs."""
+        """Return the same without findings about maps, for what draws none."""
         if self.findings is None:
             return self
         return replace(
@@ -111,7 +111,7 @@ class Judged:
 
 
 def in_short(judged: Sequence[Judged]) -> tuple[str, ...]:
-    """Notes and conditions that are not kept, a short sentence each, for a caption.
+    """Return notes and conditions that are not kept, a short sentence each, for a caption.
 
     Where numbers differ between designs, the smallest and the largest are told.
     """
@@ -120,50 +120,50 @@ def in_short(judged: Sequence[Judged]) -> tuple[str, ...]:
         for finding in design.findings or ():
             if finding.number is not None:
                 numbers.setdefault(finding.in_short, []).append(finding.number)
-    said = _together(judged, _sentences)
+    captions = _merged(judged, _captions_of)
     return tuple(
-        sentence(whose + (_with_range(words, numbers[words]) if words in numbers else words))
-        for whose, words in said
+        sentence(whose + (_with_range(text, numbers[text]) if text in numbers else text))
+        for whose, text in captions
     )
 
 
 def in_full(judged: Sequence[Judged]) -> tuple[str, ...]:
-    """The same as lines for the head of a table, which name what is unknown too."""
-    return tuple(f"{whose}{words}" for whose, words in _together(judged, _lines))
+    """Return the same as lines for the head of a table, with unknown conditions too."""
+    return tuple(f"{whose}{text}" for whose, text in _merged(judged, _lines_of))
 
 
-def _together(
+def _merged(
     judged: Sequence[Judged], said_of: Callable[[Judged], Sequence[str]]
 ) -> list[tuple[str, str]]:
-    """What holds for all of them once, and what holds for some once, with which they are."""
+    """Return each text once, with the labels of the designs that it holds for if not for all."""
     labels_of: dict[str, list[str]] = {}
     for design in judged:
-        for words in dict.fromkeys(said_of(design)):
-            labels_of.setdefault(words, []).append(design.label)
+        for text in dict.fromkeys(said_of(design)):
+            labels_of.setdefault(text, []).append(design.label)
     return [
-        ("" if len(labels) == len(judged) else f"{', '.join(labels)}: ", words)
-        for words, labels in labels_of.items()
+        ("" if len(labels) == len(judged) else f"{', '.join(labels)}: ", text)
+        for text, labels in labels_of.items()
     ]
 
 
-def _with_range(words: str, numbers: Sequence[float]) -> str:
-    """The words with their number; with two where numbers look different."""
-    before, field, after = _FIELD.split(words, maxsplit=1)
+def _with_range(text: str, numbers: Sequence[float]) -> str:
+    """Return the text with its number, or with two where numbers look different."""
+    before, field, after = _FIELD.split(text, maxsplit=1)
     ends = dict.fromkeys(field.format(number) for number in (min(numbers), max(numbers)))
     return f"{before}{' to '.join(ends)}{after}"
 
 
-def _sentences(design: Judged) -> list[str]:
+def _captions_of(design: Judged) -> list[str]:
     note = [f"{design.note[:1].upper()}{design.note[1:]}"] if design.note else []
     if design.findings is None:
-        return [*note, f"{_UNJUDGED[:1].upper()}{_UNJUDGED[1:]}"]
+        return [*note, f"{_NOT_JUDGED[:1].upper()}{_NOT_JUDGED[1:]}"]
     return [*note, *(finding.in_short for finding in design.findings if finding.in_short)]
 
 
-def _lines(design: Judged) -> list[str]:
+def _lines_of(design: Judged) -> list[str]:
     note = [f"NOTE on the limb: {design.note}"] if design.note else []
     return note + (
-        [f"validity: {_UNJUDGED}"] if design.findings is None else findings_lines(design.findings)
+        [f"validity: {_NOT_JUDGED}"] if design.findings is None else findings_lines(design.findings)
     )
 
 
@@ -224,7 +224,7 @@ def fastest_probe(
 
 
 def lowest_hz_of(band_hz: Band | None) -> float:
-    """Below it no velocity is told: accelerations were not measured there, or nobody says."""
+    """Return the frequency below which no velocity is computed, in Hz."""
     low_hz = 0.0 if band_hz is None else band_hz[0]
     return max(low_hz, _LEAST_HZ) if low_hz > 0.0 else BAND_HZ[0]
 
@@ -237,7 +237,7 @@ SPATIAL_LIMIT_HZ = 300.0
 MOST_SHARE = 0.05
 _MM_PER_M = 1e3
 _LIMIT = f"{LARGEST_VELOCITY_M_PER_S * _MM_PER_M:g} mm/s"
-_GUESSED = "lies above {:g} Hz: between outputs the map is a guess."
+_MAP_GUESSED = "lies above {:g} Hz: between outputs the map is a guess."
 _UNIT_NOT_KNOWN = Finding(
     name="drive",
     state="unknown",
@@ -383,7 +383,7 @@ def setup_findings(*, synthetic: bool, scaling: Scaling, places: Sequence[int]) 
 
 
 def listed(outputs: Sequence[int]) -> str:
-    """Numbers in a sentence, runs of three or more as ranges: "1, 4 to 7 and 9".
+    """Return numbers as text, runs of three or more as ranges: "1, 4 to 7 and 9".
 
     >>> listed((1, 4, 5, 6, 7, 9, 10))
     '1, 4 to 7, 9 and 10'
@@ -401,7 +401,7 @@ def listed(outputs: Sequence[int]) -> str:
 
 
 def _share(played: Sequence[_Drive], rate: float, band: Band) -> float:
-    """Share of the energy of all drives outside a band; 0 in silence."""
+    """Return the share of the energy of all drives outside a band; 0 in silence."""
     energy = sum(drive.energy for drive in played)
     if energy == 0.0:
         return 0.0
@@ -478,7 +478,7 @@ def _spacing(played: Sequence[_Drive], rate: float, limit_hz: float | None) -> F
         name="spacing",
         of_maps=True,
         state="left" if left else "kept",
-        in_short=f"{{:.0%}} of the energy {_GUESSED.format(limit_hz)}" if left else "",
+        in_short=f"{{:.0%}} of the energy {_MAP_GUESSED.format(limit_hz)}" if left else "",
         number=share if left else None,
         sentence=f"{share:.0%} of the energy of what plays lies above {limit_hz:g} Hz"
         + (

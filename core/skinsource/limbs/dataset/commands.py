@@ -122,7 +122,7 @@ def add_to(subparsers: Any) -> None:
 def _install(arguments: argparse.Namespace) -> int:
     with ProgressBar(sys.stderr) as bar:
         info = install(arguments.path, unpublished=arguments.unpublished, progress=bar)
-    _say_installed(info)
+    _print_installed(info)
     return 0
 
 
@@ -130,7 +130,7 @@ def _fetch(arguments: argparse.Namespace) -> int:
     files = published_files(arguments.dataset_url, arguments.map_url)
     with ProgressBar(sys.stderr) as bar:
         info = fetch(files=files, progress=bar)
-    _say_installed(info)
+    _print_installed(info)
     return 0
 
 
@@ -149,7 +149,7 @@ def _list(_: argparse.Namespace) -> int:
         f"made from  {info.source_name} ({info.source_bytes} bytes)\n"
         f"sha256     {info.source_sha256}\n"
     )
-    _say_note(info)
+    _print_note(info)
     return 0
 
 
@@ -162,7 +162,7 @@ def _verify(_: argparse.Namespace) -> int:
         sys.stderr.write(f"skinsource: the measured dataset is damaged. {REINSTALL}\n")
         return 1
     sys.stdout.write("The measured dataset is whole: every checksum matches.\n")
-    _say_note(describe())
+    _print_note(describe())
     return 0
 
 
@@ -187,15 +187,15 @@ def _confirmed() -> bool:
     return sys.stdin.readline().strip().lower() in ("y", "yes")
 
 
-def _say_installed(info: StoreInfo) -> None:
+def _print_installed(info: StoreInfo) -> None:
     sys.stdout.write(
         f"Installed measured-{info.limbs[0]} to measured-{info.limbs[-1]} "
         f"({_megabytes(info.size_bytes)}) in {info.path}\n"
     )
-    _say_note(info)
+    _print_note(info)
 
 
-def _say_note(info: StoreInfo) -> None:
+def _print_note(info: StoreInfo) -> None:
     if info.note:
         sys.stdout.write(f"NOTE       {info.note}\n")
 

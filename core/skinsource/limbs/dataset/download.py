@@ -66,7 +66,7 @@ def download(file: RemoteFile, part: Path, *, report: Callable[[int], None], sto
             if not continued:
                 part.unlink()
             elif _size(part) <= before:
-                raise DownloadError(_lost(file, part, reason))
+                raise DownloadError(_failure_text(file, part, reason))
     if _size(part) > file.size_bytes:
         part.unlink()
         raise DownloadError(
@@ -89,10 +89,10 @@ def _receive(
         other_bytes = answer.status_code == _PART and _first_byte(answer) != have
         if have and (other_bytes or answer.status_code == _RANGE_REFUSED):
             return False
-        _refuse_other_answers(answer, file, have)
+        _check_answer(answer, file, have)
         have = have if answer.status_code == _PART else 0
         with _opened(part, "ab" if have else "wb") as out:
-            pace = _Pace(file)
+            pace = _SpeedCheck(file)
             for piece in _pieces(answer):
                 stop_if(stop, STOPPED)
                 pace.note(len(piece))
@@ -112,7 +112,7 @@ def _pieces(answer: Any) -> Iterator[bytes]:
         yield piece
 
 
-class _Pace:
+class _SpeedCheck:
     """Gives up on a server that sends next to nothing."""
 
     def __init__(self, file: RemoteFile) -> None:
@@ -149,7 +149,7 @@ def _explained(part: Path) -> Iterator[None]:
         ) from error
 
 
-def _refuse_other_answers(answer: Any, file: RemoteFile, have: int) -> None:
+def _check_answer(answer: Any, file: RemoteFile, have: int) -> None:
     if answer.status_code not in (_ALL, _PART):
         raise DownloadError(
             f"{file.url}: the server answered {answer.status_code} {printable(answer.reason)}, "
@@ -174,10 +174,10 @@ def _first_byte(answer: Any) -> int | None:
     return int(first) if unit == "bytes" and first.isdigit() else None
 
 
-def _lost(file: RemoteFile, part: Path, reason: str) -> str:
+def _failure_text(file: RemoteFile, part: Path, reason: str) -> str:
     have = _size(part)
-    kept = f"; {have} of {file.size_bytes} bytes have arrived and are kept" if have else ""
-    return f"{file.url}: cannot be downloaded ({reason}){kept}. {_GO_ON}."
+    progress_note = f"; {have} of {file.size_bytes} bytes have arrived and are kept" if have else ""
+    return f"{file.url}: cannot be downloaded ({reason}){progress_note}. {_GO_ON}."
 
 
 def _size(part: Path) -> int:
@@ -229,7 +229,7 @@ def fetch(
     files = published_files() if files is None else files
     downloads = download_folder() if downloads is None else downloads
     make_folder(downloads)
-    _sweep(downloads)
+    _remove_leftovers(downloads)
     # pooch would tell of each file on stderr, in the middle of the progress bar
     pooch.get_logger().setLevel(logging.WARNING)
     registry = pooch.create(
@@ -241,7 +241,7 @@ def fetch(
     total, done = sum(file.size_bytes for file in files), 0
     for file in files:
         progress(done, total, f"Downloading {file.name}")
-        downloader = _OneDownload(file, downloads, _moved_on(progress, done, total), stop)
+        downloader = _OneDownload(file, downloads, _progress_of_all(progress, done, total), stop)
         _fetch_one(registry, file, downloads, downloader)
         done += file.size_bytes
     progress(total, total, "Downloaded")
@@ -249,7 +249,7 @@ def fetch(
     return install(downloads, folder=folder, unpublished=True, progress=progress, stop=stop)
 
 
-def _sweep(downloads: Path) -> None:
+def _remove_leftovers(downloads: Path) -> None:
     for path in leftovers(downloads):
         with suppress(OSError):
             if path.stat().st_mtime < time.time() - _A_DAY_S:
@@ -285,7 +285,7 @@ class _OneDownload:
             )
 
 
-def _moved_on(progress: Progress, before: int, total: int) -> Progress:
+def _progress_of_all(progress: Progress, before: int, total: int) -> Progress:
     def of_all(done: int, _: int, text: str) -> None:
         progress(before + done, total, text)
 

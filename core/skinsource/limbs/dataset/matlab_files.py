@@ -45,7 +45,7 @@ class _Span(NamedTuple):
 
 
 def check_contiguous(path: Path) -> None:
-    """Refuse a MATLAB v7.3 file in which a piece of an array is missing, misplaced or shared.
+    """Raise if a piece of an array of a MATLAB v7.3 file is missing, misplaced or shared.
 
     Other files pass: those of MATLAB v7 check themselves.
 
@@ -72,7 +72,7 @@ def check_contiguous(path: Path) -> None:
 
 
 def _spans_of(dataset: "h5py.Dataset", path: Path) -> list[_Span]:
-    """Where the values of an array lie; none where they lie in the header, which is read whole."""
+    """Return where the values of an array lie; none where they lie in the header."""
     name = str(dataset.name)
     kind = dataset.id.get_type()
     # What is neither a number nor a text has parts, which are numbers in files that MATLAB wrote.
@@ -119,7 +119,7 @@ def _chunks_of(dataset: "h5py.Dataset", path: Path) -> list[_Span]:
 
 
 def _piece_at(dataset: "h5py.Dataset", place: tuple[int, ...]) -> bytes:
-    """Bytes of a piece as they lie in the file; none where it is missing, or packed otherwise."""
+    """Return a piece's bytes as they lie in the file; none if missing or packed otherwise."""
     try:
         mask, packed = dataset.id.read_direct_chunk(place)
     except (OSError, RuntimeError):
@@ -128,7 +128,7 @@ def _piece_at(dataset: "h5py.Dataset", place: tuple[int, ...]) -> bytes:
 
 
 def _unpacked_bytes(packed: bytes, filters: tuple[int, ...]) -> int:
-    """Length of the values in a piece; -1 where they are damaged."""
+    """Return the length of the values in a piece; -1 where they are damaged."""
     if not filters:
         return len(packed)
     try:
@@ -244,7 +244,7 @@ def _outline(path: Path) -> Floats:
             f"{WHAT_TO_DO}"
         ) from error
     outline = _numbers(path, vertices, (N_VERTICES, 2), "vertices, x and y")
-    return _refuse_not_finite(path, outline)
+    return _check_finite(path, outline)
 
 
 def _output_positions(path: Path) -> Floats:
@@ -252,7 +252,7 @@ def _output_positions(path: Path) -> Floats:
         path, read_variable(path, "outputLocations"), (N_OUTPUTS, 2), "outputs, x and y"
     )
     volar = np.isin(np.arange(1, N_OUTPUTS + 1), VOLAR_OUTPUTS)
-    _refuse_not_finite(path, positions[~volar])
+    _check_finite(path, positions[~volar])
     if not np.isnan(positions[volar]).all():
         raise DatasetError(
             f"{path.name}: gives places to the outputs {VOLAR_OUTPUTS[0]} to {VOLAR_OUTPUTS[-1]}, "
@@ -268,8 +268,8 @@ def _visibility(path: Path) -> Floats:
         (N_VERTICES, N_OUTPUTS),
         "vertices, outputs",
     )
-    seen = ~np.isnan(distance)
-    if np.isinf(distance).any() or (distance[seen] < 0).any() or not seen.any(axis=1).all():
+    visible = ~np.isnan(distance)
+    if np.isinf(distance).any() or (distance[visible] < 0).any() or not visible.any(axis=1).all():
         raise DatasetError(
             f"{path.name}: expected distances of 0 px or more, NaN where a vertex does not see an "
             f"output, and at least one output seen from each vertex. {WHAT_TO_DO}"
@@ -287,7 +287,7 @@ def _mask(path: Path, shape: tuple[int, int]) -> NDArray[np.uint8]:
 
 
 def _finite(path: Path, name: str, shape: tuple[int, ...], axes: str) -> Floats:
-    return _refuse_not_finite(path, _numbers(path, read_variable(path, name), shape, axes))
+    return _check_finite(path, _numbers(path, read_variable(path, name), shape, axes))
 
 
 def _numbers(path: Path, value: Any, shape: tuple[int, ...], axes: str) -> Floats:
@@ -300,7 +300,7 @@ def _numbers(path: Path, value: Any, shape: tuple[int, ...], axes: str) -> Float
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
-def _refuse_not_finite(path: Path, array: Floats) -> Floats:
+def _check_finite(path: Path, array: Floats) -> Floats:
     if not np.isfinite(array).all():
         raise DatasetError(f"{path.name}: expected finite coordinates, found NaN. {WHAT_TO_DO}")
     return array
@@ -365,7 +365,7 @@ def check_table(table: Any, file_name: str, progress: Progress, stop: Stop) -> R
                 f"own. {WHAT_TO_DO}"
             )
         progress(number, N_ROWS, f"Checking limb {limb}, input {place}")
-    _refuse_gaps(responses, file_name)
+    _check_complete(responses, file_name)
     return responses
 
 
@@ -403,7 +403,7 @@ def _whole_number(value: Any, highest: int, what: str) -> int:
     raise DatasetError(f"{what} {value!s}, expected a whole number 1 to {highest}. {WHAT_TO_DO}")
 
 
-def _refuse_gaps(responses: Responses, file_name: str) -> None:
+def _check_complete(responses: Responses, file_name: str) -> None:
     expected = ((limb, place) for limb in range(1, 5) for place in range(1, N_INPUTS + 1))
     missing = [pair for pair in expected if pair not in responses]
     if missing:

@@ -53,22 +53,22 @@ FLOATS, BYTES = "<f8", "u1"
 
 
 def responses_name(limb: int) -> str:
-    """Name of the impulse responses of one limb in the store."""
+    """Return the name of the impulse responses of one limb in the store."""
     return f"responses/limb-{limb}"
 
 
 def mask_name(limb: int) -> str:
-    """Name of the mask of one limb in the store."""
+    """Return the name of the mask of one limb in the store."""
     return f"masks/limb-{limb}"
 
 
 def stored_type(name: str) -> str:
-    """Type of the values of what is stored in one piece."""
+    """Return the type of the values of what is stored in one piece."""
     return BYTES if name.startswith("masks/") else FLOATS
 
 
 def checksum(array: NDArray[Any]) -> str:
-    """SHA-256 of the values as they lie in the store: C order, little-endian."""
+    """Return the SHA-256 of the values as they lie in the store: C order, little-endian."""
     stored = np.ascontiguousarray(array, dtype=array.dtype.newbyteorder("<"))
     return hashlib.sha256(stored.data).hexdigest()
 
@@ -115,12 +115,12 @@ class DownloadedFiles:
 
 
 def download_folder() -> Path:
-    """Where ``skinsource dataset fetch`` puts its files."""
+    """Return the folder of the files that ``skinsource dataset fetch`` downloads."""
     return user_folder() / "measured-download"
 
 
 def leftovers(downloads: Path) -> tuple[Path, ...]:
-    """Temporary files of the package pooch that killed downloads left in their folder."""
+    """Return the temporary files of the package pooch that killed downloads left behind."""
     folders = (folder for folder in (downloads, downloads / MAP_FOLDER) if is_folder(folder))
     return tuple(path for folder in folders for path in sorted(folder.glob(_TEMPORARY)))
 
@@ -135,14 +135,14 @@ def find_downloaded(path: Path) -> DownloadedFiles:
     DatasetError
         Files are missing; the message names them.
     """
-    whole = is_folder(path)
-    if not whole and not is_file(path):
+    given_folder = is_folder(path)
+    if not given_folder and not is_file(path):
         raise StorageError(
             f"{path}: no such file or folder. Give the folder that holds {RESPONSES_FILE} and the "
             "toolbox's folder 'visualization', or get both with 'skinsource dataset fetch'."
         )
-    folder = path if whole else path.parent
-    responses = _first(folder, _RESPONSES_FOLDERS, RESPONSES_FILE) if whole else path
+    folder = path if given_folder else path.parent
+    responses = _first(folder, _RESPONSES_FOLDERS, RESPONSES_FILE) if given_folder else path
     if responses is None:
         raise DatasetError(
             f"{path}: holds no {RESPONSES_FILE}. Give the folder that holds it and the toolbox's "
@@ -244,7 +244,7 @@ def published_files(
 
 
 def checksum_of(path: Path, algorithm: str) -> str:
-    """Checksum of a file, as in `RemoteFile.checksum`.
+    """Return the checksum of a file, as in `RemoteFile.checksum`.
 
     Raises
     ------
@@ -262,7 +262,7 @@ def checksum_of(path: Path, algorithm: str) -> str:
 
 
 def unpublished_files(downloaded: DownloadedFiles) -> tuple[str, ...]:
-    """Published names of those files in a download that are not the published ones."""
+    """Return the names of the files in a download whose content is not the published one."""
     strange = []
     for file in published_files():
         name = file.name.rpartition("/")[2]

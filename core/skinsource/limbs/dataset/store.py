@@ -78,7 +78,7 @@ class StoreParts:
         self.path = path
 
     def group(self, name: str) -> "h5py.Group":
-        """A group in the root."""
+        """Return a group of the root."""
         group = self._member(self.root, name, files.Group)
         self.refuse_unknown(f"/{name}", group, set(published.GROUPS[name]))
         self.refuse_unknown(f"/{name}", group.attrs, set())
@@ -87,7 +87,7 @@ class StoreParts:
     def dataset(
         self, name: str, shape: tuple[int, ...], kind: str, chunks: tuple[int, ...] | None
     ) -> "h5py.Dataset":
-        """A dataset, ``name`` is "group/dataset"; in one piece where ``chunks`` is None."""
+        """Return the dataset ``name``, "group/dataset"; in one piece where ``chunks`` is None."""
         folder, own_name = name.split("/")
         dataset = self._member(self.group(folder), own_name, files.Dataset)
         if dataset.shape != shape or dataset.dtype != np.dtype(kind):
@@ -105,7 +105,7 @@ class StoreParts:
         return dataset
 
     def attribute(self, part: Any, name: str, kind: str, shape: tuple[int, ...] = ()) -> Any:
-        """An attribute of a part: texts where ``kind`` is "S", whole numbers where it is "i"."""
+        """Return an attribute of a part: texts if ``kind`` is "S", integers if it is "i"."""
         if name not in part.attrs:
             raise self._damaged(f"{part.name} lacks {name}")
         # HDF5 keeps texts of free length outside its checksums, and may never end reading one.
@@ -120,7 +120,7 @@ class StoreParts:
         return part.attrs[name]
 
     def refuse_unknown(self, place: str, names: Any, known: set[str]) -> None:
-        """Refuse names in a group, or among attributes, that no installation writes."""
+        """Raise if a group or attributes hold names that no installation writes."""
         unknown = set(names) - known
         if unknown:
             raise self._damaged(f"{place} holds {', '.join(sorted(unknown))}, which is unknown")
@@ -158,38 +158,38 @@ class Contents:
         self._check_root()
 
     def text(self, name: str) -> str:
-        """One of the texts that tell where the data come from."""
+        """Return one of the texts on the origin of the data."""
         return str(self._parts.attribute(self._parts.root, name, "S").decode())
 
     def number(self, name: str) -> int:
-        """One of the numbers that tell where the data come from."""
+        """Return one of the numbers on the origin of the data."""
         return int(self._parts.attribute(self._parts.root, name, "i"))
 
     def unpublished(self) -> tuple[str, ...]:
-        """Files that were not the published ones."""
+        """Return the files that were not the published ones."""
         names = self.text("unpublished")
         return () if names == published.ALL_PUBLISHED else tuple(names.split(","))
 
     def limbs(self) -> tuple[int, ...]:
-        """Numbers of the limbs whose responses are there."""
+        """Return the numbers of the limbs whose responses are there."""
         names = self._parts.group("responses")
         return tuple(
             n for n in published.LIMBS if published.responses_name(n).split("/")[1] in names
         )
 
     def checksums(self, limb: int) -> tuple[str, ...]:
-        """SHA-256 of the responses to each input place of one limb, as noted at installation."""
+        """Return the SHA-256 of the responses to each input place of a limb, as installed."""
         digests = self._parts.attribute(
             self._responses(limb), DIGEST, "S", published.RESPONSES_SHAPE[:1]
         )
         return tuple(digest.decode("ascii") for digest in digests)
 
     def response(self, limb: int, location: int) -> Floats:
-        """Responses to one input place of one limb, (72 outputs, 3 axes, 522 taps); unchecked."""
+        """Return the responses to one input place, (72 outputs, 3 axes, 522 taps), unchecked."""
         return np.asarray(self._responses(limb)[location - 1], dtype=np.float64)
 
     def whole(self, name: str) -> tuple[NDArray[Any], str]:
-        """An array of the map, or a mask, and its SHA-256 as noted at installation; unchecked."""
+        """Return an array of the map, or a mask, unchecked, and its SHA-256 as installed."""
         dataset = self._parts.dataset(
             name, published.WHOLE_SHAPES[name], published.stored_type(name), None
         )
@@ -268,7 +268,7 @@ class StoreInfo:
 
 
 def store_path() -> Path:
-    """Where the store is, or would be."""
+    """Return the path of the store, whether or not it exists."""
     return user_folder() / published.FILE_NAME
 
 
@@ -344,7 +344,7 @@ def load_measured_limb(number: int) -> Limb:
 
 
 def load_mask(number: int) -> NDArray[np.bool_]:
-    """Pixels of 1 mm that lie on the skin of measured limb 1 to 4, (rows, columns).
+    """Return the pixels of 1 mm on the skin of measured limb 1 to 4, (rows, columns).
 
     Row and column 0 are at the lowest y and x.  Raises what `load_measured_limb` raises.
     """
@@ -373,7 +373,7 @@ def open_store(path: Path) -> Iterator[Contents]:
 
 def _read_checked(store: Contents, name: str, path: Path) -> NDArray[Any]:
     array, expected = store.whole(name)
-    _compare(published.checksum(array), expected, name, path)
+    _check_checksum(published.checksum(array), expected, name, path)
     array.flags.writeable = False
     return array
 
@@ -386,11 +386,11 @@ def _read_response(path: Path, limb: int, location: int, expected: str) -> Float
                 "Open the limb again."
             )
         response = store.response(limb, location)
-    _compare(published.checksum(response), expected, f"limb {limb}, input {location}", path)
+    _check_checksum(published.checksum(response), expected, f"limb {limb}, input {location}", path)
     return response
 
 
-def _compare(checksum: str, expected: str, what: str, path: Path) -> None:
+def _check_checksum(checksum: str, expected: str, what: str, path: Path) -> None:
     if checksum != expected:
         raise DatasetError(
             f"{path}: {what} is damaged: its checksum is {checksum[:12]}…, expected {expected[:12]}…. "
@@ -455,7 +455,7 @@ def _checksums(store: Contents) -> Iterator[tuple[str, str, str]]:
 
 
 def installed_files() -> tuple[Path, ...]:
-    """Files that `remove` would delete: the store, downloads, remains of killed installations."""
+    """Return the files that `remove` would delete: the store, downloads, and leftovers."""
     store = store_path()
     downloads = download_folder()
     if not is_folder(store.parent):

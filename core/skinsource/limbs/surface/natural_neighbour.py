@@ -75,7 +75,7 @@ def snapped_to_lattice(points: Floats) -> Floats:
 
 
 def triangulate(sites: Floats) -> Triangulation:
-    """Delaunay triangulation of distinct sites that do not all lie on one line.
+    """Make the Delaunay triangulation of distinct sites that do not all lie on one line.
 
     Parameters
     ----------
@@ -158,7 +158,7 @@ def locate(
 
 
 def nearest_on_hull(triangulation: Triangulation, points: Floats) -> tuple[Floats, Indices, Floats]:
-    """Nearest places on the hull, the two sites beside each, and their linear weights."""
+    """Return the nearest points on the hull, the two sites beside each, and their weights."""
     triangle, edge = np.nonzero(triangulation.neighbours < 0)
     ends = np.column_stack(
         [triangulation.corners[triangle, (edge + k) % 3] for k in (1, 2)],
@@ -174,7 +174,7 @@ def nearest_on_hull(triangulation: Triangulation, points: Floats) -> tuple[Float
 
 
 def _line(p: Floats, q: Floats) -> Floats:
-    """Line through p and q as (a, b, c), a x + b y + c > 0 on the left."""
+    """Return the line through p and q as (a, b, c), a x + b y + c > 0 on the left."""
     return np.column_stack([p[:, 1] - q[:, 1], q[:, 0] - p[:, 0], cross(p, q)])
 
 
@@ -189,7 +189,7 @@ def _circles(a: Floats, b: Floats, c: Floats, double_area: Floats) -> Floats:
 
 
 def _shares(a: Floats, b: Floats, c: Floats, double_area: Floats) -> Floats:
-    """Eight times a_u of corners a, b, c; the cotangent is dot over cross product."""
+    """Return eight times a_u of corners a, b, c; the cotangent is dot over cross product."""
     over_a = dot(b - c, b - c) * dot(b - a, c - a) / double_area
     over_b = dot(c - a, c - a) * dot(c - b, a - b) / double_area
     over_c = dot(a - b, a - b) * dot(a - c, b - c) / double_area
@@ -197,12 +197,12 @@ def _shares(a: Floats, b: Floats, c: Floats, double_area: Floats) -> Floats:
 
 
 def cross(p: Floats, q: Floats) -> Floats:
-    """Cross products of vectors (…, 2)."""
+    """Return the cross products of vectors (…, 2)."""
     return np.asarray(p[..., 0] * q[..., 1] - p[..., 1] * q[..., 0])
 
 
 def dot(p: Floats, q: Floats) -> Floats:
-    """Scalar products of vectors (…, 2)."""
+    """Return the scalar products of vectors (…, 2)."""
     return np.asarray(p[..., 0] * q[..., 0] + p[..., 1] * q[..., 1])
 
 
@@ -251,7 +251,7 @@ RESIDUE = 1e-16
 
 
 def natural_neighbour_weights(triangulation: Triangulation, points: Floats) -> SiteWeights:
-    """Weights of the sites for the value at each point.
+    """Return the weights of the sites for the value at each point.
 
     Points on an edge of the convex hull get the linear weights of its two ends, which is
     Sibson's limit; points outside get those of the nearest place on the hull.
@@ -271,7 +271,7 @@ def natural_neighbour_weights(triangulation: Triangulation, points: Floats) -> S
     target = local.copy()
     target[beyond], ends, end_weights = nearest_on_hull(triangulation, local[beyond])
     of, site, area = _stolen_areas(triangulation, local[regular], triangle[regular])
-    weights = _summed(
+    weights = _weight_matrix(
         np.concatenate([sites, np.repeat(beyond, 2), regular[of]]),
         np.concatenate([at_site[sites], ends.ravel(), site]),
         np.concatenate([np.ones(len(sites)), end_weights.ravel(), area]),
@@ -288,7 +288,7 @@ def natural_neighbour_weights(triangulation: Triangulation, points: Floats) -> S
 def _stolen_areas(
     triangulation: Triangulation, points: Floats, triangle: Indices
 ) -> tuple[Indices, Indices, Floats]:
-    """Eight times the area each point takes from sites, as unsummed (point, site, area).
+    """Return eight times the area each point takes from sites, as unsummed (point, site, area).
 
     The cavity has no site inside, so its triangles hang together as a tree: a walk outwards,
     level by level and for all points at once, meets each triangle once.
@@ -332,7 +332,7 @@ def _stolen_areas(
 
 
 def _border_shares(q: Floats, u: Floats, v: Floats) -> tuple[Floats, Floats]:
-    """Eight times a_u and a_v of the triangles (q, u, v)."""
+    """Return eight times a_u and a_v of the triangles (q, u, v)."""
     to_u, to_v, edge = u - q, v - q, v - u
     # Zero where q lies on the hull: a tiny area lets the edge's ends outweigh all other sites,
     # in the ratio of linear interpolation, which is the limit.
@@ -343,7 +343,7 @@ def _border_shares(q: Floats, u: Floats, v: Floats) -> tuple[Floats, Floats]:
     return of_u, of_v
 
 
-def _summed(
+def _weight_matrix(
     row: Indices, column: Indices, value: Floats, shape: tuple[int, int]
 ) -> "csr_array[np.float64]":
     """Sum entries of equal row and column, drop rounding residues, make rows sum to 1."""
@@ -380,10 +380,10 @@ def _with_linear_rows(
     )
     keep = np.ones(len(points))
     keep[missed] = 0.0
-    kept = weights.copy()
-    kept.data = np.where(np.repeat(keep, np.diff(kept.indptr)) > 0, kept.data, 0.0)
-    kept.eliminate_zeros()
-    return scipy.sparse.csr_array(kept + linear)
+    remaining = weights.copy()
+    remaining.data = np.where(np.repeat(keep, np.diff(remaining.indptr)) > 0, remaining.data, 0.0)
+    remaining.eliminate_zeros()
+    return scipy.sparse.csr_array(remaining + linear)
 
 
 # Sites on one line: linear interpolation from each to the next.
@@ -415,7 +415,7 @@ class SiteLine:
     extent: float
 
     def weights_at(self, points: Floats) -> SiteWeights:
-        """Weights of the given sites for the value at each point, (n_points, 2).
+        """Return the weights of the given sites for the value at each point, (n_points, 2).
 
         A point counts as the nearest place between the ends of the line; it is ``outside`` unless
         it is that place.
@@ -444,7 +444,7 @@ class SiteLine:
         )
 
     def _share(self, points: Floats, start: Indices) -> Floats:
-        """How far along its stretch each point lies: 0 at the start, 1 at the end."""
+        """Return each point's position along its segment: 0 at the start, 1 at the end."""
         stop = np.minimum(start + 1, len(self.sites) - 1)
         length = dot(self.sites[stop] - self.sites[start], self.along)
         part = dot(points - self.sites[start], self.along)
@@ -453,7 +453,7 @@ class SiteLine:
 
 
 def site_line(sites: Floats) -> SiteLine | None:
-    """Line through distinct sites, (n_sites, 2); None where they span a plane."""
+    """Return the line through distinct sites, (n_sites, 2); None where they span a plane."""
     extent = float(np.ptp(sites, axis=0).max())
     end = _farthest(sites, sites[0])
     along = _farthest(sites, end) - end
@@ -495,7 +495,7 @@ class ScatteredSites:
         return isinstance(self.arrangement, SiteLine)
 
     def weights_at(self, points: Floats) -> SiteWeights:
-        """Weights of the sites for the value at each point, (n_points, 2).
+        """Return the weights of the sites for the value at each point, (n_points, 2).
 
         Sibson's natural neighbours; linear between neighbours on a line; a single site counts
         everywhere.  Outside the convex hull, which may be a line or a place, the nearest place on
