@@ -1,4 +1,4 @@
-"""Which limbs there are."""
+"""All limbs that can be loaded, by name."""
 
 from skinsource.base.errors import InvalidInputError, UnknownLimbError
 from skinsource.base.published import LIMB_NAMES

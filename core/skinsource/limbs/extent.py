@@ -1,4 +1,4 @@
-"""How far from the contact a vibration is felt."""
+"""The distance that a vibration reaches from the contact."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

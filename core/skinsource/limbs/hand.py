@@ -1,4 +1,9 @@
-"""Smooth curves through points in the plane."""
+"""The drawing of a right hand and forearm, made from proportions.
+
+It has an outline, nails, creases, and the positions of inputs and outputs.  Lengths are fractions
+of the hand length: the origin is the middle of the wrist, x points to the right, y towards the
+fingertips; the hand is seen from its back, thumb to the left.  `HandShape` is in pixels.
+"""
 
 from dataclasses import dataclass
 from functools import cache
@@ -71,11 +76,6 @@ def _curve_through(stations: tuple[tuple[float, float], ...]) -> Floats:
     curve.flags.writeable = False
     return curve
 
-
-# Proportions of a right hand and forearm, and the axes of its digits.
-#
-# Lengths here are fractions of the hand length.  The origin is the middle of the wrist, x points
-# to the right, y towards the fingertips; the hand is seen from its back, thumb to the left.
 
 THUMB, INDEX, MIDDLE, RING, LITTLE = range(5)
 # Joints along a digit, as fractions of its length from the base knuckle to the tip.
@@ -326,8 +326,6 @@ def _digit(
     )
 
 
-# Nails and skin creases of the drawn hand, in hand lengths.
-
 # Nail of a finger and of the thumb: fractions of the digit from root to free edge, half-width
 # in half-widths of the digit, and shift across (the thumb is seen from its side).
 _NAIL = (0.87, 0.972, 0.6, 0.0)
@@ -422,8 +420,6 @@ def _wrist_lines(skeleton: Skeleton) -> list[Floats]:
         for level, length in ((0.015, 1.0), (-0.025, 0.85))
     ]
 
-
-# Where the inputs and outputs sit on a hand of given proportions, in hand lengths.
 
 # Along a digit as fractions of its length from the base knuckle, across in half-widths
 # (+1 ulnar edge of a finger).
@@ -551,8 +547,6 @@ def _half_palm(skeleton: Skeleton) -> float:
     ulnar = skeleton.digits[LITTLE].point(0.0, 1.0)
     return float(ulnar[0] - radial[0]) / 2 + skeleton.proportions.palm_margin
 
-
-# The application's own drawing of a right hand and arm, made from proportions.
 
 #: Outline pixels in one hand length.
 HAND_LENGTH_PX = 400.0

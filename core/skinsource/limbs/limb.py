@@ -1,4 +1,4 @@
-"""Where things are on a limb."""
+"""An upper limb: its impulse responses, its map, and the facts known before responses are read."""
 
 import math
 from collections.abc import Callable
@@ -67,9 +67,6 @@ class LimbMap:
     def unplaced(self) -> tuple[int, ...]:
         """Numbers of the outputs that have no place here."""
         return tuple(int(k) + 1 for k in np.flatnonzero(np.isnan(self.output_positions[:, 0])))
-
-
-# One upper limb: its impulse responses and its map.
 
 
 class Limb:
@@ -201,8 +198,6 @@ class Limb:
             self._everything = everything
         return self._everything
 
-
-# What is known of a limb before any of its responses is read.
 
 #: Places and outputs of a limb whose results can follow each edit; of larger ones they are
 #: computed as jobs: exports, sweeps and scripts.

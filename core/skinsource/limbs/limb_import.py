@@ -1,4 +1,8 @@
-"""From files of a lab to a limb that is kept here."""
+"""Import a limb from files of a lab.
+
+Foreign files are read in a child process, which calls `look` and `blocks`; all else runs in the
+process of the caller.
+"""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, fields
@@ -15,19 +19,23 @@ from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.base.quoting import quoted
 from skinsource.limbs import limb_layout
 from skinsource.limbs.limb import LimbFacts
-from skinsource.limbs.limb_layout import hull_around, limb_file_error, points_of
+from skinsource.limbs.limb_layout import (
+    POINT_FIELDS,
+    USUAL_ORDERS,
+    hull_around,
+    limb_file_error,
+    points_of,
+)
 from skinsource.limbs.own_limbs import OwnLimb, facts_of, install_limb, own_limb_path
 from skinsource.readers.readers import reader_of
 from skinsource.readers.reading_process import ReadingProcess
 
-#: An array of three dimensions, and one of four, if nobody says what they are.
-USUAL_ORDERS = {3: "iot", 4: "ioat"}
 _HULL_NOTE = "the outline is a hull around the places, not measured"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LimbSource:
-    """What a limb is made of.
+    """The files and values that a limb is imported from.
 
     Attributes
     ----------
@@ -128,11 +136,7 @@ def prepare_limb(
         **{key: value for key, value in source.values.items() if value is not None},
     }
     down = False
-    for part, field_name in (
-        ("outline", "outline"),
-        ("inputs", "input_positions"),
-        ("outputs", "output_positions"),
-    ):
+    for part, field_name in POINT_FIELDS.items():
         part_source = getattr(source, part)
         if part_source is None:
             values.setdefault(field_name, None)
@@ -192,7 +196,7 @@ def _array_request(
         )
     array = max(arrays, key=lambda array: prod(array["shape"]))
     order = source.order or USUAL_ORDERS[len(array["shape"])]
-    if sorted(order) not in (sorted("ioat"), sorted("iot")) or len(order) != len(array["shape"]):
+    if sorted(order) != sorted(USUAL_ORDERS[len(array["shape"])]):
         raise InvalidInputError(
             f"{named(Path(source.responses.name))}: the order of {quoted(array['name'])}, which "
             f"has {len(array['shape'])} dimensions, is {quoted(order)}, expected i, o, a and t, "
@@ -240,18 +244,14 @@ def _is_first(path: Path, header: dict[str, Any], name: str, first: str, second:
 
 
 def _flip_vertically(values: dict[str, Any], source: LimbSource, *, down: bool) -> None:
-    """Let y point up in what was given beside the layout."""
-    for part, field_name in (
-        ("outline", "outline"),
-        ("inputs", "input_positions"),
-        ("outputs", "output_positions"),
-    ):
+    """Turn y upwards in the points that were given beside the layout."""
+    for part, field_name in POINT_FIELDS.items():
         if down and getattr(source, part) is not None:
             values[field_name] = np.asarray(values[field_name]) * (1.0, -1.0)
 
 
 def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:
-    """Say what is missing, and whether the numbers of places are those of the responses."""
+    """Check that nothing is missing and that places match responses; add outline and scale."""
     known = {spec.name for spec in fields(OwnLimb)}
     for name in ("axes", "sample_rate_hz", "hand_length_mm"):
         if values.get(name) is None:
@@ -299,10 +299,8 @@ def _responses(
         yield block.reshape(prepared.limb.shape[1:])
 
 
-# What the child process does for limbs.
-
 _HDF5 = "HDF5", "MATLAB 7.3"
-#: What such files can be.
+#: Kinds of files that each request expects.
 EXPECTED = {
     "limb": "responses in the layout of docs/limbs.md, or in NPY, NPZ, MATLAB or HDF5",
     "points": "a CSV or SVG file",

@@ -1,4 +1,17 @@
-"""One way to say what is wrong with the files of a limb."""
+"""Files of labs: limbs in HDF5, arrays of responses, tables of places, and outlines.
+
+Most of it runs in the child process that reads foreign files.  ``docs/limbs.md`` describes the
+layout of a limb for people::
+
+    /                  format, format_version, name, title, note, sample_rate_hz, axes,
+                       pre_trigger_delay_s, band_hz, answers, hand, hand_length_mm, synthetic
+    /responses         (n_inputs, n_outputs, n_axes, n_taps) float32 or float64, m/s²
+    /map               hand_length
+    /map/outline       (n_vertices, 2)
+    /map/inputs        (n_inputs, 2)
+    /map/outputs       (n_outputs, 2), NaN where an output has no place on the back
+    /names/inputs      (n_inputs,) texts, may be missing; so may outputs
+"""
 
 import csv
 import io
@@ -31,21 +44,8 @@ def limb_file_error(path: Path, problem: str, expected: str) -> RecordingError:
     return RecordingError(f"{named(Path(path.name))}: {problem}, expected {expected}. {_ADVICE}")
 
 
-# The HDF5 file that a lab hands over: `docs/limbs.md` describes it for people.
-#
-# ::
-#
-#     /                  format, format_version, name, title, note, sample_rate_hz, axes,
-#                        pre_trigger_delay_s, band_hz, answers, hand, hand_length_mm, synthetic
-#     /responses         (n_inputs, n_outputs, n_axes, n_taps) float32 or float64, m/s²
-#     /map               hand_length
-#     /map/outline       (n_vertices, 2)
-#     /map/inputs        (n_inputs, 2)
-#     /map/outputs       (n_outputs, 2), NaN where an output has no place on the back
-#     /names/inputs      (n_inputs,) texts, may be missing; so may outputs
-
 FORMAT, VERSION = "skinsource limb", 1
-#: Attributes: texts, and numbers; those without a default must be there.
+#: Attributes, texts and numbers, with their defaults; those without one must be there.
 TEXTS = {"name": "", "title": "", "note": "", "axes": None, "answers": "drive", "hand": "right"}
 NUMBERS = {
     "sample_rate_hz": None,
@@ -54,7 +54,8 @@ NUMBERS = {
     "synthetic": 0.0,
 }
 _ONLY_OF_LIMBS = ("format_version", "hand_length_mm")
-_POINTS = {"outline": "outline", "inputs": "input_positions", "outputs": "output_positions"}
+#: Datasets of points, and the fields of `OwnLimb` that they fill.
+POINT_FIELDS = {"outline": "outline", "inputs": "input_positions", "outputs": "output_positions"}
 _NAMES = {"inputs": "input_names", "outputs": "output_names"}
 _LONGEST_TEXT, _MOST_NAMES, _MOST_ROWS = 4000, 512, 20_001
 _HEADER_BYTES = 2**20
@@ -100,7 +101,7 @@ def header_of(path: Path) -> dict[str, Any]:
                 path, "it has no group 'map'", "one with outline, inputs and outputs"
             )
         header["hand_length"] = _number(group, path, "hand_length", header["hand_length_mm"])
-        for name, field in _POINTS.items():
+        for name, field in POINT_FIELDS.items():
             points = np.asarray(_dataset(group, path, name, 2, _MOST_ROWS)[()], np.float64)
             header[field] = _json_points(points)
         names = files.own_member(file, "names", files.Group)
@@ -169,7 +170,7 @@ def _put_header(file: Any, limb: OwnLimb) -> None:
     file.attrs["synthetic"] = int(limb.synthetic)
     group = file.create_group("map")
     group.attrs["hand_length"] = limb.hand_length_px
-    for name, field in _POINTS.items():
+    for name, field in POINT_FIELDS.items():
         group.create_dataset(name, data=getattr(limb, field), track_times=False)
     for name, field in _NAMES.items():
         if getattr(limb, field):
@@ -264,8 +265,6 @@ def _json_points(points: Floats) -> list[list[float] | None]:
     return [row.tolist() if np.isfinite(row).all() else None for row in points]
 
 
-# Arrays of any number of dimensions in NPY, NPZ, MATLAB and HDF5 files; for the child process.
-
 _OPENERS = {
     "NPY": arrays.opened_npy,
     "NPZ": arrays.opened_npz,
@@ -273,8 +272,8 @@ _OPENERS = {
     "MATLAB 7.3": arrays.opened_hdf5,
     "HDF5": arrays.opened_hdf5,
 }
-#: What the letters of an order stand for.
-ORDER_LETTERS = "ioat"
+#: Usual order of three and of four dimensions: i input, o output, a axis, t tap.
+USUAL_ORDERS = {3: "iot", 4: "ioat"}
 _KINDS, _MOST_ARRAYS = "iuf", 200
 
 
@@ -329,7 +328,7 @@ def array_blocks(path: Path, name: str, order: str) -> Iterator[Floats]:
     with _open_arrays(path) as members:
         array = _chosen_array(path, members, name)
         shape = tuple(int(n) for n in array.shape)
-        if sorted(order) != sorted(ORDER_LETTERS.replace("a", "") if len(shape) == 3 else "ioat"):
+        if sorted(order) != sorted(USUAL_ORDERS[len(shape)]):
             raise limb_file_error(
                 path,
                 f"the order of its {len(shape)} dimensions is {quoted(order)}",
@@ -362,9 +361,7 @@ def _open_arrays(path: Path) -> AbstractContextManager[Members]:
     return _OPENERS[file_format](path)
 
 
-# Places from CSV, and outlines from CSV or SVG; for the child process.
-
-_MOST_BYTES, _POINTS_MOST_ROWS = 8 * 2**20, 20_001
+_MOST_BYTES = 8 * 2**20
 _MISSING = ("", "nan", "-", "none")
 
 
@@ -381,10 +378,8 @@ def points_of(path: Path) -> dict[str, Any]:
             line = outline_of(content)
         except ValueError as error:
             raise limb_file_error(path, str(error), "an SVG file with a path") from error
-        if len(line) > _POINTS_MOST_ROWS or not np.isfinite(line).all():
-            raise limb_file_error(
-                path, f"its line has {len(line)} points", f"at most {_POINTS_MOST_ROWS}"
-            )
+        if len(line) > _MOST_ROWS or not np.isfinite(line).all():
+            raise limb_file_error(path, f"its line has {len(line)} points", f"at most {_MOST_ROWS}")
         return {"points": line.tolist(), "names": [], "y_down": True}
     rows = _rows(path, content)
     points, names = [], []
@@ -406,9 +401,9 @@ def _rows(path: Path, content: bytes) -> list[list[str]]:
         rows = [row for row in read if row]
     except csv.Error as error:
         raise limb_file_error(path, f"it is no table ({error})", "rows of x and y") from error
-    if not 1 <= len(rows) <= _POINTS_MOST_ROWS:
+    if not 1 <= len(rows) <= _MOST_ROWS:
         raise limb_file_error(
-            path, f"it has {len(rows)} rows", f"1 to {_POINTS_MOST_ROWS} rows of x and y"
+            path, f"it has {len(rows)} rows", f"1 to {_MOST_ROWS} rows of x and y"
         )
     return rows
 
@@ -437,8 +432,6 @@ def _point(path: Path, row: list[str], x: int, y: int, number: int) -> list[floa
         )
     return point
 
-
-# An outline for places that came without one.
 
 #: How far the hull stays away from the places, in their extent.
 _MARGIN = 0.12

@@ -1,4 +1,10 @@
-"""All that a limb of a lab's own holds besides its responses."""
+"""Imported limbs: what one holds, its file, the folder of these files, and facts by name.
+
+A file begins with 512 bytes: the format, and the SHA-256 and length of a text.  The text is JSON:
+all but the responses, and the SHA-256 of the responses to each input.  From the next multiple of
+512 on come the responses, float64, little-endian, input by input.  So the responses to one input
+can be read alone, and damage is noticed wherever it is.
+"""
 
 import hashlib
 import json
@@ -30,13 +36,13 @@ from skinsource.base.work import counted
 from skinsource.limbs.limb import PUBLISHED, Limb, LimbFacts, LimbMap
 
 MOST_INPUTS, MOST_OUTPUTS, MOST_TAPS = 256, 512, 2**20
-#: Of all responses together: 256 x 512 x 3 of half a second at 4 kHz take 6.3 GB.
+#: Most bytes of all responses: 256 x 512 x 3 of half a second at 4 kHz take 6.3 GB.
 MOST_BYTES = 8 * 10**9
 MOST_VERTICES = 20_000
 LEAST_RATE_HZ, MOST_RATE_HZ = 100.0, 768_000.0
 NAME_RULE = "small letters, digits and '-', at most 40, a letter first"
 _NAME = re.compile(r"[a-z][a-z0-9-]{0,39}")
-# As the limbs that come with the studio, and those that are published.
+# Names of the published and of the synthetic limbs begin so.
 _RESERVED = ("measured-", "synthetic-")
 _LONGEST_TITLE, _LONGEST_NOTE, _LONGEST_PLACE = 100, 2000, 80
 # Coordinates beyond this are no places on a hand, in whatever unit.
@@ -50,7 +56,7 @@ def is_free_name(name: object) -> bool:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class OwnLimb:
-    """Checked when it is made.
+    """An imported limb without its responses; checked when it is made.
 
     Attributes
     ----------
@@ -216,36 +222,30 @@ def _band(band_hz: object, sample_rate_hz: float) -> Band | None:
 
 def _points(what: str, points: object, fewest: int, most: int, *, missing: bool = True) -> Floats:
     """Return checked places, (n, 2); where ``missing``, a row with NaN is no place."""
-    positions = np.array(real_array(what, points, "(n, 2)"))  # type: ignore[arg-type]
-    if positions.ndim != 2 or positions.shape[1] != 2 or not fewest <= len(positions) <= most:
+    array = np.array(real_array(what, points, "(n, 2)"))  # type: ignore[arg-type]
+    if array.ndim != 2 or array.shape[1] != 2 or not fewest <= len(array) <= most:
         raise InvalidInputError(
-            f"{what} has shape {positions.shape}, expected (n, 2) with {fewest} to {most} rows: x, y"
+            f"{what} has shape {array.shape}, expected (n, 2) with {fewest} to {most} rows: x, y"
         )
-    unusable = ~(np.abs(positions) <= _FARTHEST)
+    unusable = ~(np.abs(array) <= _FARTHEST)
     if missing:
-        positions[np.isnan(positions).any(axis=1)] = np.nan
-        unusable = ~(np.abs(positions) <= _FARTHEST) & ~np.isnan(positions)
+        array[np.isnan(array).any(axis=1)] = np.nan
+        unusable = ~(np.abs(array) <= _FARTHEST) & ~np.isnan(array)
     if unusable.any():
         row, column = np.argwhere(unusable)[0]
         raise InvalidInputError(
-            f"{what}, row {row + 1}: {'xy'[column]} is {positions[row, column]}, expected a number of "
+            f"{what}, row {row + 1}: {'xy'[column]} is {array[row, column]}, expected a number of "
             f"at most {_FARTHEST:g}"
         )
-    positions.flags.writeable = False
-    return positions
+    array.flags.writeable = False
+    return array
 
-
-# The file that an imported limb is kept in.
-#
-# 512 bytes of head: the format, the SHA-256 and the length of the text behind them.  The text:
-# JSON, all but the responses, and the SHA-256 of each of them.  From the next multiple of 512 on:
-# the responses, float64, little-endian, input by input.  So one input is read alone, and damage is
-# noticed wherever it is.
 
 _MAGIC, _BLOCK = b"skinsource limb 1\n", 512
 _MOST_TEXT = 16 * 2**20
-_AGAIN = "Import the limb again."
-#: What the digest of a limb is made of: all that a number can depend on.
+#: Largest magnitude of a response, as of `skinsource.design.signal_path`.
+_LARGEST = 1e30
+#: Fields that the digest of a limb is made of: all that a result can depend on.
 _DIGESTED = (
     "n_taps",
     "axes",
@@ -259,7 +259,7 @@ _DIGESTED = (
     "output_positions",
     "sha256",
 )
-#: And of these, where they are said: limbs that say nothing of them keep their digest.
+#: Fields that are part of the digest only where they are set: limbs without them keep theirs.
 _DIGESTED_IF_SET = ("band_hz",)
 _FIELDS = tuple(OwnLimb.__dataclass_fields__)
 
@@ -362,7 +362,7 @@ def write_limb_file(
     Stopped
         ``stop`` said so.
     """
-    # The text is as long whatever the checksums are.
+    # The length of the text does not depend on the checksums.
     room = _start(len(_encoded(limb, ("0" * 64,) * limb.n_inputs)))
     with replacing(path) as temporary, temporary.open("r+b") as file:
         file.seek(room)
@@ -402,10 +402,6 @@ def _checked(limb: OwnLimb, responses: Iterable[Floats]) -> Iterator[Floats]:
         raise InvalidInputError(
             f"there are responses to {counted(count, 'input')}, expected {limb.n_inputs}"
         )
-
-
-#: As `skinsource.design.signal_path` takes it.
-_LARGEST = 1e30
 
 
 def _text_of(file: IO[bytes], path: Path) -> tuple[bytes, str]:
@@ -460,11 +456,9 @@ def _digest(limb: OwnLimb, sums: tuple[str, ...]) -> str:
 
 def _damaged(path: Path, reason: str) -> FileFormatError:
     return FileFormatError(
-        f"{named(path)}: the limb cannot be used: {reason.rstrip('.')}. {_AGAIN}"
+        f"{named(path)}: the limb cannot be used: {reason.rstrip('.')}. Import the limb again."
     )
 
-
-# The limbs that were imported: a file each, in a folder beside the measured dataset.
 
 FOLDER, ENDING = "limbs", ".limb"
 
@@ -561,9 +555,6 @@ def existing_path(name: str) -> Path:
             f"{', '.join(own_limb_names()) or 'none'}"
         )
     return own_limb_path(name)
-
-
-# What is known of each limb, by its name: without its responses, and again only if it changed.
 
 
 def facts_of(name: str) -> LimbFacts:

@@ -1,4 +1,4 @@
-"""Outlines from SVG: paths and polygons, with the transforms around them; for the child process."""
+"""Outlines from SVG paths and polygons, with the transforms around them; for the child process."""
 
 import re
 from collections.abc import Iterator

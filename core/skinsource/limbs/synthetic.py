@@ -1,4 +1,8 @@
-"""How far a surface wave travels inside a hand, and which joints it crosses."""
+"""Four synthetic limbs that need no measured data: dispersive surface waves on the drawn hand.
+
+A short pulse starts a wave in soft skin; it travels along paths inside the hand, and loses
+amplitude at the joints that it crosses.
+"""
 
 import json
 from collections.abc import Mapping
@@ -97,8 +101,6 @@ def _path_lengths(leave: Floats, enter: Floats, on_arm: NDArray[np.bool_], ends:
     return np.where(on_arm, _distances(start, gate) + _distances(gate, stop), straight)
 
 
-# Dispersive surface waves in soft skin, and the short pulse that starts them.
-
 # Rayleigh waves in an incompressible half-space run at this share of the shear speed.
 _RAYLEIGH_SHARE = 0.955
 # The pulse is made at this multiple of the sample rate, so that filters stay causal.
@@ -196,14 +198,12 @@ def bending_boost(frequency_hz: Floats, mode_hz: Floats, gain: float, quality: f
     return np.asarray(gain / (1 - ratio**2 + 1j * ratio / quality))
 
 
-# Four invented limbs that need no measured data: dispersive waves on the drawn hand.
-
 #: Numbers of the built-in synthetic limbs.
 SYNTHETIC_LIMBS = (1, 2, 3, 4)
 
-# Long enough that what rings past the last tap does not come round to the first.
+# Long enough that ringing past the last tap does not wrap round to the first.
 _N_FFT = 1024
-# The level of all inputs is set so that this one, the pad of digit III, reaches a given peak.
+# The level of all inputs is such that this one, the pad of digit III, reaches a given peak.
 _REFERENCE_INPUT = 8
 
 

@@ -1,4 +1,4 @@
-"""Levels above threshold, output by output."""
+"""Sensation levels: how far each output is above the threshold of detection."""
 
 import numpy as np
 import scipy

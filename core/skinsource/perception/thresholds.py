@@ -86,8 +86,6 @@ def _non_pacinian_1_db(frequency: Floats, _: float) -> Floats:
 _SHAPES = {"P": _pacinian_db, "NP I": _non_pacinian_1_db}
 
 
-# Thresholds that a user has measured or looked up, as a table.
-
 #: Pairs of hertz and m/s² RMS, rising in frequency.
 ThresholdTable = tuple[tuple[float, float], ...]
 _MOST_BYTES, _MOST_ROWS = 100_000, 1000
@@ -161,8 +159,6 @@ def _row(name: str, number: int, line: str, *, in_db: bool) -> tuple[float, floa
         )
     return frequency, threshold
 
-
-# What is chosen of thresholds.
 
 AREA = NumberSpec(
     label="Area",

@@ -1,4 +1,7 @@
-"""What a prediction is not good for: conditions of the measurement that a design leaves."""
+"""Validity: conditions of the measurement (SkinSource, 2024), and whether a design keeps them.
+
+Findings go with every result, as captions and as lines of files.
+"""
 
 import re
 from collections.abc import Callable, Iterable, Sequence
@@ -17,8 +20,6 @@ from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.spectra import share_outside_band
-
-# One condition, and whether a design keeps it.
 
 #: ``"kept"``, ``"left"``, or ``"unknown"`` where nothing can be said.
 State = Literal["kept", "left", "unknown"]
@@ -77,15 +78,13 @@ def findings_lines(findings: Findings) -> list[str]:
     ]
 
 
-# What goes with a result wherever it is taken: notes on its limbs, and conditions not kept.
-
 _FIELD = re.compile(r"(\{:[^}]*\})")
 _NOT_JUDGED = "whether conditions of the measurement are kept was not judged"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Judged:
-    """One of the designs that something shows.
+    """A design that a result shows, with its notes and findings.
 
     Attributes
     ----------
@@ -122,23 +121,23 @@ def in_short(judged: Sequence[Judged]) -> tuple[str, ...]:
                 numbers.setdefault(finding.in_short, []).append(finding.number)
     captions = _merged(judged, _captions_of)
     return tuple(
-        sentence(whose + (_with_range(text, numbers[text]) if text in numbers else text))
-        for whose, text in captions
+        sentence(prefix + (_with_range(text, numbers[text]) if text in numbers else text))
+        for prefix, text in captions
     )
 
 
 def in_full(judged: Sequence[Judged]) -> tuple[str, ...]:
     """Return the same as lines for the head of a table, with unknown conditions too."""
-    return tuple(f"{whose}{text}" for whose, text in _merged(judged, _lines_of))
+    return tuple(f"{prefix}{text}" for prefix, text in _merged(judged, _lines_of))
 
 
 def _merged(
-    judged: Sequence[Judged], said_of: Callable[[Judged], Sequence[str]]
+    judged: Sequence[Judged], texts_of: Callable[[Judged], Sequence[str]]
 ) -> list[tuple[str, str]]:
     """Return each text once, with the labels of the designs that it holds for if not for all."""
     labels_of: dict[str, list[str]] = {}
     for design in judged:
-        for text in dict.fromkeys(said_of(design)):
+        for text in dict.fromkeys(texts_of(design)):
             labels_of.setdefault(text, []).append(design.label)
     return [
         ("" if len(labels) == len(judged) else f"{', '.join(labels)}: ", text)
@@ -167,11 +166,9 @@ def _lines_of(design: Judged) -> list[str]:
     )
 
 
-# How fast a probe moves whose acceleration is known.
-
-# What is slower than the band is faded out over an octave, which rings for so many periods.
+# The fade below the band, over an octave, rings for so many periods of the band's lower end.
 _RINGS_PERIODS = 10.0
-# Even where a band begins lower still: a velocity from there on would need minutes of room.
+# Lowest frequency of a velocity: from a lower one on it would need minutes of silence.
 _LEAST_HZ = 1.0
 
 
@@ -229,11 +226,9 @@ def lowest_hz_of(band_hz: Band | None) -> float:
     return max(low_hz, _LEAST_HZ) if low_hz > 0.0 else BAND_HZ[0]
 
 
-# Conditions of the measurement (SkinSource, 2024), and whether a design keeps them.
-
-#: Above it wavelengths are too short for the spacing of the outputs of the published limbs.
+#: Above it wavelengths are too short for the spacing of the published limbs' outputs.
 SPATIAL_LIMIT_HZ = 300.0
-#: So much of the energy may lie where it should not.
+#: Largest share of the energy that may lie outside of a band.
 MOST_SHARE = 0.05
 _MM_PER_M = 1e3
 _LIMIT = f"{LARGEST_VELOCITY_M_PER_S * _MM_PER_M:g} mm/s"
@@ -251,9 +246,8 @@ _UNIT_NOT_KNOWN = Finding(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Drive:
-    """What is played at one place, and its energy."""
+    """Samples that are played at one place, and their energy."""
 
-    place: int
     samples: Floats
     energy: float
 
@@ -288,8 +282,7 @@ def drive_findings(
         Up to which the outputs stand close enough; None: it is not known.
     """
     played = [
-        _Drive(place=place, samples=samples, energy=float(np.vdot(samples, samples)))
-        for place, samples in drives
+        _Drive(samples=samples, energy=float(np.vdot(samples, samples))) for _, samples in drives
     ]
     return (
         _band(played, sample_rate_hz, band_hz),
@@ -348,7 +341,7 @@ def setup_findings(*, synthetic: bool, scaling: Scaling, places: Sequence[int]) 
     scaling
         What an amplitude of 1 means.
     places
-        Input places that are heard.
+        Input places that play.
     """
     hides = scaling == "upstream" and bool(places)
     several = "" if len(set(places)) < 2 else " between the places that play"

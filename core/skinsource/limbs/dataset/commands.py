@@ -1,4 +1,4 @@
-"""One line in the terminal that shows how far a job is."""
+"""The commands ``skinsource dataset ...``, and the progress bar of the terminal."""
 
 import argparse
 import sys
@@ -77,9 +77,6 @@ class WithTimeLeft:
         elapsed_s = time.monotonic() - self._start_s
         left = time_left_text(seconds_left(done - self._before, total - self._before, elapsed_s))
         self._bar(done, total, f"{text}  {left}".rstrip())
-
-
-# ``skinsource dataset install | fetch | list | verify | remove``.
 
 
 def add_to(subparsers: Any) -> None:

@@ -1,4 +1,4 @@
-"""One file over HTTP, continued where it was cut."""
+"""Download the published files, each continued where it was cut, and install them."""
 
 import logging
 import time
@@ -29,7 +29,7 @@ STOPPED = (
 _GO_ON = "Check the connection and run 'skinsource dataset fetch' again"
 _CONNECT_S, _READ_S = 10.0, 30.0
 _PIECE_BYTES = 2**16
-# Below a thousand bytes per second the files would take a day.
+# At less than a thousand bytes per second the files would take a day.
 _PACE_S, _LEAST_BYTES = 60.0, 60_000
 _ALL, _PART, _RANGE_REFUSED = 200, 206, 416
 
@@ -92,10 +92,10 @@ def _receive(
         _check_answer(answer, file, have)
         have = have if answer.status_code == _PART else 0
         with _opened(part, "ab" if have else "wb") as out:
-            pace = _SpeedCheck(file)
+            speed = _SpeedCheck(file)
             for piece in _pieces(answer):
                 stop_if(stop, STOPPED)
-                pace.note(len(piece))
+                speed.note(len(piece))
                 with _explained(part):
                     out.write(piece)
                     out.flush()
@@ -184,9 +184,7 @@ def _size(part: Path) -> int:
     return part.stat().st_size if part.exists() else 0
 
 
-# Downloading the published files and installing them.
-
-# Younger ones may belong to a download that runs.
+# Younger temporary files may belong to a download that runs.
 _A_DAY_S = 24 * 3600.0
 
 
@@ -267,13 +265,13 @@ class _OneDownload:
 
     def __call__(self, _url: str, output_file: str, _pooch: Any) -> None:
         download(self._file, self._part, report=self._report, stop=self._stop)
-        self._refuse_other_content()
+        self._check_content()
         self._part.replace(output_file)
 
     def _report(self, n_bytes: int) -> None:
         self._progress(n_bytes, self._file.size_bytes, f"Downloading {self._file.name}")
 
-    def _refuse_other_content(self) -> None:
+    def _check_content(self) -> None:
         algorithm, _, expected = self._file.checksum.partition(":")
         digest = checksum_of(self._part, algorithm).partition(":")[2]
         if digest != expected:

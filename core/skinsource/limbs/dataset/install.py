@@ -1,4 +1,4 @@
-"""From the download to the store: read, check, convert, move into place."""
+"""Install the dataset: read the download, check it, convert it, and move the store into place."""
 
 import io
 import os

@@ -1,7 +1,8 @@
-"""Whether the arrays of a MATLAB v7.3 file are all there: each piece once, in its place.
+"""Read and check the published MATLAB files, v7 or v7.3: the map files and the responses.
 
-Such files are HDF5 of the oldest kind, whose indices nothing checks.  Where one bit of an index has
-flipped, HDF5 gives zeros for the piece that it no longer finds, without a word.
+Files of v7.3 are HDF5 of the oldest kind, whose indices nothing checks.  Where one bit of an index
+has flipped, HDF5 returns zeros for the piece that it no longer finds, without an error.  So each
+piece of each array is checked: once, in its place.
 """
 
 import hashlib
@@ -141,9 +142,6 @@ def _damaged(path: Path, what: str) -> DatasetError:
     return DatasetError(f"{path.name}: is damaged: {what}. {WHAT_TO_DO}")
 
 
-# MATLAB files, in either encoding (v7 and v7.3).
-
-
 def read_variable(path: Path, name: str) -> Any:
     """Give the variable ``name`` of a MATLAB file: an array, a table (`DataFrame`), an object.
 
@@ -183,9 +181,6 @@ def read_variable(path: Path, name: str) -> Any:
             f"{WHAT_TO_DO}"
         )
     return variables[name]
-
-
-# The toolbox's map files, checked.
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -305,8 +300,6 @@ def _check_finite(path: Path, array: Floats) -> Floats:
         raise DatasetError(f"{path.name}: expected finite coordinates, found NaN. {WHAT_TO_DO}")
     return array
 
-
-# The table of impulse responses, checked row by row.
 
 TABLE = "dataTable"
 COLUMNS = ("Data", "Model", "Location")

@@ -1,4 +1,4 @@
-"""What the store ``measured.h5`` looks like inside: names, version, checksums.
+"""The layout of the store ``measured.h5``, and the published files that it is made from.
 
 The file is in the format of HDF5 1.10, which checks sums of all that is not an array; each array
 has a SHA-256 of its own.  All texts are of fixed length: HDF5 leaves others unchecked.
@@ -47,7 +47,7 @@ WHOLE_SHAPES = {f"map/{part}": shape for part, shape in MAP_SHAPES.items()} | {
 _LIMB_NAMES = tuple(f"limb-{limb}" for limb in LIMBS)
 #: Groups of the store, and what is in each.
 GROUPS = {"responses": _LIMB_NAMES, "map": tuple(MAP_SHAPES), "masks": _LIMB_NAMES}
-#: What ``unpublished`` says where all files were the published ones; else their names, with commas.
+#: Value of ``unpublished`` where all files were the published ones; else their names, with commas.
 ALL_PUBLISHED = "none"
 FLOATS, BYTES = "<f8", "u1"
 
@@ -73,8 +73,6 @@ def checksum(array: NDArray[Any]) -> str:
     return hashlib.sha256(stored.data).hexdigest()
 
 
-# Where things are in what a user downloaded.
-
 RESPONSES_FILE = "impulseResponses.mat"
 MAP_FOLDER = "visualization"
 MASK_FILES = ("mask1.mat", "mask2.mat", "mask3.mat", "mask4.mat")
@@ -93,7 +91,7 @@ _FOLDERS = (
     "*/visualization",
     "*/source/visualization",
 )
-# What Python calls temporary files.
+# Pattern of the names that Python gives to temporary files.
 _TEMPORARY = "tmp" + "[a-z0-9_]" * 8
 _RESPONSES_FOLDERS = ("", "*", "*/source")
 
@@ -167,8 +165,6 @@ def _first(folder: Path, patterns: tuple[str, ...], name: str) -> Path | None:
             return paths[0]
     return None
 
-
-# The published files: where they are and how to tell that they arrived whole.
 
 #: Record of the dataset, doi 10.5281/zenodo.10547601.
 DATASET_URL = "https://zenodo.org/records/10547601/files"
@@ -272,7 +268,7 @@ def unpublished_files(downloaded: DownloadedFiles) -> tuple[str, ...]:
     return tuple(strange)
 
 
-def check_map_files(downloaded: DownloadedFiles, unpublished: tuple[str, ...]) -> None:
+def check_map_files(files: DownloadedFiles, unpublished: tuple[str, ...]) -> None:
     """Raise `DatasetError` if any of the ``unpublished`` files is one of the map's.
 
     A damaged one moves sensors, and nothing in it tells.
@@ -280,7 +276,7 @@ def check_map_files(downloaded: DownloadedFiles, unpublished: tuple[str, ...]) -
     strange = [name for name in unpublished if name in MAP_FILES]
     if strange:
         raise DatasetError(
-            f"{downloaded.map_folder}: not the published content: {', '.join(strange)} (the checksum "
+            f"{files.map_folder}: not the published content: {', '.join(strange)} (the checksum "
             "differs). The download may be damaged; run 'skinsource dataset fetch' again. If other "
             "files are meant, use 'skinsource dataset install PATH --unpublished'."
         )

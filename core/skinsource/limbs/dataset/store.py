@@ -1,4 +1,9 @@
-"""What is said where the measured limbs are missing."""
+"""The installed measured dataset: one HDF5 file in the user's data folder.
+
+A damaged or strange file can keep HDF5 busy for ever, or lead it into other files.  So nothing is
+read whose type, shape and position are not those that the installation writes.  The file is opened
+for each reading and closed again, so that it can be replaced or removed while limbs are in use.
+"""
 
 import os
 from collections.abc import Iterator
@@ -45,11 +50,6 @@ HOW_TO_GET = (
 )
 
 
-# The parts of an opened store, each looked at before it is read.
-#
-# HDF5 can be kept busy for ever, or led into other files, by a damaged or strange file.  So
-# nothing is read whose type, shape and place are not those that the installation writes.
-
 REINSTALL = "Install it again with 'skinsource dataset fetch' or 'skinsource dataset install PATH'."
 #: Name of the attribute that holds the SHA-256 of a dataset.
 DIGEST = "sha256"
@@ -80,8 +80,8 @@ class StoreParts:
     def group(self, name: str) -> "h5py.Group":
         """Return a group of the root."""
         group = self._member(self.root, name, files.Group)
-        self.refuse_unknown(f"/{name}", group, set(published.GROUPS[name]))
-        self.refuse_unknown(f"/{name}", group.attrs, set())
+        self.check_names(f"/{name}", group, set(published.GROUPS[name]))
+        self.check_names(f"/{name}", group.attrs, set())
         return group
 
     def dataset(
@@ -101,7 +101,7 @@ class StoreParts:
         is_usual = how.get_layout() == usual and dataset.chunks == chunks
         if not is_usual or how.get_nfilters() or how.get_external_count():
             raise self._damaged(f"{name} is not stored as installed")
-        self.refuse_unknown(name, dataset.attrs, {DIGEST})
+        self.check_names(name, dataset.attrs, {DIGEST})
         return dataset
 
     def attribute(self, part: Any, name: str, kind: str, shape: tuple[int, ...] = ()) -> Any:
@@ -119,7 +119,7 @@ class StoreParts:
             )
         return part.attrs[name]
 
-    def refuse_unknown(self, place: str, names: Any, known: set[str]) -> None:
+    def check_names(self, place: str, names: Any, known: set[str]) -> None:
         """Raise if a group or attributes hold names that no installation writes."""
         unknown = set(names) - known
         if unknown:
@@ -136,8 +136,6 @@ class StoreParts:
             f"{self.path}: the store is damaged, or of another version ({what}). {REINSTALL}"
         )
 
-
-# What an opened store holds.
 
 _ROOT_NUMBERS = ("format_version", "source_bytes")
 _ROOT_TEXTS = ("format", "installed_at", "source_name", "source_sha256", "unpublished")
@@ -197,10 +195,10 @@ class Contents:
 
     def _check_version(self) -> None:
         known = "format" in self._parts.root.attrs and "format_version" in self._parts.root.attrs
-        format_name = self.text("format") if known else None
-        if format_name != published.FORMAT:
+        kind = self.text("format") if known else None
+        if kind != published.FORMAT:
             raise DatasetError(
-                f"{self._parts.path}: is no store of the measured dataset (format {quoted(format_name)}, "
+                f"{self._parts.path}: is no store of the measured dataset (format {quoted(kind)}, "
                 f"expected {quoted(published.FORMAT)}). Move it away. {REINSTALL}"
             )
         version = self.number("format_version")
@@ -211,8 +209,8 @@ class Contents:
             )
 
     def _check_root(self) -> None:
-        self._parts.refuse_unknown("/", self._parts.root.attrs, {*_ROOT_TEXTS, *_ROOT_NUMBERS})
-        self._parts.refuse_unknown("/", self._parts.root, set(published.GROUPS))
+        self._parts.check_names("/", self._parts.root.attrs, {*_ROOT_TEXTS, *_ROOT_NUMBERS})
+        self._parts.check_names("/", self._parts.root, set(published.GROUPS))
         for name in _ROOT_TEXTS:
             self.text(name)
         for name in _ROOT_NUMBERS:
@@ -224,11 +222,6 @@ class Contents:
             name, published.RESPONSES_SHAPE, published.FLOATS, published.CHUNK
         )
 
-
-# The installed measured dataset: one HDF5 file in the user's data folder.
-#
-# The file is opened for each reading and closed again, so that it can be replaced or removed
-# while limbs are in use.
 
 #: Tip of digit III to the middle of the wrist, on the published map.
 HAND_LENGTH_PX = 398.1017
@@ -390,10 +383,10 @@ def _read_response(path: Path, limb: int, location: int, expected: str) -> Float
     return response
 
 
-def _check_checksum(checksum: str, expected: str, what: str, path: Path) -> None:
-    if checksum != expected:
+def _check_checksum(actual: str, expected: str, what: str, path: Path) -> None:
+    if actual != expected:
         raise DatasetError(
-            f"{path}: {what} is damaged: its checksum is {checksum[:12]}…, expected {expected[:12]}…. "
+            f"{path}: {what} is damaged: its checksum is {actual[:12]}…, expected {expected[:12]}…. "
             f"{REINSTALL}"
         )
 
@@ -410,9 +403,6 @@ def _check_number(number: int) -> None:
             f"measured limb {quoted(number)} does not exist: they are numbered "
             f"{published.LIMBS[0]} to {published.LIMBS[-1]}."
         )
-
-
-# Checking and removing what is installed.
 
 
 def verify(*, progress: Progress = silent, stop: Stop = never) -> tuple[str, ...]:

@@ -1,4 +1,18 @@
-"""A Delaunay triangulation, with what its users need of each triangle."""
+"""Interpolation between scattered sites: Sibson's natural neighbours, or linear on one line.
+
+A point q put among the sites of a Voronoi diagram takes its cell from the cells of its natural
+neighbours; the share taken from each is that neighbour's weight (R. Sibson, "A brief description
+of natural neighbour interpolation", in: Interpreting Multivariate Data, Wiley, 1981).
+
+No Voronoi cell is drawn here.  The triangles whose circumcircle holds q form a cavity.  Within
+triangle (u, v, w) the cell of u covers the signed area
+
+    a_u(u, v, w) = (|uv|² cot w + |uw|² cot v) / 8
+
+so the area taken from u is the sum of a_u over the cavity's triangles less the sum of a_u(q, u, v)
+over the cavity's border edges (u, v).  No circumcentre appears, hence no loss of digits where one
+lies far away.
+"""
 
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -206,9 +220,6 @@ def dot(p: Floats, q: Floats) -> Floats:
     return np.asarray(p[..., 0] * q[..., 0] + p[..., 1] * q[..., 1])
 
 
-# What interpolation between scattered sites gives: a share of each site for each point.
-
-
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class SiteWeights:
     """Weights of sites for the values at points.
@@ -228,21 +239,6 @@ class SiteWeights:
     outside: Booleans
     fallback: Booleans
 
-
-# Sibson's natural neighbour weights, for many points at once.
-#
-# A point q put among the sites of a Voronoi diagram takes its cell from the cells of its natural
-# neighbours; the share taken from each is that neighbour's weight (R. Sibson, "A brief description
-# of natural neighbour interpolation", in: Interpreting Multivariate Data, Wiley, 1981).
-#
-# No Voronoi cell is drawn here.  The triangles whose circumcircle holds q form a cavity.  Within
-# triangle (u, v, w) the cell of u covers the signed area
-#
-#     a_u(u, v, w) = (|uv|² cot w + |uw|² cot v) / 8
-#
-# so the area taken from u is the sum of a_u over the cavity's triangles less the sum of
-# a_u(q, u, v) over the cavity's border edges (u, v).  No circumcentre appears, hence no loss of
-# digits where one lies far away.
 
 #: Largest gap between a point and the weighted mean of its sites, as a part of the sites' extent.
 LINEAR_PRECISION = 1e-10
@@ -386,8 +382,6 @@ def _with_linear_rows(
     return scipy.sparse.csr_array(remaining + linear)
 
 
-# Sites on one line: linear interpolation from each to the next.
-
 #: Sites no farther from the line than this part of their extent lie on it.  A quarter of what makes
 #: two sites one, so that different sites have different places along the line.
 _ON_LINE = NEAR_DUPLICATE / 4
@@ -469,9 +463,6 @@ def site_line(sites: Floats) -> SiteLine | None:
 def _farthest(sites: Floats, place: Floats) -> Floats:
     away = sites - place
     return np.asarray(sites[np.argmax(dot(away, away))])
-
-
-# Interpolation between sites wherever they lie: in the plane, on one line, at one place.
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

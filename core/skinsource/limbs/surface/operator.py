@@ -1,4 +1,4 @@
-"""Sites so near to each other that they are one, and the refusal of two values for one place."""
+"""The surface operator, from one value per output to a picture, and outputs that share a place."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -76,9 +76,6 @@ def check_values_of_shared_places(values: Floats, pairs: Pairs) -> None:
                 "given {:g} and {:g}; expected one value for one place. Move one of the two, or "
                 "give both the same value.".format(*pair)
             )
-
-
-# The heatmap: from one value per output to a picture of the back of the hand and arm.
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

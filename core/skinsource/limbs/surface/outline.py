@@ -1,4 +1,11 @@
-"""A closed polygon in the plane: tidied, split finely, and its inside on a grid."""
+"""The outline of a map: its inside on a grid, and the weights of the outputs at its vertices.
+
+A vertex takes a mean of the two nearest outputs that it sees.  The rule of sight gives the
+published map's table of distances, pair by pair: the outline is drawn on a raster of one pixel,
+widened by two pixels, and its border traced through pixel centres; a vertex sees an output if the
+straight line between them stays inside that border.  Vertices that see no output take the two with
+the shortest ways inside the outline.
+"""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -147,12 +154,6 @@ def _grid_points_near(
     return row[near], column[near]
 
 
-# Which outputs an outline vertex sees, and which two it takes its value from.
-#
-# The rule was found to give the published map's table of distances, pair by pair: the outline is
-# drawn on a raster of one pixel, widened by two pixels, and its border traced through pixel
-# centres; a vertex sees an output if the straight line between them stays inside that border.
-
 #: Raster units in one hand length; two of them, 0.5 % of it, are the rule's tolerance.
 UNITS_PER_HAND = 398.1
 _WIDENING = 2
@@ -296,8 +297,6 @@ def nearest_visible(
     return index, distance
 
 
-# Shortest ways inside the outline, for outline vertices that see no output.
-
 # Column, row of half of the 16 moves to a neighbour, and the raster points passed on the way.
 _MOVES = (
     ((1, 0), ()),
@@ -361,9 +360,6 @@ def _nearest_filled(region: SightRegion, points: Floats) -> tuple[tuple[Indices,
     at = region.raster_coordinates(points)
     distance, nearest = scipy.spatial.KDTree(np.column_stack([column, row])).query(at)
     return (row[nearest], column[nearest]), np.asarray(distance)
-
-
-# Values on the outline: each vertex takes a mean of the two nearest outputs it sees.
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

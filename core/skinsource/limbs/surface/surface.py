@@ -1,4 +1,10 @@
-"""Builds the operator of a map: natural neighbours within its outline."""
+"""Build the surface operator of a map: natural neighbours within its outline.
+
+Operators are cached on disk, because building one takes longer than all else of a start.  A cached
+operator is used only for the same map, hand and spacing, and the same code and versions.  The
+folder has a size limit and may be deleted at any time.  What cannot be read is built again; what
+cannot be written is not cached.
+"""
 
 import hashlib
 import io
@@ -235,13 +241,7 @@ def _warnings(
     return thinness + tuple(f"{what}: {count}." for count, what in cases if count)
 
 
-# Operators of maps, kept on disk: to build one takes longer than to start the studio without it.
-#
-# A kept operator is found again only by the same map, hand and spacing, the same source code of
-# this folder and the same versions of what computes it.  The folder is bounded, and may be deleted
-# at any time.  Whatever cannot be read is built again; whatever cannot be written is not kept.
-
-#: What all kept operators take on disk, at most, and one of them.
+#: Most bytes of all cached operators, and of one.
 MOST_ON_DISK_BYTES, LARGEST_BYTES = 64 * 2**20, 16 * 2**20
 _HEAD = b"skinsource operator 1\n"
 _DIGEST_BYTES = 32
@@ -304,7 +304,7 @@ def decoded(image: bytes) -> SurfaceOperator:
     )
     about = json.loads(header.tobytes())
     weights = scipy.sparse.csr_array((data, indices, indptr), shape=(mask.size, about["n_outputs"]))
-    # Of bytes that somebody else wrote: no row points outside.
+    # The bytes may be somebody else's: check that no row points outside.
     weights.check_format(full_check=True)
     return SurfaceOperator(
         weights=weights,
