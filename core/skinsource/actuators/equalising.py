@@ -282,7 +282,7 @@ def equalised(
     Raises
     ------
     InvalidInputError
-        A drive leaves a velocity, so that nothing can follow it; the reason is said.
+        A drive leaves a velocity, so that nothing can follow it.
     """
     rows = finite_array("drive", drive, "finite numbers in m/s², (n_times,)")
     rate_hz = positive_number("sample_rate_hz", sample_rate_hz)

@@ -256,7 +256,7 @@ def excess_delay(frequency_hz: Floats, response: Complexes) -> ExcessDelay:
         As measured.
     """
     left = np.unwrap(np.angle(response) - minimum_phase(frequency_hz, np.abs(response)))
-    # A line with an offset of its own first: it says which multiple of half a turn is meant.
+    # A line with an offset of its own first: it determines the multiple of half a turn.
     offset = np.polynomial.polynomial.polyfit(frequency_hz, left, 1)[0]
     half_turns = round(float(offset) / np.pi)
     left -= half_turns * np.pi
@@ -367,9 +367,9 @@ def averaged_response(
     sweeps
         What was recorded.
     band_hz
-        Lowest and highest frequency that are wanted.
+        Lowest and highest frequency of the response.
     delay_band_hz
-        Within it the delay is told: the wider, the better.
+        Band within which the delay is fitted: the wider, the better.
     known_delay
         Where the delay is known from elsewhere, as from a wire from output to input.
 
@@ -489,7 +489,7 @@ def response_from_sweep(
     sample_rate_hz
         Of both.
     band_hz
-        Lowest and highest frequency that are wanted; points at which the voltage holds next to
+        Lowest and highest frequency of the response; points at which the voltage holds next to
         nothing are left out.
 
     Raises
@@ -545,7 +545,7 @@ def open_response(
     A table (CSV, or another format that `skinsource.design.recordings` reads) has a column of
     frequencies (``frequency_hz``), and ``gain`` in m/s² per V, or ``gain_db`` re 1 m/s² per V, with
     ``phase_rad`` or ``phase_deg`` if it was measured; or ``real`` and ``imag``.  A sound file has
-    the voltage of a sweep in its first channel, and what the accelerometer said in its second.
+    the voltage of a sweep in its first channel, and the signal of the accelerometer in its second.
 
     Parameters
     ----------

@@ -330,7 +330,7 @@ def rig_breaches(
     Returns
     -------
     In order of the places; none: nothing is passed, so far as the rig knows its limits.  Of a
-    channel without volts at full scale only the duration and the duty can be told, and of one
+    channel without volts at full scale only the duration and the duty are known, and of one
     without a model no displacement.
 
     Raises

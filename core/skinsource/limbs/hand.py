@@ -1,6 +1,6 @@
 """The drawing of a right hand and forearm, made from proportions.
 
-It has an outline, nails, creases, and the positions of inputs and outputs.  Lengths are fractions
+It has an outline, creases, and the positions of inputs and outputs.  Lengths are fractions
 of the hand length: the origin is the middle of the wrist, x points to the right, y towards the
 fingertips; the hand is seen from its back, thumb to the left.  `HandShape` is in pixels.
 """
@@ -12,9 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import N_INPUTS, N_OUTPUTS, VOLAR_OUTPUTS
-from skinsource.base.quoting import quoted
 from skinsource.limbs.limb import LimbMap
 
 
@@ -167,32 +165,6 @@ class HandProportions:
     forearm_length: float
     forearm_width: float
 
-    def __post_init__(self) -> None:
-        expected = {
-            "digit_lengths": 5,
-            "digit_widths": 5,
-            "digit_angles_deg": 5,
-            "digit_bends_deg": 5,
-            "knuckle_spacings": 3,
-            "knuckle_drops": 3,
-            "thumb_root": 2,
-        }
-        for name, count in expected.items():
-            value = len(getattr(self, name))
-            if value != count:
-                raise InvalidInputError(
-                    f"hand proportions: {name} has {value} entries, expected {count}, from the "
-                    "thumb to the little finger. Correct the list."
-                )
-        positive = ("digit_lengths", "digit_widths", "knuckle_spacings", "wrist_width")
-        for name in (*positive, "thumb_metacarpal_length", "forearm_length", "forearm_width"):
-            value = getattr(self, name)
-            if not np.all(np.asarray(value) > 0):
-                raise InvalidInputError(
-                    f"hand proportions: {name} is {quoted(value)}, expected positive fractions of "
-                    "the hand length. Correct the numbers."
-                )
-
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Digit:
@@ -265,13 +237,10 @@ class Skeleton:
         What it was made from.
     digits
         Digits I to V.
-    thumb_root : (2,)
-        The thumb's saddle joint.
     """
 
     proportions: HandProportions
     digits: tuple[Digit, ...]
-    thumb_root: Floats
 
     def arm_edge(self, arm_fraction: ArrayLike, side: int) -> Floats:
         """Return x of the arm's edge at fractions of the forearm length past the wrist.
@@ -306,7 +275,7 @@ def skeleton_of(proportions: HandProportions) -> Skeleton:
     lean = np.radians(p.thumb_metacarpal_angle_deg)
     knuckles[THUMB] = root + p.thumb_metacarpal_length * np.array([np.sin(lean), np.cos(lean)])
     digits = tuple(_digit(p, digit, knuckles[digit], angles, bends) for digit in range(5))
-    return Skeleton(proportions=p, digits=digits, thumb_root=root)
+    return Skeleton(proportions=p, digits=digits)
 
 
 def _digit(
@@ -326,40 +295,9 @@ def _digit(
     )
 
 
-# Nail of a finger and of the thumb: fractions of the digit from root to free edge, half-width
-# in half-widths of the digit, and shift across (the thumb is seen from its side).
-_NAIL = (0.87, 0.972, 0.6, 0.0)
-_THUMB_NAIL = (0.775, 0.955, 0.6, -0.13)
 # Creases across a digit: fraction of its length, sag towards the hand in hand lengths.
 _FINGER_CREASES = (0.215, 0.465, 0.49, 0.757)
 _THUMB_CREASES = (0.07, 0.525, 0.56)
-
-
-def nails_of(skeleton: Skeleton) -> list[Floats]:
-    """Return the closed outlines of the nails of digits I to V, each (n, 2)."""
-    return [_nail(digit) for digit in skeleton.digits]
-
-
-def _nail(digit: Digit) -> Floats:
-    root, edge, half_width, shift = _THUMB_NAIL if digit.is_thumb else _NAIL
-    # Round at the root, straight along the sides, gently bowed at the free edge.
-    shape = (
-        (0.0, 0.0),
-        (0.07, 0.5),
-        (0.25, 0.88),
-        (0.5, 0.98),
-        (0.78, 1.0),
-        (0.92, 0.86),
-        (1.0, 0.45),
-        (1.02, 0.0),
-    )
-    right = list(shape)
-    left = [(along, -across) for along, across in reversed(shape[1:-1])]
-    along, across = np.array(right + left).T
-    width = half_width * digit.half_width(0.86)
-    axis = root + along * (edge - root)
-    offset = across * width + shift * digit.half_width(0.86)
-    return smooth(digit.point(axis) + offset[:, None] * digit.normal(axis), closed=True, per_span=6)
 
 
 def creases_of(skeleton: Skeleton) -> list[Floats]:
@@ -580,14 +518,12 @@ class HandShape:
         Outputs 61 to 66, seen through the arm, for a palmar drawing.
     digit_axes
         For digits I to V the base knuckle, joints and tip, (3, 2) for the thumb, else (4, 2).
-    thumb_root, wrist, elbow : (2,)
-        Saddle joint of the thumb; middle of the wrist; middle of the elbow.
+    wrist, elbow : (2,)
+        Middle of the wrist; middle of the elbow.
     wrist_ends : (2, 2)
         Radial and ulnar end of the wrist line.
     creases
         Lines of a palmar drawing: fingers, palm, wrist; open polylines (n, 2).
-    nails
-        Nails of a dorsal drawing, digits I to V; closed polylines (n, 2).
     hand_length_px
         Tip of digit III to the middle of the wrist, 400.
     """
@@ -597,12 +533,10 @@ class HandShape:
     output_positions: Floats
     volar_positions: Floats
     digit_axes: tuple[Floats, ...]
-    thumb_root: Floats
     wrist: Floats
     elbow: Floats
     wrist_ends: Floats
     creases: tuple[Floats, ...]
-    nails: tuple[Floats, ...]
     hand_length_px: float = HAND_LENGTH_PX
 
     def limb_map(self) -> LimbMap:
@@ -643,12 +577,10 @@ def hand_shape(proportions: HandProportions) -> HandShape:
         output_positions=px(outputs),
         volar_positions=px(volar),
         digit_axes=tuple(px(digit.joints()) for digit in skeleton.digits),
-        thumb_root=px(skeleton.thumb_root),
         wrist=px(np.zeros(2)),
         elbow=px(skeleton.arm_point(1.0, 0.0)),
         wrist_ends=px(wrist_ends),
         creases=tuple(px(line) for line in creases_of(skeleton)),
-        nails=tuple(px(line) for line in nails_of(skeleton)),
     )
 
 

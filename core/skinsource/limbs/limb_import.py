@@ -88,7 +88,7 @@ def import_limb(
     replace
         Whether an own limb of the same name goes; it cannot be had back.
     progress, stop
-        Told how far it is; asked whether to go on.
+        Called with the progress; asked whether to stop.
 
     Raises
     ------
@@ -99,7 +99,7 @@ def import_limb(
     StorageError
         A file cannot be read, or the limb cannot be written.
     Stopped
-        ``stop`` said so; nothing is left behind.
+        ``stop`` returned true; nothing is left behind.
     """
     with ReadingProcess() as process:
         prepared = prepare_limb(source, process, stop=stop)

@@ -129,10 +129,10 @@ def export_limb(name: str, path: Path, *, progress: Progress = silent, stop: Sto
     FileFormatError, StorageError
         It is damaged, the disk is full, or the folder cannot be written.
     Stopped
-        ``stop`` said so.
+        ``stop`` returned true.
     """
-    held = LimbFile(existing_path(name))
-    limb = held.limb
+    limb_file = LimbFile(existing_path(name))
+    limb = limb_file.limb
     n_bytes = 8 * int(np.prod(limb.shape)) + _HEADER_BYTES
     free_bytes = shutil.disk_usage(path.resolve().parent).free if path.parent.is_dir() else n_bytes
     if free_bytes < n_bytes:
@@ -146,7 +146,7 @@ def export_limb(name: str, path: Path, *, progress: Progress = silent, stop: Sto
         responses = file.create_dataset("responses", limb.shape, "<f8", track_times=False)
         for number in range(1, limb.n_inputs + 1):
             stop_if(stop)
-            responses[number - 1] = held.response(number)
+            responses[number - 1] = limb_file.response(number)
             progress(number, limb.n_inputs, "Writing the responses")
 
 

@@ -291,10 +291,7 @@ class LimbFile:
                 text, self._text_sum = _text_of(file, path)
                 size = path.stat().st_size
         except OSError as error:
-            raise StorageError(
-                f"{named(path)}: cannot be read ({error.strerror or error}). Check that it is "
-                "there, and whose it is."
-            ) from error
+            raise _unreadable(path, error) from error
         try:
             tree = json.loads(text)
             self._sums = tuple(str(checksum) for checksum in tree.pop("sha256"))
@@ -325,10 +322,7 @@ class LimbFile:
                 file.seek(self._start + (location - 1) * self._bytes_each)
                 content = file.read(self._bytes_each)
         except OSError as error:
-            raise StorageError(
-                f"{named(self.path)}: cannot be read ({error.strerror or error}). Check that it "
-                "is there, and whose it is."
-            ) from error
+            raise _unreadable(self.path, error) from error
         if hashlib.sha256(content).hexdigest() != self._sums[location - 1]:
             raise _damaged(self.path, f"the responses to input {location} have another checksum")
         return np.frombuffer(content, "<f8").astype(np.float64).reshape(self.limb.shape[1:])
@@ -360,7 +354,7 @@ def write_limb_file(
     StorageError
         The disk is full, the folder cannot be written.
     Stopped
-        ``stop`` said so.
+        ``stop`` returned true.
     """
     # The length of the text does not depend on the checksums.
     room = _start(len(_encoded(limb, ("0" * 64,) * limb.n_inputs)))
@@ -454,6 +448,13 @@ def _digest(limb: OwnLimb, sums: tuple[str, ...]) -> str:
     return hashlib.sha256(_json({name: tree[name] for name in (*_DIGESTED, *optional)})).hexdigest()
 
 
+def _unreadable(path: Path, error: OSError) -> StorageError:
+    return StorageError(
+        f"{named(path)}: cannot be read ({error.strerror or error}). Check that it is there, and "
+        "whose it is."
+    )
+
+
 def _damaged(path: Path, reason: str) -> FileFormatError:
     return FileFormatError(
         f"{named(path)}: the limb cannot be used: {reason.rstrip('.')}. Import the limb again."
@@ -506,20 +507,20 @@ def load_own_limb(name: str) -> Limb:
         Its file is damaged, or cannot be read; raised by ``response_to`` too.
     """
     file = _opened(name)
-    held = file.limb
+    limb = file.limb
     return Limb(
         name=name,
-        hand_length_mm=held.hand_length_mm,
-        synthetic=held.synthetic,
-        map=held.map(),
+        hand_length_mm=limb.hand_length_mm,
+        synthetic=limb.synthetic,
+        map=limb.map(),
         read_response=file.response,
-        sample_rate_hz=held.sample_rate_hz,
-        axes=held.axes,
-        pre_trigger_delay_s=held.pre_trigger_delay_s,
-        band_hz=held.band_hz,
-        per_unit_drive=held.per_unit_drive,
-        note=held.note,
-        shape=held.shape,
+        sample_rate_hz=limb.sample_rate_hz,
+        axes=limb.axes,
+        pre_trigger_delay_s=limb.pre_trigger_delay_s,
+        band_hz=limb.band_hz,
+        per_unit_drive=limb.per_unit_drive,
+        note=limb.note,
+        shape=limb.shape,
     )
 
 
@@ -528,7 +529,7 @@ def mirror_limb(
 ) -> None:
     """Show a limb the other way round, as a right hand, or as it is.
 
-    Raises as `load_own_limb`, and `Stopped` where ``stop`` said so: it is as it was then.
+    Raises as `load_own_limb`, and `Stopped` where ``stop`` returned true: it is as it was then.
     """
     file = _opened(name)
     limb = file.limb.shown_mirrored(mirrored)
@@ -566,13 +567,9 @@ def facts_of(name: str) -> LimbFacts:
     published = PUBLISHED.get(name)
     if published is not None:
         return published
-    if is_free_name(name):
-        path = own_limb_path(name)
-        try:
-            about = path.stat()
-            return _read_facts(name, path, _state_of(about))[0]
-        except (OSError, SkinSourceError):
-            pass
+    own = _facts_and_map(name)
+    if own is not None:
+        return own[0]
     band_hz = None if name else BAND_HZ
     return LimbFacts(name=name, title=name, sentence="", band_hz=band_hz, known=False)
 
@@ -612,12 +609,17 @@ def drive_unit_known(name: str, digest: str = "") -> bool:
 
 def own_map(name: str) -> LimbMap | None:
     """Return the map of an own limb as quickly as `facts_of`; None of any other limb."""
-    if not facts_of(name).own:
+    own = _facts_and_map(name)
+    return None if own is None else own[1]
+
+
+def _facts_and_map(name: str) -> tuple[LimbFacts, LimbMap] | None:
+    """Return what is known of an own limb; None of any other limb, or of a damaged one."""
+    if not is_free_name(name):
         return None
     path = own_limb_path(name)
     try:
-        about = path.stat()
-        return _read_facts(name, path, _state_of(about))[1]
+        return _read_facts(name, path, _state_of(path.stat()))
     except (OSError, SkinSourceError):
         return None
 
@@ -660,29 +662,29 @@ def _state_of(about: os.stat_result) -> tuple[int, ...]:
 @lru_cache(maxsize=64)
 def _read_facts(name: str, path: Path, _state: tuple[int, ...]) -> tuple[LimbFacts, LimbMap]:
     file = LimbFile(path)
-    held = file.limb
-    hand = f"{'Left' if held.left else 'Right'} hand{', shown mirrored' if held.mirrored else ''}"
+    limb = file.limb
+    hand = f"{'Left' if limb.left else 'Right'} hand{', shown mirrored' if limb.mirrored else ''}"
     facts = LimbFacts(
         name=name,
-        title=held.title or name,
-        sentence=f"{hand}, imported: {counted(held.n_inputs, 'place')}, "
-        f"{counted(held.n_outputs, 'output')} along "
-        f"{axes_text(held.axes)}, {held.sample_rate_hz:g} Hz{_band_text(held.band_hz)}.",
-        n_inputs=held.n_inputs,
-        n_outputs=held.n_outputs,
-        n_taps=held.n_taps,
-        axes=held.axes,
-        sample_rate_hz=held.sample_rate_hz,
-        pre_trigger_delay_s=held.pre_trigger_delay_s,
-        band_hz=held.band_hz,
-        hand_length_mm=held.hand_length_mm,
-        per_unit_drive=held.per_unit_drive,
-        synthetic=held.synthetic,
+        title=limb.title or name,
+        sentence=f"{hand}, imported: {counted(limb.n_inputs, 'place')}, "
+        f"{counted(limb.n_outputs, 'output')} along "
+        f"{axes_text(limb.axes)}, {limb.sample_rate_hz:g} Hz{_band_text(limb.band_hz)}.",
+        n_inputs=limb.n_inputs,
+        n_outputs=limb.n_outputs,
+        n_taps=limb.n_taps,
+        axes=limb.axes,
+        sample_rate_hz=limb.sample_rate_hz,
+        pre_trigger_delay_s=limb.pre_trigger_delay_s,
+        band_hz=limb.band_hz,
+        hand_length_mm=limb.hand_length_mm,
+        per_unit_drive=limb.per_unit_drive,
+        synthetic=limb.synthetic,
         own=True,
-        input_names=held.input_names,
-        output_names=held.output_names,
+        input_names=limb.input_names,
+        output_names=limb.output_names,
         digest=file.digest,
-        left=held.left,
-        mirrored=held.mirrored,
+        left=limb.left,
+        mirrored=limb.mirrored,
     )
-    return facts, held.map()
+    return facts, limb.map()

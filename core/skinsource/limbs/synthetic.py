@@ -289,7 +289,7 @@ def _response(model: SyntheticModel, row: int) -> Floats:
 def synthetic_model(number: int) -> SyntheticModel:
     """Prepare a built-in synthetic limb from the shipped parameters.
 
-    Each is prepared once and kept, 0.7 MB; its arrays cannot be written to.
+    Each is prepared once and cached, 0.7 MB; its arrays cannot be written to.
 
     Parameters
     ----------
@@ -327,9 +327,9 @@ def _model(number: int) -> SyntheticModel:
     return model
 
 
-def _read_only(held: HandShape | SyntheticModel) -> None:
-    for field in fields(held):
-        value = getattr(held, field.name)
+def _read_only(holder: HandShape | SyntheticModel) -> None:
+    for field in fields(holder):
+        value = getattr(holder, field.name)
         for array in value if isinstance(value, tuple) else (value,):
             if isinstance(array, np.ndarray):
                 array.flags.writeable = False

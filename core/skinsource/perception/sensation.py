@@ -13,7 +13,7 @@ from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.locations import ARM_REGIONS, output_place
 from skinsource.perception.thresholds import CHANNELS, Channel, threshold_rms
 
-#: To be shown beside every number of this module.
+#: Text to show with every number of this module.
 LIMITS = (
     "Thresholds are of glabrous skin, most outputs lie on hairy or bony skin; sensors, age, "
     "temperature and force are not modelled; people differ by 6 to 10 dB. Compare designs on one "
@@ -70,7 +70,7 @@ def sensation_levels_db(
 
     10 log10 of the sum over bins of the power of all axes, each bin divided by the square of the
     threshold there: energies add up over axes because the direction of fast vibrations is hardly
-    felt (Landin, Romano, McMahan and Kuchenbecker, 2010), and within a channel over frequency.
+    perceived (Landin, Romano, McMahan and Kuchenbecker, 2010), and within a channel over frequency.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def sensation_levels_db(
 
     Returns
     -------
-    (n_outputs,) for each of `CHANNELS`, dB; -300 where nothing is felt.  The higher one of both is
+    (n_outputs,) for each of `CHANNELS`, dB; -300 in silence.  The higher one of both is
     the level above threshold.
 
     Raises

@@ -174,7 +174,7 @@ SOURCE = TextSpec(label="File of own thresholds", longest=200, one_line=True)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PerceptionSettings:
-    """Thresholds that levels are held against.
+    """Thresholds that levels are compared with.
 
     Attributes
     ----------
@@ -195,9 +195,9 @@ class PerceptionSettings:
 
     @property
     def thresholds(self) -> ThresholdTable:
-        """Own thresholds; none where what is held is no table."""
+        """Own thresholds; none where ``table`` is unusable."""
         pairs = self.table if isinstance(self.table, tuple) else ()
-        # A file is held flat: frequency, threshold, frequency, ...
+        # A table is stored flat: frequency, threshold, frequency, ...
         numbers = [number for number in pairs if isinstance(number, int | float)]
         table = tuple(zip(numbers[::2], numbers[1::2], strict=False))
         rising = all(a[0] < b[0] for a, b in pairwise(table))

@@ -21,7 +21,7 @@ from skinsource.limbs.scaling import Scaling
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.spectra import share_outside_band
 
-#: ``"kept"``, ``"left"``, or ``"unknown"`` where nothing can be said.
+#: ``"kept"``, ``"left"``, or ``"unknown"`` where it is not known.
 State = Literal["kept", "left", "unknown"]
 
 
@@ -44,10 +44,10 @@ class Finding:
     number
         That number; None where there is none.
     mend
-        Name of what would mend it: ``"quieter"``, ``"band_limit"``,
+        Name of the edit that repairs it: ``"quieter"``, ``"band_limit"``,
         ``"probe_scaling"``, ``"deselect"``; "" where nothing does.
     factor
-        What amplitudes are to be multiplied with where that mends it; else 1.
+        Factor of the amplitudes that repairs it; else 1.
     outputs
         Those that it is about; none: it is about all.
     of_maps
@@ -112,7 +112,7 @@ class Judged:
 def in_short(judged: Sequence[Judged]) -> tuple[str, ...]:
     """Return notes and conditions that are not kept, a short sentence each, for a caption.
 
-    Where numbers differ between designs, the smallest and the largest are told.
+    Where numbers differ between designs, the smallest and the largest stand.
     """
     numbers: dict[str, list[float]] = {}
     for design in judged:
@@ -273,7 +273,7 @@ def drive_findings(
     scaling
         What their unit is.
     probe
-        Whether they are what the probe does, not what an actuator is asked for.
+        Whether they are what the probe does, not what an actuator shall do.
     unit_known
         Whether responses answer an acceleration, not a drive of whatever unit.
     band_hz

@@ -4,7 +4,6 @@ import argparse
 import sys
 import time
 from pathlib import Path
-from types import TracebackType
 from typing import Any, Self, TextIO
 
 from skinsource.base.errors import DatasetMissingError
@@ -41,12 +40,7 @@ class ProgressBar:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self._draw("")
 
     def __call__(self, done: int, total: int, text: str) -> None:

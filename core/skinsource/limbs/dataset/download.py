@@ -52,7 +52,7 @@ def download(file: RemoteFile, part: Path, *, report: Callable[[int], None], sto
     StorageError
         ``part`` cannot be written.
     Stopped
-        ``stop`` said so.
+        ``stop`` returned true.
     """
     requests = package_of_extra("requests", "dataset")
     network = package_of_extra("urllib3.exceptions", "dataset")
@@ -219,7 +219,7 @@ def fetch(
     MissingExtraError
         An optional package is missing; found out before anything is downloaded.
     Stopped
-        ``stop`` said so; what has arrived is kept for the next time.
+        ``stop`` returned true; what has arrived is kept for the next time.
     """
     pooch = package_of_extra("pooch", "dataset")
     for name in ("requests", "matio"):

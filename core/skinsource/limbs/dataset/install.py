@@ -69,12 +69,12 @@ def install(
     MissingExtraError
         mat-io is not installed.
     Stopped
-        ``stop`` said so.
+        ``stop`` returned true.
     """
     downloaded = find_downloaded(source)
-    strange = unpublished_files(downloaded)
+    changed = unpublished_files(downloaded)
     if not unpublished:
-        check_map_files(downloaded, strange)
+        check_map_files(downloaded, changed)
     folder = user_folder() if folder is None else folder
     make_folder(folder)
     path = folder / published.FILE_NAME
@@ -84,7 +84,7 @@ def install(
     responses = read_responses(
         downloaded.responses, lambda done, _, text: progress(done, 2 * N_ROWS, text), stop
     )
-    image = _image(responses, maps, _origin(downloaded.responses, strange))
+    image = _image(responses, maps, _origin(downloaded.responses, changed))
     stop_if(stop, STOPPED)
     _write(path, image, progress, stop)
     return describe(path)

@@ -112,8 +112,7 @@ def _chunks_of(dataset: "h5py.Dataset", path: Path) -> list[_Span]:
         spans.append(_Span(piece.byte_offset, piece.size, f"{name}, piece {k + 1}"))
     starts = (range(0, length, step) for length, step in zip(shape, chunk, strict=True))
     for place in itertools.product(*starts):
-        # The index is asked as it is when the array is read.  A list of its entries says less: it
-        # leaves out parts of them.
+        # The index is used as it is when the array is read; a list of its entries leaves out parts.
         if _unpacked_bytes(_piece_at(dataset, place), filters) != size_bytes:
             raise _damaged(path, f"the piece of {name} at {place} is missing or damaged")
     return spans
@@ -375,16 +374,13 @@ def _response(data: Any, where: str) -> Floats:
     finite = np.isfinite(array)
     if not finite.all():
         tap, output, axis = (int(k) + 1 for k in np.argwhere(~finite)[0])
-        strange = counted(int(np.count_nonzero(~finite)), "value")
+        not_finite = counted(int(np.count_nonzero(~finite)), "value")
         raise DatasetError(
-            f"{where} holds {strange} not finite, the first at "
+            f"{where} holds {not_finite} not finite, the first at "
             f"tap {tap}, output {output}, axis {axis}; expected finite numbers only. {WHAT_TO_DO}"
         )
-    return _real(array).transpose(1, 2, 0)
-
-
-def _real(array: NDArray[Any]) -> Floats:
-    return array.astype(np.float64, copy=False)
+    floats: Floats = array.astype(np.float64, copy=False)
+    return floats.transpose(1, 2, 0)
 
 
 def _whole_number(value: Any, highest: int, what: str) -> int:

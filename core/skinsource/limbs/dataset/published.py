@@ -259,13 +259,13 @@ def checksum_of(path: Path, algorithm: str) -> str:
 
 def unpublished_files(downloaded: DownloadedFiles) -> tuple[str, ...]:
     """Return the names of the files in a download whose content is not the published one."""
-    strange = []
+    changed = []
     for file in published_files():
         name = file.name.rpartition("/")[2]
         path = downloaded.responses if name == RESPONSES_FILE else downloaded.map_folder / name
         if checksum_of(path, file.checksum.partition(":")[0]) != file.checksum:
-            strange.append(name)
-    return tuple(strange)
+            changed.append(name)
+    return tuple(changed)
 
 
 def check_map_files(files: DownloadedFiles, unpublished: tuple[str, ...]) -> None:
@@ -273,10 +273,10 @@ def check_map_files(files: DownloadedFiles, unpublished: tuple[str, ...]) -> Non
 
     A damaged one moves sensors, and nothing in it tells.
     """
-    strange = [name for name in unpublished if name in MAP_FILES]
-    if strange:
+    changed = [name for name in unpublished if name in MAP_FILES]
+    if changed:
         raise DatasetError(
-            f"{files.map_folder}: not the published content: {', '.join(strange)} (the checksum "
+            f"{files.map_folder}: not the published content: {', '.join(changed)} (the checksum "
             "differs). The download may be damaged; run 'skinsource dataset fetch' again. If other "
             "files are meant, use 'skinsource dataset install PATH --unpublished'."
         )

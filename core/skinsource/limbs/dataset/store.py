@@ -386,8 +386,8 @@ def _read_response(path: Path, limb: int, location: int, expected: str) -> Float
 def _check_checksum(actual: str, expected: str, what: str, path: Path) -> None:
     if actual != expected:
         raise DatasetError(
-            f"{path}: {what} is damaged: its checksum is {actual[:12]}…, expected {expected[:12]}…. "
-            f"{REINSTALL}"
+            f"{path}: {what} is damaged: its checksum is {actual[:12]}…, "
+            f"expected {expected[:12]}…. {REINSTALL}"
         )
 
 
@@ -420,7 +420,7 @@ def verify(*, progress: Progress = silent, stop: Stop = never) -> tuple[str, ...
     DatasetError
         The store cannot be opened, or a part of it cannot be found.
     Stopped
-        ``stop`` said so.
+        ``stop`` returned true.
     """
     total = len(published.LIMBS) * N_INPUTS + len(published.WHOLE_SHAPES)
     problems = []
