@@ -148,7 +148,7 @@ def _lower(text: str) -> str:
 # Length of responses before they are trimmed: twelve seconds at the rate of the published limbs,
 # far more than may ring.
 _LENGTH = 2**14
-#: Longest ringing that is kept before a drive begins and after it ends, as in exports.
+#: Longest ringing before a drive begins and after it ends, as in exports.
 LONGEST_S = 0.5
 # Share of the energy that is trimmed at each end, and that may lie beyond the longest ringing.
 _LEFT_OUT, _MOST_BEYOND = 1e-10, 1e-4

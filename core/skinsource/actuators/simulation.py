@@ -110,7 +110,7 @@ def step_matrix(equations: Equations, step_s: float, hold: Hold) -> Floats:
     gained, rates = exponential_less_1(matrix)
     states = (gained + np.eye(n + 2))[:n]
     read = np.array([equations.velocity, equations.displacement, equations.current])
-    # Not the sum of the forces: beside them, that of a light mass has lost its digits.
+    # The sum of the forces would lose the digits of a light mass.
     acceleration = read[0] @ rates[:n] / step_s
     result = np.vstack((states, acceleration, read @ states))
     # From what the voltage gains to the voltage after the step.
@@ -124,7 +124,7 @@ def step_matrix(equations: Equations, step_s: float, hold: Hold) -> Floats:
 def exponential_less_1(matrix: Floats) -> tuple[Floats, Floats]:
     """Return the exponential of a matrix less the identity, and the exponential times the matrix.
 
-    Its series at a small part of it, doubled up.  Less the identity, slow parts keep their digits
+    The series of a small part of the matrix, doubled repeatedly.  Less the identity, slow parts keep their digits
     beside parts that are 1e100 times as fast, and no state needs to be scaled.
 
     References
@@ -144,18 +144,18 @@ def exponential_less_1(matrix: Floats) -> tuple[Floats, Floats]:
     return gained, rates
 
 
-def _fill_outputs(found: Floats, samples: Floats, step: Floats) -> None:
+def _fill_outputs(outputs: Floats, samples: Floats, step: Floats) -> None:
     """Fill in the outputs after each step, (4, n_steps)."""
-    n_steps = found.shape[1]
+    n_steps = outputs.shape[1]
     n_blocks = -(-n_steps // _BLOCK)
     padded = np.zeros(n_blocks * _BLOCK + 1)
     padded[: samples.size] = samples
     blocks = np.lib.stride_tricks.sliding_window_view(padded, _BLOCK + 1)[::_BLOCK]
-    outputs, end = _block_matrices(step)
+    output_matrices, end = _block_matrices(step)
     ends = _accumulated(blocks @ end[:, : _BLOCK + 1].T, end[:, _BLOCK + 1 :])
-    # Before each block: what all blocks before it have left.
+    # Voltages of each block, and the states that all blocks before it have left.
     known = np.hstack((blocks, np.pad(ends[:-1], ((1, 0), (0, 0)))))
-    for row, after in zip(found, outputs, strict=True):
+    for row, after in zip(outputs, output_matrices, strict=True):
         row[:] = (known @ after.T).ravel()[:n_steps]
 
 

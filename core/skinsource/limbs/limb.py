@@ -181,7 +181,7 @@ class Limb:
         """Return the largest magnitude of the responses to a place, m/s²; NaN if one holds NaN."""
         if location not in self._largest:
             response = self.response_to(location)
-            # Twice through it, but without a copy of it all.
+            # Two passes through the array need no copy of it.
             highest, lowest = float(response.max(initial=0.0)), float(response.min(initial=0.0))
             self._largest[location] = math.nan if math.isnan(highest) else max(highest, -lowest)
         return self._largest[location]
@@ -193,7 +193,7 @@ class Limb:
             places = range(1, self.n_inputs + 1)
             everything = np.stack([self.response_to(place) for place in places])
             everything.flags.writeable = False
-            # The single responses are views of it from now on: nothing is held twice.
+            # From now on the single responses are views of it: nothing is in memory twice.
             self._responses = {place: everything[place - 1] for place in places}
             self._everything = everything
         return self._everything

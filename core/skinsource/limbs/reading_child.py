@@ -34,7 +34,7 @@ from skinsource.limbs import limb_import
 from skinsource.readers import limits, readers
 from skinsource.readers.reader import Overview, to_tree
 
-# Of computing without an answer; the parent is more impatient, but it may be gone.
+# Longest computing time of an answer; the parent waits for less, but it may have ended.
 _CPU_S = 120
 
 
