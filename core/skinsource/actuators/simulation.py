@@ -124,8 +124,8 @@ def step_matrix(equations: Equations, step_s: float, hold: Hold) -> Floats:
 def exponential_less_1(matrix: Floats) -> tuple[Floats, Floats]:
     """Return the exponential of a matrix less the identity, and the exponential times the matrix.
 
-    The series of a small part of the matrix, doubled repeatedly.  Less the identity, slow parts keep their digits
-    beside parts that are 1e100 times as fast, and no state needs to be scaled.
+    The series of a small part of the matrix, doubled repeatedly.  Less the identity, slow parts
+    keep their digits beside parts that are 1e100 times as fast, and no state needs to be scaled.
 
     References
     ----------
