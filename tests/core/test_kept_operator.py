@@ -99,7 +99,7 @@ def test_another_map_hand_or_spacing_is_another_operator(limb):
 
 def test_other_code_builds_anew(limb, monkeypatch):
     fetched(limb)
-    monkeypatch.setattr(surface, "_code", lambda: b"changed")
+    monkeypatch.setattr(surface, "_version_bytes", lambda: b"changed")
     assert fetched(limb)[1] == 1
 
 

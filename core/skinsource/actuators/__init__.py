@@ -6,7 +6,7 @@
 >>> motion.acceleration.shape
 (3,)
 
-To add a kind: write a file beside these, and name its class in `actuator_profile.KINDS`.
+To add a kind: write its class in `models`, and name it in `catalog.KINDS`.
 """
 
 import lazy_loader

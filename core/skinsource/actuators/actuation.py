@@ -1,4 +1,8 @@
-"""What a design is predicted through: the actuators at its places, and what makes their volts."""
+"""Actuators and equaliser that a design is predicted through.
+
+Together they make one impulse response for each place, from a drive to the acceleration of the
+contactor, at the sample rate of the limb.
+"""
 
 from collections import Counter
 from dataclasses import dataclass
@@ -92,28 +96,30 @@ class Actuation:
     def __post_init__(self) -> None:
         fields.check(self)
         twice = [
-            place for place, n in Counter(one.place for one in self.actuators).items() if n > 1
+            place
+            for place, n in Counter(actuator.place for actuator in self.actuators).items()
+            if n > 1
         ]
         if twice:
-            words = "all other places" if twice[0] is None else f"place {twice[0]}"
+            description = "all other places" if twice[0] is None else f"place {twice[0]}"
             raise InvalidInputError(
-                f"Actuation.actuators has {words} twice, expected once; remove one"
+                f"Actuation.actuators has {description} twice, expected once; remove one"
             )
         if not self.actuators:
             raise InvalidInputError("Actuation.actuators is empty, expected at least one actuator")
 
     def at(self, place: int) -> ActuatorAt:
-        """The actuator at a place.
+        """Return the actuator at a place.
 
         Raises
         ------
         InvalidInputError
             There is none.
         """
-        for wanted in (place, None):
-            for one in self.actuators:
-                if one.place == wanted:
-                    return one
+        for candidate in (place, None):
+            for actuator in self.actuators:
+                if actuator.place == candidate:
+                    return actuator
         rig = f"the rig {self.rig}" if self.rig else "the actuators that are predicted through"
         raise InvalidInputError(
             f"Place {place} has no actuator among {rig}. Move or mute what plays there, choose "
@@ -123,7 +129,9 @@ class Actuation:
     @property
     def title(self) -> str:
         """The rig, or the actuator: "Example voice coil"."""
-        names = list(dict.fromkeys(one.actuator or one.model.title for one in self.actuators))
+        names = list(
+            dict.fromkeys(actuator.actuator or actuator.model.title for actuator in self.actuators)
+        )
         return self.rig or (names[0] if len(names) == 1 else f"{len(names)} actuators")
 
     @property
@@ -133,19 +141,18 @@ class Actuation:
         return f"{self.title}, {how}"
 
 
-def _lower(words: str) -> str:
-    return f"{words[:1].lower()}{words[1:]}"
+def _lower(text: str) -> str:
+    return f"{text[:1].lower()}{text[1:]}"
 
 
-# What equaliser and actuator make of a drive, as one impulse response at the rate of the limb.
-
-# Twelve seconds at the rate of the published limbs: what rings longer than that is refused anyway.
+# Length of responses before they are trimmed: twelve seconds at the rate of the published limbs,
+# far more than may ring.
 _LENGTH = 2**14
-#: Longest ringing that is kept before a drive begins and after it ends, as in exports.
+#: Longest ringing before a drive begins and after it ends, as in exports.
 LONGEST_S = 0.5
-# Energy that is left out at each end where it ends sooner, and what may be beyond the longest.
+# Share of the energy that is trimmed at each end, and that may lie beyond the longest ringing.
 _LEFT_OUT, _MOST_BEYOND = 1e-10, 1e-4
-# At high rates it lasts so many times the longest ringing, at least.
+# At high rates responses last at least so many times the longest ringing.
 _OF_LONGEST = 4.0
 
 
@@ -169,7 +176,7 @@ class Transfer:
 def transfers_of(
     actuation: Actuation, sample_rate_hz: float, band_hz: Band | None = BAND_HZ
 ) -> dict[int | None, Transfer]:
-    """Transfers by place, None for all other places; all of one length and lead.
+    """Return the transfers by place, None for all other places, all of one length and lead.
 
     Parameters
     ----------
@@ -185,37 +192,37 @@ def transfers_of(
         An actuator does not move in the band, or rings for longer than half a second.
     """
     band = followed_band(band_hz, sample_rate_hz)
-    whole = {
-        one.place: _whole(one, actuation.equaliser, sample_rate_hz, band)
-        for one in actuation.actuators
+    full_responses = {
+        actuator.place: _full_response(actuator, actuation.equaliser, sample_rate_hz, band)
+        for actuator in actuation.actuators
     }
     length = _length_at(sample_rate_hz)
-    lead = max(_reach(row[: -length // 2 : -1], row) for row in whole.values())
-    tail = max(_reach(row[: length // 2], row) for row in whole.values())
+    lead = max(_reach(row[: -length // 2 : -1], row) for row in full_responses.values())
+    tail = max(_reach(row[: length // 2], row) for row in full_responses.values())
     most = int(LONGEST_S * sample_rate_hz)
     lead, tail = min(lead, most), min(tail, most)
-    found = {}
-    for one in actuation.actuators:
-        row = whole[one.place]
-        kept = np.concatenate((row[length - lead :], row[:tail]))
-        _refuse_ringing(one, kept, row)
-        kept.flags.writeable = False
-        found[one.place] = Transfer(kept, lead)
-    return found
+    transfers = {}
+    for actuator in actuation.actuators:
+        row = full_responses[actuator.place]
+        trimmed = np.concatenate((row[length - lead :], row[:tail]))
+        _check_ringing(actuator, trimmed, row)
+        trimmed.flags.writeable = False
+        transfers[actuator.place] = Transfer(trimmed, lead)
+    return transfers
 
 
 def _length_at(sample_rate_hz: float) -> int:
-    """Samples of what is computed before it is cut, a power of 2."""
+    """Return the length of responses before they are trimmed, a power of 2."""
     return max(_LENGTH, 2 ** ceil(log2(_OF_LONGEST * LONGEST_S * sample_rate_hz)))
 
 
-def _whole(
-    one: ActuatorAt, equaliser: Equaliser | None, sample_rate_hz: float, band_hz: Band
+def _full_response(
+    actuator: ActuatorAt, equaliser: Equaliser | None, sample_rate_hz: float, band_hz: Band
 ) -> Floats:
     try:
-        return _impulse_response(one.model, equaliser, sample_rate_hz, band_hz)
+        return _impulse_response(actuator.model, equaliser, sample_rate_hz, band_hz)
     except InvalidInputError as error:
-        where = "" if one.place is None else f"place {one.place}: "
+        where = "" if actuator.place is None else f"place {actuator.place}: "
         raise InvalidInputError(f"{where}{error}") from error
 
 
@@ -223,7 +230,7 @@ def _whole(
 def _impulse_response(
     model: Actuator, equaliser: Equaliser | None, sample_rate_hz: float, band_hz: Band
 ) -> Floats:
-    """Impulse response, (length,); what lies before time 0 stands at the end."""
+    """Return the impulse response, (length,); the end holds what lies before time 0."""
     length = _length_at(sample_rate_hz)
     frequency_hz = np.arange(length // 2 + 1) * sample_rate_hz / length
     response = model.response(frequency_hz)
@@ -233,23 +240,23 @@ def _impulse_response(
     half_hz, top_hz = 0.5 * sample_rate_hz, band_hz[1]
     beyond = np.clip((frequency_hz - top_hz) / (half_hz - top_hz), 0.0, 1.0)
     fall = 0.5 * (1.0 + np.cos(np.pi * beyond))
-    found: Floats = scipy.fft.irfft(response * fall, length)
-    return found
+    impulse_response: Floats = scipy.fft.irfft(response * fall, length)
+    return impulse_response
 
 
-def _reach(side: Floats, whole: Floats) -> int:
-    """Samples from time 0 on until next to nothing is left of one side."""
+def _reach(side: Floats, full_response: Floats) -> int:
+    """Count the samples of one side from time 0 until its remaining energy is negligible."""
     left = np.cumsum(np.square(side)[::-1])[::-1]
-    return int(np.count_nonzero(left > _LEFT_OUT * np.square(whole).sum()))
+    return int(np.count_nonzero(left > _LEFT_OUT * np.square(full_response).sum()))
 
 
-def _refuse_ringing(one: ActuatorAt, kept: Floats, whole: Floats) -> None:
-    energy = float(np.square(whole).sum())
-    beyond = energy - float(np.square(kept).sum())
+def _check_ringing(actuator: ActuatorAt, trimmed: Floats, full_response: Floats) -> None:
+    energy = float(np.square(full_response).sum())
+    beyond = energy - float(np.square(trimmed).sum())
     if not beyond <= _MOST_BEYOND * energy:
-        where = "" if one.place is None else f"Place {one.place}: the"
+        where = "The" if actuator.place is None else f"Place {actuator.place}: the"
+        name = quoted(actuator.actuator or actuator.model.title)
         raise InvalidInputError(
-            f"{where or 'The'} actuator {quoted(one.actuator or one.model.title)} rings for longer "
-            f"than {LONGEST_S:g} s, so that nothing can be predicted through it. Give it damping, "
-            "or an equaliser."
+            f"{where} actuator {name} rings for longer than {LONGEST_S:g} s, so that nothing can "
+            "be predicted through it. Give it damping, or an equaliser."
         )

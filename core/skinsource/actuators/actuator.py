@@ -1,4 +1,4 @@
-"""What the parameters of actuators may be."""
+"""The interface of all actuators, the specs of their parameters, and the response shape."""
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
@@ -16,14 +16,14 @@ from skinsource.specs.numbers import SMALLEST, NumberSpec
 
 
 def positive(label: str, unit: str, hint: str = "") -> NumberSpec:
-    """A parameter above 0."""
+    """Return a parameter above 0."""
     return NumberSpec(
         label=label, unit=unit, minimum=SMALLEST, step=0.02, logarithmic=True, hint=hint
     )
 
 
 def not_negative(label: str, unit: str, hint: str = "") -> NumberSpec:
-    """A parameter of 0 or more."""
+    """Return a parameter of 0 or more."""
     return NumberSpec(label=label, unit=unit, minimum=0.0, step=0.02, logarithmic=True, hint=hint)
 
 
@@ -35,9 +35,6 @@ DAMPING = not_negative("Damping", "N s/m", "Of the suspension")
 STIFFNESS = not_negative("Stiffness", "N/m", "Of the suspension")
 SKIN_STIFFNESS = not_negative("Skin stiffness", "N/m", "Of the skin at the contact; 0 in air")
 SKIN_DAMPING = not_negative("Skin damping", "N s/m", "Of the skin at the contact; 0 in air")
-
-
-# What is known of an actuator whose constants nobody published: where it resonates.
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,18 +56,15 @@ class ResponseShape:
         fields.check(self)
 
     def shape(self, frequency_hz: ArrayLike) -> Complexes:
-        """Acceleration at equal force over that far above the resonance, without a unit.
+        """Return the acceleration relative to that far above the resonance, at equal force.
 
         s² / (s² + s w / Q + w²), of the shape of ``frequency_hz``.
         """
         ratio = finite_array("frequency_hz", frequency_hz) / self.resonance_hz
-        found: Complexes = np.asarray(
+        acceleration: Complexes = np.asarray(
             -(ratio**2) / (1.0 - ratio**2 + 1j * ratio / self.quality), np.complex128
         )
-        return found
-
-
-# What every actuator can do.
+        return acceleration
 
 
 class Actuator(ABC):
@@ -88,7 +82,7 @@ class Actuator(ABC):
 
     @abstractmethod
     def response(self, frequency_hz: ArrayLike) -> Complexes:
-        """Acceleration of what touches the skin over the voltage, in m/s² per V.
+        """Return the acceleration of the contactor per volt, in m/s² per V.
 
         Parameters
         ----------
@@ -103,13 +97,13 @@ class Actuator(ABC):
 
     @abstractmethod
     def admittance(self, frequency_hz: ArrayLike) -> Complexes:
-        """Current over voltage, in A/V, of the shape of ``frequency_hz``; NaN where not known."""
+        """Return current over voltage, A/V, shaped as ``frequency_hz``; NaN where not known."""
 
     @abstractmethod
     def simulate(
         self, voltage: ArrayLike, sample_rate_hz: float, hold: Hold = "zero"
     ) -> ActuatorMotion:
-        """Motion under a voltage, from rest, at its samples.
+        """Return the motion under a voltage, from rest, at its samples.
 
         Parameters
         ----------
@@ -140,45 +134,45 @@ class LinearActuator(Actuator):
 
     @abstractmethod
     def equations(self) -> Equations:
-        """Equations of motion."""
+        """Return the equations of motion."""
 
     @abstractmethod
     def response_at(self, s: Complexes) -> Complexes:
-        """Acceleration over voltage at complex frequencies other than 0, in m/s² per V."""
+        """Return acceleration over voltage at complex frequencies other than 0, in m/s² per V."""
 
     @abstractmethod
     def current_at(self, s: Complexes) -> Complexes:
-        """Current over voltage at complex frequencies other than 0, in A/V."""
+        """Return current over voltage at complex frequencies other than 0, in A/V."""
 
     def response(self, frequency_hz: ArrayLike) -> Complexes:
-        """Acceleration over voltage, in m/s² per V."""
-        s = _imaginary(frequency_hz)
+        """Return acceleration over voltage, in m/s² per V."""
+        s = _laplace_variable(frequency_hz)
         with np.errstate(all="ignore"):
-            found = self.response_at(s)
-        return _known(np.where(s == 0.0, 0.0, found))
+            response = self.response_at(s)
+        return _check_finite(np.where(s == 0.0, 0.0, response))
 
     def admittance(self, frequency_hz: ArrayLike) -> Complexes:
-        """Current over voltage, in A/V, at frequencies other than 0."""
+        """Return current over voltage, in A/V, at frequencies other than 0."""
         with np.errstate(all="ignore"):
-            found = self.current_at(_imaginary(frequency_hz))
-        return _known(found)
+            current = self.current_at(_laplace_variable(frequency_hz))
+        return _check_finite(current)
 
     def simulate(
         self, voltage: ArrayLike, sample_rate_hz: float, hold: Hold = "zero"
     ) -> ActuatorMotion:
-        """Motion under a voltage, from rest, at its samples."""
+        """Return the motion under a voltage, from rest, at its samples."""
         step_s = 1.0 / positive_number("sample_rate_hz", sample_rate_hz)
         with np.errstate(all="ignore"):
             return simulated(self.equations(), voltage, step_s, hold)
 
 
-def _imaginary(frequency_hz: ArrayLike) -> Complexes:
-    found = finite_array("frequency_hz", frequency_hz, "finite frequencies in Hz")
-    s: Complexes = (2j * np.pi * found).astype(np.complex128)
+def _laplace_variable(frequency_hz: ArrayLike) -> Complexes:
+    frequency = finite_array("frequency_hz", frequency_hz, "finite frequencies in Hz")
+    s: Complexes = (2j * np.pi * frequency).astype(np.complex128)
     return s
 
 
-def _known(values: Complexes) -> Complexes:
+def _check_finite(values: Complexes) -> Complexes:
     if not np.isfinite(values).all():
         raise InvalidInputError(
             "the response is beyond all floating-point numbers; move the parameters nearer to "

@@ -1,4 +1,7 @@
-"""What the library knows of an actuator: its model, where the numbers come from, its limits."""
+"""The actuators that the library ships, one file each in ``data/actuators``.
+
+A profile holds the model of an actuator, where its numbers come from, and its limits.
+"""
 
 from dataclasses import dataclass
 from functools import cache
@@ -24,8 +27,8 @@ Model = VoiceCoil | RecoilVoiceCoil | Piezo | MeasuredResponse
 
 MODEL: ModelSpec = ModelSpec(label="Model", kinds=lambda: KINDS)
 _ANY = ModelSpec(label="Model", kinds=lambda: (*KINDS, ResponseShape))
-_LIMITS = ModelSpec(label="Limits", kinds=lambda: (Limits,))
-_THERMAL = OptionalSpec(label="Warming", of=ModelSpec(label="Warming", kinds=lambda: (Thermal,)))
+LIMITS = ModelSpec(label="Limits", kinds=lambda: (Limits,))
+THERMAL = OptionalSpec(label="Warming", of=ModelSpec(label="Warming", kinds=lambda: (Thermal,)))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,8 +56,8 @@ class ActuatorProfile:
     calibration: str = fields.field(TextSpec(label="Calibration", longest=1000))
     gain_calibrated: bool = fields.switch(False, SwitchSpec(label="Gain is calibrated"))
     model: Model | ResponseShape = fields.field(_ANY)
-    limits: Limits = fields.field(_LIMITS, Limits())
-    thermal: Thermal | None = fields.field(_THERMAL, None)
+    limits: Limits = fields.field(LIMITS, Limits())
+    thermal: Thermal | None = fields.field(THERMAL, None)
 
     def __post_init__(self) -> None:
         fields.check(self)
@@ -65,69 +68,67 @@ class ActuatorProfile:
         return not isinstance(self.model, ResponseShape)
 
 
-# The actuators that the library ships, one file each in ``data/actuators``.
-
 _FORMAT, _VERSION = "skinsource actuator", 1
 
 
 def names() -> tuple[str, ...]:
-    """Names of the actuators whose models are complete: `load` gives what `simulate` moves."""
-    return tuple(name for name, one in _shelf().items() if one.complete)
+    """Return the names of the actuators with a complete model, which `load` returns."""
+    return tuple(name for name, actuator in _catalog().items() if actuator.complete)
 
 
 def shape_names() -> tuple[str, ...]:
-    """Names of those of which only the resonance is known: `load_shape` gives its shape."""
-    return tuple(name for name, one in _shelf().items() if not one.complete)
+    """Return the names of the actuators of which only the response shape is known."""
+    return tuple(name for name, actuator in _catalog().items() if not actuator.complete)
 
 
 def profile(name: str) -> ActuatorProfile:
-    """All that is known of an actuator: its model, its limits, and where the numbers come from.
+    """Return all that is known of an actuator: its model, limits and sources.
 
     Raises
     ------
     InvalidInputError
         No actuator has this name.
     """
-    return _shelf()[one_of("actuator", name, tuple(_shelf()))]
+    return _catalog()[one_of("actuator", name, tuple(_catalog()))]
 
 
 def load(name: str) -> Model:
-    """The model of an actuator of `names`.
+    """Return the model of an actuator of `names`.
 
     Raises
     ------
     InvalidInputError
         No actuator has this name, or too little is known of it for a model.
     """
-    found = profile(name).model
-    if isinstance(found, ResponseShape):
+    model = profile(name).model
+    if isinstance(model, ResponseShape):
         raise InvalidInputError(
             f"actuator {quoted(name)} is known by the shape of its response only; take load_shape, "
             f"or one of {', '.join(names())}"
         )
-    return found
+    return model
 
 
 def load_shape(name: str) -> ResponseShape:
-    """The response shape of an actuator of `shape_names`; it has no scale.
+    """Return the response shape of an actuator of `shape_names`; it has no scale.
 
     Raises
     ------
     InvalidInputError
         No actuator has this name, or it has a model.
     """
-    found = profile(name).model
-    if not isinstance(found, ResponseShape):
+    model = profile(name).model
+    if not isinstance(model, ResponseShape):
         raise InvalidInputError(f"actuator {quoted(name)} has a model; take load")
-    return found
+    return model
 
 
 @cache
-def _shelf() -> dict[str, ActuatorProfile]:
-    """Shipped files do not change while the program runs."""
+def _catalog() -> dict[str, ActuatorProfile]:
+    """Return the shipped profiles by name; their files do not change while the program runs."""
     folder = data_folder() / "actuators"
-    found = {}
+    profiles = {}
     for path in sorted(folder.glob("*.json")):
         tree = from_plain_text(read_bytes(path, most=MAX_TEXT_BYTES), _FORMAT, _VERSION)
-        found[path.stem] = models.decode(tree, (ActuatorProfile,), Address())
-    return found
+        profiles[path.stem] = models.decode(tree, (ActuatorProfile,), Address())
+    return profiles

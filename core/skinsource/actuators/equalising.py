@@ -47,8 +47,6 @@ __all__ = [
 ]
 
 
-# What every equaliser can do.
-
 # Beyond the band the target falls to nothing: over an octave below, and up to 7/6 of its end, 700
 # Hz of the published limbs, above.
 _FALLS_BELOW, _FALLS_ABOVE = 1.0 / 2.0, 7.0 / 6.0
@@ -72,7 +70,7 @@ class Equaliser(ABC):
     def filter(
         self, actuator: Actuator, frequency_hz: ArrayLike, band_hz: Band = BAND_HZ
     ) -> Complexes:
-        """Voltage for each m/s² of the drive, in V per m/s², of the shape of ``frequency_hz``.
+        """Return the voltage for each m/s² of the drive, V per m/s², shaped as ``frequency_hz``.
 
         Parameters
         ----------
@@ -91,7 +89,7 @@ class Equaliser(ABC):
 
 
 def target(frequency_hz: ArrayLike, band_hz: Band = BAND_HZ) -> Floats:
-    """What is asked for, of the shape of ``frequency_hz``: 1 in the band, 0 far from it.
+    """Return the target gain, shaped as ``frequency_hz``: 1 in the band, 0 far from it.
 
     Between, half a cosine over the logarithm of the frequency.
     """
@@ -101,20 +99,20 @@ def target(frequency_hz: ArrayLike, band_hz: Band = BAND_HZ) -> Floats:
     low, high = band_hz
     edges = ((low, low * _FALLS_BELOW), (high, high * _FALLS_ABOVE))
     beyond = [
-        np.clip((place - np.log(full)) / (np.log(gone) - np.log(full)), 0.0, 1.0)
-        for full, gone in edges
+        np.clip((place - np.log(full_hz)) / (np.log(zero_hz) - np.log(full_hz)), 0.0, 1.0)
+        for full_hz, zero_hz in edges
     ]
-    found: Floats = np.prod([0.5 * (1.0 + np.cos(np.pi * part)) for part in beyond], axis=0)
-    return found
+    gain: Floats = np.prod([0.5 * (1.0 + np.cos(np.pi * part)) for part in beyond], axis=0)
+    return gain
 
 
 def in_band_hz(band_hz: Band = BAND_HZ) -> Floats:
-    """Frequencies over a band by which an actuator is judged, (400,)."""
+    """Return the frequencies of a band at which an actuator is evaluated, (400,)."""
     return np.geomspace(*band_hz, 400)
 
 
 def largest_gain(actuator: Actuator, band_hz: Band = BAND_HZ) -> float:
-    """Largest gain of an actuator in the band, however sharp its peak, in m/s² per V; above 0."""
+    """Return the largest gain in the band, in m/s² per V, however sharp its peak; above 0."""
     gain, frequency_hz = gain_in_band(actuator, band_hz), in_band_hz(band_hz)
     for _ in range(_ZOOMS):
         # On both sides of a resonance the gain rises towards it.
@@ -126,19 +124,14 @@ def largest_gain(actuator: Actuator, band_hz: Band = BAND_HZ) -> float:
     return float(gain.max())
 
 
-def mean_gain(actuator: Actuator, band_hz: Band = BAND_HZ) -> float:
-    """Geometric mean of the gain in the band, in m/s² per V, of where it moves at all."""
-    return mean_of(gain_in_band(actuator, band_hz))
-
-
 def mean_of(gain: Floats) -> float:
-    """Geometric mean of gains, (n,), of those above 0."""
-    # What does not move at all somewhere says nothing about the mean.
+    """Return the geometric mean of those gains, (n,), that are above 0."""
+    # A gain of 0 would make the mean 0, whatever the others are.
     return float(np.exp(np.mean(np.log(gain[gain > 0.0]))))
 
 
 def gain_in_band(actuator: Actuator, band_hz: Band = BAND_HZ) -> Floats:
-    """Gain of an actuator at `in_band_hz`, (400,), in m/s² per V; above 0 somewhere.
+    """Return the gain of an actuator at `in_band_hz`, (400,), in m/s² per V; above 0 somewhere.
 
     Raises
     ------
@@ -154,14 +147,12 @@ def gain_in_band(actuator: Actuator, band_hz: Band = BAND_HZ) -> Floats:
     return gain
 
 
-# In which band an equaliser makes an actuator follow.
-
-# Where it begins if nobody says that.
+# Where the followed band begins if the limb does not say.
 _LOWEST_HZ = BAND_HZ[0]
 
 
 def followed_band(band_hz: Band | None, sample_rate_hz: float) -> Band:
-    """The band in which drives are followed on a limb: the one in which it was measured.
+    """Return the band in which drives are followed on a limb: that of its measurement.
 
     It ends at 12/13 of half the rate at most.  Where its lab does not say one, None, it is all up
     to there.  What begins at 0 is followed from 25 Hz on, or over its upper octave if that is less.
@@ -171,15 +162,13 @@ def followed_band(band_hz: Band | None, sample_rate_hz: float) -> Band:
     return (low, high) if 0.0 < low < high else (min(_LOWEST_HZ, high / 2.0), high)
 
 
-# Whether a drive leaves what it moves at rest.
-
-#: Of the velocity that the drive would leave if all of it had one sign, so much may be left.
+#: Share that may be left of the velocity that a drive would leave if all of it had one sign.
 ALLOWED_SHARE = 0.05
 
 
 @dataclass(frozen=True, slots=True)
 class NetVelocity:
-    """What a drive, taken as an acceleration, leaves behind.
+    """Velocity that a drive leaves behind, taken as an acceleration.
 
     Attributes
     ----------
@@ -221,7 +210,7 @@ class NetVelocity:
 def net_velocity(
     drive: ArrayLike, sample_rate_hz: float, lowest_hz: float = BAND_HZ[0]
 ) -> NetVelocity:
-    """What a drive leaves behind.
+    """Return the velocity that a drive leaves behind.
 
     Parameters
     ----------
@@ -255,9 +244,7 @@ def net_velocity(
     )
 
 
-# From a drive in m/s² to the voltage that makes it.
-
-# What a filter rings for before and after, at most.
+# Longest time that a filter rings before a drive begins and after it ends.
 _RINGING_S = 0.5
 
 
@@ -271,7 +258,7 @@ def equalised(
     lead_s: float = 0.0,
     tail_s: float = 0.0,
 ) -> Floats:
-    """Voltage that makes an actuator accelerate as a drive says.
+    """Return the voltage that makes an actuator accelerate as a drive says.
 
     Parameters
     ----------
@@ -295,13 +282,13 @@ def equalised(
     Raises
     ------
     InvalidInputError
-        A drive leaves a velocity, so that nothing can follow it; the reason is said.
+        A drive leaves a velocity, so that nothing can follow it.
     """
     rows = finite_array("drive", drive, "finite numbers in m/s², (n_times,)")
     rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
     band = followed_band(None, rate_hz) if band_hz is None else band_hz
-    _refuse_slower(rate_hz, band)
-    kept = [
+    _check_rate(rate_hz, band)
+    margins = [
         int(rate_hz * real_number(name, value, "0 to 0.5 s", least=0.0, most=_RINGING_S))
         for name, value in (("lead_s", lead_s), ("tail_s", tail_s))
     ]
@@ -310,20 +297,20 @@ def equalised(
             f"drive has the shape {rows.shape}, expected (n_times,) or (n_channels, n_times)"
         )
     for place, row in enumerate(np.atleast_2d(rows)):
-        found = net_velocity(row, rate_hz, band[0])
-        if not found.returns:
+        velocity = net_velocity(row, rate_hz, band[0])
+        if not velocity.returns:
             where = f"channel {place}: " if rows.ndim == 2 else ""
-            raise InvalidInputError(f"{where}{found.reason}")
+            raise InvalidInputError(f"{where}{velocity.reason}")
     n, silence = rows.shape[-1], int(_RINGING_S * rate_hz)
     length = scipy.fft.next_fast_len(n + 2 * silence, real=True)
     frequency_hz = np.arange(length // 2 + 1) * rate_hz / length
     spectrum = scipy.fft.rfft(rows, length) * equaliser.filter(actuator, frequency_hz, band)
-    around = np.roll(scipy.fft.irfft(spectrum, length), kept[0], axis=-1)
-    voltage: Floats = around[..., : kept[0] + n + kept[1]]
+    around = np.roll(scipy.fft.irfft(spectrum, length), margins[0], axis=-1)
+    voltage: Floats = around[..., : margins[0] + n + margins[1]]
     return voltage
 
 
-def _refuse_slower(rate_hz: float, band_hz: Band) -> None:
+def _check_rate(rate_hz: float, band_hz: Band) -> None:
     # 1300 Hz for 600 Hz.
     least_hz = 2.0 / PASSED_SHARE * band_hz[1]
     if rate_hz < least_hz * (1.0 - 1e-9):
@@ -332,8 +319,6 @@ def _refuse_slower(rate_hz: float, band_hz: Band) -> None:
             f"ends at {band_hz[1]:g} Hz. Resample the drive, or end the band lower."
         )
 
-
-# Another resonance in place of that of the actuator.
 
 RESONANCE = NumberSpec(
     label="Resonance",
@@ -389,20 +374,20 @@ class PolePairReplacement(Equaliser):
     def filter(
         self, actuator: Actuator, frequency_hz: ArrayLike, band_hz: Band = BAND_HZ
     ) -> Complexes:
-        """Voltage for each m/s² of the drive, in V per m/s²."""
-        wanted_hz = finite_array("frequency_hz", frequency_hz, "frequencies in Hz")
+        """Return the voltage for each m/s² of the drive, in V per m/s²."""
+        at_hz = finite_array("frequency_hz", frequency_hz, "frequencies in Hz")
         gain = gain_in_band(actuator, band_hz) * np.abs(self._replaced(in_band_hz(band_hz)))
-        return self._replaced(wanted_hz) / mean_of(gain)
+        return self._replaced(at_hz) / mean_of(gain)
 
     def _replaced(self, frequency_hz: Floats) -> Complexes:
         ratio = frequency_hz / self.resonance_hz
         still = 1.0 - ratio**2
-        found = (still + 1j * ratio / self.quality) / (still + 1j * ratio / self.new_quality)
-        return found.astype(np.complex128)
+        replaced = (still + 1j * ratio / self.quality) / (still + 1j * ratio / self.new_quality)
+        return replaced.astype(np.complex128)
 
 
 def resonance_of(actuator: Actuator) -> tuple[float, float]:
-    """Resonance of an actuator, in Hz, and its quality, as `PolePairReplacement` takes them.
+    """Return the resonance of an actuator, in Hz, and its quality, for `PolePairReplacement`.
 
     Of a voice coil they follow from its parameters: sqrt(k / m) / 2 pi and
     sqrt(k m) / (c + Bl² / R).  Of others the response tells: displacement, acceleration over the
@@ -417,26 +402,24 @@ def resonance_of(actuator: Actuator) -> tuple[float, float]:
             damping += np.square(actuator.force_factor_n_per_a) / actuator.resistance_ohm
             quality = np.sqrt(stiffness * actuator.moving_mass_kg) / damping
     else:
-        resonance_hz, quality = _shown_by(actuator)
-    return _within(RESONANCE, resonance_hz), _within(QUALITY, np.nan_to_num(quality))
+        resonance_hz, quality = _resonance_in_response(actuator)
+    return _clipped(RESONANCE, resonance_hz), _clipped(QUALITY, np.nan_to_num(quality))
 
 
-def _within(spec: NumberSpec, value: float) -> float:
+def _clipped(spec: NumberSpec, value: float) -> float:
     return float(np.clip(value, spec.minimum, spec.maximum))
 
 
-def _shown_by(actuator: Actuator) -> tuple[float, float]:
+def _resonance_in_response(actuator: Actuator) -> tuple[float, float]:
     frequency_hz = np.geomspace(5.0, 2000.0, 20_001)
     phase_rad = np.unwrap(np.angle(-actuator.response(frequency_hz)))
-    late = phase_rad - phase_rad[0] + 0.5 * np.pi
-    found = int(np.argmax(late <= 0.0)) if (late <= 0.0).any() else int(np.abs(late).argmin())
-    place = min(max(found, 1), frequency_hz.size - 2)
+    lag = phase_rad - phase_rad[0] + 0.5 * np.pi
+    crossing = int(np.argmax(lag <= 0.0)) if (lag <= 0.0).any() else int(np.abs(lag).argmin())
+    place = min(max(crossing, 1), frequency_hz.size - 2)
     step = np.log(frequency_hz[place + 1] / frequency_hz[place - 1])
     slope = (phase_rad[place + 1] - phase_rad[place - 1]) / step
     return float(frequency_hz[place]), float(-0.5 * slope)
 
-
-# The inverse of a response, as far as a boost may go.
 
 BOOST = NumberSpec(
     label="Boost",
@@ -451,9 +434,9 @@ PHASE = ChoiceSpec(
     options=(("linear", "Linear"), ("minimum", "Minimum")),
     hint="Linear: nothing is delayed, and it begins to swing a little before; minimum: it does not",
 )
-# Grid on which the phase that belongs to a gain is found; what lies below the floor counts as it.
+# Grid on which a gain's phase is computed, and floor of the gain relative to its peak.
 _LENGTH, _RATE_HZ, _FLOOR = 2**16, 48_000.0, 1e-5
-# Its rate is so many times the end of the band at least; points lie no farther apart then.
+# The grid's rate is at least so many times the end of the band; its spacing stays.
 _OF_BAND = 4.0
 
 
@@ -491,28 +474,28 @@ class RegularisedInverse(Equaliser):
     def filter(
         self, actuator: Actuator, frequency_hz: ArrayLike, band_hz: Band = BAND_HZ
     ) -> Complexes:
-        """Voltage for each m/s² of the drive, in V per m/s²."""
-        wanted_hz = np.abs(finite_array("frequency_hz", frequency_hz, "frequencies in Hz"))
+        """Return the voltage for each m/s² of the drive, in V per m/s²."""
+        at_hz = np.abs(finite_array("frequency_hz", frequency_hz, "frequencies in Hz"))
         if self.phase == "linear":
-            return self._inverse(actuator, wanted_hz, band_hz)
-        phase_hz, phase_rad = _least_phase(self, actuator, band_hz)
-        angle = np.interp(wanted_hz, phase_hz, phase_rad)
-        return np.abs(self._inverse(actuator, wanted_hz, band_hz)) * np.exp(1j * angle)
+            return self._inverse(actuator, at_hz, band_hz)
+        phase_hz, phase_rad = _minimum_phase(self, actuator, band_hz)
+        angle = np.interp(at_hz, phase_hz, phase_rad)
+        return np.abs(self._inverse(actuator, at_hz, band_hz)) * np.exp(1j * angle)
 
     def _inverse(self, actuator: Actuator, frequency_hz: Floats, band_hz: Band) -> Complexes:
         most = largest_gain(actuator, band_hz)
         # In parts of the largest gain, so that no square leaves the range of floats.
         response = actuator.response(frequency_hz) / most
         beta = 0.25 * 10.0 ** (-self.boost_db / 10.0)
-        found = response.conj() / (np.abs(response) ** 2 + beta)
-        return target(frequency_hz, band_hz) * found / most
+        inverse = response.conj() / (np.abs(response) ** 2 + beta)
+        return target(frequency_hz, band_hz) * inverse / most
 
 
 @lru_cache(maxsize=16)
-def _least_phase(
+def _minimum_phase(
     equaliser: RegularisedInverse, actuator: Actuator, band_hz: Band
 ) -> tuple[Floats, Floats]:
-    """Frequencies and the phase of the least delay that goes with the gain there."""
+    """Return frequencies, and the minimum phase that belongs to the gain there."""
     higher = 2 ** max(ceil(log2(_OF_BAND * band_hz[1] / _RATE_HZ)), 0)
     length, rate_hz = higher * _LENGTH, higher * _RATE_HZ
     frequency_hz = np.arange(length // 2 + 1) * rate_hz / length
@@ -523,13 +506,8 @@ def _least_phase(
     return frequency_hz, scipy.fft.rfft(cepstrum).imag
 
 
-# Every kind of equaliser.
-
 #: Every kind, in the order in which a user meets them.
 EQUALISERS: tuple[type[Equaliser], ...] = (RegularisedInverse, PolePairReplacement)
-
-
-# What an equaliser changes, over frequency.
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -557,13 +535,13 @@ class EqualiserCurves:
 def curves(
     equaliser: Equaliser, actuator: Actuator, frequency_hz: ArrayLike, band_hz: Band = BAND_HZ
 ) -> EqualiserCurves:
-    """Gains before, of, and after the filter for a band, at frequencies above 0, (n,)."""
-    found_hz = finite_array("frequency_hz", frequency_hz, "frequencies in Hz, (n,)")
-    mean = mean_gain(actuator, band_hz)
-    response = actuator.response(found_hz)
-    passed = equaliser.filter(actuator, found_hz, band_hz)
+    """Return the gains before, of and after the filter, at frequencies above 0, (n,)."""
+    at_hz = finite_array("frequency_hz", frequency_hz, "frequencies in Hz, (n,)")
+    mean = mean_of(gain_in_band(actuator, band_hz))
+    response = actuator.response(at_hz)
+    passed = equaliser.filter(actuator, at_hz, band_hz)
     return EqualiserCurves(
-        frequency_hz=found_hz,
+        frequency_hz=at_hz,
         before_db=decibels(np.abs(response) / mean),
         filter_db=decibels(np.abs(passed) * mean),
         after_db=decibels(np.abs(response * passed)),

@@ -1,4 +1,4 @@
-"""A model from a measured response."""
+"""Fit a voice coil to a measured response."""
 
 from itertools import product
 
@@ -25,7 +25,7 @@ def fit(
     resistance_ohm: float = 8.0,
     moving_mass_kg: float | None = None,
 ) -> VoiceCoil:
-    """The voice coil whose response is nearest to a measured one.
+    """Return the voice coil whose response is nearest to a measured one.
 
     Nearest means: the sum of squares of the relative differences is the least.  A response in
     m/s² per V tells four things of the six that make a coil, so the resistance is taken as given
@@ -44,12 +44,12 @@ def fit(
     InvalidInputError
         There are too few points, or nothing near them is a voice coil.
     """
-    found_hz, values = measured_arrays(frequency_hz, response)
+    known_hz, values = measured_arrays(frequency_hz, response)
     resistance = positive_number("resistance_ohm", resistance_ohm)
     mass = None if moving_mass_kg is None else positive_number("moving_mass_kg", moving_mass_kg)
-    if found_hz.size < _FEWEST_POINTS:
+    if known_hz.size < _FEWEST_POINTS:
         raise InvalidInputError(
-            f"{found_hz.size} points are too few for a fit, expected at least {_FEWEST_POINTS}"
+            f"{known_hz.size} points are too few for a fit, expected at least {_FEWEST_POINTS}"
         )
     with_phase = bool(np.iscomplexobj(np.asarray(response)) and values.imag.any())
 
@@ -60,23 +60,24 @@ def fit(
         )
 
     def misfits(logs: Floats) -> Floats:
-        return _differences(coil(logs), found_hz, values, with_phase)
+        return _differences(coil(logs), known_hz, values, with_phase)
 
-    starts = _starts(found_hz, values, resistance, mass)
-    best = min(
-        (
-            scipy.optimize.least_squares(misfits, start, bounds=(start - 14.0, start + 14.0))
-            for start in sorted(starts, key=lambda one: float(np.square(misfits(one)).sum()))[:4]
-        ),
-        key=lambda one: float(one.cost),
+    def cost(start: Floats) -> float:
+        return float(np.square(misfits(start)).sum())
+
+    starts = sorted(_starts(known_hz, values, resistance, mass), key=cost)[:4]
+    fits = (
+        scipy.optimize.least_squares(misfits, start, bounds=(start - 14.0, start + 14.0))
+        for start in starts
     )
+    best = min(fits, key=lambda result: float(result.cost))
     return coil(best.x)
 
 
 def misfit_db(actuator: Actuator, frequency_hz: ArrayLike, response: ArrayLike) -> float:
-    """Largest difference between the gains of an actuator and of a measured response, in dB."""
-    found_hz, values = measured_arrays(frequency_hz, response)
-    gain = np.abs(actuator.response(found_hz))
+    """Return the largest difference between the gains of an actuator and a measurement, in dB."""
+    known_hz, values = measured_arrays(frequency_hz, response)
+    gain = np.abs(actuator.response(known_hz))
     with np.errstate(divide="ignore"):
         return float(np.abs(20.0 * np.log10(gain / np.abs(values))).max())
 
@@ -84,24 +85,24 @@ def misfit_db(actuator: Actuator, frequency_hz: ArrayLike, response: ArrayLike) 
 def _differences(
     coil: VoiceCoil, frequency_hz: Floats, values: Complexes, with_phase: bool
 ) -> Floats:
-    found = coil.response(frequency_hz)
+    response = coil.response(frequency_hz)
     if not with_phase:
-        gain: Floats = np.log(np.abs(found) / np.abs(values))
+        gain: Floats = np.log(np.abs(response) / np.abs(values))
         return gain
-    relative = (found - values) / np.abs(values)
+    relative = (response - values) / np.abs(values)
     return np.concatenate((relative.real, relative.imag))
 
 
 def _starts(
     frequency_hz: Floats, values: Complexes, resistance: float, mass: float | None
 ) -> list[Floats]:
-    """Logarithms of parameters to start from: resonances over the band, and where the gain peaks.
+    """Return logarithms of parameters to start from: resonances in the band and at the peak.
 
     Force factors are such that the gain fits in the middle.
     """
     first, last = frequency_hz[0], frequency_hz[-1]
     resonances = [*np.geomspace(first, last, 7), frequency_hz[np.abs(values).argmax()]]
-    found = []
+    starts = []
     for resonance_hz, quality, time_s in product(resonances, _QUALITIES, _TIMES_S):
         turning = 2.0 * np.pi * resonance_hz
         own = 1e-3 if mass is None else mass
@@ -115,5 +116,5 @@ def _starts(
             own * turning / quality - force**2 / resistance, 0.05 * own * turning / quality
         )
         logs = [resistance * time_s, force, damping, own * turning**2]
-        found.append(np.log([*logs, own] if mass is None else logs))
-    return found
+        starts.append(np.log([*logs, own] if mass is None else logs))
+    return starts

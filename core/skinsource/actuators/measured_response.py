@@ -1,4 +1,4 @@
-"""An actuator that was measured."""
+"""An actuator given by its measured response."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -59,35 +59,35 @@ class MeasuredResponse(Actuator):
 
     @classmethod
     def of(cls, frequency_hz: ArrayLike, response: ArrayLike) -> "MeasuredResponse":
-        """A response from arrays, (n,) each: frequencies in any order, and m/s² per V, complex."""
-        found_hz, values = measured_arrays(frequency_hz, response)
+        """Make a response from arrays, (n,) each: frequencies in any order, complex m/s² per V."""
+        rising_hz, values = measured_arrays(frequency_hz, response)
         phase_rad = np.unwrap(np.angle(values))
         return cls(
-            tuple(zip(found_hz.tolist(), np.abs(values).tolist(), phase_rad.tolist(), strict=True))
+            tuple(zip(rising_hz.tolist(), np.abs(values).tolist(), phase_rad.tolist(), strict=True))
         )
 
     def response(self, frequency_hz: ArrayLike) -> Complexes:
-        """Acceleration over voltage, in m/s² per V."""
-        wanted_hz = finite_array("frequency_hz", frequency_hz, "finite frequencies in Hz")
+        """Return acceleration over voltage, in m/s² per V."""
+        at_hz = finite_array("frequency_hz", frequency_hz, "finite frequencies in Hz")
         known_hz, gain, phase_rad = np.array(self.points).T
-        size_hz = np.abs(wanted_hz)
+        size_hz = np.abs(at_hz)
         with np.errstate(divide="ignore"):
             place = np.log(size_hz)
             log_gain = np.interp(place, np.log(known_hz), np.log(gain))
             below = 2.0 * np.minimum(place - np.log(known_hz[0]), 0.0)
             above = -2.0 * np.maximum(place - np.log(known_hz[-1]), 0.0)
-        angle = np.interp(place, np.log(known_hz), phase_rad) * np.sign(wanted_hz)
+        angle = np.interp(place, np.log(known_hz), phase_rad) * np.sign(at_hz)
         return np.exp(log_gain + below + above) * np.exp(1j * angle)
 
     def admittance(self, frequency_hz: ArrayLike) -> Complexes:
-        """NaN: the current was not measured."""
-        wanted_hz = finite_array("frequency_hz", frequency_hz, "finite frequencies in Hz")
-        return np.full(wanted_hz.shape, np.nan + 0j)
+        """Return NaN: the current was not measured."""
+        at_hz = finite_array("frequency_hz", frequency_hz, "finite frequencies in Hz")
+        return np.full(at_hz.shape, np.nan + 0j)
 
     def simulate(
         self, voltage: ArrayLike, sample_rate_hz: float, hold: Hold = "zero"
     ) -> ActuatorMotion:
-        """Motion under a voltage, from rest, at its samples, of its band below half the rate."""
+        """Return the motion under a voltage, from rest, at its samples, below half the rate."""
         samples = samples_of(voltage, hold)
         rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
         silence_s = min(_TURNS_OF_SILENCE / self.points[0][0], _MOST_SILENCE_S)
@@ -95,8 +95,8 @@ class MeasuredResponse(Actuator):
         frequency_hz = np.arange(length // 2 + 1) * rate_hz / length
         held = np.sinc(frequency_hz / rate_hz)
         if hold == "zero":
-            late = np.exp(-1j * np.pi * frequency_hz / rate_hz)
-            passed = held * late
+            half_step_delay = np.exp(-1j * np.pi * frequency_hz / rate_hz)
+            passed = held * half_step_delay
         else:
             passed = held * held
         spectrum = scipy.fft.rfft(samples, length) * passed * self.response(frequency_hz)
@@ -114,21 +114,21 @@ class MeasuredResponse(Actuator):
 
 
 def measured_arrays(frequency_hz: ArrayLike, response: ArrayLike) -> tuple[Floats, Complexes]:
-    """Frequencies, rising, and complex values, (n,) each; refuses what is no measurement."""
-    found_hz = finite_array("frequency_hz", frequency_hz, "frequencies in Hz, (n,)")
+    """Return rising frequencies and complex values, (n,) each; raise where they are unusable."""
+    rising_hz = finite_array("frequency_hz", frequency_hz, "frequencies in Hz, (n,)")
     values = np.asarray(response)
     if values.dtype.kind not in "iufc":
         raise InvalidInputError(f"response is {values.dtype}, expected complex numbers, (n,)")
-    if found_hz.ndim != 1 or values.shape != found_hz.shape or found_hz.size < 2:
+    if rising_hz.ndim != 1 or values.shape != rising_hz.shape or rising_hz.size < 2:
         raise InvalidInputError(
-            f"frequency_hz and response have the shapes {found_hz.shape} and {values.shape}, "
+            f"frequency_hz and response have the shapes {rising_hz.shape} and {values.shape}, "
             "expected two rows of equal length, at least 2"
         )
     if not np.isfinite(values).all() or not values.all():
         raise InvalidInputError(
             "response holds zeros or values that are no numbers; leave them out"
         )
-    if not (found_hz > 0.0).all():
+    if not (rising_hz > 0.0).all():
         raise InvalidInputError("frequency_hz holds frequencies of 0 or below; leave them out")
-    order = np.argsort(found_hz, kind="stable")
-    return found_hz[order], values.astype(np.complex128)[order]
+    order = np.argsort(rising_hz, kind="stable")
+    return rising_hz[order], values.astype(np.complex128)[order]

@@ -1,4 +1,8 @@
-"""Responses of actuators from measurements: sweeps with an accelerometer, and tables."""
+"""Responses of actuators from measurements: sweeps with an accelerometer, and files.
+
+Sweeps are recorded several times, with an unknown delay, by a clock of its own, and in noise.
+Spectra are added up over bands a tenth of an octave wide, which averages noise out.
+"""
 
 import os
 from dataclasses import dataclass, replace
@@ -22,10 +26,8 @@ from skinsource.readers.reading_process import ReadingProcess
 __all__ = ["open_response", "response_from_sweep"]
 
 
-# Frequencies a tenth of an octave wide, over which spectra are added up.
-
 _POINTS = 240
-# A point takes in a twentieth of an octave to either side, and at least three frequencies.
+# A band reaches a twentieth of an octave to either side, and holds at least three frequencies.
 _HALF_WIDTH = 2.0 ** (1.0 / 20.0)
 
 
@@ -45,7 +47,7 @@ class Bands:
 
     @classmethod
     def between(cls, band_hz: tuple[float, float], step_hz: float, n: int) -> "Bands":
-        """Bands of spectra of ``n`` frequencies that are ``step_hz`` apart."""
+        """Make bands of spectra of ``n`` frequencies with a distance of ``step_hz``."""
         centre_hz = np.geomspace(*band_hz, _POINTS)
         middle = np.rint(centre_hz / step_hz).astype(np.intp)
         first = np.ceil(centre_hz / _HALF_WIDTH / step_hz).astype(np.intp)
@@ -59,28 +61,25 @@ class Bands:
     @property
     def counts(self) -> Floats:
         """How many frequencies each takes in, (n_bands,)."""
-        found: Floats = (self.last + 1 - self.first).astype(np.float64)
-        return found
+        counts: Floats = (self.last + 1 - self.first).astype(np.float64)
+        return counts
 
     def sums(self, spectrum: Any) -> Any:
-        """Sums of spectra, (..., n_frequencies), over each, (..., n_bands)."""
+        """Sum spectra, (..., n_frequencies), over each band, (..., n_bands)."""
         rising = np.cumsum(spectrum, axis=-1)
         return rising[..., self.last] - rising[..., self.first - 1]
 
 
-# How much quicker the clock that records is than the one that plays, told from repeats.
-
-#: Clocks that differ by more are not told; quartz differs by a tenth of that at most.
+#: Largest difference of clocks that is found; quartz differs by a tenth of it at most.
 MOST_DIFFERENCE = 2e-3
-_ROUNDS = 3
+_LAG_ROUNDS = 3
 
 
 def clock_ratio(recorded: Floats, start: int, period: int, repeats: int) -> float:
-    """Samples that are recorded while one is played.
+    """Return how many samples are recorded while one is played.
 
-    The same sweep, heard again, comes later by the time between both, as the recording clock
-    counts it.  First and second sweep say it roughly, so that the last one can be found; first and
-    last say it well.
+    A repeated sweep is recorded one period later, by the recording clock.  The first two sweeps
+    give a rough ratio, by which the last one is found; the first and the last give a good one.
 
     Parameters
     ----------
@@ -95,16 +94,16 @@ def clock_ratio(recorded: Floats, start: int, period: int, repeats: int) -> floa
     """
     most = max(round(MOST_DIFFERENCE * period), 1)
     ratio = 1.0
-    for apart in dict.fromkeys((1, repeats - 1)):
-        later = start + round(apart * period * ratio)
+    for n_periods in dict.fromkeys((1, repeats - 1)):
+        later = start + round(n_periods * period * ratio)
         parts = recorded[start : start + period], recorded[later : later + period]
         lag = later - start + _lag(*parts, most)
-        ratio = lag / (apart * period)
+        ratio = lag / (n_periods * period)
     return ratio
 
 
 def _lag(first: Floats, later: Floats, most: int) -> float:
-    """Samples by which ``later`` is behind, of either sign, at most about ``most``."""
+    """Return the samples by which ``later`` lags, of either sign, at most about ``most``."""
     length = scipy.fft.next_fast_len(first.size + later.size, real=True)
     cross = scipy.fft.rfft(first, length).conj() * scipy.fft.rfft(later, length)
     common = scipy.fft.irfft(cross, length)
@@ -113,7 +112,7 @@ def _lag(first: Floats, later: Floats, most: int) -> float:
     turn = 2.0 * np.pi * np.arange(cross.size) / length
     weight = np.abs(cross)
     scale = float(weight @ turn**2)
-    for _ in range(_ROUNDS if scale > 0.0 else 0):
+    for _ in range(_LAG_ROUNDS if scale > 0.0 else 0):
         # Beside the right lag the phase is a straight line through 0, and short of a turn.
         left = np.angle(cross * np.exp(1j * turn * lag))
         lag -= float((weight * left) @ turn) / scale
@@ -121,23 +120,21 @@ def _lag(first: Floats, later: Floats, most: int) -> float:
 
 
 def part_from(samples: Floats, begin: float, n: int) -> Floats:
-    """``n`` samples from a place on that may lie between two of them; silence behind the last."""
-    whole = round(begin)
+    """Return ``n`` samples from a time that may lie between two of them; zeros after the last."""
+    nearest = round(begin)
     part = np.zeros(n)
-    found = samples[whole : whole + n]
-    part[: found.size] = found
-    if begin == whole:
+    available = samples[nearest : nearest + n]
+    part[: available.size] = available
+    if begin == nearest:
         return part
     length = scipy.fft.next_fast_len(n, real=True)
     turn = 2j * np.pi * np.arange(length // 2 + 1) / length
-    moved = scipy.fft.rfft(part, length) * np.exp(turn * (begin - whole))
+    moved = scipy.fft.rfft(part, length) * np.exp(turn * (begin - nearest))
     between: Floats = scipy.fft.irfft(moved, length)[:n]
     return between
 
 
-# A sine whose frequency rises evenly over the logarithm: what actuators are measured with.
-
-# Of the sweep, at each end: a voltage that jumps would be a click.
+# Share of the sweep that is faded at each end: a voltage that jumps would be a click.
 _FADE = 0.04
 
 
@@ -147,7 +144,7 @@ def exponential_sweep(
     sample_rate_hz: int,
     clock_ratio: float = 1.0,
 ) -> Floats:
-    """A sweep of amplitude 1, (n_times,), that begins and ends in silence.
+    """Return a sweep of amplitude 1, (n_times,), that begins and ends in silence.
 
     Each octave takes the same time, so that low frequencies, which take longest to tell from
     noise, get most of the energy.  Source: A. Farina, "Simultaneous measurement of impulse
@@ -171,14 +168,14 @@ def exponential_sweep(
         They do not go together.
     """
     rate_hz = integer("sample_rate_hz", sample_rate_hz, 1, 10**7)
-    first_hz, last_hz = (real_number("band_hz", one) for one in band_hz)
+    first_hz, last_hz = (real_number("band_hz", frequency) for frequency in band_hz)
     if not 0.0 < first_hz < last_hz < rate_hz / 2.0:
         raise InvalidInputError(
             f"band_hz is {first_hz:g} to {last_hz:g}, expected rising, above 0 and below "
             f"{rate_hz / 2:g} Hz"
         )
-    long_s = real_number("duration_s", duration_s, "at least two turns of the first frequency",
-                         least=2.0 / first_hz)  # fmt: skip
+    expected = "at least two turns of the first frequency"
+    long_s = real_number("duration_s", duration_s, expected, least=2.0 / first_hz)
     n = round(long_s * rate_hz)
     # Where, in samples of the clock that plays.
     place = np.arange(floor((n - 1) * clock_ratio) + 1) / clock_ratio
@@ -189,22 +186,20 @@ def exponential_sweep(
     return sweep * (0.5 - 0.5 * np.cos(np.pi * inside))
 
 
-# How late a recording is behind what was played, told from the recording itself.
-
 # Enough frequencies for the lowest, and so far above the highest that what is not known there
 # turns the phase by next to nothing.
 _LENGTH, _ABOVE = 2**17, 16.0
 # Below and above what was measured a gain falls, or rises, by no more than this for each octave.
 _STEEPEST = 3.0
-# Of an octave, over which the slope at the upper end is told.
+# Part of an octave over which the slope at an end is fitted.
 _END_OCTAVES = 0.5
-# Of the largest power of the source: below, it is not divided by.
+# Frequencies with less than this part of the source's largest power are not divided by.
 _LEAST_POWER = 1e-5
 
 
 @dataclass(frozen=True, slots=True)
 class ExcessDelay:
-    """What of a phase no gain explains.
+    """The part of a phase that the gain does not explain.
 
     Attributes
     ----------
@@ -213,7 +208,7 @@ class ExcessDelay:
     inverted
         Whether the sign is turned over.
     misfit_rad
-        Root mean square of what neither explains.
+        Root mean square of the rest.
     """
 
     seconds: float
@@ -222,7 +217,7 @@ class ExcessDelay:
 
 
 def coarse_delay(played: Floats, recorded: Floats, noise_power: Floats) -> int:
-    """Samples by which ``recorded`` is behind ``played``: where its impulse response is largest.
+    """Return the samples by which ``recorded`` lags: where its impulse response is largest.
 
     Parameters
     ----------
@@ -248,7 +243,7 @@ def coarse_delay(played: Floats, recorded: Floats, noise_power: Floats) -> int:
 
 
 def excess_delay(frequency_hz: Floats, response: Complexes) -> ExcessDelay:
-    """The delay in a response, and its sign.
+    """Return the delay in a response, and its sign.
 
     An actuator is a system of minimum phase: its gain alone says its phase (Bode's relation).
     What is left of the phase is a straight line through 0, the delay, or through half a turn.
@@ -261,7 +256,7 @@ def excess_delay(frequency_hz: Floats, response: Complexes) -> ExcessDelay:
         As measured.
     """
     left = np.unwrap(np.angle(response) - minimum_phase(frequency_hz, np.abs(response)))
-    # A line with an offset of its own first: it says which multiple of half a turn is meant.
+    # A line with an offset of its own first: it determines the multiple of half a turn.
     offset = np.polynomial.polynomial.polyfit(frequency_hz, left, 1)[0]
     half_turns = round(float(offset) / np.pi)
     left -= half_turns * np.pi
@@ -271,7 +266,7 @@ def excess_delay(frequency_hz: Floats, response: Complexes) -> ExcessDelay:
 
 
 def minimum_phase(frequency_hz: Floats, gain: Floats) -> Floats:
-    """Phase in rad, (n,), of the system of minimum phase that has these gains, (n,).
+    """Return the phase, rad, (n,), of the minimum-phase system with these gains, (n,).
 
     Outside of what is known the gain goes on as steeply as it ends.
     """
@@ -280,20 +275,20 @@ def minimum_phase(frequency_hz: Floats, gain: Floats) -> Floats:
     every_hz = np.arange(_LENGTH // 2 + 1) * step_hz
     # At 0 Hz the logarithm of a gain may be infinite: half a step above it is as good.
     every_hz[0] = 0.5 * step_hz
-    wanted = np.log(every_hz)
+    log_hz = np.log(every_hz)
     low, high = _slope(place, level, place[0], 1.0), _slope(place, level, place[-1], -1.0)
-    levels = np.interp(wanted, place, level)
-    levels += low * np.minimum(wanted - place[0], 0.0)
-    levels += high * np.maximum(wanted - place[-1], 0.0)
+    levels = np.interp(log_hz, place, level)
+    levels += low * np.minimum(log_hz - place[0], 0.0)
+    levels += high * np.maximum(log_hz - place[-1], 0.0)
     cepstrum = scipy.fft.irfft(levels, _LENGTH)
     cepstrum[1 : _LENGTH // 2] *= 2.0
     cepstrum[_LENGTH // 2 + 1 :] = 0.0
-    found: Floats = np.interp(frequency_hz, every_hz, scipy.fft.rfft(cepstrum).imag)
-    return found
+    phase: Floats = np.interp(frequency_hz, every_hz, scipy.fft.rfft(cepstrum).imag)
+    return phase
 
 
 def _slope(place: Floats, level: Floats, end: float, inwards: float) -> float:
-    """How steeply a gain ends, in units of gain over frequency."""
+    """Return the slope at which a gain ends, in units of gain over frequency."""
     near = np.abs(place - end) <= _END_OCTAVES * np.log(2.0)
     if near.sum() < 2:
         return 0.0
@@ -303,21 +298,19 @@ def _slope(place: Floats, level: Floats, end: float, inwards: float) -> float:
     return min(max(slope, least), most)
 
 
-# The response of an actuator from sweeps that were recorded several times, late, and in noise.
-
 #: A point whose error, relative to its gain, may be larger than this is left out.
 MOST_ERROR = 0.1
 #: Fewer points are no response.
 FEWEST = 12
-# A delay is told from points that are less exact, and from above the band that is wanted.
+# A delay is fitted to less exact points too, and to those above the requested band.
 _MOST_ERROR_OF_DELAY = 0.3
-_REPEATED_SWEEPS_ROUNDS = 4
+_DELAY_ROUNDS = 4
 _TURN = 2j * np.pi
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sweeps:
-    """What was played, and what was recorded of it.
+    """A sweep that was played several times, and its recordings.
 
     Attributes
     ----------
@@ -345,7 +338,7 @@ class AveragedResponse:
     Attributes
     ----------
     frequency_hz, response, error : (n_points,)
-        Where something was heard above the noise: Hz, m/s² per V without the delay, and the
+        Where the sweep is above the noise: Hz, m/s² per V without the delay, and the
         standard error relative to the gain, from the noise or from how far the sweeps differ,
         whichever is larger.
     n_left_out
@@ -367,16 +360,16 @@ def averaged_response(
     delay_band_hz: tuple[float, float],
     known_delay: ExcessDelay | None = None,
 ) -> AveragedResponse:
-    """The mean response over all repeats.
+    """Return the mean response over all repeats.
 
     Parameters
     ----------
     sweeps
         What was recorded.
     band_hz
-        Lowest and highest frequency that are wanted.
+        Lowest and highest frequency of the response.
     delay_band_hz
-        Within it the delay is told: the wider, the better.
+        Band within which the delay is fitted: the wider, the better.
     known_delay
         Where the delay is known from elsewhere, as from a wire from output to input.
 
@@ -387,22 +380,22 @@ def averaged_response(
     """
     delay = known_delay or delay_of(sweeps, delay_band_hz)
     shift = max(round(delay.seconds * sweeps.sample_rate_hz), 0)
-    hz, response, error = _points(sweeps, shift, band_hz)
-    heard = error <= MOST_ERROR
-    if heard.sum() < FEWEST:
-        raise InvalidInputError(_nothing_heard(error))
+    hz, response, error = _band_responses(sweeps, shift, band_hz)
+    usable = error <= MOST_ERROR
+    if usable.sum() < FEWEST:
+        raise InvalidInputError(_noise_message(error))
     rest_s = delay.seconds - shift / sweeps.sample_rate_hz
     return AveragedResponse(
-        frequency_hz=hz[heard],
-        response=response[heard] * np.exp(_TURN * hz[heard] * rest_s),
-        error=error[heard],
-        n_left_out=int((~heard).sum()),
+        frequency_hz=hz[usable],
+        response=response[usable] * np.exp(_TURN * hz[usable] * rest_s),
+        error=error[usable],
+        n_left_out=int((~usable).sum()),
         delay=delay,
     )
 
 
 def delay_of(sweeps: Sweeps, band_hz: tuple[float, float]) -> ExcessDelay:
-    """From the sweep to its recording.
+    """Return the delay from the sweep to its recording.
 
     Raises
     ------
@@ -413,30 +406,30 @@ def delay_of(sweeps: Sweeps, band_hz: tuple[float, float]) -> ExcessDelay:
     first = sweeps.recorded[0]
     shift = coarse_delay(sweeps.voltage, first, _noise_power(sweeps, first.size))
     latest = first.size - sweeps.voltage.size
-    found = ExcessDelay(0.0, False, 0.0)
-    for _ in range(_REPEATED_SWEEPS_ROUNDS):
-        hz, response, error = _points(sweeps, shift, band_hz)
-        heard = error <= _MOST_ERROR_OF_DELAY
-        if heard.sum() < FEWEST:
-            raise InvalidInputError(_nothing_heard(error))
-        found = excess_delay(hz[heard], response[heard])
-        found = replace(found, seconds=found.seconds + shift / rate_hz)
-        nearest = min(max(round(found.seconds * rate_hz), 0), latest)
+    delay = ExcessDelay(0.0, False, 0.0)
+    for _ in range(_DELAY_ROUNDS):
+        hz, response, error = _band_responses(sweeps, shift, band_hz)
+        usable = error <= _MOST_ERROR_OF_DELAY
+        if usable.sum() < FEWEST:
+            raise InvalidInputError(_noise_message(error))
+        delay = excess_delay(hz[usable], response[usable])
+        delay = replace(delay, seconds=delay.seconds + shift / rate_hz)
+        nearest = min(max(round(delay.seconds * rate_hz), 0), latest)
         if nearest == shift:
             break
         shift = nearest
-    return found
+    return delay
 
 
-def _points(
+def _band_responses(
     sweeps: Sweeps, shift: int, band_hz: tuple[float, float]
 ) -> tuple[Floats, Complexes, Floats]:
-    """Frequencies, responses with what is left of the delay, and their relative errors."""
+    """Return frequencies, responses with the remaining delay, and their relative errors."""
     n = sweeps.voltage.size
-    late = sweeps.recorded[:, shift : shift + n]
+    delayed = sweeps.recorded[:, shift : shift + n]
     # Silence behind, so that what rings does not come round to the beginning.
     length = scipy.fft.next_fast_len(2 * n, real=True)
-    sent, came = scipy.fft.rfft(sweeps.voltage, length), scipy.fft.rfft(late, length)
+    sent, came = scipy.fft.rfft(sweeps.voltage, length), scipy.fft.rfft(delayed, length)
     bands = Bands.between(band_hz, sweeps.sample_rate_hz / length, sent.size)
     power = bands.sums(np.abs(sent) ** 2)
     each = bands.sums(sent.conj() * came) / power
@@ -454,18 +447,18 @@ def _points(
 
 
 def _noise_power(sweeps: Sweeps, n: int, length: int | None = None) -> Floats:
-    """Expected |rfft|² of the noise in ``n`` samples, at the frequencies of ``length``."""
+    """Return the expected |rfft|² of noise in ``n`` samples, at the frequencies of ``length``."""
     noise = sweeps.noise
     length = scipy.fft.next_fast_len(2 * n, real=True) if length is None else length
     # Parts of an eighth, so that single frequencies are not mistaken for their mean.
     part = max(noise.size // 8, 1)
     hz, density = scipy.signal.welch(noise, 1.0, nperseg=part, detrend="constant")
-    wanted = np.arange(length // 2 + 1) / length
-    found: Floats = np.interp(wanted, hz, density) * (n / 2.0)
-    return found
+    cycles_per_sample = np.arange(length // 2 + 1) / length
+    power: Floats = np.interp(cycles_per_sample, hz, density) * (n / 2.0)
+    return power
 
 
-def _nothing_heard(error: Floats) -> str:
+def _noise_message(error: Floats) -> str:
     best = float(error.min(initial=np.inf))
     known = f"; the best point is uncertain by {100.0 * best:.0f} %" if np.isfinite(best) else ""
     return (
@@ -474,10 +467,8 @@ def _nothing_heard(error: Floats) -> str:
     )
 
 
-# The response of an actuator from a voltage and the acceleration that came of it.
-
 #: Frequencies at which the voltage has less than this part of its largest density say nothing.
-_HEARD = 1e-2
+_LEAST_AMPLITUDE = 1e-2
 
 
 def response_from_sweep(
@@ -486,7 +477,7 @@ def response_from_sweep(
     sample_rate_hz: float,
     band_hz: tuple[float, float] = (20.0, 1000.0),
 ) -> MeasuredResponse:
-    """Acceleration over voltage, from both at the same samples.
+    """Return acceleration over voltage, from both at the same samples.
 
     H = S_ua / S_uu, cross spectrum over spectrum of the voltage, both added up over a tenth of an
     octave: noise of the accelerometer that has nothing to do with the voltage averages out.
@@ -498,7 +489,7 @@ def response_from_sweep(
     sample_rate_hz
         Of both.
     band_hz
-        Lowest and highest frequency that are wanted; points at which the voltage holds next to
+        Lowest and highest frequency of the response; points at which the voltage holds next to
         nothing are left out.
 
     Raises
@@ -514,7 +505,7 @@ def response_from_sweep(
             f"voltage and acceleration have the shapes {driven.shape} and {moved.shape}, expected "
             "two rows of equal length"
         )
-    low_hz, high_hz = (positive_number("band_hz", one) for one in band_hz)
+    low_hz, high_hz = (positive_number("band_hz", frequency) for frequency in band_hz)
     if not low_hz < high_hz <= rate_hz / 2.0:
         raise InvalidInputError(
             f"band_hz is {low_hz:g} to {high_hz:g}, expected rising and at most {rate_hz / 2:g} Hz"
@@ -525,22 +516,20 @@ def response_from_sweep(
     bands = Bands.between((low_hz, high_hz), rate_hz / length, source.size)
     summed = bands.sums(np.abs(source) ** 2)
     density = summed / bands.counts
-    heard = density > _HEARD**2 * density.max(initial=0.0)
-    if density.max(initial=0.0) == 0.0 or heard.sum() < 2:
+    usable = density > _LEAST_AMPLITUDE**2 * density.max(initial=0.0)
+    if density.max(initial=0.0) == 0.0 or usable.sum() < 2:
         raise InvalidInputError(
             f"the voltage holds next to nothing from {low_hz:g} to {high_hz:g} Hz; measure with a "
             "sweep over that band"
         )
     cross = bands.sums(source.conj() * scipy.fft.rfft(moved, length))
-    return MeasuredResponse.of(bands.centre_hz[heard], cross[heard] / summed[heard])
+    return MeasuredResponse.of(bands.centre_hz[usable], cross[usable] / summed[usable])
 
-
-# Measured responses from files of others.
 
 _FREQUENCY = ("frequency", "freq", "f", "hz")
 _GAIN, _GAIN_DB = ("gain", "magnitude", "mag", "amplitude", "response"), ("db", "gain_db", "level")
 _RADIANS, _DEGREES = ("phase_rad",), ("phase_deg", "phase")
-# So many names say what a table is.
+# At most so many names describe a table in a message.
 _MOST_NAMES = 5
 _REAL, _IMAGINARY = ("real", "re"), ("imag", "imaginary", "im")
 
@@ -551,12 +540,12 @@ def open_response(
     volts_at_full_scale: float = 1.0,
     m_per_s2_at_full_scale: float = 1.0,
 ) -> MeasuredResponse:
-    """The measured response that a file holds.
+    """Return the measured response that a file holds.
 
     A table (CSV, or another format that `skinsource.design.recordings` reads) has a column of
     frequencies (``frequency_hz``), and ``gain`` in m/s² per V, or ``gain_db`` re 1 m/s² per V, with
     ``phase_rad`` or ``phase_deg`` if it was measured; or ``real`` and ``imag``.  A sound file has
-    the voltage of a sweep in its first channel, and what the accelerometer said in its second.
+    the voltage of a sweep in its first channel, and the signal of the accelerometer in its second.
 
     Parameters
     ----------
@@ -576,37 +565,37 @@ def open_response(
         positive_number("m_per_s2_at_full_scale", m_per_s2_at_full_scale),
     )
     with ReadingProcess() as process:
-        found = process.look(file)
-        rate_hz = found.rate_hz
-        keys = [one.key for one in found.series]
-        n_samples = min(one.n_samples for one in found.series)
+        contents = process.look(file)
+        rate_hz = contents.rate_hz
+        keys = [series.key for series in contents.series]
+        n_samples = min(series.n_samples for series in contents.series)
         values = process.read(file, keys, 0, n_samples).astype(np.float64)
     try:
-        table = _columns(found, values)
+        table = _columns(contents, values)
         if _FREQUENCY[0] in table:
-            return _of_table(table)
+            return _table_response(table)
         if rate_hz is None or len(values) < 2:
             raise InvalidInputError(
-                f"it holds {_names(found)}; expected a table with columns frequency_hz and gain, "
-                "or sound with a voltage and an acceleration"
+                f"it holds {_names(contents)}; expected a table with columns frequency_hz and "
+                "gain, or sound with a voltage and an acceleration"
             )
         return response_from_sweep(values[0] * scales[0], values[1] * scales[1], rate_hz)
     except InvalidInputError as error:
         raise RecordingError(f"{named(Path(file.name))}: {sentence(str(error))}") from error
 
 
-def _names(found: Found) -> str:
-    """What a file holds, in words, and only the first of many."""
-    names = [quoted(one.name) for one in found.series]
+def _names(contents: Found) -> str:
+    """Return the names of the first series of a file, as text."""
+    names = [quoted(series.name) for series in contents.series]
     more = len(names) - _MOST_NAMES
     return ", ".join(names[:_MOST_NAMES]) + (f" and {more} more" if more > 0 else "")
 
 
-def _columns(found: Found, values: Floats) -> dict[str, Floats]:
-    """Columns by the first of the names that mean the same."""
+def _columns(contents: Found, values: Floats) -> dict[str, Floats]:
+    """Return columns by the first of the names that mean the same."""
     known = (_FREQUENCY, _GAIN, _GAIN_DB, _RADIANS, _DEGREES, _REAL, _IMAGINARY)
     table: dict[str, Floats] = {}
-    for series, column in zip(found.series, values, strict=True):
+    for series, column in zip(contents.series, values, strict=True):
         name = series.name.strip().lower().removesuffix("_hz").removesuffix(" (hz)")
         for names in known:
             if name in names:
@@ -614,7 +603,7 @@ def _columns(found: Found, values: Floats) -> dict[str, Floats]:
     return table
 
 
-def _of_table(table: dict[str, Floats]) -> MeasuredResponse:
+def _table_response(table: dict[str, Floats]) -> MeasuredResponse:
     frequency_hz = table[_FREQUENCY[0]]
     response: Complexes
     if _REAL[0] in table and _IMAGINARY[0] in table:

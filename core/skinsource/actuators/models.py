@@ -1,4 +1,4 @@
-"""A coil that moves a contactor."""
+"""Models of actuators with linear equations: voice coils and piezoelectric actuators."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -47,7 +47,7 @@ class VoiceCoil(LinearActuator):
         fields.check(self)
 
     def equations(self) -> Equations:
-        """Current, velocity and displacement."""
+        """Return the equations of the states current, velocity and displacement."""
         mass, coupling = self.moving_mass_kg, self.force_factor_n_per_a
         damping = self.damping_n_s_per_m + self.skin_damping_n_s_per_m
         stiffness = self.stiffness_n_per_m + self.skin_stiffness_n_per_m
@@ -65,11 +65,11 @@ class VoiceCoil(LinearActuator):
         )
 
     def response_at(self, s: Complexes) -> Complexes:
-        """A / U = s Bl / (Z (R + s L) + Bl²) with the mechanical impedance Z = m s + c + k / s."""
+        """Return A / U = s Bl / (Z (R + s L) + Bl²) with the impedance Z = m s + c + k / s."""
         return s * self.force_factor_n_per_a / self._divisor(s)
 
     def current_at(self, s: Complexes) -> Complexes:
-        """Z / (Z (R + s L) + Bl²)."""
+        """Return Z / (Z (R + s L) + Bl²)."""
         return self._mechanical(s) / self._divisor(s)
 
     def _mechanical(self, s: Complexes) -> Complexes:
@@ -81,8 +81,6 @@ class VoiceCoil(LinearActuator):
         electrical = self.resistance_ohm + s * self.inductance_h
         return self._mechanical(s) * electrical + np.square(self.force_factor_n_per_a)
 
-
-# A coil inside a casing that recoils.
 
 CASING_MASS = actuator.positive("Casing mass", "kg", "What touches the skin, and recoils")
 
@@ -123,7 +121,7 @@ class RecoilVoiceCoil(LinearActuator):
         fields.check(self)
 
     def equations(self) -> Equations:
-        """Current, velocities between the masses and of their common centre, and displacements."""
+        """Return the equations of the current and of motions between and of both masses."""
         inductance, coupling = self.inductance_h, self.force_factor_n_per_a
         casing, total = self.casing_mass_kg, self.moving_mass_kg + self.casing_mass_kg
         # The casing moves less than the centre by this share of what lies between the masses.
@@ -150,18 +148,18 @@ class RecoilVoiceCoil(LinearActuator):
         )
 
     def response_at(self, s: Complexes) -> Complexes:
-        """-s² m Bl / (P (R + s L) + Bl² S), P and S as `_joined` gives them."""
+        """Return -s² m Bl / (P (R + s L) + Bl² S) with P and S of `_joined`."""
         parted, both = self._joined(s)
         driven = -self.force_factor_n_per_a * self.moving_mass_kg * s**2
         return driven / self._divisor(s, parted, both)
 
     def current_at(self, s: Complexes) -> Complexes:
-        """P / (P (R + s L) + Bl² S)."""
+        """Return P / (P (R + s L) + Bl² S) with P and S of `_joined`."""
         parted, both = self._joined(s)
         return parted / self._divisor(s, parted, both)
 
     def _joined(self, s: Complexes) -> tuple[Complexes, Complexes]:
-        """Impedances: what parts the masses times S, P, and that of both together, S."""
+        """Return P, the impedance between the masses times S, and S, that of both together."""
         inner = self.moving_mass_kg * s
         casing = self.casing_mass_kg * s
         casing = casing + self.skin_damping_n_s_per_m + self.skin_stiffness_n_per_m / s
@@ -172,8 +170,6 @@ class RecoilVoiceCoil(LinearActuator):
         electrical = self.resistance_ohm + s * self.inductance_h
         return parted * electrical + np.square(self.force_factor_n_per_a) * both
 
-
-# A piezoelectric actuator.
 
 CAPACITANCE = actuator.positive("Capacitance", "F", "Of the clamped actuator")
 COUPLING = actuator.not_negative("Coupling", "N/V", "Force for each volt, and A for each m/s")
@@ -214,7 +210,7 @@ class Piezo(LinearActuator):
         fields.check(self)
 
     def equations(self) -> Equations:
-        """Voltage over the capacitance, velocity and displacement."""
+        """Return the equations of the states capacitor voltage, velocity and displacement."""
         mass, coupling = self.moving_mass_kg, self.coupling_n_per_v
         damping = self.damping_n_s_per_m + self.skin_damping_n_s_per_m
         stiffness = self.stiffness_n_per_m + self.skin_stiffness_n_per_m
@@ -234,11 +230,11 @@ class Piezo(LinearActuator):
         )
 
     def response_at(self, s: Complexes) -> Complexes:
-        """A / U = s alpha / (Z (1 + s R C) + R alpha²) with Z = m s + c + k / s."""
+        """Return A / U = s alpha / (Z (1 + s R C) + R alpha²) with Z = m s + c + k / s."""
         return s * self.coupling_n_per_v / self._divisor(s)
 
     def current_at(self, s: Complexes) -> Complexes:
-        """(s C Z + alpha²) / (Z (1 + s R C) + R alpha²)."""
+        """Return (s C Z + alpha²) / (Z (1 + s R C) + R alpha²)."""
         flowing = s * self.capacitance_f * self._mechanical(s) + np.square(self.coupling_n_per_v)
         return flowing / self._divisor(s)
 

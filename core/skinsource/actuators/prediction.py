@@ -1,4 +1,4 @@
-"""How far an actuator may be driven, and how it warms."""
+"""What an actuator will do under a voltage, its limits, and how its coil warms."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -72,13 +72,13 @@ class Limits:
 
 
 def limit_text(name: str) -> str:
-    """What a field of `Limits` is called in the middle of a sentence."""
+    """Return the name of a field of `Limits` for the middle of a sentence."""
     label = _spec_of(name).label
     return label if label[1].isupper() else label[0].lower() + label[1:]
 
 
 def with_unit(name: str, value: float) -> str:
-    """A value of a field of `Limits`, with its unit."""
+    """Return a value of a field of `Limits`, with its unit."""
     return f"{value:.4g} {_spec_of(name).unit}".rstrip()
 
 
@@ -112,14 +112,12 @@ class Thermal:
         fields.check(self)
 
 
-# What an actuator will do under a voltage: the figures by which it is judged.
-
 #: Motion is computed at this rate at least.
 LEAST_RATE_HZ = 48_000
-# An RMS is over the loudest so many seconds, or over a shorter stimulus.
+# Duration of an RMS: the loudest so many seconds, or a shorter stimulus.
 _RMS_S = 1.0
-# It is driven wherever a stretch of so many seconds holds a sample above a part of the peak.
-_STRETCH_S, _DRIVEN = 0.01, 1e-3
+# Intervals of so many seconds count as driven that hold a sample above this part of the peak.
+_INTERVAL_S, _DRIVEN_SHARE = 0.01, 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -171,7 +169,7 @@ def predicted(
     thermal: Thermal | None = None,
     least_rate_hz: int = LEAST_RATE_HZ,
 ) -> tuple[Prediction, ...]:
-    """What each channel's actuator will do, from rest.
+    """Predict what each channel's actuator will do, from rest.
 
     Parameters
     ----------
@@ -210,23 +208,23 @@ def predicted(
             f"{len(models)} actuators for {len(rows)} channels, expected one each"
         )
     return tuple(
-        _of_channel(row, rate_hz, max(rate_hz, least_hz), model, thermal)
+        _predict_channel(row, rate_hz, max(rate_hz, least_hz), model, thermal)
         for row, model in zip(rows, models, strict=True)
     )
 
 
 def duty_of(drive: Floats, sample_rate_hz: float) -> float:
-    """Share of the time in which something is driven, by a voltage or a drive, (n_times,).
+    """Return the share of the time in which a voltage or drive, (n_times,), is not silent.
 
     Counted are stretches of 10 ms that hold more than a thousandth of the peak.
     """
     if not drive.any():
         return 0.0
-    n = max(int(_STRETCH_S * sample_rate_hz), 1)
+    n = max(int(_INTERVAL_S * sample_rate_hz), 1)
     padded = np.zeros(-(-drive.size // n) * n)
     padded[: drive.size] = np.abs(drive)
     peaks = padded.reshape(-1, n).max(axis=1)
-    return float(np.mean(peaks > _DRIVEN * peaks.max()))
+    return float(np.mean(peaks > _DRIVEN_SHARE * peaks.max()))
 
 
 @dataclass(frozen=True, slots=True)
@@ -246,26 +244,26 @@ class Breach:
     limit: float
 
     def __str__(self) -> str:
-        found, limit = (with_unit(self.name, one) for one in (self.found, self.limit))
-        return f"{limit_text(self.name)}: {found}, expected at most {limit}"
+        value, limit = (with_unit(self.name, value) for value in (self.found, self.limit))
+        return f"{limit_text(self.name)}: {value}, expected at most {limit}"
 
 
 def breaches(prediction: Prediction, limits: Limits) -> tuple[Breach, ...]:
-    """The limits that a prediction passes; what the model does not tell passes none."""
-    found = {
-        one.name: getattr(prediction, one.name)
-        for one in dataclass_fields(Limits)
-        if one.name != "displacement_m"
+    """Return the limits that a prediction exceeds; NaN exceeds none."""
+    values = {
+        limit.name: getattr(prediction, limit.name)
+        for limit in dataclass_fields(Limits)
+        if limit.name != "displacement_m"
     }
-    found["displacement_m"] = prediction.peak_displacement_m
+    values["displacement_m"] = prediction.peak_displacement_m
     return tuple(
         Breach(name, value, limit)
-        for name, value in found.items()
+        for name, value in values.items()
         if (limit := getattr(limits, name)) is not None and value > limit
     )
 
 
-def _of_channel(
+def _predict_channel(
     voltage: Floats,
     sample_rate_hz: int,
     rate_hz: int,
@@ -290,7 +288,7 @@ def _of_channel(
         peak_velocity_m_per_s=velocity,
         peak_displacement_m=_peak(motion.displacement),
         linear_share=velocity / LARGEST_VELOCITY_M_PER_S,
-        temperature_rise_k=_rise(motion, actuator, rate_hz, thermal),
+        temperature_rise_k=_temperature_rise(motion, actuator, rate_hz, thermal),
     )
 
 
@@ -305,19 +303,19 @@ def _loudest_rms(values: Floats, rate_hz: int) -> float:
     return float(np.sqrt(loudest_energy(values, n_window) / n_window))
 
 
-def _rise(
+def _temperature_rise(
     motion: ActuatorMotion, actuator: Actuator, rate_hz: int, thermal: Thermal | None
 ) -> float:
-    """Highest rise of the coil's temperature: its heat through one capacity and one resistance."""
+    """Return the highest rise of the coil's temperature, by one capacity and one resistance."""
     resistance = getattr(actuator, "resistance_ohm", None)
     if thermal is None or resistance is None:
         return float("nan")
-    n = max(int(_STRETCH_S * rate_hz), 1)
+    n = max(int(_INTERVAL_S * rate_hz), 1)
     heat = np.zeros(-(-motion.current.size // n) * n)
     heat[: motion.current.size] = resistance * motion.current**2
-    kept = float(np.exp(-n / rate_hz / thermal.time_constant_s))
+    decay = float(np.exp(-n / rate_hz / thermal.time_constant_s))
     rise = highest = 0.0
     for watts in heat.reshape(-1, n).mean(axis=1).tolist():
-        rise = kept * rise + (1.0 - kept) * thermal.resistance_k_per_w * watts
+        rise = decay * rise + (1.0 - decay) * thermal.resistance_k_per_w * watts
         highest = max(highest, rise)
     return highest

@@ -1,7 +1,7 @@
-"""The rig: what is wired to what, how strong it is, and what it may not be driven beyond.
+"""The rig: which actuator is wired to which output, its calibration, and its limits.
 
-A file of its own beside designs, made by hand or from measurements.  Limits stand in it, and in
-nothing that a design holds: no design can loosen them.
+A rig is a JSON file of its own beside designs, made by hand or from measurements.  Limits stand in
+it, and in nothing that a design holds: no design can loosen them.
 """
 
 import os
@@ -16,7 +16,15 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skinsource.actuators.catalog import MODEL, Model, names, profile, shape_names
+from skinsource.actuators.catalog import (
+    LIMITS,
+    MODEL,
+    THERMAL,
+    Model,
+    names,
+    profile,
+    shape_names,
+)
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.prediction import Breach, Limits, Thermal, breaches, limit_text, predicted
 from skinsource.base.arguments import finite_array
@@ -47,8 +55,6 @@ __all__ = [
     "volts_of",
 ]
 
-
-# One actuator of a rig and all that lies before it.
 
 PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_PLACES, whole=True)
 NAME = TextSpec(label="Actuator", longest=100, one_line=True)
@@ -117,13 +123,8 @@ class RigChannel:
     polarity: str = fields.choice("normal", POLARITY)
     delay_s: float = fields.number(0.0, DELAY)
     measured_on: str = fields.text("", DATE)
-    limits: Limits = fields.field(
-        ModelSpec(label="Limits", kinds=lambda: (Limits,)), factory=Limits
-    )
-    thermal: Thermal | None = fields.field(
-        OptionalSpec(label="Warming", of=ModelSpec(label="Warming", kinds=lambda: (Thermal,))),
-        None,
-    )
+    limits: Limits = fields.field(LIMITS, factory=Limits)
+    thermal: Thermal | None = fields.field(THERMAL, None)
 
     def __post_init__(self) -> None:
         fields.check(self)
@@ -155,8 +156,6 @@ class RigChannel:
         return sign * self.full_scale_v * self.amplifier_gain
 
 
-# All channels of a set-up.
-
 MAX_CHANNELS = 256
 TITLE = TextSpec(label="Title", longest=100, one_line=True)
 NOTE = TextSpec(label="Note", longest=5000)
@@ -185,13 +184,13 @@ class Rig:
 
     def __post_init__(self) -> None:
         fields.check(self)
-        places = Counter(one.place for one in self.channels)
+        places = Counter(channel.place for channel in self.channels)
         for place, count in places.items():
             if count > 1:
                 raise InvalidInputError(
                     f"Rig.channels has place {place} {count} times, expected once; remove one"
                 )
-        outputs = Counter((one.device, one.output) for one in self.channels)
+        outputs = Counter((channel.device, channel.output) for channel in self.channels)
         for (device, output), count in outputs.items():
             if count > 1:
                 raise InvalidInputError(
@@ -200,18 +199,16 @@ class Rig:
                 )
 
     def channel_of(self, place: int) -> RigChannel | None:
-        """The channel of an input place; None where nothing is wired to it."""
-        return next((one for one in self.channels if one.place == place), None)
+        """Return the channel of an input place; None where nothing is wired to it."""
+        return next((channel for channel in self.channels if channel.place == place), None)
 
 
-# Between the samples that are sent to a rig and the volts at its actuators.
-
-#: What is said where no rig is known.
+#: Text on the calibration where no rig is known.
 UNCALIBRATED = "uncalibrated: no rig says how many volts, and how many m/s², a sample of 1 is"
 
 
 def calibration_words(rig: Rig | None, places: Sequence[int]) -> str:
-    """What an export or the player says about these places.
+    """Return the text on the calibration of these places for exports and the player.
 
     ``"calibrated"``, where volts and measured responses of all of them are known, with the date of
     the oldest measurement where it is; else what is missing, beginning with ``"uncalibrated"``.
@@ -229,43 +226,43 @@ def calibration_words(rig: Rig | None, places: Sequence[int]) -> str:
             missing.append(f"place {place} has no measured response")
     if missing:
         return f"uncalibrated: {', '.join(missing)}"
-    dates = [channel.measured_on for one in places if (channel := rig.channel_of(one))]
-    known = [one for one in dates if one]
+    dates = [channel.measured_on for place in places if (channel := rig.channel_of(place))]
+    known = [day for day in dates if day]
     return f"calibrated, measured on {min(known)}" if known else "calibrated"
 
 
 def volts_of(channel: RigChannel, samples: ArrayLike) -> Floats:
-    """Volts at the actuator for samples from -1 to 1, of the shape of ``samples``.
+    """Return volts at the actuator for samples from -1 to 1, shaped as ``samples``.
 
     Raises
     ------
     InvalidInputError
         The channel does not say its volts at full scale.
     """
-    found: Floats = finite_array("samples", samples) * _volts(channel)
-    return found
+    volts: Floats = finite_array("samples", samples) * _full_scale_volts(channel)
+    return volts
 
 
 def samples_for(channel: RigChannel, volts: ArrayLike) -> Floats:
-    """Samples that give these volts at the actuator, of the shape of ``volts``.
+    """Return samples that give these volts at the actuator, shaped as ``volts``.
 
     Raises
     ------
     InvalidInputError
         The channel does not say its volts at full scale, or they do not suffice.
     """
-    wanted = finite_array("volts", volts)
-    full = _volts(channel)
-    peak = float(np.abs(wanted).max(initial=0.0))
+    needed_v = finite_array("volts", volts)
+    full = _full_scale_volts(channel)
+    peak = float(np.abs(needed_v).max(initial=0.0))
     if peak > abs(full):
         raise InvalidInputError(
             f"place {channel.place}: {peak:.4g} V are needed, and output {channel.output} gives at "
             f"most {abs(full):.4g} V; lower the amplitude, or raise the gain of the amplifier"
         )
-    return wanted / full
+    return needed_v / full
 
 
-def _volts(channel: RigChannel) -> float:
+def _full_scale_volts(channel: RigChannel) -> float:
     full = channel.volts_at_full_scale
     if full is None:
         raise InvalidInputError(
@@ -275,10 +272,10 @@ def _volts(channel: RigChannel) -> float:
     return full
 
 
-# Whether what is sent to a rig stays within its limits.
-
-# Where nothing is known of the motion, volts can be looked at all the same.
-_UNMOVED = MeasuredResponse(((1.0, 1.0, 0.0), (1000.0, 1.0, 0.0)))
+#: Limits that depend neither on volts nor on the gain.
+_TIME_LIMITS = frozenset({"duration_s", "duty"})
+# Where nothing is known of the motion, limits of the voltage can be checked all the same.
+_UNIT_RESPONSE = MeasuredResponse(((1.0, 1.0, 0.0), (1000.0, 1.0, 0.0)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -301,16 +298,16 @@ class RigBreach:
 
 
 def strictest(*several: Limits) -> Limits:
-    """For each limit the least of those that are known."""
-    found = {}
-    for one in dataclass_fields(Limits):
-        known = [value for limits in several if (value := getattr(limits, one.name)) is not None]
-        found[one.name] = min(known, default=None)
-    return Limits(**found)
+    """Return for each limit the least of those that are known."""
+    least = {}
+    for limit in dataclass_fields(Limits):
+        known = [value for limits in several if (value := getattr(limits, limit.name)) is not None]
+        least[limit.name] = min(known, default=None)
+    return Limits(**least)
 
 
 def limits_of(channel: RigChannel) -> Limits:
-    """Limits of the channel, and of the actuator that it names where the library knows it."""
+    """Return the limits of the channel and of its actuator, where the library knows that."""
     if channel.actuator in (*names(), *shape_names()):
         return strictest(channel.limits, profile(channel.actuator).limits)
     return channel.limits
@@ -319,7 +316,7 @@ def limits_of(channel: RigChannel) -> Limits:
 def rig_breaches(
     rig: Rig, places: Sequence[int], samples: ArrayLike, sample_rate_hz: int
 ) -> tuple[RigBreach, ...]:
-    """Limits that samples would pass when they are sent to a rig.
+    """Return the limits that samples would exceed when they are sent to a rig.
 
     Parameters
     ----------
@@ -333,7 +330,7 @@ def rig_breaches(
     Returns
     -------
     In order of the places; none: nothing is passed, so far as the rig knows its limits.  Of a
-    channel without volts at full scale only the duration and the duty can be told, and of one
+    channel without volts at full scale only the duration and the duty are known, and of one
     without a model no displacement.
 
     Raises
@@ -346,46 +343,40 @@ def rig_breaches(
         raise InvalidInputError(
             f"samples have the shape {rows.shape}, expected ({len(places)} places, n_times)"
         )
-    found = []
+    passed = []
     for place, row in zip(places, rows, strict=True):
         channel = rig.channel_of(place)
         if channel is None:
             raise InvalidInputError(
                 f"place {place} is not wired in the rig {quoted(rig.title)}; add a channel for it"
             )
-        found += [RigBreach(place, one) for one in _of_channel(channel, row, sample_rate_hz)]
-    return tuple(found)
+        broken = _breaches_of(channel, row, sample_rate_hz)
+        passed += [RigBreach(place, breach) for breach in broken]
+    return tuple(passed)
 
 
-def _of_channel(channel: RigChannel, row: np.ndarray, sample_rate_hz: int) -> tuple[Breach, ...]:
+def _breaches_of(channel: RigChannel, row: np.ndarray, sample_rate_hz: int) -> tuple[Breach, ...]:
     limits = limits_of(channel)
     if not row.size or limits == Limits():
         return ()
     known_volts, model = channel.full_scale_v is not None, channel.moves_as
     volts = volts_of(channel, row) if known_volts else row
     # A measured response knows no current, the model does.
-    flowing = channel.model if channel.model is not None else model
-    (told,) = predicted(volts, sample_rate_hz, flowing or _UNMOVED, thermal=channel.thermal)
-    passed = {one.name: one for one in breaches(told, limits)}
-    if model is not flowing and model is not None:
-        (moved,) = predicted(volts, sample_rate_hz, model)
-        passed.pop("displacement_m", None)
-        passed |= {one.name: one for one in breaches(moved, limits) if one.name == "displacement_m"}
-    unknown = (
-        set()
-        if known_volts
-        else {one.name for one in dataclass_fields(Limits)} - {"duration_s", "duty"}
+    electrical = channel.model if channel.model is not None else model
+    (prediction,) = predicted(
+        volts, sample_rate_hz, electrical or _UNIT_RESPONSE, thermal=channel.thermal
     )
-    unknown |= set() if model is not None else {"displacement_m"}
-    return tuple(one for name, one in passed.items() if name not in unknown)
+    passed = list(breaches(prediction, limits))
+    if model is not electrical or model is None:
+        passed = [breach for breach in passed if breach.name != "displacement_m"]
+    if model is not electrical and model is not None:
+        (motion,) = predicted(volts, sample_rate_hz, model)
+        passed += [breach for breach in breaches(motion, limits) if breach.name == "displacement_m"]
+    return tuple(breach for breach in passed if known_volts or breach.name in _TIME_LIMITS)
 
 
-# How far what is sent to a rig may be turned up.
-
-#: Limits that no gain has a part in.
-_OF_TIME = frozenset({"duration_s", "duty"})
-# So much louder every limit is passed; a power of two, so that nothing rounds.
-_LOUDER = 2.0**40
+# So much louder every limit is exceeded; a power of two, so that nothing rounds.
+_TEST_GAIN = 2.0**40
 
 
 @dataclass(frozen=True, slots=True)
@@ -412,7 +403,7 @@ def highest_gain(
     *,
     repeated: bool = False,
 ) -> Margin:
-    """How far samples may be turned up before they pass a limit of a rig.
+    """Return the gain that samples may get before they exceed a limit of a rig.
 
     All figures but those of time grow as the samples do.
 
@@ -429,21 +420,19 @@ def highest_gain(
         As `rig_breaches`.
     """
     rows = np.asarray(samples, np.float64)
-    found = Margin()
-    for one in rig_breaches(rig, places, rows * _LOUDER, sample_rate_hz):
-        breach = one.breach
-        allowed = 0.0 if breach.name in _OF_TIME else _LOUDER * breach.limit / breach.found
-        if allowed < found.factor:
-            found = Margin(allowed, f"place {one.place}: {limit_text(breach.name)}")
+    margin = Margin()
+    for rig_breach in rig_breaches(rig, places, rows * _TEST_GAIN, sample_rate_hz):
+        breach = rig_breach.breach
+        allowed = 0.0 if breach.name in _TIME_LIMITS else _TEST_GAIN * breach.limit / breach.found
+        if allowed < margin.factor:
+            margin = Margin(allowed, f"place {rig_breach.place}: {limit_text(breach.name)}")
     if repeated:
         for place in places:
             channel = rig.channel_of(place)
             if channel is not None and limits_of(channel).duration_s is not None:
                 return Margin(0.0, f"place {place}: duration, repeated without end")
-    return found
+    return margin
 
-
-# A rig as a file: JSON text that can be written by hand, and is checked when it is read.
 
 FORMAT, VERSION = "skinsource rig", 1
 SUFFIX = ".skinrig"
@@ -480,8 +469,8 @@ def open_rig(path: str | os.PathLike[str]) -> Rig:
     place = Path(path)
     try:
         tree = from_plain_text(read_bytes(place, most=MAX_TEXT_BYTES + 1), FORMAT, VERSION)
-        found: Rig = models.decode(tree, (Rig,), Address())
+        rig: Rig = models.decode(tree, (Rig,), Address())
     except (FileFormatError, InvalidInputError) as error:
-        words = str(error).removeprefix(f"{named(Path(place.name))}: ")
-        raise FileFormatError(f"{named(Path(place.name))}: {sentence(words)}") from error
-    return found
+        message = str(error).removeprefix(f"{named(Path(place.name))}: ")
+        raise FileFormatError(f"{named(Path(place.name))}: {sentence(message)}") from error
+    return rig

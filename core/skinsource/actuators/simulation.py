@@ -1,4 +1,4 @@
-"""How an actuator moves."""
+"""Motion of an actuator under a sampled voltage, exact for the way the voltage is held."""
 
 from dataclasses import dataclass
 from typing import Literal, get_args
@@ -31,13 +31,11 @@ class ActuatorMotion:
     current: Floats
 
 
-# Motion under a sampled voltage, exactly as it is held between the samples.
-
 Hold = Literal["zero", "first"]
 HOLDS: tuple[Hold, ...] = get_args(Hold)
 OUTPUTS = ("acceleration", "velocity", "displacement", "current")
 
-#: Steps of a block.
+# Steps that one matrix product computes.
 _BLOCK = 32
 
 
@@ -66,7 +64,7 @@ class Equations:
 def simulated(
     equations: Equations, voltage: ArrayLike, step_s: float, hold: Hold
 ) -> ActuatorMotion:
-    """Motion at the samples of a voltage, (n_times,), from rest.
+    """Return the motion at the samples of a voltage, (n_times,), from rest.
 
     A sum over blocks of samples and over blocks of blocks: rounding grows with their number only
     where nothing is damped.
@@ -74,20 +72,20 @@ def simulated(
     samples = samples_of(voltage, hold)
     tally(samples_moved=samples.size)
     # At rest, but what the first sample passes on at once.
-    found = np.zeros((len(OUTPUTS), samples.size))
-    found[-1, :1] = equations.passed_a_per_v * samples[:1]
+    outputs = np.zeros((len(OUTPUTS), samples.size))
+    outputs[-1, :1] = equations.passed_a_per_v * samples[:1]
     if samples.size > 1:
-        _fill(found[:, 1:], samples, step_matrix(equations, step_s, hold))
-    if not np.isfinite(found).all():
+        _fill_outputs(outputs[:, 1:], samples, step_matrix(equations, step_s, hold))
+    if not np.isfinite(outputs).all():
         raise InvalidInputError(
             "the motion is beyond all floating-point numbers; lower the voltage, or move the "
             "parameters nearer to those of real actuators"
         )
-    return ActuatorMotion(**dict(zip(OUTPUTS, found, strict=True)))
+    return ActuatorMotion(**dict(zip(OUTPUTS, outputs, strict=True)))
 
 
 def samples_of(voltage: ArrayLike, hold: Hold) -> Floats:
-    """The voltage as one row of floats; refuses what is none, and holds that are not known."""
+    """Return the voltage as one row of floats; raise where it or ``hold`` is unusable."""
     samples = finite_array("voltage", voltage, "finite numbers in V, (n_times,)")
     if samples.ndim != 1 or samples.size > MAX_SAMPLES:
         raise InvalidInputError(
@@ -98,7 +96,7 @@ def samples_of(voltage: ArrayLike, hold: Hold) -> Floats:
 
 
 def step_matrix(equations: Equations, step_s: float, hold: Hold) -> Floats:
-    """States and outputs after a step, from the states before it and the voltages on both sides.
+    """Return the matrix of a step: from states before and both voltages to states and outputs.
 
     Of the shape (n_states + 4, n_states + 2).
     """
@@ -112,22 +110,22 @@ def step_matrix(equations: Equations, step_s: float, hold: Hold) -> Floats:
     gained, rates = exponential_less_1(matrix)
     states = (gained + np.eye(n + 2))[:n]
     read = np.array([equations.velocity, equations.displacement, equations.current])
-    # Not the sum of the forces: beside them, that of a light mass has lost its digits.
+    # The sum of the forces would lose the digits of a light mass.
     acceleration = read[0] @ rates[:n] / step_s
-    found = np.vstack((states, acceleration, read @ states))
+    result = np.vstack((states, acceleration, read @ states))
     # From what the voltage gains to the voltage after the step.
-    rising = found[:, n + 1] * (hold == "first")
-    found[:, n] -= rising
-    found[:, n + 1] = rising
-    found[-1, n + 1] += equations.passed_a_per_v
-    return found
+    rising = result[:, n + 1] * (hold == "first")
+    result[:, n] -= rising
+    result[:, n + 1] = rising
+    result[-1, n + 1] += equations.passed_a_per_v
+    return result
 
 
 def exponential_less_1(matrix: Floats) -> tuple[Floats, Floats]:
-    """Exponential of a matrix less the identity, and the exponential times the matrix.
+    """Return the exponential of a matrix less the identity, and the exponential times the matrix.
 
-    Its series at a small part of it, doubled up.  Less the identity, slow parts keep their digits
-    beside parts that are 1e100 times as fast, and no state needs to be scaled.
+    The series of a small part of the matrix, doubled repeatedly.  Less the identity, slow parts
+    keep their digits beside parts that are 1e100 times as fast, and no state needs to be scaled.
 
     References
     ----------
@@ -136,33 +134,33 @@ def exponential_less_1(matrix: Floats) -> tuple[Floats, Floats]:
     """
     doublings = max(int(np.frexp(np.abs(matrix).sum(axis=1).max())[1]) + 1, 0)
     small = np.ldexp(matrix, -doublings)
-    found = np.zeros_like(matrix)
+    gained = np.zeros_like(matrix)
     for k in range(16, 0, -1):
-        found = (small + small @ found) / k
-    rates = matrix + found @ matrix
+        gained = (small + small @ gained) / k
+    rates = matrix + gained @ matrix
     for _ in range(doublings):
-        rates = rates + found @ rates
-        found = 2.0 * found + found @ found
-    return found, rates
+        rates = rates + gained @ rates
+        gained = 2.0 * gained + gained @ gained
+    return gained, rates
 
 
-def _fill(found: Floats, samples: Floats, step: Floats) -> None:
-    """Outputs after each step, (4, n_steps)."""
-    n_steps = found.shape[1]
+def _fill_outputs(outputs: Floats, samples: Floats, step: Floats) -> None:
+    """Fill in the outputs after each step, (4, n_steps)."""
+    n_steps = outputs.shape[1]
     n_blocks = -(-n_steps // _BLOCK)
     padded = np.zeros(n_blocks * _BLOCK + 1)
     padded[: samples.size] = samples
     blocks = np.lib.stride_tricks.sliding_window_view(padded, _BLOCK + 1)[::_BLOCK]
-    outputs, end = _over_a_block(step)
+    output_matrices, end = _block_matrices(step)
     ends = _accumulated(blocks @ end[:, : _BLOCK + 1].T, end[:, _BLOCK + 1 :])
-    # Before each block: what all blocks before it have left.
+    # Voltages of each block, and the states that all blocks before it have left.
     known = np.hstack((blocks, np.pad(ends[:-1], ((1, 0), (0, 0)))))
-    for row, after in zip(found, outputs, strict=True):
+    for row, after in zip(outputs, output_matrices, strict=True):
         row[:] = (known @ after.T).ravel()[:n_steps]
 
 
-def _over_a_block(step: Floats) -> tuple[Floats, Floats]:
-    """Outputs after each step of a block, and states at its end, from voltages and states.
+def _block_matrices(step: Floats) -> tuple[Floats, Floats]:
+    """Return the matrices from voltages and states to a block's outputs and to its last states.
 
     Of the shapes (4, _BLOCK, n) and (n_states, n): n is _BLOCK + 1 voltages and the states before.
     """
@@ -178,12 +176,12 @@ def _over_a_block(step: Floats) -> tuple[Floats, Floats]:
 
 
 def _accumulated(added: Floats, step: Floats) -> Floats:
-    """States after each step from what each step adds, both (n_steps, n_states), from rest.
+    """Return the states after each step from what each step adds, (n_steps, n_states) both.
 
     What one step adds is carried on by one step, then what two have added by two, and so on.
     """
-    found, apart = added, 1
-    while apart < len(found):
-        found = found + np.pad(found[:-apart] @ step.T, ((apart, 0), (0, 0)))
-        step, apart = step @ step, 2 * apart
-    return found
+    states, stride = added, 1
+    while stride < len(states):
+        states = states + np.pad(states[:-stride] @ step.T, ((stride, 0), (0, 0)))
+        step, stride = step @ step, 2 * stride
+    return states

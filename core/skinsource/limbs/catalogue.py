@@ -1,4 +1,4 @@
-"""Which limbs there are."""
+"""All limbs that can be loaded, by name."""
 
 from skinsource.base.errors import InvalidInputError, UnknownLimbError
 from skinsource.base.published import LIMB_NAMES
@@ -10,7 +10,7 @@ from skinsource.limbs.synthetic import load_synthetic_limb
 
 
 def available_limbs() -> tuple[str, ...]:
-    """Names of the limbs that can be loaded now: measured, synthetic, and those of labs."""
+    """Return the names of the limbs that can be loaded now: measured, synthetic and imported."""
     installed = is_installed()
     built_in = (name for name in LIMB_NAMES if installed or not name.startswith("measured"))
     return *built_in, *own_limb_names()
@@ -58,5 +58,5 @@ def load_limb(name: str, digest: str = "") -> Limb:
 
 
 def default_limb() -> str:
-    """Name of the limb to start on: measured where installed, else synthetic."""
+    """Return the name of the limb to start on: measured where installed, else synthetic."""
     return available_limbs()[0]

@@ -1,4 +1,4 @@
-"""How far from the contact a vibration is felt."""
+"""The distance that a vibration reaches from the contact."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -75,11 +75,11 @@ def extent(rms: ArrayLike, limb: Limb, location: int | Sequence[int]) -> Extent:
             "rms is zero at all outputs with a place on the map, so it has no extent. Choose a "
             "window in which the skin moves."
         )
-    return Extent(**{name: float(one) for name, one in spread(values, distance_mm).items()})
+    return Extent(**{name: float(value) for name, value in spread(values, distance_mm).items()})
 
 
 def spread(rms: Floats, distance_mm: Floats) -> dict[str, Floats]:
-    """How far vibrations reach, by the distance of each output from the contact.
+    """Compute how far vibrations reach, from the distance of each output to the contact.
 
     Parameters
     ----------
@@ -107,26 +107,26 @@ def spread(rms: Floats, distance_mm: Floats) -> dict[str, Floats]:
 
 
 def distances_mm(limb: Limb, location: int | Sequence[int]) -> Floats:
-    """Distance of each output from the nearest place, (n_outputs,), mm; NaN: not on the map."""
+    """Return each output's distance from the nearest place, (n_outputs,), mm; NaN: not mapped."""
     places = [location] if isinstance(location, int) else list(location)
     if not places:
         raise InvalidInputError(f"location is {quoted(location)}, expected an input place")
     for place in places:
         check_input_location(place, limb.n_inputs)
     contacts = limb.map.input_positions[np.array(places) - 1]
-    apart = limb.map.output_positions[:, None] - contacts[None]
-    distance_px = np.hypot(apart[..., 0], apart[..., 1]).min(axis=1)
+    offset = limb.map.output_positions[:, None] - contacts[None]
+    distance_px = np.hypot(offset[..., 0], offset[..., 1]).min(axis=1)
     return distance_px * (limb.hand_length_mm / limb.map.hand_length_px)
 
 
 def _share_above(relative: Floats, below_db: float) -> Floats:
-    found: Floats = np.mean(relative > 10.0 ** (-below_db / 20.0), axis=-1)
-    return found
+    share: Floats = np.mean(relative > 10.0 ** (-below_db / 20.0), axis=-1)
+    return share
 
 
 def _distance_of_share(share: Floats, distance_mm: Floats) -> Floats:
     order = np.argsort(distance_mm, kind="stable")
     reached = np.cumsum(share[..., order], axis=-1)
     # The last sum may be a little less than 1, but never less than nine tenths.
-    found: Floats = distance_mm[order][np.argmax(reached >= _ENERGY_SHARE, axis=-1)]
-    return found
+    distance: Floats = distance_mm[order][np.argmax(reached >= _ENERGY_SHARE, axis=-1)]
+    return distance

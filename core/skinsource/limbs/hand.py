@@ -1,4 +1,9 @@
-"""Smooth curves through points in the plane."""
+"""The drawing of a right hand and forearm, made from proportions.
+
+It has an outline, creases, and the positions of inputs and outputs.  Lengths are fractions
+of the hand length: the origin is the middle of the wrist, x points to the right, y towards the
+fingertips; the hand is seen from its back, thumb to the left.  `HandShape` is in pixels.
+"""
 
 from dataclasses import dataclass
 from functools import cache
@@ -7,14 +12,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import N_INPUTS, N_OUTPUTS, VOLAR_OUTPUTS
-from skinsource.base.quoting import quoted
 from skinsource.limbs.limb import LimbMap
 
 
 def smooth(points: ArrayLike, *, closed: bool, per_span: int = 12) -> Floats:
-    """Centripetal Catmull-Rom curve through points in the plane.
+    """Return the centripetal Catmull-Rom curve through points in the plane.
 
     It passes through every point and, unlike a uniform spline, forms no loops (Yuksel, Schaefer
     and Keyser, 2011).
@@ -52,14 +55,14 @@ def smooth(points: ArrayLike, *, closed: bool, per_span: int = 12) -> Floats:
 
 
 def bezier(start: Floats, leave: Floats, arrive: Floats, stop: Floats, *, count: int) -> Floats:
-    """Cubic Bezier curve from ``start`` to ``stop``, both included, (count, 2)."""
+    """Return the cubic Bezier curve from ``start`` to ``stop``, both included, (count, 2)."""
     t = np.linspace(0, 1, count)[:, None]
     edges = (1 - t) ** 3 * start + t**3 * stop
     return np.asarray(edges + 3 * t * (1 - t) * ((1 - t) * leave + t * arrive))
 
 
 def profile(stations: tuple[tuple[float, float], ...], at: ArrayLike) -> Floats:
-    """A smooth curve through ``stations`` (place, value), read at ``at``, same shape."""
+    """Return the values at ``at`` of a smooth curve through ``stations`` (position, value)."""
     curve = _curve_through(stations)
     return np.asarray(np.interp(np.asarray(at, dtype=float), curve[:, 0], curve[:, 1]))
 
@@ -71,11 +74,6 @@ def _curve_through(stations: tuple[tuple[float, float], ...]) -> Floats:
     curve.flags.writeable = False
     return curve
 
-
-# Proportions of a right hand and forearm, and the axes of its digits.
-#
-# Lengths here are fractions of the hand length.  The origin is the middle of the wrist, x points
-# to the right, y towards the fingertips; the hand is seen from its back, thumb to the left.
 
 THUMB, INDEX, MIDDLE, RING, LITTLE = range(5)
 # Joints along a digit, as fractions of its length from the base knuckle to the tip.
@@ -167,32 +165,6 @@ class HandProportions:
     forearm_length: float
     forearm_width: float
 
-    def __post_init__(self) -> None:
-        expected = {
-            "digit_lengths": 5,
-            "digit_widths": 5,
-            "digit_angles_deg": 5,
-            "digit_bends_deg": 5,
-            "knuckle_spacings": 3,
-            "knuckle_drops": 3,
-            "thumb_root": 2,
-        }
-        for name, count in expected.items():
-            found = len(getattr(self, name))
-            if found != count:
-                raise InvalidInputError(
-                    f"hand proportions: {name} has {found} entries, expected {count}, from the "
-                    "thumb to the little finger. Correct the list."
-                )
-        positive = ("digit_lengths", "digit_widths", "knuckle_spacings", "wrist_width")
-        for name in (*positive, "thumb_metacarpal_length", "forearm_length", "forearm_width"):
-            found = getattr(self, name)
-            if not np.all(np.asarray(found) > 0):
-                raise InvalidInputError(
-                    f"hand proportions: {name} is {quoted(found)}, expected positive fractions of "
-                    "the hand length. Correct the numbers."
-                )
-
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Digit:
@@ -223,17 +195,17 @@ class Digit:
         return _THUMB_JOINTS if self.is_thumb else _FINGER_JOINTS
 
     def half_width(self, fraction: ArrayLike) -> Floats:
-        """Half of the width at ``fraction`` of the length from the base, same shape."""
+        """Return half the width at ``fraction`` of the length from the base, same shape."""
         stations = _THUMB_STATIONS if self.is_thumb else _FINGER_STATIONS
         return profile(stations, fraction) * self.width / 2
 
     def normal(self, fraction: ArrayLike) -> Floats:
-        """Unit vectors across the digit towards its ulnar side, (..., 2)."""
+        """Return unit vectors across the digit towards its ulnar side, (..., 2)."""
         angle = self.angle_rad + self.bend_rad * np.asarray(fraction, dtype=float)
         return np.stack([np.cos(angle), -np.sin(angle)], axis=-1)
 
     def point(self, fraction: ArrayLike, side: ArrayLike = 0.0) -> Floats:
-        """Places on the digit, (..., 2).
+        """Return positions on the digit, (..., 2).
 
         Parameters
         ----------
@@ -251,7 +223,7 @@ class Digit:
         return np.asarray(self.base + axis + across[..., None] * self.normal(along))
 
     def joints(self) -> Floats:
-        """Base, joints and tip, (3 or 4, 2)."""
+        """Return the base, joints and tip, (3 or 4, 2)."""
         return self.point(self.joint_fractions)
 
 
@@ -265,16 +237,13 @@ class Skeleton:
         What it was made from.
     digits
         Digits I to V.
-    thumb_root : (2,)
-        The thumb's saddle joint.
     """
 
     proportions: HandProportions
     digits: tuple[Digit, ...]
-    thumb_root: Floats
 
     def arm_edge(self, arm_fraction: ArrayLike, side: int) -> Floats:
-        """X of the arm's edge at fractions of the forearm length past the wrist, same shape.
+        """Return x of the arm's edge at fractions of the forearm length past the wrist.
 
         ``side`` is -1 for the radial (left) and +1 for the ulnar (right) edge.  Both swell
         towards the elbow; the radial muscles sit nearer to it.
@@ -306,7 +275,7 @@ def skeleton_of(proportions: HandProportions) -> Skeleton:
     lean = np.radians(p.thumb_metacarpal_angle_deg)
     knuckles[THUMB] = root + p.thumb_metacarpal_length * np.array([np.sin(lean), np.cos(lean)])
     digits = tuple(_digit(p, digit, knuckles[digit], angles, bends) for digit in range(5))
-    return Skeleton(proportions=p, digits=digits, thumb_root=root)
+    return Skeleton(proportions=p, digits=digits)
 
 
 def _digit(
@@ -326,46 +295,13 @@ def _digit(
     )
 
 
-# Nails and skin creases of the drawn hand, in hand lengths.
-
-# Nail of a finger and of the thumb: fractions of the digit from root to free edge, half-width
-# in half-widths of the digit, and shift across (the thumb is seen from its side).
-_NAIL = (0.87, 0.972, 0.6, 0.0)
-_THUMB_NAIL = (0.775, 0.955, 0.6, -0.13)
 # Creases across a digit: fraction of its length, sag towards the hand in hand lengths.
 _FINGER_CREASES = (0.215, 0.465, 0.49, 0.757)
 _THUMB_CREASES = (0.07, 0.525, 0.56)
 
 
-def nails_of(skeleton: Skeleton) -> list[Floats]:
-    """Closed outlines of the nails of digits I to V, each (n, 2)."""
-    return [_nail(digit) for digit in skeleton.digits]
-
-
-def _nail(digit: Digit) -> Floats:
-    root, edge, half_width, shift = _THUMB_NAIL if digit.is_thumb else _NAIL
-    # Round at the root, straight along the sides, gently bowed at the free edge.
-    shape = (
-        (0.0, 0.0),
-        (0.07, 0.5),
-        (0.25, 0.88),
-        (0.5, 0.98),
-        (0.78, 1.0),
-        (0.92, 0.86),
-        (1.0, 0.45),
-        (1.02, 0.0),
-    )
-    right = list(shape)
-    left = [(along, -across) for along, across in reversed(shape[1:-1])]
-    along, across = np.array(right + left).T
-    width = half_width * digit.half_width(0.86)
-    axis = root + along * (edge - root)
-    offset = across * width + shift * digit.half_width(0.86)
-    return smooth(digit.point(axis) + offset[:, None] * digit.normal(axis), closed=True, per_span=6)
-
-
 def creases_of(skeleton: Skeleton) -> list[Floats]:
-    """Finger, palm and wrist creases, open lines, each (n, 2)."""
+    """Return the finger, palm and wrist creases, open lines, each (n, 2)."""
     lines = []
     for number, digit in enumerate(skeleton.digits):
         at = _THUMB_CREASES if number == THUMB else _FINGER_CREASES
@@ -380,7 +316,7 @@ def _across(digit: Digit, fraction: float) -> Floats:
 
 
 def _palm_lines(skeleton: Skeleton) -> list[Floats]:
-    """The distal, the proximal and the thenar crease."""
+    """Return the distal, the proximal and the thenar crease."""
     _, index, middle, ring, little = (digit.base for digit in skeleton.digits)
     radial = skeleton.digits[INDEX].point(0.0, -0.78)
     ulnar = skeleton.digits[LITTLE].point(0.0, 1.0)
@@ -422,8 +358,6 @@ def _wrist_lines(skeleton: Skeleton) -> list[Floats]:
         for level, length in ((0.015, 1.0), (-0.025, 0.85))
     ]
 
-
-# Where the inputs and outputs sit on a hand of given proportions, in hand lengths.
 
 # Along a digit as fractions of its length from the base knuckle, across in half-widths
 # (+1 ulnar edge of a finger).
@@ -507,7 +441,7 @@ _ON_PALM = {
 
 
 def input_points(skeleton: Skeleton) -> Floats:
-    """Input places 1 to 20, (20, 2)."""
+    """Return the positions of input places 1 to 20, (20, 2)."""
     places = np.empty((N_INPUTS, 2))
     for number, digit in enumerate(skeleton.digits):
         pad, base = (_THUMB_PAD, _THUMB_BASE) if number == THUMB else (_PAD, _BASE)
@@ -520,7 +454,7 @@ def input_points(skeleton: Skeleton) -> Floats:
 
 
 def output_points(skeleton: Skeleton) -> tuple[Floats, Floats]:
-    """Output places 1 to 72 on the back, (72, 2), NaN where volar; volar ones, (6, 2)."""
+    """Return the outputs on the back, (72, 2), NaN where volar, and the volar ones, (6, 2)."""
     places = np.full((N_OUTPUTS, 2), np.nan)
     for finger, numbers in _ON_FINGERS.items():
         digit = skeleton.digits[finger]
@@ -546,13 +480,11 @@ def output_points(skeleton: Skeleton) -> tuple[Floats, Floats]:
 
 
 def _half_palm(skeleton: Skeleton) -> float:
-    """Half the width of the palm at the knuckles, in hand lengths."""
+    """Return half the width of the palm at the knuckles, in hand lengths."""
     radial = skeleton.digits[INDEX].point(0.0, -1.0)
     ulnar = skeleton.digits[LITTLE].point(0.0, 1.0)
     return float(ulnar[0] - radial[0]) / 2 + skeleton.proportions.palm_margin
 
-
-# The application's own drawing of a right hand and arm, made from proportions.
 
 #: Outline pixels in one hand length.
 HAND_LENGTH_PX = 400.0
@@ -586,14 +518,12 @@ class HandShape:
         Outputs 61 to 66, seen through the arm, for a palmar drawing.
     digit_axes
         For digits I to V the base knuckle, joints and tip, (3, 2) for the thumb, else (4, 2).
-    thumb_root, wrist, elbow : (2,)
-        Saddle joint of the thumb; middle of the wrist; middle of the elbow.
+    wrist, elbow : (2,)
+        Middle of the wrist; middle of the elbow.
     wrist_ends : (2, 2)
         Radial and ulnar end of the wrist line.
     creases
         Lines of a palmar drawing: fingers, palm, wrist; open polylines (n, 2).
-    nails
-        Nails of a dorsal drawing, digits I to V; closed polylines (n, 2).
     hand_length_px
         Tip of digit III to the middle of the wrist, 400.
     """
@@ -603,16 +533,14 @@ class HandShape:
     output_positions: Floats
     volar_positions: Floats
     digit_axes: tuple[Floats, ...]
-    thumb_root: Floats
     wrist: Floats
     elbow: Floats
     wrist_ends: Floats
     creases: tuple[Floats, ...]
-    nails: tuple[Floats, ...]
     hand_length_px: float = HAND_LENGTH_PX
 
     def limb_map(self) -> LimbMap:
-        """The part of this drawing that a `Limb` carries."""
+        """Return the part of this drawing that a `Limb` carries."""
         return LimbMap(
             outline=self.outline,
             output_positions=self.output_positions,
@@ -649,17 +577,15 @@ def hand_shape(proportions: HandProportions) -> HandShape:
         output_positions=px(outputs),
         volar_positions=px(volar),
         digit_axes=tuple(px(digit.joints()) for digit in skeleton.digits),
-        thumb_root=px(skeleton.thumb_root),
         wrist=px(np.zeros(2)),
         elbow=px(skeleton.arm_point(1.0, 0.0)),
         wrist_ends=px(wrist_ends),
         creases=tuple(px(line) for line in creases_of(skeleton)),
-        nails=tuple(px(line) for line in nails_of(skeleton)),
     )
 
 
 def _contour(skeleton: Skeleton) -> Floats:
-    """Control points of the outline, counter-clockwise from the ulnar end of the arm, (n, 2)."""
+    """Return the outline's control points, counter-clockwise from the arm's ulnar end, (n, 2)."""
     digits = skeleton.digits
     feet = _web_feet(digits)
     parts = [_arm_edge(skeleton, 1), _ulnar_palm(skeleton)]
@@ -677,7 +603,7 @@ def _contour(skeleton: Skeleton) -> Floats:
 
 
 def _web_feet(digits: tuple[Digit, ...]) -> dict[int, tuple[float, float]]:
-    """Where the gaps end on each finger: radial and ulnar side, in its lengths.
+    """Return where the gaps end on each finger's radial and ulnar side, in its lengths.
 
     Both sides of a gap end at the same height.
     """
@@ -693,14 +619,14 @@ def _web_feet(digits: tuple[Digit, ...]) -> dict[int, tuple[float, float]]:
 
 
 def _arm_edge(skeleton: Skeleton, side: int) -> Floats:
-    """From just before the end of the arm up to just past the wrist, (n, 2)."""
+    """Return the edge from just before the end of the arm to just past the wrist, (n, 2)."""
     fractions = np.linspace(1.07, 0.09, 15)
     length = skeleton.proportions.forearm_length
     return np.stack([skeleton.arm_edge(fractions, side), -fractions * length], axis=-1)
 
 
 def _arm_end(skeleton: Skeleton) -> Floats:
-    """A soft cut across the arm, from radial to ulnar, (n, 2)."""
+    """Return a rounded cut across the arm, from radial to ulnar, (n, 2)."""
     at = np.array([-0.97, -0.88, -0.6, -0.2, 0.2, 0.6, 0.88, 0.97])
     drop = np.array([1.098, 1.108, 1.112, 1.115, 1.115, 1.112, 1.108, 1.098])
     return np.array([skeleton.arm_point(d, s) for d, s in zip(drop, at, strict=True)])
@@ -731,7 +657,7 @@ def _web(radial: Digit, ulnar: Digit, foot_radial: float, foot_ulnar: float) -> 
 
 
 def _first_web(skeleton: Skeleton) -> Floats:
-    """The hollow between index and thumb, from the index down, (n, 2)."""
+    """Return the hollow between index and thumb, from the index down, (n, 2)."""
     index, thumb = skeleton.digits[INDEX], skeleton.digits[THUMB]
     start, stop = index.point(_INDEX_FOOT, -1.0), thumb.point(_THUMB_WEB, 1.0)
     back = np.stack([-_ahead(index, _INDEX_FOOT), -_ahead(thumb, _THUMB_WEB)])
@@ -742,13 +668,13 @@ def _first_web(skeleton: Skeleton) -> Floats:
 
 
 def _ahead(digit: Digit, fraction: float) -> Floats:
-    """Unit vector along the digit towards its tip, (2,)."""
+    """Return the unit vector along the digit towards its tip, (2,)."""
     normal = digit.normal(fraction)
     return np.array([-normal[1], normal[0]])
 
 
 def _ulnar_palm(skeleton: Skeleton) -> Floats:
-    """From the wrist up to the little finger's knuckle, (n, 2)."""
+    """Return the edge from the wrist up to the little finger's knuckle, (n, 2)."""
     p = skeleton.proportions
     knuckle = skeleton.digits[LITTLE].point(0.0, 1.0)
     edge = float(knuckle[0]) + p.palm_margin
@@ -766,7 +692,7 @@ def _ulnar_palm(skeleton: Skeleton) -> Floats:
 
 
 def _radial_palm(skeleton: Skeleton) -> Floats:
-    """From the thumb's knuckle along its ball down to the wrist, (n, 2)."""
+    """Return the edge from the thumb's knuckle along its ball down to the wrist, (n, 2)."""
     thumb = skeleton.digits[THUMB]
     start = thumb.point(0.05, -1.0)
     stop = skeleton.arm_point(0.065, -1.0)
@@ -777,7 +703,7 @@ def _radial_palm(skeleton: Skeleton) -> Floats:
 
 
 def _resampled(curve: Floats, count: int) -> Floats:
-    """A closed curve with ``count`` vertices, denser where it bends, (count, 2)."""
+    """Resample a closed curve to ``count`` vertices, denser where it bends, (count, 2)."""
     steps = np.roll(curve, -1, axis=0) - curve
     lengths = np.linalg.norm(steps, axis=1)
     angles = np.arctan2(steps[:, 1], steps[:, 0])
@@ -787,6 +713,6 @@ def _resampled(curve: Floats, count: int) -> Floats:
     turns = (np.roll(turns, 1) + 2 * turns + np.roll(turns, -1)) / 4
     density = lengths / _STRAIGHT_SPACING + turns / _TURN_RAD
     position = np.concatenate([[0.0], np.cumsum(density)])
-    wanted = np.arange(count) * position[-1] / count
+    targets = np.arange(count) * position[-1] / count
     closed = np.vstack([curve, curve[:1]])
-    return np.stack([np.interp(wanted, position, closed[:, axis]) for axis in (0, 1)], axis=-1)
+    return np.stack([np.interp(targets, position, closed[:, axis]) for axis in (0, 1)], axis=-1)

@@ -1,4 +1,4 @@
-"""Where things are on a limb."""
+"""An upper limb: its impulse responses, its map, and the facts known before responses are read."""
 
 import math
 from collections.abc import Callable
@@ -67,9 +67,6 @@ class LimbMap:
     def unplaced(self) -> tuple[int, ...]:
         """Numbers of the outputs that have no place here."""
         return tuple(int(k) + 1 for k in np.flatnonzero(np.isnan(self.output_positions[:, 0])))
-
-
-# One upper limb: its impulse responses and its map.
 
 
 class Limb:
@@ -163,7 +160,7 @@ class Limb:
             ) from error
 
     def response_to(self, location: int) -> Floats:
-        """Impulse responses to one input place, (n_outputs, n_axes, n_taps), in m/s²."""
+        """Return the impulse responses to one input place, (n_outputs, n_axes, n_taps), in m/s²."""
         self.check_place(location)
         if location not in self._responses:
             response = self._read_response(location)
@@ -181,10 +178,10 @@ class Limb:
         return self._responses[location]
 
     def largest_response_to(self, location: int) -> float:
-        """Largest magnitude of a response to one input place, m/s²; NaN where one is no number."""
+        """Return the largest magnitude of the responses to a place, m/s²; NaN if one holds NaN."""
         if location not in self._largest:
             response = self.response_to(location)
-            # Twice through it, but without a copy of it all.
+            # Two passes through the array need no copy of it.
             highest, lowest = float(response.max(initial=0.0)), float(response.min(initial=0.0))
             self._largest[location] = math.nan if math.isnan(highest) else max(highest, -lowest)
         return self._largest[location]
@@ -196,13 +193,11 @@ class Limb:
             places = range(1, self.n_inputs + 1)
             everything = np.stack([self.response_to(place) for place in places])
             everything.flags.writeable = False
-            # The single responses are views of it from now on: nothing is held twice.
+            # From now on the single responses are views of it: nothing is in memory twice.
             self._responses = {place: everything[place - 1] for place in places}
             self._everything = everything
         return self._everything
 
-
-# What is known of a limb before any of its responses is read.
 
 #: Places and outputs of a limb whose results can follow each edit; of larger ones they are
 #: computed as jobs: exports, sweeps and scripts.

@@ -1,4 +1,8 @@
-"""From files of a lab to a limb that is kept here."""
+"""Import a limb from files of a lab.
+
+Foreign files are read in a child process, which calls `look` and `blocks`; all else runs in the
+process of the caller.
+"""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, fields
@@ -15,19 +19,23 @@ from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.base.quoting import quoted
 from skinsource.limbs import limb_layout
 from skinsource.limbs.limb import LimbFacts
-from skinsource.limbs.limb_layout import hull_around, limb_file_error, points_of
+from skinsource.limbs.limb_layout import (
+    POINT_FIELDS,
+    USUAL_ORDERS,
+    hull_around,
+    limb_file_error,
+    points_of,
+)
 from skinsource.limbs.own_limbs import OwnLimb, facts_of, install_limb, own_limb_path
 from skinsource.readers.readers import reader_of
 from skinsource.readers.reading_process import ReadingProcess
 
-#: An array of three dimensions, and one of four, if nobody says what they are.
-USUAL_ORDERS = {3: "iot", 4: "ioat"}
 _HULL_NOTE = "the outline is a hull around the places, not measured"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LimbSource:
-    """What a limb is made of.
+    """The files and values that a limb is imported from.
 
     Attributes
     ----------
@@ -71,7 +79,7 @@ def import_limb(
     progress: Progress = silent,
     stop: Stop = never,
 ) -> LimbFacts:
-    """Read, check and keep a limb.
+    """Read, check and store a limb.
 
     Parameters
     ----------
@@ -80,7 +88,7 @@ def import_limb(
     replace
         Whether an own limb of the same name goes; it cannot be had back.
     progress, stop
-        Told how far it is; asked whether to go on.
+        Called with the progress; asked whether to stop.
 
     Raises
     ------
@@ -91,22 +99,22 @@ def import_limb(
     StorageError
         A file cannot be read, or the limb cannot be written.
     Stopped
-        ``stop`` said so; nothing is left behind.
+        ``stop`` returned true; nothing is left behind.
     """
     with ReadingProcess() as process:
-        found = prepare_limb(source, process, stop=stop)
+        prepared = prepare_limb(source, process, stop=stop)
         if not replace:
-            _refuse_taken(found.limb.name)
-        responses = _responses(source.responses, found, process, stop)
+            _check_name_free(prepared.limb.name)
+        responses = _responses(source.responses, prepared, process, stop)
         try:
-            install_limb(found.limb, responses, progress=progress, stop=stop)
+            install_limb(prepared.limb, responses, progress=progress, stop=stop)
         except InvalidInputError as error:
             raise FileFormatError(f"{named(Path(source.responses.name))}: {error}") from error
-    return facts_of(found.limb.name)
+    return facts_of(prepared.limb.name)
 
 
-def _refuse_taken(name: str) -> None:
-    """A damaged limb counts too: what is left of it may be all that there is."""
+def _check_name_free(name: str) -> None:
+    """Raise if the name is in use, even by a damaged limb, which may be the only copy."""
     if is_file(own_limb_path(name)):
         raise InvalidInputError(
             f"an own limb is called {quoted(name)} already, and would be lost: give this one "
@@ -121,28 +129,26 @@ def prepare_limb(
     path = source.responses
     about = process.ask(path, {"do": "limb"}, stop=stop)["limb"]
     header: dict[str, Any] = about["header"] or {}
-    shape, request = _arranged(source, about)
+    shape, request = _array_request(source, about)
     values: dict[str, Any] = {
         "name": "",
-        **_of_layout(path, header),
+        **_layout_values(path, header),
         **{key: value for key, value in source.values.items() if value is not None},
     }
     down = False
-    for part, whole in (
-        ("outline", "outline"),
-        ("inputs", "input_positions"),
-        ("outputs", "output_positions"),
-    ):
-        given = getattr(source, part)
-        if given is None:
-            values.setdefault(whole, None)
+    for part, field_name in POINT_FIELDS.items():
+        part_source = getattr(source, part)
+        if part_source is None:
+            values.setdefault(field_name, None)
             continue
-        points = read_points(given, process, stop=stop) if isinstance(given, Path) else None
-        values[whole] = np.array(given) if points is None else points.points
+        points = (
+            read_points(part_source, process, stop=stop) if isinstance(part_source, Path) else None
+        )
+        values[field_name] = np.array(part_source) if points is None else points.points
         down = down or (points is not None and points.y_down)
         if points is not None and points.names and part != "outline":
             values[f"{part[:-1]}_names"] = points.names
-    _turn_up(values, source, down=down if source.y_down is None else source.y_down)
+    _flip_vertically(values, source, down=down if source.y_down is None else source.y_down)
     values["n_taps"] = shape[3]
     try:
         _complete(values, shape)
@@ -161,36 +167,36 @@ class Points:
 
 
 def read_points(path: Path, process: ReadingProcess, *, stop: Stop = never) -> Points:
-    """Places of a CSV file, or the outline of a CSV or SVG file; raises as `import_limb`."""
-    found = process.ask(path, {"do": "points"}, stop=stop)["points"]
+    """Read the places of a CSV file, or the outline of a CSV or SVG file."""
+    answer = process.ask(path, {"do": "points"}, stop=stop)["points"]
     try:
-        rows = [(np.nan, np.nan) if row is None else row for row in found["points"]]
+        rows = [(np.nan, np.nan) if row is None else row for row in answer["points"]]
         points = np.array(rows, np.float64).reshape(-1, 2)
-        names = tuple(map(str, found["names"]))
+        names = tuple(map(str, answer["names"]))
     except (TypeError, ValueError, KeyError) as error:
         raise FileFormatError(
             f"{named(Path(path.name))}: its points make no sense, expected rows of x and y."
         ) from error
-    return Points(points=points, names=names, y_down=bool(found["y_down"]))
+    return Points(points=points, names=names, y_down=bool(answer["y_down"]))
 
 
-def _arranged(
+def _array_request(
     source: LimbSource, about: dict[str, Any]
 ) -> tuple[tuple[int, int, int, int], dict[str, Any]]:
-    """Shape of the responses, (inputs, outputs, axes, taps), and how they are asked for."""
+    """Return the shape of the responses, (inputs, outputs, axes, taps), and their request."""
     if about["header"] is not None:
         inputs, outputs, axes, taps = about["header"]["shape"]
         return (inputs, outputs, axes, taps), {"do": "responses", "array": None, "order": ""}
-    arrays = [one for one in about["arrays"] if source.array in ("", one["name"])]
+    arrays = [array for array in about["arrays"] if source.array in ("", array["name"])]
     if not arrays:
-        names = ", ".join(quoted(one["name"]) for one in about["arrays"][:10])
+        names = ", ".join(quoted(array["name"]) for array in about["arrays"][:10])
         raise InvalidInputError(
             f"{named(Path(source.responses.name))}: it has no array {quoted(source.array)}, "
             f"expected one of {names}"
         )
-    array = max(arrays, key=lambda one: prod(one["shape"]))
+    array = max(arrays, key=lambda array: prod(array["shape"]))
     order = source.order or USUAL_ORDERS[len(array["shape"])]
-    if sorted(order) not in (sorted("ioat"), sorted("iot")) or len(order) != len(array["shape"]):
+    if sorted(order) != sorted(USUAL_ORDERS[len(array["shape"])]):
         raise InvalidInputError(
             f"{named(Path(source.responses.name))}: the order of {quoted(array['name'])}, which "
             f"has {len(array['shape'])} dimensions, is {quoted(order)}, expected i, o, a and t, "
@@ -201,8 +207,8 @@ def _arranged(
     return shape, {"do": "responses", "array": array["name"], "order": order}
 
 
-def _of_layout(path: Path, header: dict[str, Any]) -> dict[str, Any]:
-    """Fields of `OwnLimb` that a file in the layout says."""
+def _layout_values(path: Path, header: dict[str, Any]) -> dict[str, Any]:
+    """Return the fields of `OwnLimb` in the header of a file."""
     if not header:
         return {}
     return {
@@ -210,8 +216,8 @@ def _of_layout(path: Path, header: dict[str, Any]) -> dict[str, Any]:
         "title": header["title"],
         "note": " ".join(str(header["note"]).split()),
         "axes": header["axes"],
-        "per_unit_drive": _either(path, header, "answers", "drive", "pulse"),
-        "left": _either(path, header, "hand", "left", "right"),
+        "per_unit_drive": _is_first(path, header, "answers", "drive", "pulse"),
+        "left": _is_first(path, header, "hand", "left", "right"),
         "synthetic": bool(header["synthetic"]),
         "sample_rate_hz": header["sample_rate_hz"],
         "pre_trigger_delay_s": header["pre_trigger_delay_s"],
@@ -227,7 +233,7 @@ def _of_layout(path: Path, header: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def _either(path: Path, header: dict[str, Any], name: str, first: str, second: str) -> bool:
+def _is_first(path: Path, header: dict[str, Any], name: str, first: str, second: str) -> bool:
     if header[name] not in (first, second):
         raise limb_file_error(
             path,
@@ -237,20 +243,16 @@ def _either(path: Path, header: dict[str, Any], name: str, first: str, second: s
     return bool(header[name] == first)
 
 
-def _turn_up(values: dict[str, Any], source: LimbSource, *, down: bool) -> None:
-    """Let y point up in what was given beside the layout."""
-    for part, whole in (
-        ("outline", "outline"),
-        ("inputs", "input_positions"),
-        ("outputs", "output_positions"),
-    ):
+def _flip_vertically(values: dict[str, Any], source: LimbSource, *, down: bool) -> None:
+    """Turn y upwards in the points that were given beside the layout."""
+    for part, field_name in POINT_FIELDS.items():
         if down and getattr(source, part) is not None:
-            values[whole] = np.asarray(values[whole]) * (1.0, -1.0)
+            values[field_name] = np.asarray(values[field_name]) * (1.0, -1.0)
 
 
 def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:
-    """Say what is missing, and whether the numbers of places are those of the responses."""
-    known = {one.name for one in fields(OwnLimb)}
+    """Check that nothing is missing and that places match responses; add outline and scale."""
+    known = {spec.name for spec in fields(OwnLimb)}
     for name in ("axes", "sample_rate_hz", "hand_length_mm"):
         if values.get(name) is None:
             raise InvalidInputError(f"{name} is not known, expected it with the responses")
@@ -285,22 +287,20 @@ def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:
 
 
 def _responses(
-    path: Path, found: PreparedLimb, process: ReadingProcess, stop: Stop
+    path: Path, prepared: PreparedLimb, process: ReadingProcess, stop: Stop
 ) -> Iterator[Floats]:
-    for block in process.stream(path, found.request, stop=stop):
-        rows = found.limb.n_outputs * len(found.limb.axes)
-        if block.shape != (rows, found.limb.n_taps):
+    for block in process.stream(path, prepared.request, stop=stop):
+        rows = prepared.limb.n_outputs * len(prepared.limb.axes)
+        if block.shape != (rows, prepared.limb.n_taps):
             raise FileFormatError(
                 f"{named(Path(path.name))}: a response has shape {block.shape}, expected "
-                f"{(rows, found.limb.n_taps)}. The file has changed, or is damaged."
+                f"{(rows, prepared.limb.n_taps)}. The file has changed, or is damaged."
             )
-        yield block.reshape(found.limb.shape[1:])
+        yield block.reshape(prepared.limb.shape[1:])
 
-
-# What the child process does for limbs.
 
 _HDF5 = "HDF5", "MATLAB 7.3"
-#: What such files can be.
+#: Kinds of files that each request expects.
 EXPECTED = {
     "limb": "responses in the layout of docs/limbs.md, or in NPY, NPZ, MATLAB or HDF5",
     "points": "a CSV or SVG file",

@@ -1,4 +1,17 @@
-"""One way to say what is wrong with the files of a limb."""
+"""Files of labs: limbs in HDF5, arrays of responses, tables of places, and outlines.
+
+Most of it runs in the child process that reads foreign files.  ``docs/limbs.md`` describes the
+layout of a limb for people::
+
+    /                  format, format_version, name, title, note, sample_rate_hz, axes,
+                       pre_trigger_delay_s, band_hz, answers, hand, hand_length_mm, synthetic
+    /responses         (n_inputs, n_outputs, n_axes, n_taps) float32 or float64, m/s²
+    /map               hand_length
+    /map/outline       (n_vertices, 2)
+    /map/inputs        (n_inputs, 2)
+    /map/outputs       (n_outputs, 2), NaN where an output has no place on the back
+    /names/inputs      (n_inputs,) texts, may be missing; so may outputs
+"""
 
 import csv
 import io
@@ -26,26 +39,13 @@ from skinsource.readers.readers import reader_of
 _ADVICE = "docs/limbs.md says what a limb consists of."
 
 
-def limb_file_error(path: Path, found: str, expected: str) -> RecordingError:
-    """The error that names the file, what was found and expected, and where to look."""
-    return RecordingError(f"{named(Path(path.name))}: {found}, expected {expected}. {_ADVICE}")
+def limb_file_error(path: Path, problem: str, expected: str) -> RecordingError:
+    """Return an error that names the file, the problem, what was expected, and where to look."""
+    return RecordingError(f"{named(Path(path.name))}: {problem}, expected {expected}. {_ADVICE}")
 
-
-# The HDF5 file that a lab hands over: `docs/limbs.md` describes it for people.
-#
-# ::
-#
-#     /                  format, format_version, name, title, note, sample_rate_hz, axes,
-#                        pre_trigger_delay_s, band_hz, answers, hand, hand_length_mm, synthetic
-#     /responses         (n_inputs, n_outputs, n_axes, n_taps) float32 or float64, m/s²
-#     /map               hand_length
-#     /map/outline       (n_vertices, 2)
-#     /map/inputs        (n_inputs, 2)
-#     /map/outputs       (n_outputs, 2), NaN where an output has no place on the back
-#     /names/inputs      (n_inputs,) texts, may be missing; so may outputs
 
 FORMAT, VERSION = "skinsource limb", 1
-#: Attributes: texts, and numbers; those without a default must be there.
+#: Attributes, texts and numbers, with their defaults; those without one must be there.
 TEXTS = {"name": "", "title": "", "note": "", "axes": None, "answers": "drive", "hand": "right"}
 NUMBERS = {
     "sample_rate_hz": None,
@@ -54,10 +54,11 @@ NUMBERS = {
     "synthetic": 0.0,
 }
 _ONLY_OF_LIMBS = ("format_version", "hand_length_mm")
-_POINTS = {"outline": "outline", "inputs": "input_positions", "outputs": "output_positions"}
+#: Datasets of points, and the fields of `OwnLimb` that they fill.
+POINT_FIELDS = {"outline": "outline", "inputs": "input_positions", "outputs": "output_positions"}
 _NAMES = {"inputs": "input_names", "outputs": "output_names"}
 _LONGEST_TEXT, _MOST_NAMES, _MOST_ROWS = 4000, 512, 20_001
-_BESIDE_BYTES = 2**20
+_HEADER_BYTES = 2**20
 
 
 def is_limb_file(path: Path) -> bool:
@@ -72,15 +73,13 @@ def is_limb_file(path: Path) -> bool:
         if "format" in file.attrs and _text(file, path, "format", "") == FORMAT:
             return True
         if any(name in file.attrs for name in _ONLY_OF_LIMBS):
-            found = _text(file, path, "format", None)
-            raise limb_file_error(
-                path, f"the attribute 'format' is {quoted(found)}", quoted(FORMAT)
-            )
+            text = _text(file, path, "format", None)
+            raise limb_file_error(path, f"the attribute 'format' is {quoted(text)}", quoted(FORMAT))
         return False
 
 
 def header_of(path: Path) -> dict[str, Any]:
-    """All but the responses, as JSON carries it; for the child process.
+    """Return all but the responses, ready for JSON; for the child process.
 
     Raises
     ------
@@ -102,9 +101,9 @@ def header_of(path: Path) -> dict[str, Any]:
                 path, "it has no group 'map'", "one with outline, inputs and outputs"
             )
         header["hand_length"] = _number(group, path, "hand_length", header["hand_length_mm"])
-        for name, field in _POINTS.items():
+        for name, field in POINT_FIELDS.items():
             points = np.asarray(_dataset(group, path, name, 2, _MOST_ROWS)[()], np.float64)
-            header[field] = _without_nan(points)
+            header[field] = _json_points(points)
         names = files.own_member(file, "names", files.Group)
         for name, field in _NAMES.items():
             header[field] = [] if names is None else _names(names, path, name)
@@ -112,12 +111,12 @@ def header_of(path: Path) -> dict[str, Any]:
 
 
 def response_blocks(path: Path) -> Iterator[Floats]:
-    """Responses to one input after another, (n_outputs x n_axes, n_taps); for the child process."""
+    """Yield the responses to each input, (n_outputs x n_axes, n_taps); for the child process."""
     with files.File(path, "r", locking=False) as file:
         responses = _responses(file, path)
         for number in range(responses.shape[0]):
-            found = np.asarray(responses[number], np.float64)
-            yield found.reshape(-1, found.shape[-1])
+            response = np.asarray(responses[number], np.float64)
+            yield response.reshape(-1, response.shape[-1])
 
 
 def export_limb(name: str, path: Path, *, progress: Progress = silent, stop: Stop = never) -> None:
@@ -130,11 +129,11 @@ def export_limb(name: str, path: Path, *, progress: Progress = silent, stop: Sto
     FileFormatError, StorageError
         It is damaged, the disk is full, or the folder cannot be written.
     Stopped
-        ``stop`` said so.
+        ``stop`` returned true.
     """
-    held = LimbFile(existing_path(name))
-    limb = held.limb
-    n_bytes = 8 * int(np.prod(limb.shape)) + _BESIDE_BYTES
+    limb_file = LimbFile(existing_path(name))
+    limb = limb_file.limb
+    n_bytes = 8 * int(np.prod(limb.shape)) + _HEADER_BYTES
     free_bytes = shutil.disk_usage(path.resolve().parent).free if path.parent.is_dir() else n_bytes
     if free_bytes < n_bytes:
         # Where the disk is full, HDF5 ends the process.
@@ -147,7 +146,7 @@ def export_limb(name: str, path: Path, *, progress: Progress = silent, stop: Sto
         responses = file.create_dataset("responses", limb.shape, "<f8", track_times=False)
         for number in range(1, limb.n_inputs + 1):
             stop_if(stop)
-            responses[number - 1] = held.response(number)
+            responses[number - 1] = limb_file.response(number)
             progress(number, limb.n_inputs, "Writing the responses")
 
 
@@ -171,11 +170,11 @@ def _put_header(file: Any, limb: OwnLimb) -> None:
     file.attrs["synthetic"] = int(limb.synthetic)
     group = file.create_group("map")
     group.attrs["hand_length"] = limb.hand_length_px
-    for name, field in _POINTS.items():
+    for name, field in POINT_FIELDS.items():
         group.create_dataset(name, data=getattr(limb, field), track_times=False)
     for name, field in _NAMES.items():
         if getattr(limb, field):
-            texts_of = np.array([one.encode() for one in getattr(limb, field)])
+            texts_of = np.array([name.encode() for name in getattr(limb, field)])
             file.require_group("names").create_dataset(name, data=texts_of, track_times=False)
 
 
@@ -184,17 +183,17 @@ def _responses(file: Any, path: Path) -> Any:
 
 
 def _dataset(group: Any, path: Path, name: str, n_dimensions: int, longest: int) -> Any:
-    found = files.own_member(group, name, files.Dataset)
-    if found is None:
+    dataset = files.own_member(group, name, files.Dataset)
+    if dataset is None:
         raise limb_file_error(path, f"it has no dataset {quoted(name)}", "one of numbers")
-    reason = reason_against(found, path.stat().st_size)
+    reason = reason_against(dataset, path.stat().st_size)
     if reason:
         raise limb_file_error(path, f"{quoted(name)} cannot be read: {reason}", "plain numbers")
-    shape = tuple(int(n) for n in found.shape)
+    shape = tuple(int(n) for n in dataset.shape)
     if len(shape) != n_dimensions or not all(1 <= n <= longest for n in shape):
         expected = "(n, 2)" if n_dimensions == 2 else "(inputs, outputs, axes, taps)"
         raise limb_file_error(path, f"{quoted(name)} has shape {shape}", expected)
-    return found
+    return dataset
 
 
 def _text(group: Any, path: Path, name: str, default: str | None) -> str:
@@ -227,7 +226,7 @@ def _band(group: Any, path: Path) -> list[float] | None:
         raise limb_file_error(
             path, f"the attribute 'band_hz' is {quoted(value)}", "two frequencies"
         )
-    return [float(one) for one in array]
+    return [float(frequency) for frequency in array]
 
 
 def _attribute(group: Any, path: Path, name: str, default: Any) -> Any:
@@ -247,78 +246,77 @@ def _attribute(group: Any, path: Path, name: str, default: Any) -> Any:
 
 
 def _names(group: Any, path: Path, name: str) -> list[str]:
-    found = files.own_member(group, name, files.Dataset)
-    if found is None:
+    dataset = files.own_member(group, name, files.Dataset)
+    if dataset is None:
         return []
-    shape = found.shape
-    if shape is None or len(shape) != 1 or shape[0] > _MOST_NAMES or found.dtype.kind not in "SO":
+    shape = dataset.shape
+    if shape is None or len(shape) != 1 or shape[0] > _MOST_NAMES or dataset.dtype.kind not in "SO":
         raise limb_file_error(
             path, f"'names/{name}' is no list of texts", "one text for each place"
         )
-    values = found[()]
+    values = dataset[()]
     return [
-        one.decode("utf-8", "replace") if isinstance(one, bytes) else str(one) for one in values
+        value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
+        for value in values
     ]
 
 
-def _without_nan(points: Floats) -> list[list[float] | None]:
+def _json_points(points: Floats) -> list[list[float] | None]:
     return [row.tolist() if np.isfinite(row).all() else None for row in points]
 
 
-# Arrays of any number of dimensions in NPY, NPZ, MATLAB and HDF5 files; for the child process.
-
-_OPENED = {
+_OPENERS = {
     "NPY": arrays.opened_npy,
     "NPZ": arrays.opened_npz,
     "MATLAB": arrays.opened_matlab,
     "MATLAB 7.3": arrays.opened_hdf5,
     "HDF5": arrays.opened_hdf5,
 }
-#: What the letters of an order stand for.
-ORDER_LETTERS = "ioat"
+#: Usual order of three and of four dimensions: i input, o output, a axis, t tap.
+USUAL_ORDERS = {3: "iot", 4: "ioat"}
 _KINDS, _MOST_ARRAYS = "iuf", 200
 
 
 def arrays_of(path: Path) -> list[dict[str, Any]]:
-    """Name and shape of each array of numbers with three or four dimensions."""
-    with _opened(path) as members:
-        found = [
-            {"name": one.name, "shape": [int(n) for n in one.array.shape]}
-            for one in members.members
-            if len(one.array.shape) in (3, 4) and np.dtype(one.array.dtype).kind in _KINDS
+    """Return the name and shape of each array of numbers with three or four dimensions."""
+    with _open_arrays(path) as members:
+        descriptions = [
+            {"name": member.name, "shape": [int(n) for n in member.array.shape]}
+            for member in members.members
+            if len(member.array.shape) in (3, 4) and np.dtype(member.array.dtype).kind in _KINDS
         ]
-        if not found:
+        if not descriptions:
             raise limb_file_error(
                 path,
                 f"it holds no array of 3 or 4 dimensions. {' '.join(members.notes)}".rstrip(" ."),
                 "responses: inputs, outputs, axes and taps in some order",
             )
-        return found[:_MOST_ARRAYS]
+        return descriptions[:_MOST_ARRAYS]
 
 
 def offered_by(path: Path) -> dict[str, Any]:
-    """Name, shape and rate of each array of three dimensions, and the rate of the file.
+    """Return the name, shape and rate of each array of three dimensions, and the rate of the file.
 
     None of tables and sound, which are read signal by signal.
     """
-    if reader_of(path).name not in _OPENED:
+    if reader_of(path).name not in _OPENERS:
         return {"arrays": [], "rate_hz": None}
-    with _opened(path) as members:
-        found = [
+    with _open_arrays(path) as members:
+        descriptions = [
             {
-                "name": one.name,
-                "shape": [int(n) for n in one.array.shape],
-                "rate_hz": one.rate_hz,
+                "name": member.name,
+                "shape": [int(n) for n in member.array.shape],
+                "rate_hz": member.rate_hz,
             }
-            for one in members.members
-            if len(one.array.shape) == 3 and np.dtype(one.array.dtype).kind in _KINDS
+            for member in members.members
+            if len(member.array.shape) == 3 and np.dtype(member.array.dtype).kind in _KINDS
         ]
         stated = stated_rate(members)
-        return {"arrays": found[:_MOST_ARRAYS], "rate_hz": stated[1] if stated else None}
+        return {"arrays": descriptions[:_MOST_ARRAYS], "rate_hz": stated[1] if stated else None}
 
 
 def array_blocks(path: Path, name: str, order: str) -> Iterator[Floats]:
-    """Responses to one input after another, (n_outputs x n_axes, n_taps).
+    """Yield the responses to one input after another, (n_outputs x n_axes, n_taps).
 
     Parameters
     ----------
@@ -327,10 +325,10 @@ def array_blocks(path: Path, name: str, order: str) -> Iterator[Floats]:
     order
         A letter for each dimension, in the order of the file: i input, o output, a axis, t tap.
     """
-    with _opened(path) as members:
-        array = _chosen(path, members, name)
+    with _open_arrays(path) as members:
+        array = _chosen_array(path, members, name)
         shape = tuple(int(n) for n in array.shape)
-        if sorted(order) != sorted(ORDER_LETTERS.replace("a", "") if len(shape) == 3 else "ioat"):
+        if sorted(order) != sorted(USUAL_ORDERS[len(shape)]):
             raise limb_file_error(
                 path,
                 f"the order of its {len(shape)} dimensions is {quoted(order)}",
@@ -339,38 +337,36 @@ def array_blocks(path: Path, name: str, order: str) -> Iterator[Floats]:
         for number in range(shape[order.index("i")]):
             at: list[Any] = [slice(None)] * len(shape)
             at[order.index("i")] = number
-            found = np.asarray(array[tuple(at)], np.float64)
+            response = np.asarray(array[tuple(at)], np.float64)
             rest = order.replace("i", "")
             if "a" not in rest:
-                found, rest = found[..., None], f"{rest}a"
-            found = found.transpose([rest.index(letter) for letter in "oat"])
-            yield found.reshape(-1, found.shape[-1])
+                response, rest = response[..., None], f"{rest}a"
+            response = response.transpose([rest.index(letter) for letter in "oat"])
+            yield response.reshape(-1, response.shape[-1])
 
 
-def _chosen(path: Path, members: Members, name: str) -> Any:
-    offered = [one for one in members.members if len(one.array.shape) in (3, 4)]
-    named = [one for one in offered if one.name == name] if name else offered
+def _chosen_array(path: Path, members: Members, name: str) -> Any:
+    offered = [member for member in members.members if len(member.array.shape) in (3, 4)]
+    named = [member for member in offered if member.name == name] if name else offered
     if not named:
-        names = ", ".join(quoted(one.name) for one in offered[:10]) or "none"
+        names = ", ".join(quoted(member.name) for member in offered[:10]) or "none"
         raise limb_file_error(path, f"it has no array {quoted(name)}", f"one of {names}")
-    return max(named, key=lambda one: int(np.prod(one.array.shape))).array
+    return max(named, key=lambda member: int(np.prod(member.array.shape))).array
 
 
-def _opened(path: Path) -> AbstractContextManager[Members]:
+def _open_arrays(path: Path) -> AbstractContextManager[Members]:
     file_format = reader_of(path).name
-    if file_format not in _OPENED:
+    if file_format not in _OPENERS:
         raise limb_file_error(path, f"it is a {file_format} file", "NPY, NPZ, MATLAB or HDF5")
-    return _OPENED[file_format](path)
+    return _OPENERS[file_format](path)
 
 
-# Places from CSV, and outlines from CSV or SVG; for the child process.
-
-_MOST_BYTES, _POINTS_MOST_ROWS = 8 * 2**20, 20_001
+_MOST_BYTES = 8 * 2**20
 _MISSING = ("", "nan", "-", "none")
 
 
 def points_of(path: Path) -> dict[str, Any]:
-    """Points of a file as JSON carries them: ``points``, rows of x and y or None, and ``names``.
+    """Return the points of a file for JSON: ``points``, rows of x and y or None, and ``names``.
 
     A CSV file has a point a row: x, y and, if wanted, a name; with a header its columns are found
     by the names ``x``, ``y`` and ``name``.  Of an SVG file the largest closed line is taken.
@@ -382,10 +378,8 @@ def points_of(path: Path) -> dict[str, Any]:
             line = outline_of(content)
         except ValueError as error:
             raise limb_file_error(path, str(error), "an SVG file with a path") from error
-        if len(line) > _POINTS_MOST_ROWS or not np.isfinite(line).all():
-            raise limb_file_error(
-                path, f"its line has {len(line)} points", f"at most {_POINTS_MOST_ROWS}"
-            )
+        if len(line) > _MOST_ROWS or not np.isfinite(line).all():
+            raise limb_file_error(path, f"its line has {len(line)} points", f"at most {_MOST_ROWS}")
         return {"points": line.tolist(), "names": [], "y_down": True}
     rows = _rows(path, content)
     points, names = [], []
@@ -404,18 +398,18 @@ def _rows(path: Path, content: bytes) -> list[list[str]]:
     skip = delimiter == " "
     read = csv.reader(io.StringIO("\n".join(lines)), delimiter=delimiter, skipinitialspace=skip)
     try:
-        found = [row for row in read if row]
+        rows = [row for row in read if row]
     except csv.Error as error:
         raise limb_file_error(path, f"it is no table ({error})", "rows of x and y") from error
-    if not 1 <= len(found) <= _POINTS_MOST_ROWS:
+    if not 1 <= len(rows) <= _MOST_ROWS:
         raise limb_file_error(
-            path, f"it has {len(found)} rows", f"1 to {_POINTS_MOST_ROWS} rows of x and y"
+            path, f"it has {len(rows)} rows", f"1 to {_MOST_ROWS} rows of x and y"
         )
-    return found
+    return rows
 
 
 def _columns(rows: list[list[str]]) -> tuple[int, int, int | None, list[list[str]]]:
-    header = [one.strip().lower() for one in rows[0]]
+    header = [cell.strip().lower() for cell in rows[0]]
     if "x" in header and "y" in header:
         name = header.index("name") if "name" in header else None
         return header.index("x"), header.index("y"), name, rows[1:]
@@ -424,29 +418,27 @@ def _columns(rows: list[list[str]]) -> tuple[int, int, int | None, list[list[str
 
 def _point(path: Path, row: list[str], x: int, y: int, number: int) -> list[float] | None:
     cells = [row[k].strip() if k < len(row) else "" for k in (x, y)]
-    if all(one.lower() in _MISSING for one in cells):
+    if all(cell.lower() in _MISSING for cell in cells):
         return None
     try:
-        found = [float(one) for one in cells]
+        point = [float(cell) for cell in cells]
     except ValueError as error:
         raise limb_file_error(
             path, f"row {number} has {quoted(','.join(cells))}", "two numbers, x and y"
         ) from error
-    if not np.isfinite(found).all():
+    if not np.isfinite(point).all():
         raise limb_file_error(
             path, f"row {number} has {quoted(','.join(cells))}", "two finite numbers"
         )
-    return found
+    return point
 
-
-# An outline for places that came without one.
 
 #: How far the hull stays away from the places, in their extent.
 _MARGIN = 0.12
 
 
 def hull_around(places: Floats) -> Floats:
-    """The convex hull of places, (n, 2), NaN where one is missing, moved outwards."""
+    """Return the convex hull of places, (n, 2), moved outwards; NaN where one is missing."""
     points = places[np.isfinite(places).all(axis=1)]
     if len(points) < 1:
         raise InvalidInputError("no place is known, expected some, or an outline")

@@ -215,7 +215,7 @@ OUTPUTS: tuple[OutputPlace, ...] = _output_places()
 
 
 def input_place(number: int) -> InputPlace:
-    """Input place ``number``, 1 to 20.
+    """Return the input place ``number``, 1 to 20.
 
     Raises
     ------
@@ -227,7 +227,7 @@ def input_place(number: int) -> InputPlace:
 
 
 def output_place(number: int) -> OutputPlace:
-    """Output place ``number``, 1 to 72.
+    """Return the output place ``number``, 1 to 72.
 
     Raises
     ------
@@ -244,7 +244,7 @@ def output_place(number: int) -> OutputPlace:
 
 
 def input_name(number: int, limb: str = "") -> LocationNames:
-    """What input place ``number`` is called; a limb may have places that are not named here.
+    """Return the names of input place ``number`` of a limb, whether or not it is known here.
 
     Of a limb that is missing nobody knows more of a place than its number.
 
@@ -253,7 +253,7 @@ def input_name(number: int, limb: str = "") -> LocationNames:
     """
     facts = facts_of(limb)
     if (facts.own and 1 <= number <= facts.n_inputs) or facts.missing:
-        return _own_words(number, facts.input_names, "Place", "place")
+        return _own_names(number, facts.input_names, "Place", "place")
     if facts.own or not 1 <= number <= len(INPUTS):
         return LocationNames(
             number=number,
@@ -268,14 +268,14 @@ def input_name(number: int, limb: str = "") -> LocationNames:
 
 
 def output_name(number: int, limb: str = "") -> LocationNames:
-    """What output place ``number`` is called; a limb may have places that are not named here.
+    """Return the names of output place ``number`` of a limb, whether or not it is known here.
 
     >>> output_name(80).name
     'Not on this limb'
     """
     facts = facts_of(limb)
     if (facts.own and 1 <= number <= facts.n_outputs) or facts.missing:
-        return _own_words(number, facts.output_names, "Output", "output")
+        return _own_names(number, facts.output_names, "Output", "output")
     if facts.own or not 1 <= number <= len(OUTPUTS):
         return LocationNames(
             number=number, name="Not on this limb", short_name="not on this limb", kind=""
@@ -286,12 +286,12 @@ def output_name(number: int, limb: str = "") -> LocationNames:
     )
 
 
-def _own_words(number: int, names: tuple[str, ...], long: str, short: str) -> LocationNames:
-    """What a place of an imported limb is called; by its number where the lab gave no name."""
-    given = names[number - 1] if names else ""
+def _own_names(number: int, names: tuple[str, ...], long: str, short: str) -> LocationNames:
+    """Return the names of a place of an imported limb; its number where the lab gave none."""
+    name = names[number - 1] if names else ""
     return LocationNames(
         number=number,
-        name=given or f"{long} {number}",
-        short_name=given or f"{short} {number}",
+        name=name or f"{long} {number}",
+        short_name=name or f"{short} {number}",
         kind="",
     )

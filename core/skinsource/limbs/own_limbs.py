@@ -1,4 +1,10 @@
-"""All that a limb of a lab's own holds besides its responses."""
+"""Imported limbs: what one holds, its file, the folder of these files, and facts by name.
+
+A file begins with 512 bytes: the format, and the SHA-256 and length of a text.  The text is JSON:
+all but the responses, and the SHA-256 of the responses to each input.  From the next multiple of
+512 on come the responses, float64, little-endian, input by input.  So the responses to one input
+can be read alone, and damage is noticed wherever it is.
+"""
 
 import hashlib
 import json
@@ -30,14 +36,14 @@ from skinsource.base.work import counted
 from skinsource.limbs.limb import PUBLISHED, Limb, LimbFacts, LimbMap
 
 MOST_INPUTS, MOST_OUTPUTS, MOST_TAPS = 256, 512, 2**20
-#: Of all responses together: 256 x 512 x 3 of half a second at 4 kHz take 6.3 GB.
+#: Most bytes of all responses: 256 x 512 x 3 of half a second at 4 kHz take 6.3 GB.
 MOST_BYTES = 8 * 10**9
 MOST_VERTICES = 20_000
 LEAST_RATE_HZ, MOST_RATE_HZ = 100.0, 768_000.0
 NAME_RULE = "small letters, digits and '-', at most 40, a letter first"
 _NAME = re.compile(r"[a-z][a-z0-9-]{0,39}")
-# As the limbs that come with the studio, and those that are published.
-_TAKEN = ("measured-", "synthetic-")
+# Names of the published and of the synthetic limbs begin so.
+_RESERVED = ("measured-", "synthetic-")
 _LONGEST_TITLE, _LONGEST_NOTE, _LONGEST_PLACE = 100, 2000, 80
 # Coordinates beyond this are no places on a hand, in whatever unit.
 _FARTHEST = 1e6
@@ -45,12 +51,12 @@ _FARTHEST = 1e6
 
 def is_free_name(name: object) -> bool:
     """Whether an own limb may be called so: `NAME_RULE`, and no limb that comes with the studio."""
-    return isinstance(name, str) and bool(_NAME.fullmatch(name)) and not name.startswith(_TAKEN)
+    return isinstance(name, str) and bool(_NAME.fullmatch(name)) and not name.startswith(_RESERVED)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class OwnLimb:
-    """Checked when it is made.
+    """An imported limb without its responses; checked when it is made.
 
     Attributes
     ----------
@@ -102,7 +108,7 @@ class OwnLimb:
         if not is_free_name(self.name):
             raise InvalidInputError(
                 f"the name of the limb is {quoted(self.name)}, expected {NAME_RULE}, not beginning "
-                f"with {' or '.join(_TAKEN)}"
+                f"with {' or '.join(_RESERVED)}"
             )
         self._put(title=_line("title", self.title, _LONGEST_TITLE))
         self._put(note=_line("note", self.note, _LONGEST_NOTE))
@@ -146,7 +152,7 @@ class OwnLimb:
             ("input_names", self.input_names, self.n_inputs),
             ("output_names", self.output_names, self.n_outputs),
         ):
-            texts = tuple(_line(what, one, _LONGEST_PLACE) for one in names)
+            texts = tuple(_line(what, name, _LONGEST_PLACE) for name in names)
             if texts and len(texts) != n:
                 raise InvalidInputError(
                     f"{what} are {len(texts)}, expected {n}, one for each place"
@@ -173,7 +179,7 @@ class OwnLimb:
         return self.n_inputs, self.n_outputs, len(self.axes), self.n_taps
 
     def map(self) -> LimbMap:
-        """Outline and places, as they are shown."""
+        """Return the outline and places as they are shown."""
         # About the middle of the outline, so that it stays where it is.
         both = self.outline[:, 0].min() + self.outline[:, 0].max()
 
@@ -189,7 +195,7 @@ class OwnLimb:
         )
 
     def shown_mirrored(self, mirrored: bool) -> "OwnLimb":
-        """The same, shown the other way round or not."""
+        """Return this limb, shown mirrored or not."""
         return replace(self, mirrored=mirrored)
 
 
@@ -204,48 +210,42 @@ def _line(what: str, text: object, longest: int) -> str:
 def _band(band_hz: object, sample_rate_hz: float) -> Band | None:
     if band_hz is None:
         return None
-    found = real_array("band_hz", band_hz, "two frequencies")  # type: ignore[arg-type]
+    band = real_array("band_hz", band_hz, "two frequencies")  # type: ignore[arg-type]
     highest = sample_rate_hz / 2.0
-    if found.shape != (2,) or not 0.0 <= found[0] < found[1] <= highest:
+    if band.shape != (2,) or not 0.0 <= band[0] < band[1] <= highest:
         raise InvalidInputError(
             f"band_hz is {quoted(band_hz)}, expected a lower and a higher frequency, up to half "
             f"the sample rate, {highest:g} Hz"
         )
-    return float(found[0]), float(found[1])
+    return float(band[0]), float(band[1])
 
 
 def _points(what: str, points: object, fewest: int, most: int, *, missing: bool = True) -> Floats:
-    """Checked places, (n, 2); a row without a number is no place, where that may be."""
-    found = np.array(real_array(what, points, "(n, 2)"))  # type: ignore[arg-type]
-    if found.ndim != 2 or found.shape[1] != 2 or not fewest <= len(found) <= most:
+    """Return checked places, (n, 2); where ``missing``, a row with NaN is no place."""
+    array = np.array(real_array(what, points, "(n, 2)"))  # type: ignore[arg-type]
+    if array.ndim != 2 or array.shape[1] != 2 or not fewest <= len(array) <= most:
         raise InvalidInputError(
-            f"{what} has shape {found.shape}, expected (n, 2) with {fewest} to {most} rows: x, y"
+            f"{what} has shape {array.shape}, expected (n, 2) with {fewest} to {most} rows: x, y"
         )
-    unusable = ~(np.abs(found) <= _FARTHEST)
+    unusable = ~(np.abs(array) <= _FARTHEST)
     if missing:
-        found[np.isnan(found).any(axis=1)] = np.nan
-        unusable = ~(np.abs(found) <= _FARTHEST) & ~np.isnan(found)
+        array[np.isnan(array).any(axis=1)] = np.nan
+        unusable = ~(np.abs(array) <= _FARTHEST) & ~np.isnan(array)
     if unusable.any():
         row, column = np.argwhere(unusable)[0]
         raise InvalidInputError(
-            f"{what}, row {row + 1}: {'xy'[column]} is {found[row, column]}, expected a number of "
+            f"{what}, row {row + 1}: {'xy'[column]} is {array[row, column]}, expected a number of "
             f"at most {_FARTHEST:g}"
         )
-    found.flags.writeable = False
-    return found
+    array.flags.writeable = False
+    return array
 
-
-# The file that an imported limb is kept in.
-#
-# 512 bytes of head: the format, the SHA-256 and the length of the text behind them.  The text:
-# JSON, all but the responses, and the SHA-256 of each of them.  From the next multiple of 512 on:
-# the responses, float64, little-endian, input by input.  So one input is read alone, and damage is
-# noticed wherever it is.
 
 _MAGIC, _BLOCK = b"skinsource limb 1\n", 512
 _MOST_TEXT = 16 * 2**20
-_AGAIN = "Import the limb again."
-#: What the digest of a limb is made of: all that a number can depend on.
+#: Largest magnitude of a response, as of `skinsource.design.signal_path`.
+_LARGEST = 1e30
+#: Fields that the digest of a limb is made of: all that a result can depend on.
 _DIGESTED = (
     "n_taps",
     "axes",
@@ -259,8 +259,8 @@ _DIGESTED = (
     "output_positions",
     "sha256",
 )
-#: And of these, where they are said: limbs that say nothing of them keep their digest.
-_DIGESTED_IF_SAID = ("band_hz",)
+#: Fields that are part of the digest only where they are set: limbs without them keep theirs.
+_DIGESTED_IF_SET = ("band_hz",)
 _FIELDS = tuple(OwnLimb.__dataclass_fields__)
 
 
@@ -291,13 +291,10 @@ class LimbFile:
                 text, self._text_sum = _text_of(file, path)
                 size = path.stat().st_size
         except OSError as error:
-            raise StorageError(
-                f"{named(path)}: cannot be read ({error.strerror or error}). Check that it is "
-                "there, and whose it is."
-            ) from error
+            raise _unreadable(path, error) from error
         try:
             tree = json.loads(text)
-            self._sums = tuple(str(one) for one in tree.pop("sha256"))
+            self._sums = tuple(str(checksum) for checksum in tree.pop("sha256"))
             self.limb = _limb_of(tree)
         except InvalidInputError as error:
             raise _damaged(path, str(error)) from error
@@ -314,7 +311,7 @@ class LimbFile:
         return 8 * self.limb.n_outputs * len(self.limb.axes) * self.limb.n_taps
 
     def response(self, location: int) -> Floats:
-        """Responses to one input place, (n_outputs, n_axes, n_taps), m/s²."""
+        """Return the responses to one input place, (n_outputs, n_axes, n_taps), m/s²."""
         try:
             with self.path.open("rb") as file:
                 if _text_of(file, self.path)[1] != self._text_sum:
@@ -325,10 +322,7 @@ class LimbFile:
                 file.seek(self._start + (location - 1) * self._bytes_each)
                 content = file.read(self._bytes_each)
         except OSError as error:
-            raise StorageError(
-                f"{named(self.path)}: cannot be read ({error.strerror or error}). Check that it "
-                "is there, and whose it is."
-            ) from error
+            raise _unreadable(self.path, error) from error
         if hashlib.sha256(content).hexdigest() != self._sums[location - 1]:
             raise _damaged(self.path, f"the responses to input {location} have another checksum")
         return np.frombuffer(content, "<f8").astype(np.float64).reshape(self.limb.shape[1:])
@@ -360,9 +354,9 @@ def write_limb_file(
     StorageError
         The disk is full, the folder cannot be written.
     Stopped
-        ``stop`` said so.
+        ``stop`` returned true.
     """
-    # The text is as long whatever the checksums are.
+    # The length of the text does not depend on the checksums.
     room = _start(len(_encoded(limb, ("0" * 64,) * limb.n_inputs)))
     with replacing(path) as temporary, temporary.open("r+b") as file:
         file.seek(room)
@@ -402,10 +396,6 @@ def _checked(limb: OwnLimb, responses: Iterable[Floats]) -> Iterator[Floats]:
         raise InvalidInputError(
             f"there are responses to {counted(count, 'input')}, expected {limb.n_inputs}"
         )
-
-
-#: As `skinsource.design.signal_path` takes it.
-_LARGEST = 1e30
 
 
 def _text_of(file: IO[bytes], path: Path) -> tuple[bytes, str]:
@@ -454,31 +444,36 @@ def _limb_of(tree: dict[str, Any]) -> OwnLimb:
 
 def _digest(limb: OwnLimb, sums: tuple[str, ...]) -> str:
     tree = _tree(limb, sums)
-    said = tuple(name for name in _DIGESTED_IF_SAID if tree[name] is not None)
-    return hashlib.sha256(_json({name: tree[name] for name in (*_DIGESTED, *said)})).hexdigest()
+    optional = tuple(name for name in _DIGESTED_IF_SET if tree[name] is not None)
+    return hashlib.sha256(_json({name: tree[name] for name in (*_DIGESTED, *optional)})).hexdigest()
+
+
+def _unreadable(path: Path, error: OSError) -> StorageError:
+    return StorageError(
+        f"{named(path)}: cannot be read ({error.strerror or error}). Check that it is there, and "
+        "whose it is."
+    )
 
 
 def _damaged(path: Path, reason: str) -> FileFormatError:
     return FileFormatError(
-        f"{named(path)}: the limb cannot be used: {reason.rstrip('.')}. {_AGAIN}"
+        f"{named(path)}: the limb cannot be used: {reason.rstrip('.')}. Import the limb again."
     )
 
-
-# The limbs that were imported: a file each, in a folder beside the measured dataset.
 
 FOLDER, ENDING = "limbs", ".limb"
 
 
 def own_limb_path(name: str) -> Path:
-    """Where an own limb is kept, or would be."""
+    """Return the path of an own limb, whether or not it exists."""
     return user_folder() / FOLDER / f"own-{name}{ENDING}"
 
 
 def own_limb_names() -> tuple[str, ...]:
-    """Names of the limbs that were imported, in the order of the alphabet."""
+    """Return the names of the imported limbs, in alphabetical order."""
     try:
-        found = sorted((user_folder() / FOLDER).glob(f"own-*{ENDING}"))
-        names = [path.name.removeprefix("own-").removesuffix(ENDING) for path in found]
+        paths = sorted((user_folder() / FOLDER).glob(f"own-*{ENDING}"))
+        names = [path.name.removeprefix("own-").removesuffix(ENDING) for path in paths]
         return tuple(name for name in names if is_free_name(name) and is_file(own_limb_path(name)))
     except (OSError, StorageError):
         return ()  # of a folder that may not be searched nothing can be used either
@@ -512,20 +507,20 @@ def load_own_limb(name: str) -> Limb:
         Its file is damaged, or cannot be read; raised by ``response_to`` too.
     """
     file = _opened(name)
-    held = file.limb
+    limb = file.limb
     return Limb(
         name=name,
-        hand_length_mm=held.hand_length_mm,
-        synthetic=held.synthetic,
-        map=held.map(),
+        hand_length_mm=limb.hand_length_mm,
+        synthetic=limb.synthetic,
+        map=limb.map(),
         read_response=file.response,
-        sample_rate_hz=held.sample_rate_hz,
-        axes=held.axes,
-        pre_trigger_delay_s=held.pre_trigger_delay_s,
-        band_hz=held.band_hz,
-        per_unit_drive=held.per_unit_drive,
-        note=held.note,
-        shape=held.shape,
+        sample_rate_hz=limb.sample_rate_hz,
+        axes=limb.axes,
+        pre_trigger_delay_s=limb.pre_trigger_delay_s,
+        band_hz=limb.band_hz,
+        per_unit_drive=limb.per_unit_drive,
+        note=limb.note,
+        shape=limb.shape,
     )
 
 
@@ -534,7 +529,7 @@ def mirror_limb(
 ) -> None:
     """Show a limb the other way round, as a right hand, or as it is.
 
-    Raises as `load_own_limb`, and `Stopped` where ``stop`` said so: it is as it was then.
+    Raises as `load_own_limb`, and `Stopped` where ``stop`` returned true: it is as it was then.
     """
     file = _opened(name)
     limb = file.limb.shown_mirrored(mirrored)
@@ -554,7 +549,7 @@ def _opened(name: str) -> LimbFile:
 
 
 def existing_path(name: str) -> Path:
-    """Where an own limb is kept; raises `UnknownLimbError` where there is none."""
+    """Return the path of an own limb; raise `UnknownLimbError` where there is none."""
     if not is_free_name(name) or not is_file(own_limb_path(name)):
         raise UnknownLimbError(
             f"no own limb is called {quoted(name)}; there are "
@@ -563,11 +558,8 @@ def existing_path(name: str) -> Path:
     return own_limb_path(name)
 
 
-# What is known of each limb, by its name: without its responses, and again only if it changed.
-
-
 def facts_of(name: str) -> LimbFacts:
-    """Names and sizes of a limb; of one that is not here, or damaged, sizes of the published ones.
+    """Return names and sizes of a limb; of a missing or damaged one, the published sizes.
 
     Where none is named, all is that of the published ones.
     Quick enough for each edit: a file is read again only after it has changed.
@@ -575,19 +567,15 @@ def facts_of(name: str) -> LimbFacts:
     published = PUBLISHED.get(name)
     if published is not None:
         return published
-    if is_free_name(name):
-        path = own_limb_path(name)
-        try:
-            about = path.stat()
-            return _read(name, path, _state_of(about))[0]
-        except (OSError, SkinSourceError):
-            pass
+    own = _facts_and_map(name)
+    if own is not None:
+        return own[0]
     band_hz = None if name else BAND_HZ
     return LimbFacts(name=name, title=name, sentence="", band_hz=band_hz, known=False)
 
 
 def axes_on(limb: str, axes: Axes) -> Axes:
-    """These axes, or all of a limb that was not measured along each of them."""
+    """Return these axes, or all of a limb that was not measured along each of them."""
     measured = facts_of(limb).axes
     try:
         return axes_of(measured, axes)
@@ -596,12 +584,12 @@ def axes_on(limb: str, axes: Axes) -> Axes:
 
 
 def outputs_on(limb: str, outputs: tuple[int, ...]) -> tuple[int, ...]:
-    """Those of these outputs that a limb has; where it has none of them, as many of its first."""
+    """Return those of these outputs that a limb has; if none, as many of its first ones."""
     facts = facts_of(limb)
     if not facts.known:
         return outputs
-    found = tuple(number for number in outputs if number <= facts.n_outputs)
-    return found or tuple(range(1, min(len(outputs), facts.n_outputs) + 1))
+    available = tuple(number for number in outputs if number <= facts.n_outputs)
+    return available or tuple(range(1, min(len(outputs), facts.n_outputs) + 1))
 
 
 def drive_unit_known(name: str, digest: str = "") -> bool:
@@ -620,19 +608,24 @@ def drive_unit_known(name: str, digest: str = "") -> bool:
 
 
 def own_map(name: str) -> LimbMap | None:
-    """The map of an own limb, as quickly; None of others, and of one that is not here."""
-    if not facts_of(name).own:
+    """Return the map of an own limb as quickly as `facts_of`; None of any other limb."""
+    own = _facts_and_map(name)
+    return None if own is None else own[1]
+
+
+def _facts_and_map(name: str) -> tuple[LimbFacts, LimbMap] | None:
+    """Return what is known of an own limb; None of any other limb, or of a damaged one."""
+    if not is_free_name(name):
         return None
     path = own_limb_path(name)
     try:
-        about = path.stat()
-        return _read(name, path, _state_of(about))[1]
+        return _read_facts(name, path, _state_of(path.stat()))
     except (OSError, SkinSourceError):
         return None
 
 
 def missing_limb(name: str, digest: str) -> str:
-    """Why a design of this limb cannot be computed here, in a sentence; empty if it can.
+    """Return why a design of this limb cannot be computed here; "" if it can.
 
     Parameters
     ----------
@@ -653,12 +646,12 @@ def missing_limb(name: str, digest: str) -> str:
     return ""
 
 
-def _band_words(band_hz: Band | None) -> str:
+def _band_text(band_hz: Band | None) -> str:
     return "" if band_hz is None else f", measured from {band_hz[0]:g} to {band_hz[1]:g} Hz"
 
 
 def _state_of(about: os.stat_result) -> tuple[int, ...]:
-    """What differs wherever a file took the place of another.
+    """Return what differs wherever a file took the place of another.
 
     Its time alone does not: the clock of a file system ticks a few milliseconds apart, and copies
     keep the time of what was copied.
@@ -667,31 +660,31 @@ def _state_of(about: os.stat_result) -> tuple[int, ...]:
 
 
 @lru_cache(maxsize=64)
-def _read(name: str, path: Path, _state: tuple[int, ...]) -> tuple[LimbFacts, LimbMap]:
+def _read_facts(name: str, path: Path, _state: tuple[int, ...]) -> tuple[LimbFacts, LimbMap]:
     file = LimbFile(path)
-    held = file.limb
-    hand = f"{'Left' if held.left else 'Right'} hand{', shown mirrored' if held.mirrored else ''}"
+    limb = file.limb
+    hand = f"{'Left' if limb.left else 'Right'} hand{', shown mirrored' if limb.mirrored else ''}"
     facts = LimbFacts(
         name=name,
-        title=held.title or name,
-        sentence=f"{hand}, imported: {counted(held.n_inputs, 'place')}, "
-        f"{counted(held.n_outputs, 'output')} along "
-        f"{axes_text(held.axes)}, {held.sample_rate_hz:g} Hz{_band_words(held.band_hz)}.",
-        n_inputs=held.n_inputs,
-        n_outputs=held.n_outputs,
-        n_taps=held.n_taps,
-        axes=held.axes,
-        sample_rate_hz=held.sample_rate_hz,
-        pre_trigger_delay_s=held.pre_trigger_delay_s,
-        band_hz=held.band_hz,
-        hand_length_mm=held.hand_length_mm,
-        per_unit_drive=held.per_unit_drive,
-        synthetic=held.synthetic,
+        title=limb.title or name,
+        sentence=f"{hand}, imported: {counted(limb.n_inputs, 'place')}, "
+        f"{counted(limb.n_outputs, 'output')} along "
+        f"{axes_text(limb.axes)}, {limb.sample_rate_hz:g} Hz{_band_text(limb.band_hz)}.",
+        n_inputs=limb.n_inputs,
+        n_outputs=limb.n_outputs,
+        n_taps=limb.n_taps,
+        axes=limb.axes,
+        sample_rate_hz=limb.sample_rate_hz,
+        pre_trigger_delay_s=limb.pre_trigger_delay_s,
+        band_hz=limb.band_hz,
+        hand_length_mm=limb.hand_length_mm,
+        per_unit_drive=limb.per_unit_drive,
+        synthetic=limb.synthetic,
         own=True,
-        input_names=held.input_names,
-        output_names=held.output_names,
+        input_names=limb.input_names,
+        output_names=limb.output_names,
         digest=file.digest,
-        left=held.left,
-        mirrored=held.mirrored,
+        left=limb.left,
+        mirrored=limb.mirrored,
     )
-    return facts, held.map()
+    return facts, limb.map()

@@ -34,7 +34,7 @@ from skinsource.limbs import limb_import
 from skinsource.readers import limits, readers
 from skinsource.readers.reader import Overview, to_tree
 
-# Of computing without an answer; the parent is more impatient, but it may be gone.
+# Longest computing time of an answer; the parent waits for less, but it may have ended.
 _CPU_S = 120
 
 
@@ -66,7 +66,7 @@ def _carry_out(answers: IO[bytes], request: dict[str, Any], path: Path) -> None:
         _answer(answers, {"found": to_tree(readers.look(path))})
         return
     if request["do"] == "overview":
-        _give_overview(answers, request, path)
+        _answer_overview(answers, request, path)
         return
     if request["do"] in ("limb", "points", "arrays"):
         _answer(answers, limb_import.look(request, path))
@@ -84,15 +84,15 @@ def _blocks(request: dict[str, Any], path: Path) -> Iterator[Any]:
     return readers.blocks(path, request["keys"], int(request["start"]), int(request["stop"]))
 
 
-def _give_overview(answers: IO[bytes], request: dict[str, Any], path: Path) -> None:
+def _answer_overview(answers: IO[bytes], request: dict[str, Any], path: Path) -> None:
     n = int(request["samples"])
     overview = Overview(n, int(request["columns"]))
     for block in readers.blocks(path, [request["key"]], 0, n):
         overview.add(block)
         _answer(answers, {"done": overview.done})
         limit_time(_CPU_S)
-    found = overview.extremes
-    _answer(answers, {"block": [*found.shape, "f8"]}, np.ascontiguousarray(found, "<f8"))
+    extremes = overview.extremes
+    _answer(answers, {"block": [*extremes.shape, "f8"]}, np.ascontiguousarray(extremes, "<f8"))
     _answer(answers, {"end": True})
 
 

@@ -1,4 +1,4 @@
-"""From the response to the measuring pulse to the response per unit of probe acceleration."""
+"""Scaling: what an input of amplitude 1 means, and responses per unit of probe acceleration."""
 
 from typing import Literal, get_args
 
@@ -44,8 +44,6 @@ def per_probe_acceleration(response: Floats, sample_rate_hz: float) -> Floats:
     inverse = pulse / (pulse**2 + _REGULARISATION * area**2)
     return scipy.fft.irfft(scipy.fft.rfft(response, n_fft) * inverse, n_fft)[..., :n_taps]
 
-
-# How strong an input of amplitude 1 is.
 
 Scaling = Literal["upstream", "relative", "probe"]
 SCALINGS: tuple[Scaling, ...] = get_args(Scaling)

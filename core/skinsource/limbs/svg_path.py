@@ -1,4 +1,4 @@
-"""Outlines from SVG: paths and polygons, with the transforms around them; for the child process."""
+"""Outlines from SVG paths and polygons, with the transforms around them; for the child process."""
 
 import re
 from collections.abc import Iterator
@@ -22,7 +22,7 @@ Affine = Floats
 
 
 def outline_of(svg: bytes) -> Floats:
-    """The closed line that encloses most, of all paths and polygons, (n, 2); y points down.
+    """Return the closed line of an SVG with the largest area, (n, 2); y points down.
 
     Raises
     ------
@@ -53,22 +53,22 @@ def _lines(element: ElementTree.Element, outer: Affine, depth: int) -> Iterator[
         return
     if kind == "path":
         for line in path_lines(element.get("d", "")):
-            yield _moved(line, here)
+            yield _transformed(line, here)
     elif kind in ("polygon", "polyline"):
-        numbers = [float(one) for one in re.findall(_NUMBER, element.get("points", ""))]
-        yield _moved(np.array(numbers[: len(numbers) // 2 * 2]).reshape(-1, 2), here)
+        numbers = [float(number) for number in re.findall(_NUMBER, element.get("points", ""))]
+        yield _transformed(np.array(numbers[: len(numbers) // 2 * 2]).reshape(-1, 2), here)
     for inner in element:
         yield from _lines(inner, here, depth + 1)
 
 
-def _moved(line: Floats, affine: Affine) -> Floats:
+def _transformed(line: Floats, affine: Affine) -> Floats:
     return np.asarray(line @ affine[:2, :2].T + affine[:2, 2])
 
 
 def _affine(text: str) -> Affine:
-    found = np.eye(3)
+    affine = np.eye(3)
     for name, inside in _TRANSFORM.findall(text):
-        v = [float(one) for one in re.findall(_NUMBER, inside)]
+        v = [float(number) for number in re.findall(_NUMBER, inside)]
         step = np.eye(3)
         if name == "matrix" and len(v) == 6:
             step[:2] = np.array(v).reshape(3, 2).T
@@ -83,12 +83,12 @@ def _affine(text: str) -> Affine:
             step[:2, 2] = centre - step[:2, :2] @ centre
         else:
             raise ValueError(f"its transform {quoted(text)} is not understood")
-        found = found @ step
-    return found
+        affine = affine @ step
+    return affine
 
 
 def path_lines(text: str) -> list[Floats]:
-    """The lines of the text of a path, (n, 2) each, curves in `PIECES` straight pieces.
+    """Return the lines of a path's text, (n, 2) each, curves in `PIECES` straight pieces.
 
     Raises
     ------
@@ -109,7 +109,7 @@ def path_lines(text: str) -> list[Floats]:
 
 
 def _commands(text: str) -> Iterator[tuple[str, list[float]]]:
-    """Commands one by one, with as many numbers as each takes."""
+    """Yield each command with as many numbers as it takes."""
     numbers: list[float] = []
     command, at = "", 0
     while at < len(text):
@@ -200,7 +200,7 @@ class _Pen:
             self._line(left[0])
 
     def _arc(self, numbers: list[float], end: Floats) -> None:
-        """From end points to centre, as in appendix B.2.4 of SVG 2."""
+        """Draw an arc: from end points to centre, as in appendix B.2.4 of SVG 2."""
         rx, ry, turn, large, sweep = abs(numbers[0]), abs(numbers[1]), *numbers[2:5]
         start = self._at
         if rx == 0.0 or ry == 0.0 or np.array_equal(start, end):

@@ -1,4 +1,8 @@
-"""How far a surface wave travels inside a hand, and which joints it crosses."""
+"""Four synthetic limbs that need no measured data: dispersive surface waves on the drawn hand.
+
+A short pulse starts a wave in soft skin; it travels along paths inside the hand, and loses
+amplitude at the joints that it crosses.
+"""
 
 import json
 from collections.abc import Mapping
@@ -49,7 +53,7 @@ class Paths:
 
 
 def paths_in(shape: HandShape) -> Paths:
-    """Paths between all places of a hand."""
+    """Return the paths between all places of a hand."""
     outputs = shape.output_positions.copy()
     outputs[np.array(VOLAR_OUTPUTS) - 1] = shape.volar_positions
     digit_in = _digits([place.region for place in INPUTS])
@@ -61,7 +65,7 @@ def paths_in(shape: HandShape) -> Paths:
     enter = np.where((digit_out >= 0)[:, None], bases[digit_out], outputs)
     first = _distances(shape.input_positions, leave)
     last = _distances(outputs, enter)
-    across = _between(leave, enter, on_arm, shape.wrist_ends)
+    across = _path_lengths(leave, enter, on_arm, shape.wrist_ends)
     lengths = first[:, None] + across + last[None, :]
 
     same = (digit_in[:, None] == digit_out[None, :]) & (digit_in >= 0)[:, None]
@@ -75,7 +79,7 @@ def paths_in(shape: HandShape) -> Paths:
 
 
 def _digits(regions: list[str]) -> NDArray[np.int64]:
-    """Number of the digit (0 to 4) of each region, -1 for the hand and the arm."""
+    """Return the digit (0 to 4) of each region, -1 for the hand and the arm."""
     names = [f"digit {digit}" for digit in DIGITS]
     return np.array([names.index(region) if region in names else -1 for region in regions])
 
@@ -84,8 +88,8 @@ def _distances(start: Floats, stop: Floats) -> Floats:
     return np.asarray(np.linalg.norm(stop - start, axis=-1))
 
 
-def _between(leave: Floats, enter: Floats, on_arm: NDArray[np.bool_], ends: Floats) -> Floats:
-    """Straight within the hand; to the arm through the nearest place of the wrist, (20, 72)."""
+def _path_lengths(leave: Floats, enter: Floats, on_arm: NDArray[np.bool_], ends: Floats) -> Floats:
+    """Return lengths, (20, 72): straight in the hand, to the arm through the wrist."""
     start, stop = leave[:, None, :], enter[None, :, :]
     straight = _distances(start, stop)
     # The wrist line is level, so a straight line crosses it at this share of its height.
@@ -96,8 +100,6 @@ def _between(leave: Floats, enter: Floats, on_arm: NDArray[np.bool_], ends: Floa
     gate = np.stack([x, np.full_like(x, level)], axis=-1)
     return np.where(on_arm, _distances(start, gate) + _distances(gate, stop), straight)
 
-
-# Dispersive surface waves in soft skin, and the short pulse that starts them.
 
 # Rayleigh waves in an incompressible half-space run at this share of the shear speed.
 _RAYLEIGH_SHARE = 0.955
@@ -147,7 +149,7 @@ class Pulse:
 
 
 def wavenumber(frequency_hz: Floats, skin: Skin) -> Complexes:
-    """Complex wavenumber k of a surface wave, rad/m, same shape as ``frequency_hz``.
+    """Return the complex wavenumber k of a surface wave, rad/m, shaped as ``frequency_hz``.
 
     With time dependence exp(+i w t) a wave is exp(-i k r); the imaginary part is negative, so
     waves decay.  k(w) = w / (0.955 sqrt(mu(w) / rho)), mu(w) a fractional Voigt modulus, whose
@@ -160,7 +162,7 @@ def wavenumber(frequency_hz: Floats, skin: Skin) -> Complexes:
 
 
 def pulse_spectrum(pulse: Pulse, n_times: int, sample_rate_hz: float) -> Complexes:
-    """One-sided spectrum of the sampled pulse, (n_times // 2 + 1,).
+    """Return the one-sided spectrum of the sampled pulse, (n_times // 2 + 1,).
 
     The filters act on the continuous pulse and the result is then sampled, which keeps silence
     before the pulse; filtering forwards and backwards would ring before it.
@@ -179,7 +181,7 @@ def pulse_spectrum(pulse: Pulse, n_times: int, sample_rate_hz: float) -> Complex
 
 
 def _butterworth(s: Complexes, order: int) -> Complexes:
-    """Analogue low-pass prototype with its edge at |s| = 1, same shape as ``s``."""
+    """Return the analogue low-pass prototype with its edge at |s| = 1, same shape as ``s``."""
     angles = np.pi * (2 * np.arange(order) + 1) / (2 * order) + np.pi / 2
     denominator = np.ones_like(s)
     for pole in np.exp(1j * angles):
@@ -188,7 +190,7 @@ def _butterworth(s: Complexes, order: int) -> Complexes:
 
 
 def bending_boost(frequency_hz: Floats, mode_hz: Floats, gain: float, quality: float) -> Complexes:
-    """Resonance added by a bending digit, (n_modes, n_frequencies).
+    """Return the resonance added by a bending digit, (n_modes, n_frequencies).
 
     gain wm^2 / (wm^2 - w^2 + i w wm / Q), a damped oscillator: causal.
     """
@@ -196,14 +198,12 @@ def bending_boost(frequency_hz: Floats, mode_hz: Floats, gain: float, quality: f
     return np.asarray(gain / (1 - ratio**2 + 1j * ratio / quality))
 
 
-# Four invented limbs that need no measured data: dispersive waves on the drawn hand.
-
 #: Numbers of the built-in synthetic limbs.
 SYNTHETIC_LIMBS = (1, 2, 3, 4)
 
-# Long enough that what rings past the last tap does not come round to the first.
+# Long enough that ringing past the last tap does not wrap round to the first.
 _N_FFT = 1024
-# The level of all inputs is set so that this one, the pad of digit III, reaches a given peak.
+# The level of all inputs is such that this one, the pad of digit III, reaches a given peak.
 _REFERENCE_INPUT = 8
 
 
@@ -246,7 +246,7 @@ class SyntheticModel:
     direction_rad: Floats
 
     def response_to(self, location: int, noise_rms_m_s2: float = 0.0) -> Floats:
-        """Impulse responses to one input place, (72 outputs, 3 axes, 522 taps), in m/s².
+        """Return the responses to one input place, (72 outputs, 3 axes, 522 taps), in m/s².
 
         Parameters
         ----------
@@ -271,7 +271,7 @@ class SyntheticModel:
 
 
 def _response(model: SyntheticModel, row: int) -> Floats:
-    """S(w) sqrt(r0 / (r0 + r)) exp(-i k r) 10^(-L/20) B(w), split over the axes."""
+    """Return S(w) sqrt(r0 / (r0 + r)) exp(-i k r) 10^(-L/20) B(w), split over the axes."""
     wave = np.exp(-1j * model.wavenumber_rad_m * model.path_m[row][:, None])
     wave *= model.pulse
     wave *= 1 + model.bending * model.bending_share[row][:, None]
@@ -289,7 +289,7 @@ def _response(model: SyntheticModel, row: int) -> Floats:
 def synthetic_model(number: int) -> SyntheticModel:
     """Prepare a built-in synthetic limb from the shipped parameters.
 
-    Each is prepared once and kept, 0.7 MB; its arrays cannot be written to.
+    Each is prepared once and cached, 0.7 MB; its arrays cannot be written to.
 
     Parameters
     ----------
@@ -321,15 +321,15 @@ def standard_hand() -> HandShape:
 def _model(number: int) -> SyntheticModel:
     shared = _parameters()
     limb = next(entry for entry in shared["limbs"] if entry["number"] == number)
-    model = _prepared(shared, limb)
+    model = _prepare(shared, limb)
     _read_only(model.shape)
     _read_only(model)
     return model
 
 
-def _read_only(held: HandShape | SyntheticModel) -> None:
-    for one in fields(held):
-        value = getattr(held, one.name)
+def _read_only(holder: HandShape | SyntheticModel) -> None:
+    for field in fields(holder):
+        value = getattr(holder, field.name)
         for array in value if isinstance(value, tuple) else (value,):
             if isinstance(array, np.ndarray):
                 array.flags.writeable = False
@@ -347,7 +347,7 @@ def _proportions(hand: Mapping[str, Any]) -> HandProportions:
     return HandProportions(**{**hand, **lists})
 
 
-def _prepared(shared: Mapping[str, Any], limb: Mapping[str, Any]) -> SyntheticModel:
+def _prepare(shared: Mapping[str, Any], limb: Mapping[str, Any]) -> SyntheticModel:
     shape = hand_shape(_proportions({**shared["hand"], **limb["hand"]}))
     skin = Skin(**shared["skin"])
     stiffness = skin.rising_shear_modulus_pa * limb["shear_factor"]
@@ -392,7 +392,7 @@ def _prepared(shared: Mapping[str, Any], limb: Mapping[str, Any]) -> SyntheticMo
 
 
 def load_synthetic_limb(number: int) -> Limb:
-    """Built-in synthetic limb ``number``, 1 to 4, named "synthetic-1" to "synthetic-4".
+    """Return synthetic limb ``number``, 1 to 4, named "synthetic-1" to "synthetic-4".
 
     Responses are computed when touched, one input place at a time, without noise; the same
     numbers come out at every load.

@@ -14,8 +14,6 @@ from skinsource.base.errors import InvalidInputError
 #: Frequencies and qualities of Wh (ISO 5349-1:2001, annex A): band limits, transition.
 _F1_HZ, _F2_HZ, _F3_HZ, _F4_HZ = 6.310, 1258.9, 15.915, 15.915
 _Q1, _Q2 = 0.71, 0.64
-#: Reference duration of a day's exposure.
-_DAY_S = 8 * 3600.0
 
 
 def hand_arm_weighting(frequency_hz: ArrayLike) -> Complexes:
@@ -36,8 +34,8 @@ def hand_arm_weighting(frequency_hz: ArrayLike) -> Complexes:
     band = s**2 * w2**2 / ((s**2 + s * w1 / _Q1 + w1**2) * (s**2 + s * w2 / _Q1 + w2**2))
     gain = 2.0 * np.pi * _F4_HZ**2 / _F3_HZ
     transition = (s + w3) * gain / (s**2 + s * w4 / _Q2 + w4**2)
-    found: Complexes = band * transition
-    return found
+    response: Complexes = band * transition
+    return response
 
 
 def weighted_rms(acceleration: ArrayLike, sample_rate_hz: float) -> Floats:
@@ -69,11 +67,3 @@ def weighted_rms(acceleration: ArrayLike, sample_rate_hz: float) -> Floats:
     power = np.sum(np.square(np.abs(spectra) * weight), axis=0)
     power[1 : (n_times + 1) // 2] *= 2.0
     return np.asarray(np.sqrt(power.sum()) / n_times)
-
-
-def daily_exposure(weighted: float, exposed_s: float) -> float:
-    """Return A(8), m/s²: the weighted acceleration times the root of exposed time over 8 hours.
-
-    Values of 2.5 and 5 m/s² are the action and the limit value of the European directive 2002/44.
-    """
-    return float(weighted * np.sqrt(positive_number("exposed_s", exposed_s) / _DAY_S))

@@ -1,4 +1,4 @@
-"""Levels above threshold, output by output."""
+"""Sensation levels: how far each output is above the threshold of detection."""
 
 import numpy as np
 import scipy
@@ -13,7 +13,7 @@ from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.locations import ARM_REGIONS, output_place
 from skinsource.perception.thresholds import CHANNELS, Channel, threshold_rms
 
-#: To be shown beside every number of this module.
+#: Text to show with every number of this module.
 LIMITS = (
     "Thresholds are of glabrous skin, most outputs lie on hairy or bony skin; sensors, age, "
     "temperature and force are not modelled; people differ by 6 to 10 dB. Compare designs on one "
@@ -30,7 +30,7 @@ _EXPONENTS: dict[Channel, float] = {"P": 0.6, "NP I": 0.9}
 
 
 def site_offsets_db(limb: str = LIMB_NAMES[0]) -> dict[Channel, Floats]:
-    """By how much the thresholds at the outputs lie above those of glabrous skin, (n_outputs,).
+    """Return how much the outputs' thresholds exceed those of glabrous skin, dB, (n_outputs,).
 
     Infinite where a channel plays no part: P on wrist, forearm and elbow, where NP governs
     (Whitehouse and Griffin, 2006).
@@ -70,7 +70,7 @@ def sensation_levels_db(
 
     10 log10 of the sum over bins of the power of all axes, each bin divided by the square of the
     threshold there: energies add up over axes because the direction of fast vibrations is hardly
-    felt (Landin, Romano, McMahan and Kuchenbecker, 2010), and within a channel over frequency.
+    perceived (Landin, Romano, McMahan and Kuchenbecker, 2010), and within a channel over frequency.
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def sensation_levels_db(
 
     Returns
     -------
-    (n_outputs,) for each of `CHANNELS`, dB; -300 where nothing is felt.  The higher one of both is
+    (n_outputs,) for each of `CHANNELS`, dB; -300 in silence.  The higher one of both is
     the level above threshold.
 
     Raises
@@ -106,14 +106,14 @@ def sensation_levels_db(
             "published limbs: where others lie is not known. Hand over offsets_db."
         )
     power, frequency_hz = _power_by_bin(data, rate_hz)
-    found: dict[Channel, Floats] = {}
+    levels: dict[Channel, Floats] = {}
     for channel in CHANNELS:
         above = power @ threshold_rms(frequency_hz, channel, area_cm2=area_cm2) ** -2.0
         offset_db = np.broadcast_to(offsets[channel], above.shape)
         with np.errstate(divide="ignore"):
             levels_db = 10.0 * np.log10(above) - offset_db
-        found[channel] = np.maximum(levels_db, _SILENCE_DB)
-    return found
+        levels[channel] = np.maximum(levels_db, _SILENCE_DB)
+    return levels
 
 
 def sensation_magnitude(levels_db: dict[Channel, Floats]) -> Floats:
@@ -126,12 +126,12 @@ def sensation_magnitude(levels_db: dict[Channel, Floats]) -> Floats:
         np.maximum(10.0 ** (_EXPONENTS[channel] * levels_db[channel] / 20.0) - 1.0, 0.0)
         for channel in CHANNELS
     ]
-    together: Floats = np.maximum(*parts) + 0.5 * np.minimum(*parts)
-    return together
+    magnitude: Floats = np.maximum(*parts) + 0.5 * np.minimum(*parts)
+    return magnitude
 
 
 def _power_by_bin(data: Floats, rate_hz: float) -> tuple[Floats, Floats]:
-    """Mean square by frequency, axes added up, (n_outputs, n_bins) without 0 Hz; and hertz."""
+    """Return mean squares, axes added up, (n_outputs, n_bins) without 0 Hz, and frequencies."""
     n_times = data.shape[-1]
     spectra = scipy.fft.rfft(data, axis=-1)
     power = np.sum(spectra.real**2 + spectra.imag**2, axis=1) / float(n_times) ** 2

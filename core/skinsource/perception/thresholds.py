@@ -61,7 +61,7 @@ def threshold_rms(
         raise InvalidInputError("frequency_hz holds values that are not positive, expected hertz")
     area = positive_number("area_cm2", area_cm2)
     chosen = CHANNELS if channel is None else (one_of("channel", channel, CHANNELS),)
-    displacement_db = np.min([_SHAPES[one](frequency, area) for one in chosen], axis=0)
+    displacement_db = np.min([_SHAPES[name](frequency, area) for name in chosen], axis=0)
     peak_m = _MICROMETRE_M * 10.0 ** (displacement_db / 20.0)
     acceleration: Floats = (2.0 * np.pi * frequency) ** 2 * peak_m / np.sqrt(2.0)
     return acceleration
@@ -71,22 +71,20 @@ def _pacinian_db(frequency: Floats, area_cm2: float) -> Floats:
     below = 12.0 * np.log2(250.0 / np.minimum(frequency, 250.0))
     above = 10.0 * np.log2(np.maximum(frequency, 300.0) / 300.0)
     smaller = 10.0 * np.log10(REFERENCE_AREA_CM2 / area_cm2)
-    found: Floats = -20.0 + below + above + smaller
-    return found
+    threshold_db: Floats = -20.0 + below + above + smaller
+    return threshold_db
 
 
 def _non_pacinian_1_db(frequency: Floats, _: float) -> Floats:
     # No more sensitive than the channel that takes over below 3 Hz.
     below = 5.0 * np.log2(30.0 / np.clip(frequency, 3.0, 30.0))
     above = 6.0 * np.log2(np.maximum(frequency, 60.0) / 60.0)
-    found: Floats = 10.0 + below + above
-    return found
+    threshold_db: Floats = 10.0 + below + above
+    return threshold_db
 
 
 _SHAPES = {"P": _pacinian_db, "NP I": _non_pacinian_1_db}
 
-
-# Thresholds that a user has measured or looked up, as a table.
 
 #: Pairs of hertz and m/s² RMS, rising in frequency.
 ThresholdTable = tuple[tuple[float, float], ...]
@@ -127,10 +125,10 @@ def read_threshold_table(path: Path) -> ThresholdTable:
         raise FileFormatError(
             f"{quoted(path.name)} has {len(rows)} rows, expected 2 to {_MOST_ROWS}"
         )
-    found = tuple(sorted(rows))
-    if len({frequency for frequency, _ in found}) < len(found):
+    table = tuple(sorted(rows))
+    if len({frequency for frequency, _ in table}) < len(table):
         raise FileFormatError(f"{quoted(path.name)} has two rows for one frequency")
-    return found
+    return table
 
 
 def table_threshold(table: ThresholdTable, frequency_hz: ArrayLike) -> Floats:
@@ -142,8 +140,10 @@ def table_threshold(table: ThresholdTable, frequency_hz: ArrayLike) -> Floats:
     known_hz, known = np.array(table).T
     inside = (frequency >= known_hz[0]) & (frequency <= known_hz[-1])
     at = np.log(np.where(inside, frequency, known_hz[0]))
-    found: Floats = np.where(inside, np.exp(np.interp(at, np.log(known_hz), np.log(known))), np.inf)
-    return found
+    threshold: Floats = np.where(
+        inside, np.exp(np.interp(at, np.log(known_hz), np.log(known))), np.inf
+    )
+    return threshold
 
 
 def _row(name: str, number: int, line: str, *, in_db: bool) -> tuple[float, float]:
@@ -160,8 +160,6 @@ def _row(name: str, number: int, line: str, *, in_db: bool) -> tuple[float, floa
     return frequency, threshold
 
 
-# What is chosen of thresholds.
-
 AREA = NumberSpec(
     label="Area",
     unit="cm²",
@@ -176,7 +174,7 @@ SOURCE = TextSpec(label="File of own thresholds", longest=200, one_line=True)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PerceptionSettings:
-    """Thresholds that levels are held against.
+    """Thresholds that levels are compared with.
 
     Attributes
     ----------
@@ -197,16 +195,16 @@ class PerceptionSettings:
 
     @property
     def thresholds(self) -> ThresholdTable:
-        """Own thresholds; none where what is held is no table."""
+        """Own thresholds; none where ``table`` is unusable."""
         pairs = self.table if isinstance(self.table, tuple) else ()
-        # A file is held flat: frequency, threshold, frequency, ...
-        numbers = [one for one in pairs if isinstance(one, int | float)]
-        found = tuple(zip(numbers[::2], numbers[1::2], strict=False))
-        rising = all(a[0] < b[0] for a, b in pairwise(found))
-        sound = all(f > 0.0 and a > 0.0 for f, a in found)
-        return found if len(found) > 1 and rising and sound else ()
+        # A table is stored flat: frequency, threshold, frequency, ...
+        numbers = [number for number in pairs if isinstance(number, int | float)]
+        table = tuple(zip(numbers[::2], numbers[1::2], strict=False))
+        rising = all(a[0] < b[0] for a, b in pairwise(table))
+        sound = all(f > 0.0 and a > 0.0 for f, a in table)
+        return table if len(table) > 1 and rising and sound else ()
 
 
 def settings_table(table: ThresholdTable) -> tuple[float, ...]:
-    """A table as settings hold it."""
+    """Return a table as settings hold it."""
     return tuple(number for pair in table for number in pair)

@@ -1,4 +1,7 @@
-"""What a prediction is not good for: conditions of the measurement that a design leaves."""
+"""Validity: conditions of the measurement (SkinSource, 2024), and whether a design keeps them.
+
+Findings go with every result, as captions and as lines of files.
+"""
 
 import re
 from collections.abc import Callable, Iterable, Sequence
@@ -18,9 +21,7 @@ from skinsource.limbs.scaling import Scaling
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.spectra import share_outside_band
 
-# One condition, and whether a design keeps it.
-
-#: ``"kept"``, ``"left"``, or ``"unknown"`` where nothing can be said.
+#: ``"kept"``, ``"left"``, or ``"unknown"`` where it is not known.
 State = Literal["kept", "left", "unknown"]
 
 
@@ -43,10 +44,10 @@ class Finding:
     number
         That number; None where there is none.
     mend
-        Name of what would mend it: ``"quieter"``, ``"band_limit"``,
+        Name of the edit that repairs it: ``"quieter"``, ``"band_limit"``,
         ``"probe_scaling"``, ``"deselect"``; "" where nothing does.
     factor
-        What amplitudes are to be multiplied with where that mends it; else 1.
+        Factor of the amplitudes that repairs it; else 1.
     outputs
         Those that it is about; none: it is about all.
     of_maps
@@ -68,24 +69,22 @@ Findings = tuple[Finding, ...]
 
 
 def findings_lines(findings: Findings) -> list[str]:
-    """A line for each condition that is not kept, for the head of a file."""
-    said = {"left": "CAUTION", "unknown": "unknown"}
+    """Return a line for each condition that is not kept, for the head of a file."""
+    state_labels = {"left": "CAUTION", "unknown": "unknown"}
     return [
-        f"validity, {one.name}: {said[one.state]}: {one.sentence}"
-        for one in findings
-        if one.state in said
+        f"validity, {finding.name}: {state_labels[finding.state]}: {finding.sentence}"
+        for finding in findings
+        if finding.state in state_labels
     ]
 
 
-# What goes with a result wherever it is taken: notes on its limbs, and conditions not kept.
-
 _FIELD = re.compile(r"(\{:[^}]*\})")
-_UNJUDGED = "whether conditions of the measurement are kept was not judged"
+_NOT_JUDGED = "whether conditions of the measurement are kept was not judged"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Judged:
-    """One of the designs that something shows.
+    """A design that a result shows, with its notes and findings.
 
     Attributes
     ----------
@@ -102,74 +101,74 @@ class Judged:
     findings: Findings | None = None
 
     def without_maps(self) -> "Judged":
-        """The same for what draws no map: nothing is told of what lies between outputs."""
+        """Return the same without findings about maps, for what draws none."""
         if self.findings is None:
             return self
-        return replace(self, findings=tuple(one for one in self.findings if not one.of_maps))
+        return replace(
+            self, findings=tuple(finding for finding in self.findings if not finding.of_maps)
+        )
 
 
 def in_short(judged: Sequence[Judged]) -> tuple[str, ...]:
-    """Notes and conditions that are not kept, a short sentence each, for a caption.
+    """Return notes and conditions that are not kept, a short sentence each, for a caption.
 
-    Where numbers differ between designs, the smallest and the largest are told.
+    Where numbers differ between designs, the smallest and the largest stand.
     """
     numbers: dict[str, list[float]] = {}
-    for one in judged:
-        for found in one.findings or ():
-            if found.number is not None:
-                numbers.setdefault(found.in_short, []).append(found.number)
-    said = _together(judged, _sentences)
+    for design in judged:
+        for finding in design.findings or ():
+            if finding.number is not None:
+                numbers.setdefault(finding.in_short, []).append(finding.number)
+    captions = _merged(judged, _captions_of)
     return tuple(
-        sentence(whose + (_with_range(words, numbers[words]) if words in numbers else words))
-        for whose, words in said
+        sentence(prefix + (_with_range(text, numbers[text]) if text in numbers else text))
+        for prefix, text in captions
     )
 
 
 def in_full(judged: Sequence[Judged]) -> tuple[str, ...]:
-    """The same as lines for the head of a table, which name what is unknown too."""
-    return tuple(f"{whose}{words}" for whose, words in _together(judged, _lines))
+    """Return the same as lines for the head of a table, with unknown conditions too."""
+    return tuple(f"{prefix}{text}" for prefix, text in _merged(judged, _lines_of))
 
 
-def _together(
-    judged: Sequence[Judged], said_of: Callable[[Judged], Sequence[str]]
+def _merged(
+    judged: Sequence[Judged], texts_of: Callable[[Judged], Sequence[str]]
 ) -> list[tuple[str, str]]:
-    """What holds for all of them once, and what holds for some once, with which they are."""
+    """Return each text once, with the labels of the designs that it holds for if not for all."""
     labels_of: dict[str, list[str]] = {}
-    for one in judged:
-        for words in dict.fromkeys(said_of(one)):
-            labels_of.setdefault(words, []).append(one.label)
+    for design in judged:
+        for text in dict.fromkeys(texts_of(design)):
+            labels_of.setdefault(text, []).append(design.label)
     return [
-        ("" if len(labels) == len(judged) else f"{', '.join(labels)}: ", words)
-        for words, labels in labels_of.items()
+        ("" if len(labels) == len(judged) else f"{', '.join(labels)}: ", text)
+        for text, labels in labels_of.items()
     ]
 
 
-def _with_range(words: str, numbers: Sequence[float]) -> str:
-    """The words with their number; with two where numbers look different."""
-    before, field, after = _FIELD.split(words, maxsplit=1)
-    ends = dict.fromkeys(field.format(one) for one in (min(numbers), max(numbers)))
+def _with_range(text: str, numbers: Sequence[float]) -> str:
+    """Return the text with its number, or with two where numbers look different."""
+    before, field, after = _FIELD.split(text, maxsplit=1)
+    ends = dict.fromkeys(field.format(number) for number in (min(numbers), max(numbers)))
     return f"{before}{' to '.join(ends)}{after}"
 
 
-def _sentences(one: Judged) -> list[str]:
-    note = [f"{one.note[:1].upper()}{one.note[1:]}"] if one.note else []
-    if one.findings is None:
-        return [*note, f"{_UNJUDGED[:1].upper()}{_UNJUDGED[1:]}"]
-    return [*note, *(found.in_short for found in one.findings if found.in_short)]
+def _captions_of(design: Judged) -> list[str]:
+    note = [f"{design.note[:1].upper()}{design.note[1:]}"] if design.note else []
+    if design.findings is None:
+        return [*note, f"{_NOT_JUDGED[:1].upper()}{_NOT_JUDGED[1:]}"]
+    return [*note, *(finding.in_short for finding in design.findings if finding.in_short)]
 
 
-def _lines(one: Judged) -> list[str]:
-    note = [f"NOTE on the limb: {one.note}"] if one.note else []
+def _lines_of(design: Judged) -> list[str]:
+    note = [f"NOTE on the limb: {design.note}"] if design.note else []
     return note + (
-        [f"validity: {_UNJUDGED}"] if one.findings is None else findings_lines(one.findings)
+        [f"validity: {_NOT_JUDGED}"] if design.findings is None else findings_lines(design.findings)
     )
 
 
-# How fast a probe moves whose acceleration is known.
-
-# What is slower than the band is faded out over an octave, which rings for so many periods.
+# The fade below the band, over an octave, rings for so many periods of the band's lower end.
 _RINGS_PERIODS = 10.0
-# Even where a band begins lower still: a velocity from there on would need minutes of room.
+# Lowest frequency of a velocity: from a lower one on it would need minutes of silence.
 _LEAST_HZ = 1.0
 
 
@@ -218,24 +217,22 @@ def fastest_probe(
 ) -> float:
     """Return the largest velocity of any of the probes that are driven so, m/s; 0: none is."""
     lowest_hz = lowest_hz_of(band_hz)
-    return max((probe_velocity(one, sample_rate_hz, lowest_hz) for one in drives), default=0.0)
+    return max((probe_velocity(drive, sample_rate_hz, lowest_hz) for drive in drives), default=0.0)
 
 
 def lowest_hz_of(band_hz: Band | None) -> float:
-    """Below it no velocity is told: accelerations were not measured there, or nobody says."""
+    """Return the frequency below which no velocity is computed, in Hz."""
     low_hz = 0.0 if band_hz is None else band_hz[0]
     return max(low_hz, _LEAST_HZ) if low_hz > 0.0 else BAND_HZ[0]
 
 
-# Conditions of the measurement (SkinSource, 2024), and whether a design keeps them.
-
-#: Above it wavelengths are too short for the spacing of the outputs of the published limbs.
+#: Above it wavelengths are too short for the spacing of the published limbs' outputs.
 SPATIAL_LIMIT_HZ = 300.0
-#: So much of the energy may lie where it should not.
+#: Largest share of the energy that may lie outside of a band.
 MOST_SHARE = 0.05
 _MM_PER_M = 1e3
 _LIMIT = f"{LARGEST_VELOCITY_M_PER_S * _MM_PER_M:g} mm/s"
-_GUESSED = "lies above {:g} Hz: between outputs the map is a guess."
+_MAP_GUESSED = "lies above {:g} Hz: between outputs the map is a guess."
 _UNIT_NOT_KNOWN = Finding(
     name="drive",
     state="unknown",
@@ -249,9 +246,8 @@ _UNIT_NOT_KNOWN = Finding(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Drive:
-    """What is played at one place, and its energy."""
+    """Samples that are played at one place, and their energy."""
 
-    place: int
     samples: Floats
     energy: float
 
@@ -277,7 +273,7 @@ def drive_findings(
     scaling
         What their unit is.
     probe
-        Whether they are what the probe does, not what an actuator is asked for.
+        Whether they are what the probe does, not what an actuator shall do.
     unit_known
         Whether responses answer an acceleration, not a drive of whatever unit.
     band_hz
@@ -286,8 +282,7 @@ def drive_findings(
         Up to which the outputs stand close enough; None: it is not known.
     """
     played = [
-        _Drive(place=place, samples=samples, energy=float(np.vdot(samples, samples)))
-        for place, samples in drives
+        _Drive(samples=samples, energy=float(np.vdot(samples, samples))) for _, samples in drives
     ]
     return (
         _band(played, sample_rate_hz, band_hz),
@@ -346,7 +341,7 @@ def setup_findings(*, synthetic: bool, scaling: Scaling, places: Sequence[int]) 
     scaling
         What an amplitude of 1 means.
     places
-        Input places that are heard.
+        Input places that play.
     """
     hides = scaling == "upstream" and bool(places)
     several = "" if len(set(places)) < 2 else " between the places that play"
@@ -381,7 +376,7 @@ def setup_findings(*, synthetic: bool, scaling: Scaling, places: Sequence[int]) 
 
 
 def listed(outputs: Sequence[int]) -> str:
-    """Numbers in a sentence, runs of three or more as ranges: "1, 4 to 7 and 9".
+    """Return numbers as text, runs of three or more as ranges: "1, 4 to 7 and 9".
 
     >>> listed((1, 4, 5, 6, 7, 9, 10))
     '1, 4 to 7, 9 and 10'
@@ -399,11 +394,11 @@ def listed(outputs: Sequence[int]) -> str:
 
 
 def _share(played: Sequence[_Drive], rate: float, band: Band) -> float:
-    """Share of the energy of all drives outside a band; 0 in silence."""
-    energy = sum(one.energy for one in played)
+    """Return the share of the energy of all drives outside a band; 0 in silence."""
+    energy = sum(drive.energy for drive in played)
     if energy == 0.0:
         return 0.0
-    outside = sum(share_outside_band(one.samples, rate, band) * one.energy for one in played)
+    outside = sum(share_outside_band(drive.samples, rate, band) * drive.energy for drive in played)
     return outside / energy
 
 
@@ -444,7 +439,7 @@ def _velocity(
     if not probe:
         sentence = "Drives go through actuators here: the actuator panel tells how fast these move."
         return Finding(name="drive", state="unknown", sentence=sentence)
-    fastest = fastest_probe((one.samples for one in played), rate, band_hz)
+    fastest = fastest_probe((drive.samples for drive in played), rate, band_hz)
     lowest_hz = lowest_hz_of(band_hz)
     left = fastest > LARGEST_VELOCITY_M_PER_S
     moves, speed = "The probe moves at up to {:.3g} mm/s", fastest * _MM_PER_M
@@ -476,7 +471,7 @@ def _spacing(played: Sequence[_Drive], rate: float, limit_hz: float | None) -> F
         name="spacing",
         of_maps=True,
         state="left" if left else "kept",
-        in_short=f"{{:.0%}} of the energy {_GUESSED.format(limit_hz)}" if left else "",
+        in_short=f"{{:.0%}} of the energy {_MAP_GUESSED.format(limit_hz)}" if left else "",
         number=share if left else None,
         sentence=f"{share:.0%} of the energy of what plays lies above {limit_hz:g} Hz"
         + (

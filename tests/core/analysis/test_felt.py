@@ -11,7 +11,7 @@ from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
 from skinsource.engine.analysis_rules import SILENT_DB
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.perception.hand_arm import daily_exposure, hand_arm_weighting, weighted_rms
+from skinsource.perception.hand_arm import hand_arm_weighting, weighted_rms
 from skinsource.perception.sensation import site_offsets_db
 from skinsource.perception.thresholds import (
     PerceptionSettings,
@@ -59,7 +59,6 @@ def test_a_weighted_sine_has_the_gain_of_its_frequency_and_axes_add_up():
     assert weighted_rms(sine, RATE) == pytest.approx(3.0 / np.sqrt(2) * gain, rel=1e-9)
     both = weighted_rms(np.stack([sine, sine]), RATE)
     assert both == pytest.approx(3.0 * gain, rel=1e-9)
-    assert daily_exposure(2.0, 2 * 3600.0) == pytest.approx(1.0)
 
 
 def test_the_contact_alone_is_weighted_and_in_probe_scaling_only():

@@ -1,10 +1,9 @@
-"""One line in the terminal that shows how far a job is."""
+"""The commands ``skinsource dataset ...``, and the progress bar of the terminal."""
 
 import argparse
 import sys
 import time
 from pathlib import Path
-from types import TracebackType
 from typing import Any, Self, TextIO
 
 from skinsource.base.errors import DatasetMissingError
@@ -41,12 +40,7 @@ class ProgressBar:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self._draw("")
 
     def __call__(self, done: int, total: int, text: str) -> None:
@@ -79,9 +73,6 @@ class WithTimeLeft:
         self._bar(done, total, f"{text}  {left}".rstrip())
 
 
-# ``skinsource dataset install | fetch | list | verify | remove``.
-
-
 def add_to(subparsers: Any) -> None:
     """Add the command ``dataset`` with its five actions."""
     dataset = subparsers.add_parser(
@@ -91,38 +82,38 @@ def add_to(subparsers: Any) -> None:
     )
     actions = dataset.add_subparsers(title="actions", metavar="ACTION", required=True)
 
-    one = actions.add_parser("install", help="install from files you have downloaded")
-    one.add_argument(
+    action = actions.add_parser("install", help="install from files you have downloaded")
+    action.add_argument(
         "path",
         type=Path,
         metavar="PATH",
         help="folder that holds impulseResponses.mat and the toolbox's folder 'visualization', "
         "or impulseResponses.mat itself with that folder beside it",
     )
-    one.add_argument(
+    action.add_argument(
         "--unpublished",
         action="store_true",
         help="accept map files that are not the published ones",
     )
-    one.set_defaults(run=_install)
+    action.set_defaults(run=_install)
 
-    one = actions.add_parser("fetch", help="download (70 MB) and install")
-    one.add_argument("--dataset-url", default=DATASET_URL, help="mirror (default: %(default)s)")
-    one.add_argument("--map-url", default=MAP_URL, help="mirror (default: %(default)s)")
-    one.set_defaults(run=_fetch)
+    action = actions.add_parser("fetch", help="download (70 MB) and install")
+    action.add_argument("--dataset-url", default=DATASET_URL, help="mirror (default: %(default)s)")
+    action.add_argument("--map-url", default=MAP_URL, help="mirror (default: %(default)s)")
+    action.set_defaults(run=_fetch)
 
     actions.add_parser("list", help="show what is installed").set_defaults(run=_list)
     actions.add_parser("verify", help="compare every checksum").set_defaults(run=_verify)
 
-    one = actions.add_parser("remove", help="delete what is installed")
-    one.add_argument("--yes", action="store_true", help="do not ask")
-    one.set_defaults(run=_remove)
+    action = actions.add_parser("remove", help="delete what is installed")
+    action.add_argument("--yes", action="store_true", help="do not ask")
+    action.set_defaults(run=_remove)
 
 
 def _install(arguments: argparse.Namespace) -> int:
     with ProgressBar(sys.stderr) as bar:
         info = install(arguments.path, unpublished=arguments.unpublished, progress=bar)
-    _say_installed(info)
+    _print_installed(info)
     return 0
 
 
@@ -130,7 +121,7 @@ def _fetch(arguments: argparse.Namespace) -> int:
     files = published_files(arguments.dataset_url, arguments.map_url)
     with ProgressBar(sys.stderr) as bar:
         info = fetch(files=files, progress=bar)
-    _say_installed(info)
+    _print_installed(info)
     return 0
 
 
@@ -149,7 +140,7 @@ def _list(_: argparse.Namespace) -> int:
         f"made from  {info.source_name} ({info.source_bytes} bytes)\n"
         f"sha256     {info.source_sha256}\n"
     )
-    _say_note(info)
+    _print_note(info)
     return 0
 
 
@@ -162,7 +153,7 @@ def _verify(_: argparse.Namespace) -> int:
         sys.stderr.write(f"skinsource: the measured dataset is damaged. {REINSTALL}\n")
         return 1
     sys.stdout.write("The measured dataset is whole: every checksum matches.\n")
-    _say_note(describe())
+    _print_note(describe())
     return 0
 
 
@@ -187,15 +178,15 @@ def _confirmed() -> bool:
     return sys.stdin.readline().strip().lower() in ("y", "yes")
 
 
-def _say_installed(info: StoreInfo) -> None:
+def _print_installed(info: StoreInfo) -> None:
     sys.stdout.write(
         f"Installed measured-{info.limbs[0]} to measured-{info.limbs[-1]} "
         f"({_megabytes(info.size_bytes)}) in {info.path}\n"
     )
-    _say_note(info)
+    _print_note(info)
 
 
-def _say_note(info: StoreInfo) -> None:
+def _print_note(info: StoreInfo) -> None:
     if info.note:
         sys.stdout.write(f"NOTE       {info.note}\n")
 

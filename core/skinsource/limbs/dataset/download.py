@@ -1,4 +1,4 @@
-"""One file over HTTP, continued where it was cut."""
+"""Download the published files, each continued where it was cut, and install them."""
 
 import logging
 import time
@@ -29,7 +29,7 @@ STOPPED = (
 _GO_ON = "Check the connection and run 'skinsource dataset fetch' again"
 _CONNECT_S, _READ_S = 10.0, 30.0
 _PIECE_BYTES = 2**16
-# Below a thousand bytes per second the files would take a day.
+# At less than a thousand bytes per second the files would take a day.
 _PACE_S, _LEAST_BYTES = 60.0, 60_000
 _ALL, _PART, _RANGE_REFUSED = 200, 206, 416
 
@@ -52,7 +52,7 @@ def download(file: RemoteFile, part: Path, *, report: Callable[[int], None], sto
     StorageError
         ``part`` cannot be written.
     Stopped
-        ``stop`` said so.
+        ``stop`` returned true.
     """
     requests = package_of_extra("requests", "dataset")
     network = package_of_extra("urllib3.exceptions", "dataset")
@@ -66,7 +66,7 @@ def download(file: RemoteFile, part: Path, *, report: Callable[[int], None], sto
             if not continued:
                 part.unlink()
             elif _size(part) <= before:
-                raise DownloadError(_lost(file, part, reason))
+                raise DownloadError(_failure_text(file, part, reason))
     if _size(part) > file.size_bytes:
         part.unlink()
         raise DownloadError(
@@ -89,13 +89,13 @@ def _receive(
         other_bytes = answer.status_code == _PART and _first_byte(answer) != have
         if have and (other_bytes or answer.status_code == _RANGE_REFUSED):
             return False
-        _refuse_other_answers(answer, file, have)
+        _check_answer(answer, file, have)
         have = have if answer.status_code == _PART else 0
         with _opened(part, "ab" if have else "wb") as out:
-            pace = _Pace(file)
+            speed = _SpeedCheck(file)
             for piece in _pieces(answer):
                 stop_if(stop, STOPPED)
-                pace.note(len(piece))
+                speed.note(len(piece))
                 with _explained(part):
                     out.write(piece)
                     out.flush()
@@ -112,7 +112,7 @@ def _pieces(answer: Any) -> Iterator[bytes]:
         yield piece
 
 
-class _Pace:
+class _SpeedCheck:
     """Gives up on a server that sends next to nothing."""
 
     def __init__(self, file: RemoteFile) -> None:
@@ -149,7 +149,7 @@ def _explained(part: Path) -> Iterator[None]:
         ) from error
 
 
-def _refuse_other_answers(answer: Any, file: RemoteFile, have: int) -> None:
+def _check_answer(answer: Any, file: RemoteFile, have: int) -> None:
     if answer.status_code not in (_ALL, _PART):
         raise DownloadError(
             f"{file.url}: the server answered {answer.status_code} {printable(answer.reason)}, "
@@ -174,19 +174,17 @@ def _first_byte(answer: Any) -> int | None:
     return int(first) if unit == "bytes" and first.isdigit() else None
 
 
-def _lost(file: RemoteFile, part: Path, reason: str) -> str:
+def _failure_text(file: RemoteFile, part: Path, reason: str) -> str:
     have = _size(part)
-    kept = f"; {have} of {file.size_bytes} bytes have arrived and are kept" if have else ""
-    return f"{file.url}: cannot be downloaded ({reason}){kept}. {_GO_ON}."
+    progress_note = f"; {have} of {file.size_bytes} bytes have arrived and are kept" if have else ""
+    return f"{file.url}: cannot be downloaded ({reason}){progress_note}. {_GO_ON}."
 
 
 def _size(part: Path) -> int:
     return part.stat().st_size if part.exists() else 0
 
 
-# Downloading the published files and installing them.
-
-# Younger ones may belong to a download that runs.
+# Younger temporary files may belong to a download that runs.
 _A_DAY_S = 24 * 3600.0
 
 
@@ -221,7 +219,7 @@ def fetch(
     MissingExtraError
         An optional package is missing; found out before anything is downloaded.
     Stopped
-        ``stop`` said so; what has arrived is kept for the next time.
+        ``stop`` returned true; what has arrived is kept for the next time.
     """
     pooch = package_of_extra("pooch", "dataset")
     for name in ("requests", "matio"):
@@ -229,7 +227,7 @@ def fetch(
     files = published_files() if files is None else files
     downloads = download_folder() if downloads is None else downloads
     make_folder(downloads)
-    _sweep(downloads)
+    _remove_leftovers(downloads)
     # pooch would tell of each file on stderr, in the middle of the progress bar
     pooch.get_logger().setLevel(logging.WARNING)
     registry = pooch.create(
@@ -241,15 +239,15 @@ def fetch(
     total, done = sum(file.size_bytes for file in files), 0
     for file in files:
         progress(done, total, f"Downloading {file.name}")
-        one = _OneDownload(file, downloads, _moved_on(progress, done, total), stop)
-        _fetch_one(registry, file, downloads, one)
+        downloader = _OneDownload(file, downloads, _progress_of_all(progress, done, total), stop)
+        _fetch_one(registry, file, downloads, downloader)
         done += file.size_bytes
     progress(total, total, "Downloaded")
     # Each file was compared with ``files`` when it came.
     return install(downloads, folder=folder, unpublished=True, progress=progress, stop=stop)
 
 
-def _sweep(downloads: Path) -> None:
+def _remove_leftovers(downloads: Path) -> None:
     for path in leftovers(downloads):
         with suppress(OSError):
             if path.stat().st_mtime < time.time() - _A_DAY_S:
@@ -267,34 +265,34 @@ class _OneDownload:
 
     def __call__(self, _url: str, output_file: str, _pooch: Any) -> None:
         download(self._file, self._part, report=self._report, stop=self._stop)
-        self._refuse_other_content()
+        self._check_content()
         self._part.replace(output_file)
 
     def _report(self, n_bytes: int) -> None:
         self._progress(n_bytes, self._file.size_bytes, f"Downloading {self._file.name}")
 
-    def _refuse_other_content(self) -> None:
+    def _check_content(self) -> None:
         algorithm, _, expected = self._file.checksum.partition(":")
-        found = checksum_of(self._part, algorithm).partition(":")[2]
-        if found != expected:
+        digest = checksum_of(self._part, algorithm).partition(":")[2]
+        if digest != expected:
             self._part.unlink()
             raise DownloadError(
                 f"{self._file.url}: what was downloaded is not the published file: its "
-                f"{algorithm} is {found}, expected {expected}. It was deleted; run 'skinsource "
+                f"{algorithm} is {digest}, expected {expected}. It was deleted; run 'skinsource "
                 "dataset fetch' again."
             )
 
 
-def _moved_on(progress: Progress, before: int, total: int) -> Progress:
+def _progress_of_all(progress: Progress, before: int, total: int) -> Progress:
     def of_all(done: int, _: int, text: str) -> None:
         progress(before + done, total, text)
 
     return of_all
 
 
-def _fetch_one(registry: Any, file: RemoteFile, downloads: Path, one: _OneDownload) -> None:
+def _fetch_one(registry: Any, file: RemoteFile, downloads: Path, downloader: _OneDownload) -> None:
     try:
-        registry.fetch(file.name, downloader=one)
+        registry.fetch(file.name, downloader=downloader)
     except OSError as error:
         raise StorageError(
             f"{downloads / file.name}: cannot be written ({error.strerror or error}). Free some "

@@ -1,4 +1,4 @@
-"""From the download to the store: read, check, convert, move into place."""
+"""Install the dataset: read the download, check it, convert it, and move the store into place."""
 
 import io
 import os
@@ -69,22 +69,22 @@ def install(
     MissingExtraError
         mat-io is not installed.
     Stopped
-        ``stop`` said so.
+        ``stop`` returned true.
     """
-    found = find_downloaded(source)
-    strange = unpublished_files(found)
+    downloaded = find_downloaded(source)
+    changed = unpublished_files(downloaded)
     if not unpublished:
-        check_map_files(found, strange)
+        check_map_files(downloaded, changed)
     folder = user_folder() if folder is None else folder
     make_folder(folder)
     path = folder / published.FILE_NAME
     stop_if(stop, STOPPED)
-    progress(0, 2 * N_ROWS, f"Reading {found.responses.name}")
-    maps = read_map_files(found.map_folder)
+    progress(0, 2 * N_ROWS, f"Reading {downloaded.responses.name}")
+    maps = read_map_files(downloaded.map_folder)
     responses = read_responses(
-        found.responses, lambda done, _, text: progress(done, 2 * N_ROWS, text), stop
+        downloaded.responses, lambda done, _, text: progress(done, 2 * N_ROWS, text), stop
     )
-    image = _image(responses, maps, _origin(found.responses, strange))
+    image = _image(responses, maps, _origin(downloaded.responses, changed))
     stop_if(stop, STOPPED)
     _write(path, image, progress, stop)
     return describe(path)

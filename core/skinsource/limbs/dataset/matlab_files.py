@@ -1,7 +1,8 @@
-"""Whether the arrays of a MATLAB v7.3 file are all there: each piece once, in its place.
+"""Read and check the published MATLAB files, v7 or v7.3: the map files and the responses.
 
-Such files are HDF5 of the oldest kind, whose indices nothing checks.  Where one bit of an index has
-flipped, HDF5 gives zeros for the piece that it no longer finds, without a word.
+Files of v7.3 are HDF5 of the oldest kind, whose indices nothing checks.  Where one bit of an index
+has flipped, HDF5 returns zeros for the piece that it no longer finds, without an error.  So each
+piece of each array is checked: once, in its place.
 """
 
 import hashlib
@@ -45,7 +46,7 @@ class _Span(NamedTuple):
 
 
 def check_contiguous(path: Path) -> None:
-    """Refuse a MATLAB v7.3 file in which a piece of an array is missing, misplaced or shared.
+    """Raise if a piece of an array of a MATLAB v7.3 file is missing, misplaced or shared.
 
     Other files pass: those of MATLAB v7 check themselves.
 
@@ -66,13 +67,13 @@ def check_contiguous(path: Path) -> None:
 
     with files.File(path, "r", locking="best-effort") as file:
         file.visititems(look_at)
-    for one, other in pairwise(sorted(spans)):
-        if one.first_byte + one.size_bytes > other.first_byte:
-            raise _damaged(path, f"{one.name} and {other.name} lie in the same place")
+    for span, other in pairwise(sorted(spans)):
+        if span.first_byte + span.size_bytes > other.first_byte:
+            raise _damaged(path, f"{span.name} and {other.name} lie in the same place")
 
 
 def _spans_of(dataset: "h5py.Dataset", path: Path) -> list[_Span]:
-    """Where the values of an array lie; none where they lie in the header, which is read whole."""
+    """Return where the values of an array lie; none where they lie in the header."""
     name = str(dataset.name)
     kind = dataset.id.get_type()
     # What is neither a number nor a text has parts, which are numbers in files that MATLAB wrote.
@@ -102,24 +103,23 @@ def _chunks_of(dataset: "h5py.Dataset", path: Path) -> list[_Span]:
         raise _damaged(path, f"{name} is packed in an unknown way")
     size_bytes = math.prod(chunk) * dataset.dtype.itemsize
     expected = math.prod(-(-length // step) for length, step in zip(shape, chunk, strict=True))
-    found = dataset.id.get_num_chunks()
-    if found != expected:
-        raise _damaged(path, f"{name} has {found} pieces, expected {expected}")
+    n_chunks = dataset.id.get_num_chunks()
+    if n_chunks != expected:
+        raise _damaged(path, f"{name} has {n_chunks} pieces, expected {expected}")
     spans = []
-    for k in range(found):
+    for k in range(n_chunks):
         piece = dataset.id.get_chunk_info(k)
         spans.append(_Span(piece.byte_offset, piece.size, f"{name}, piece {k + 1}"))
     starts = (range(0, length, step) for length, step in zip(shape, chunk, strict=True))
     for place in itertools.product(*starts):
-        # The index is asked as it is when the array is read.  A list of its entries says less: it
-        # leaves out parts of them.
+        # The index is used as it is when the array is read; a list of its entries leaves out parts.
         if _unpacked_bytes(_piece_at(dataset, place), filters) != size_bytes:
             raise _damaged(path, f"the piece of {name} at {place} is missing or damaged")
     return spans
 
 
 def _piece_at(dataset: "h5py.Dataset", place: tuple[int, ...]) -> bytes:
-    """Bytes of a piece as they lie in the file; none where it is missing, or packed otherwise."""
+    """Return a piece's bytes as they lie in the file; none if missing or packed otherwise."""
     try:
         mask, packed = dataset.id.read_direct_chunk(place)
     except (OSError, RuntimeError):
@@ -128,7 +128,7 @@ def _piece_at(dataset: "h5py.Dataset", place: tuple[int, ...]) -> bytes:
 
 
 def _unpacked_bytes(packed: bytes, filters: tuple[int, ...]) -> int:
-    """Length of the values in a piece; -1 where they are damaged."""
+    """Return the length of the values in a piece; -1 where they are damaged."""
     if not filters:
         return len(packed)
     try:
@@ -139,9 +139,6 @@ def _unpacked_bytes(packed: bytes, filters: tuple[int, ...]) -> int:
 
 def _damaged(path: Path, what: str) -> DatasetError:
     return DatasetError(f"{path.name}: is damaged: {what}. {WHAT_TO_DO}")
-
-
-# MATLAB files, in either encoding (v7 and v7.3).
 
 
 def read_variable(path: Path, name: str) -> Any:
@@ -177,15 +174,12 @@ def read_variable(path: Path, name: str) -> Any:
             f"{WHAT_TO_DO}"
         ) from error
     if name not in variables:
-        found = ", ".join(sorted(variables)) or "nothing"
+        names = ", ".join(sorted(variables)) or "nothing"
         raise DatasetError(
-            f"{path.name}: holds {found}, expected a variable '{name}'. Is this the right file? "
+            f"{path.name}: holds {names}, expected a variable '{name}'. Is this the right file? "
             f"{WHAT_TO_DO}"
         )
     return variables[name]
-
-
-# The toolbox's map files, checked.
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -244,7 +238,7 @@ def _outline(path: Path) -> Floats:
             f"{WHAT_TO_DO}"
         ) from error
     outline = _numbers(path, vertices, (N_VERTICES, 2), "vertices, x and y")
-    return _refuse_not_finite(path, outline)
+    return _check_finite(path, outline)
 
 
 def _output_positions(path: Path) -> Floats:
@@ -252,7 +246,7 @@ def _output_positions(path: Path) -> Floats:
         path, read_variable(path, "outputLocations"), (N_OUTPUTS, 2), "outputs, x and y"
     )
     volar = np.isin(np.arange(1, N_OUTPUTS + 1), VOLAR_OUTPUTS)
-    _refuse_not_finite(path, positions[~volar])
+    _check_finite(path, positions[~volar])
     if not np.isnan(positions[volar]).all():
         raise DatasetError(
             f"{path.name}: gives places to the outputs {VOLAR_OUTPUTS[0]} to {VOLAR_OUTPUTS[-1]}, "
@@ -268,8 +262,8 @@ def _visibility(path: Path) -> Floats:
         (N_VERTICES, N_OUTPUTS),
         "vertices, outputs",
     )
-    seen = ~np.isnan(distance)
-    if np.isinf(distance).any() or (distance[seen] < 0).any() or not seen.any(axis=1).all():
+    visible = ~np.isnan(distance)
+    if np.isinf(distance).any() or (distance[visible] < 0).any() or not visible.any(axis=1).all():
         raise DatasetError(
             f"{path.name}: expected distances of 0 px or more, NaN where a vertex does not see an "
             f"output, and at least one output seen from each vertex. {WHAT_TO_DO}"
@@ -287,7 +281,7 @@ def _mask(path: Path, shape: tuple[int, int]) -> NDArray[np.uint8]:
 
 
 def _finite(path: Path, name: str, shape: tuple[int, ...], axes: str) -> Floats:
-    return _refuse_not_finite(path, _numbers(path, read_variable(path, name), shape, axes))
+    return _check_finite(path, _numbers(path, read_variable(path, name), shape, axes))
 
 
 def _numbers(path: Path, value: Any, shape: tuple[int, ...], axes: str) -> Floats:
@@ -300,13 +294,11 @@ def _numbers(path: Path, value: Any, shape: tuple[int, ...], axes: str) -> Float
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
-def _refuse_not_finite(path: Path, array: Floats) -> Floats:
+def _check_finite(path: Path, array: Floats) -> Floats:
     if not np.isfinite(array).all():
         raise DatasetError(f"{path.name}: expected finite coordinates, found NaN. {WHAT_TO_DO}")
     return array
 
-
-# The table of impulse responses, checked row by row.
 
 TABLE = "dataTable"
 COLUMNS = ("Data", "Model", "Location")
@@ -365,7 +357,7 @@ def check_table(table: Any, file_name: str, progress: Progress, stop: Stop) -> R
                 f"own. {WHAT_TO_DO}"
             )
         progress(number, N_ROWS, f"Checking limb {limb}, input {place}")
-    _refuse_gaps(responses, file_name)
+    _check_complete(responses, file_name)
     return responses
 
 
@@ -382,16 +374,13 @@ def _response(data: Any, where: str) -> Floats:
     finite = np.isfinite(array)
     if not finite.all():
         tap, output, axis = (int(k) + 1 for k in np.argwhere(~finite)[0])
-        strange = counted(int(np.count_nonzero(~finite)), "value")
+        not_finite = counted(int(np.count_nonzero(~finite)), "value")
         raise DatasetError(
-            f"{where} holds {strange} not finite, the first at "
+            f"{where} holds {not_finite} not finite, the first at "
             f"tap {tap}, output {output}, axis {axis}; expected finite numbers only. {WHAT_TO_DO}"
         )
-    return _real(array).transpose(1, 2, 0)
-
-
-def _real(array: NDArray[Any]) -> Floats:
-    return array.astype(np.float64, copy=False)
+    floats: Floats = array.astype(np.float64, copy=False)
+    return floats.transpose(1, 2, 0)
 
 
 def _whole_number(value: Any, highest: int, what: str) -> int:
@@ -403,7 +392,7 @@ def _whole_number(value: Any, highest: int, what: str) -> int:
     raise DatasetError(f"{what} {value!s}, expected a whole number 1 to {highest}. {WHAT_TO_DO}")
 
 
-def _refuse_gaps(responses: Responses, file_name: str) -> None:
+def _check_complete(responses: Responses, file_name: str) -> None:
     expected = ((limb, place) for limb in range(1, 5) for place in range(1, N_INPUTS + 1))
     missing = [pair for pair in expected if pair not in responses]
     if missing:

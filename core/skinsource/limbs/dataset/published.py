@@ -1,4 +1,4 @@
-"""What the store ``measured.h5`` looks like inside: names, version, checksums.
+"""The layout of the store ``measured.h5``, and the published files that it is made from.
 
 The file is in the format of HDF5 1.10, which checks sums of all that is not an array; each array
 has a SHA-256 of its own.  All texts are of fixed length: HDF5 leaves others unchecked.
@@ -47,33 +47,31 @@ WHOLE_SHAPES = {f"map/{part}": shape for part, shape in MAP_SHAPES.items()} | {
 _LIMB_NAMES = tuple(f"limb-{limb}" for limb in LIMBS)
 #: Groups of the store, and what is in each.
 GROUPS = {"responses": _LIMB_NAMES, "map": tuple(MAP_SHAPES), "masks": _LIMB_NAMES}
-#: What ``unpublished`` says where all files were the published ones; else their names, with commas.
+#: Value of ``unpublished`` where all files were the published ones; else their names, with commas.
 ALL_PUBLISHED = "none"
 FLOATS, BYTES = "<f8", "u1"
 
 
 def responses_name(limb: int) -> str:
-    """Name of the impulse responses of one limb in the store."""
+    """Return the name of the impulse responses of one limb in the store."""
     return f"responses/limb-{limb}"
 
 
 def mask_name(limb: int) -> str:
-    """Name of the mask of one limb in the store."""
+    """Return the name of the mask of one limb in the store."""
     return f"masks/limb-{limb}"
 
 
 def stored_type(name: str) -> str:
-    """Type of the values of what is stored in one piece."""
+    """Return the type of the values of what is stored in one piece."""
     return BYTES if name.startswith("masks/") else FLOATS
 
 
 def checksum(array: NDArray[Any]) -> str:
-    """SHA-256 of the values as they lie in the store: C order, little-endian."""
+    """Return the SHA-256 of the values as they lie in the store: C order, little-endian."""
     stored = np.ascontiguousarray(array, dtype=array.dtype.newbyteorder("<"))
     return hashlib.sha256(stored.data).hexdigest()
 
-
-# Where things are in what a user downloaded.
 
 RESPONSES_FILE = "impulseResponses.mat"
 MAP_FOLDER = "visualization"
@@ -93,7 +91,7 @@ _FOLDERS = (
     "*/visualization",
     "*/source/visualization",
 )
-# What Python calls temporary files.
+# Pattern of the names that Python gives to temporary files.
 _TEMPORARY = "tmp" + "[a-z0-9_]" * 8
 _RESPONSES_FOLDERS = ("", "*", "*/source")
 
@@ -115,12 +113,12 @@ class DownloadedFiles:
 
 
 def download_folder() -> Path:
-    """Where ``skinsource dataset fetch`` puts its files."""
+    """Return the folder of the files that ``skinsource dataset fetch`` downloads."""
     return user_folder() / "measured-download"
 
 
 def leftovers(downloads: Path) -> tuple[Path, ...]:
-    """Temporary files of the package pooch that killed downloads left in their folder."""
+    """Return the temporary files of the package pooch that killed downloads left behind."""
     folders = (folder for folder in (downloads, downloads / MAP_FOLDER) if is_folder(folder))
     return tuple(path for folder in folders for path in sorted(folder.glob(_TEMPORARY)))
 
@@ -135,14 +133,14 @@ def find_downloaded(path: Path) -> DownloadedFiles:
     DatasetError
         Files are missing; the message names them.
     """
-    whole = is_folder(path)
-    if not whole and not is_file(path):
+    given_folder = is_folder(path)
+    if not given_folder and not is_file(path):
         raise StorageError(
             f"{path}: no such file or folder. Give the folder that holds {RESPONSES_FILE} and the "
             "toolbox's folder 'visualization', or get both with 'skinsource dataset fetch'."
         )
-    folder = path if whole else path.parent
-    responses = _first(folder, _RESPONSES_FOLDERS, RESPONSES_FILE) if whole else path
+    folder = path if given_folder else path.parent
+    responses = _first(folder, _RESPONSES_FOLDERS, RESPONSES_FILE) if given_folder else path
     if responses is None:
         raise DatasetError(
             f"{path}: holds no {RESPONSES_FILE}. Give the folder that holds it and the toolbox's "
@@ -162,13 +160,11 @@ def find_downloaded(path: Path) -> DownloadedFiles:
 
 def _first(folder: Path, patterns: tuple[str, ...], name: str) -> Path | None:
     for pattern in patterns:
-        found = sorted(folder.glob(f"{pattern}/{name}" if pattern else name))
-        if found:
-            return found[0]
+        paths = sorted(folder.glob(f"{pattern}/{name}" if pattern else name))
+        if paths:
+            return paths[0]
     return None
 
-
-# The published files: where they are and how to tell that they arrived whole.
 
 #: Record of the dataset, doi 10.5281/zenodo.10547601.
 DATASET_URL = "https://zenodo.org/records/10547601/files"
@@ -244,7 +240,7 @@ def published_files(
 
 
 def checksum_of(path: Path, algorithm: str) -> str:
-    """Checksum of a file, as in `RemoteFile.checksum`.
+    """Return the checksum of a file, as in `RemoteFile.checksum`.
 
     Raises
     ------
@@ -261,26 +257,26 @@ def checksum_of(path: Path, algorithm: str) -> str:
         ) from error
 
 
-def unpublished_files(found: DownloadedFiles) -> tuple[str, ...]:
-    """Published names of those files in a download that are not the published ones."""
-    strange = []
+def unpublished_files(downloaded: DownloadedFiles) -> tuple[str, ...]:
+    """Return the names of the files in a download whose content is not the published one."""
+    changed = []
     for file in published_files():
         name = file.name.rpartition("/")[2]
-        path = found.responses if name == RESPONSES_FILE else found.map_folder / name
+        path = downloaded.responses if name == RESPONSES_FILE else downloaded.map_folder / name
         if checksum_of(path, file.checksum.partition(":")[0]) != file.checksum:
-            strange.append(name)
-    return tuple(strange)
+            changed.append(name)
+    return tuple(changed)
 
 
-def check_map_files(found: DownloadedFiles, unpublished: tuple[str, ...]) -> None:
+def check_map_files(files: DownloadedFiles, unpublished: tuple[str, ...]) -> None:
     """Raise `DatasetError` if any of the ``unpublished`` files is one of the map's.
 
     A damaged one moves sensors, and nothing in it tells.
     """
-    strange = [name for name in unpublished if name in MAP_FILES]
-    if strange:
+    changed = [name for name in unpublished if name in MAP_FILES]
+    if changed:
         raise DatasetError(
-            f"{found.map_folder}: not the published content: {', '.join(strange)} (the checksum "
+            f"{files.map_folder}: not the published content: {', '.join(changed)} (the checksum "
             "differs). The download may be damaged; run 'skinsource dataset fetch' again. If other "
             "files are meant, use 'skinsource dataset install PATH --unpublished'."
         )

@@ -1,4 +1,9 @@
-"""What is said where the measured limbs are missing."""
+"""The installed measured dataset: one HDF5 file in the user's data folder.
+
+A damaged or strange file can keep HDF5 busy for ever, or lead it into other files.  So nothing is
+read whose type, shape and position are not those that the installation writes.  The file is opened
+for each reading and closed again, so that it can be replaced or removed while limbs are in use.
+"""
 
 import os
 from collections.abc import Iterator
@@ -45,11 +50,6 @@ HOW_TO_GET = (
 )
 
 
-# The parts of an opened store, each looked at before it is read.
-#
-# HDF5 can be kept busy for ever, or led into other files, by a damaged or strange file.  So
-# nothing is read whose type, shape and place are not those that the installation writes.
-
 REINSTALL = "Install it again with 'skinsource dataset fetch' or 'skinsource dataset install PATH'."
 #: Name of the attribute that holds the SHA-256 of a dataset.
 DIGEST = "sha256"
@@ -78,16 +78,16 @@ class StoreParts:
         self.path = path
 
     def group(self, name: str) -> "h5py.Group":
-        """A group in the root."""
+        """Return a group of the root."""
         group = self._member(self.root, name, files.Group)
-        self.refuse_unknown(f"/{name}", group, set(published.GROUPS[name]))
-        self.refuse_unknown(f"/{name}", group.attrs, set())
+        self.check_names(f"/{name}", group, set(published.GROUPS[name]))
+        self.check_names(f"/{name}", group.attrs, set())
         return group
 
     def dataset(
         self, name: str, shape: tuple[int, ...], kind: str, chunks: tuple[int, ...] | None
     ) -> "h5py.Dataset":
-        """A dataset, ``name`` is "group/dataset"; in one piece where ``chunks`` is None."""
+        """Return the dataset ``name``, "group/dataset"; in one piece where ``chunks`` is None."""
         folder, own_name = name.split("/")
         dataset = self._member(self.group(folder), own_name, files.Dataset)
         if dataset.shape != shape or dataset.dtype != np.dtype(kind):
@@ -101,27 +101,27 @@ class StoreParts:
         is_usual = how.get_layout() == usual and dataset.chunks == chunks
         if not is_usual or how.get_nfilters() or how.get_external_count():
             raise self._damaged(f"{name} is not stored as installed")
-        self.refuse_unknown(name, dataset.attrs, {DIGEST})
+        self.check_names(name, dataset.attrs, {DIGEST})
         return dataset
 
     def attribute(self, part: Any, name: str, kind: str, shape: tuple[int, ...] = ()) -> Any:
-        """An attribute of a part: texts where ``kind`` is "S", whole numbers where it is "i"."""
+        """Return an attribute of a part: texts if ``kind`` is "S", integers if it is "i"."""
         if name not in part.attrs:
             raise self._damaged(f"{part.name} lacks {name}")
         # HDF5 keeps texts of free length outside its checksums, and may never end reading one.
-        found = part.attrs.get_id(name)
-        right = found.shape == shape and found.dtype.kind == kind
-        if not right or found.dtype.itemsize > _MAX_TEXT_BYTES:
+        attribute = part.attrs.get_id(name)
+        right = attribute.shape == shape and attribute.dtype.kind == kind
+        if not right or attribute.dtype.itemsize > _MAX_TEXT_BYTES:
             expected = "texts of fixed length" if kind == "S" else "whole numbers"
             raise self._damaged(
-                f"{name} of {part.name} is {found.dtype} of shape {found.shape}, expected "
+                f"{name} of {part.name} is {attribute.dtype} of shape {attribute.shape}, expected "
                 f"{expected} of shape {shape}"
             )
         return part.attrs[name]
 
-    def refuse_unknown(self, place: str, found: Any, known: set[str]) -> None:
-        """Refuse names in a group, or among attributes, that no installation writes."""
-        unknown = set(found) - known
+    def check_names(self, place: str, names: Any, known: set[str]) -> None:
+        """Raise if a group or attributes hold names that no installation writes."""
+        unknown = set(names) - known
         if unknown:
             raise self._damaged(f"{place} holds {', '.join(sorted(unknown))}, which is unknown")
 
@@ -136,8 +136,6 @@ class StoreParts:
             f"{self.path}: the store is damaged, or of another version ({what}). {REINSTALL}"
         )
 
-
-# What an opened store holds.
 
 _ROOT_NUMBERS = ("format_version", "source_bytes")
 _ROOT_TEXTS = ("format", "installed_at", "source_name", "source_sha256", "unpublished")
@@ -158,38 +156,38 @@ class Contents:
         self._check_root()
 
     def text(self, name: str) -> str:
-        """One of the texts that tell where the data come from."""
+        """Return one of the texts on the origin of the data."""
         return str(self._parts.attribute(self._parts.root, name, "S").decode())
 
     def number(self, name: str) -> int:
-        """One of the numbers that tell where the data come from."""
+        """Return one of the numbers on the origin of the data."""
         return int(self._parts.attribute(self._parts.root, name, "i"))
 
     def unpublished(self) -> tuple[str, ...]:
-        """Files that were not the published ones."""
-        found = self.text("unpublished")
-        return () if found == published.ALL_PUBLISHED else tuple(found.split(","))
+        """Return the files that were not the published ones."""
+        names = self.text("unpublished")
+        return () if names == published.ALL_PUBLISHED else tuple(names.split(","))
 
     def limbs(self) -> tuple[int, ...]:
-        """Numbers of the limbs whose responses are there."""
+        """Return the numbers of the limbs whose responses are there."""
         names = self._parts.group("responses")
         return tuple(
             n for n in published.LIMBS if published.responses_name(n).split("/")[1] in names
         )
 
     def checksums(self, limb: int) -> tuple[str, ...]:
-        """SHA-256 of the responses to each input place of one limb, as noted at installation."""
+        """Return the SHA-256 of the responses to each input place of a limb, as installed."""
         digests = self._parts.attribute(
             self._responses(limb), DIGEST, "S", published.RESPONSES_SHAPE[:1]
         )
         return tuple(digest.decode("ascii") for digest in digests)
 
     def response(self, limb: int, location: int) -> Floats:
-        """Responses to one input place of one limb, (72 outputs, 3 axes, 522 taps); unchecked."""
+        """Return the responses to one input place, (72 outputs, 3 axes, 522 taps), unchecked."""
         return np.asarray(self._responses(limb)[location - 1], dtype=np.float64)
 
     def whole(self, name: str) -> tuple[NDArray[Any], str]:
-        """An array of the map, or a mask, and its SHA-256 as noted at installation; unchecked."""
+        """Return an array of the map, or a mask, unchecked, and its SHA-256 as installed."""
         dataset = self._parts.dataset(
             name, published.WHOLE_SHAPES[name], published.stored_type(name), None
         )
@@ -197,10 +195,10 @@ class Contents:
 
     def _check_version(self) -> None:
         known = "format" in self._parts.root.attrs and "format_version" in self._parts.root.attrs
-        found = self.text("format") if known else None
-        if found != published.FORMAT:
+        kind = self.text("format") if known else None
+        if kind != published.FORMAT:
             raise DatasetError(
-                f"{self._parts.path}: is no store of the measured dataset (format {quoted(found)}, "
+                f"{self._parts.path}: is no store of the measured dataset (format {quoted(kind)}, "
                 f"expected {quoted(published.FORMAT)}). Move it away. {REINSTALL}"
             )
         version = self.number("format_version")
@@ -211,8 +209,8 @@ class Contents:
             )
 
     def _check_root(self) -> None:
-        self._parts.refuse_unknown("/", self._parts.root.attrs, {*_ROOT_TEXTS, *_ROOT_NUMBERS})
-        self._parts.refuse_unknown("/", self._parts.root, set(published.GROUPS))
+        self._parts.check_names("/", self._parts.root.attrs, {*_ROOT_TEXTS, *_ROOT_NUMBERS})
+        self._parts.check_names("/", self._parts.root, set(published.GROUPS))
         for name in _ROOT_TEXTS:
             self.text(name)
         for name in _ROOT_NUMBERS:
@@ -224,11 +222,6 @@ class Contents:
             name, published.RESPONSES_SHAPE, published.FLOATS, published.CHUNK
         )
 
-
-# The installed measured dataset: one HDF5 file in the user's data folder.
-#
-# The file is opened for each reading and closed again, so that it can be replaced or removed
-# while limbs are in use.
 
 #: Tip of digit III to the middle of the wrist, on the published map.
 HAND_LENGTH_PX = 398.1017
@@ -268,7 +261,7 @@ class StoreInfo:
 
 
 def store_path() -> Path:
-    """Where the store is, or would be."""
+    """Return the path of the store, whether or not it exists."""
     return user_folder() / published.FILE_NAME
 
 
@@ -344,7 +337,7 @@ def load_measured_limb(number: int) -> Limb:
 
 
 def load_mask(number: int) -> NDArray[np.bool_]:
-    """Pixels of 1 mm that lie on the skin of measured limb 1 to 4, (rows, columns).
+    """Return the pixels of 1 mm on the skin of measured limb 1 to 4, (rows, columns).
 
     Row and column 0 are at the lowest y and x.  Raises what `load_measured_limb` raises.
     """
@@ -373,7 +366,7 @@ def open_store(path: Path) -> Iterator[Contents]:
 
 def _read_checked(store: Contents, name: str, path: Path) -> NDArray[Any]:
     array, expected = store.whole(name)
-    _compare(published.checksum(array), expected, name, path)
+    _check_checksum(published.checksum(array), expected, name, path)
     array.flags.writeable = False
     return array
 
@@ -386,15 +379,15 @@ def _read_response(path: Path, limb: int, location: int, expected: str) -> Float
                 "Open the limb again."
             )
         response = store.response(limb, location)
-    _compare(published.checksum(response), expected, f"limb {limb}, input {location}", path)
+    _check_checksum(published.checksum(response), expected, f"limb {limb}, input {location}", path)
     return response
 
 
-def _compare(found: str, expected: str, what: str, path: Path) -> None:
-    if found != expected:
+def _check_checksum(actual: str, expected: str, what: str, path: Path) -> None:
+    if actual != expected:
         raise DatasetError(
-            f"{path}: {what} is damaged: its checksum is {found[:12]}…, expected {expected[:12]}…. "
-            f"{REINSTALL}"
+            f"{path}: {what} is damaged: its checksum is {actual[:12]}…, "
+            f"expected {expected[:12]}…. {REINSTALL}"
         )
 
 
@@ -412,9 +405,6 @@ def _check_number(number: int) -> None:
         )
 
 
-# Checking and removing what is installed.
-
-
 def verify(*, progress: Progress = silent, stop: Stop = never) -> tuple[str, ...]:
     """Compare every checksum in the store with the data.
 
@@ -430,16 +420,16 @@ def verify(*, progress: Progress = silent, stop: Stop = never) -> tuple[str, ...
     DatasetError
         The store cannot be opened, or a part of it cannot be found.
     Stopped
-        ``stop`` said so.
+        ``stop`` returned true.
     """
     total = len(published.LIMBS) * N_INPUTS + len(published.WHOLE_SHAPES)
     problems = []
     path = store_path()
     with open_store(path) as store:
-        for done, (what, found, expected) in enumerate(_checksums(store), start=1):
+        for done, (what, checksum, expected) in enumerate(_checksums(store), start=1):
             stop_if(stop, "Verifying was stopped.")
-            if found != expected:
-                problems.append(f"{path}: {what}: checksum {found}, expected {expected}")
+            if checksum != expected:
+                problems.append(f"{path}: {what}: checksum {checksum}, expected {expected}")
             progress(done, total, f"Verifying {what}")
     return tuple(problems)
 
@@ -450,12 +440,12 @@ def _checksums(store: Contents) -> Iterator[tuple[str, str, str]]:
         yield name, published.checksum(array), expected
     for limb in published.LIMBS:
         for place, expected in enumerate(store.checksums(limb), start=1):
-            found = published.checksum(store.response(limb, place))
-            yield f"limb {limb}, input {place}", found, expected
+            checksum = published.checksum(store.response(limb, place))
+            yield f"limb {limb}, input {place}", checksum, expected
 
 
 def installed_files() -> tuple[Path, ...]:
-    """Files that `remove` would delete: the store, downloads, remains of killed installations."""
+    """Return the files that `remove` would delete: the store, downloads, and leftovers."""
     store = store_path()
     downloads = download_folder()
     if not is_folder(store.parent):

@@ -1,4 +1,18 @@
-"""A Delaunay triangulation, with what its users need of each triangle."""
+"""Interpolation between scattered sites: Sibson's natural neighbours, or linear on one line.
+
+A point q put among the sites of a Voronoi diagram takes its cell from the cells of its natural
+neighbours; the share taken from each is that neighbour's weight (R. Sibson, "A brief description
+of natural neighbour interpolation", in: Interpreting Multivariate Data, Wiley, 1981).
+
+No Voronoi cell is drawn here.  The triangles whose circumcircle holds q form a cavity.  Within
+triangle (u, v, w) the cell of u covers the signed area
+
+    a_u(u, v, w) = (|uv|² cot w + |uw|² cot v) / 8
+
+so the area taken from u is the sum of a_u over the cavity's triangles less the sum of a_u(q, u, v)
+over the cavity's border edges (u, v).  No circumcentre appears, hence no loss of digits where one
+lies far away.
+"""
 
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -75,7 +89,7 @@ def snapped_to_lattice(points: Floats) -> Floats:
 
 
 def triangulate(sites: Floats) -> Triangulation:
-    """Delaunay triangulation of distinct sites that do not all lie on one line.
+    """Make the Delaunay triangulation of distinct sites that do not all lie on one line.
 
     Parameters
     ----------
@@ -88,8 +102,8 @@ def triangulate(sites: Floats) -> Triangulation:
     step = 2.0 ** np.floor(np.log2(extent / 2**10))
     centre = np.round((low + high) / 2 / step) * step
     local = sites - centre
-    found = scipy.spatial.Delaunay(local)
-    corners, neighbours = found.simplices.astype(np.intp), found.neighbors.astype(np.intp)
+    delaunay = scipy.spatial.Delaunay(local)
+    corners, neighbours = delaunay.simplices.astype(np.intp), delaunay.neighbors.astype(np.intp)
     a, b, c = (local[corners[:, k]] for k in range(3))
     clockwise = cross(b - a, c - a) < 0
     corners[clockwise] = corners[clockwise][:, [0, 2, 1]]
@@ -158,7 +172,7 @@ def locate(
 
 
 def nearest_on_hull(triangulation: Triangulation, points: Floats) -> tuple[Floats, Indices, Floats]:
-    """Nearest places on the hull, the two sites beside each, and their linear weights."""
+    """Return the nearest points on the hull, the two sites beside each, and their weights."""
     triangle, edge = np.nonzero(triangulation.neighbours < 0)
     ends = np.column_stack(
         [triangulation.corners[triangle, (edge + k) % 3] for k in (1, 2)],
@@ -174,7 +188,7 @@ def nearest_on_hull(triangulation: Triangulation, points: Floats) -> tuple[Float
 
 
 def _line(p: Floats, q: Floats) -> Floats:
-    """Line through p and q as (a, b, c), a x + b y + c > 0 on the left."""
+    """Return the line through p and q as (a, b, c), a x + b y + c > 0 on the left."""
     return np.column_stack([p[:, 1] - q[:, 1], q[:, 0] - p[:, 0], cross(p, q)])
 
 
@@ -189,7 +203,7 @@ def _circles(a: Floats, b: Floats, c: Floats, double_area: Floats) -> Floats:
 
 
 def _shares(a: Floats, b: Floats, c: Floats, double_area: Floats) -> Floats:
-    """Eight times a_u of corners a, b, c; the cotangent is dot over cross product."""
+    """Return eight times a_u of corners a, b, c; the cotangent is dot over cross product."""
     over_a = dot(b - c, b - c) * dot(b - a, c - a) / double_area
     over_b = dot(c - a, c - a) * dot(c - b, a - b) / double_area
     over_c = dot(a - b, a - b) * dot(a - c, b - c) / double_area
@@ -197,16 +211,13 @@ def _shares(a: Floats, b: Floats, c: Floats, double_area: Floats) -> Floats:
 
 
 def cross(p: Floats, q: Floats) -> Floats:
-    """Cross products of vectors (…, 2)."""
+    """Return the cross products of vectors (…, 2)."""
     return np.asarray(p[..., 0] * q[..., 1] - p[..., 1] * q[..., 0])
 
 
 def dot(p: Floats, q: Floats) -> Floats:
-    """Scalar products of vectors (…, 2)."""
+    """Return the scalar products of vectors (…, 2)."""
     return np.asarray(p[..., 0] * q[..., 0] + p[..., 1] * q[..., 1])
-
-
-# What interpolation between scattered sites gives: a share of each site for each point.
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -229,21 +240,6 @@ class SiteWeights:
     fallback: Booleans
 
 
-# Sibson's natural neighbour weights, for many points at once.
-#
-# A point q put among the sites of a Voronoi diagram takes its cell from the cells of its natural
-# neighbours; the share taken from each is that neighbour's weight (R. Sibson, "A brief description
-# of natural neighbour interpolation", in: Interpreting Multivariate Data, Wiley, 1981).
-#
-# No Voronoi cell is drawn here.  The triangles whose circumcircle holds q form a cavity.  Within
-# triangle (u, v, w) the cell of u covers the signed area
-#
-#     a_u(u, v, w) = (|uv|² cot w + |uw|² cot v) / 8
-#
-# so the area taken from u is the sum of a_u over the cavity's triangles less the sum of
-# a_u(q, u, v) over the cavity's border edges (u, v).  No circumcentre appears, hence no loss of
-# digits where one lies far away.
-
 #: Largest gap between a point and the weighted mean of its sites, as a part of the sites' extent.
 LINEAR_PRECISION = 1e-10
 #: Smaller weights are nothing but rounding.
@@ -251,7 +247,7 @@ RESIDUE = 1e-16
 
 
 def natural_neighbour_weights(triangulation: Triangulation, points: Floats) -> SiteWeights:
-    """Weights of the sites for the value at each point.
+    """Return the weights of the sites for the value at each point.
 
     Points on an edge of the convex hull get the linear weights of its two ends, which is
     Sibson's limit; points outside get those of the nearest place on the hull.
@@ -271,7 +267,7 @@ def natural_neighbour_weights(triangulation: Triangulation, points: Floats) -> S
     target = local.copy()
     target[beyond], ends, end_weights = nearest_on_hull(triangulation, local[beyond])
     of, site, area = _stolen_areas(triangulation, local[regular], triangle[regular])
-    weights = _summed(
+    weights = _weight_matrix(
         np.concatenate([sites, np.repeat(beyond, 2), regular[of]]),
         np.concatenate([at_site[sites], ends.ravel(), site]),
         np.concatenate([np.ones(len(sites)), end_weights.ravel(), area]),
@@ -288,7 +284,7 @@ def natural_neighbour_weights(triangulation: Triangulation, points: Floats) -> S
 def _stolen_areas(
     triangulation: Triangulation, points: Floats, triangle: Indices
 ) -> tuple[Indices, Indices, Floats]:
-    """Eight times the area each point takes from sites, as unsummed (point, site, area).
+    """Return eight times the area each point takes from sites, as unsummed (point, site, area).
 
     The cavity has no site inside, so its triangles hang together as a tree: a walk outwards,
     level by level and for all points at once, meets each triangle once.
@@ -332,7 +328,7 @@ def _stolen_areas(
 
 
 def _border_shares(q: Floats, u: Floats, v: Floats) -> tuple[Floats, Floats]:
-    """Eight times a_u and a_v of the triangles (q, u, v)."""
+    """Return eight times a_u and a_v of the triangles (q, u, v)."""
     to_u, to_v, edge = u - q, v - q, v - u
     # Zero where q lies on the hull: a tiny area lets the edge's ends outweigh all other sites,
     # in the ratio of linear interpolation, which is the limit.
@@ -343,7 +339,7 @@ def _border_shares(q: Floats, u: Floats, v: Floats) -> tuple[Floats, Floats]:
     return of_u, of_v
 
 
-def _summed(
+def _weight_matrix(
     row: Indices, column: Indices, value: Floats, shape: tuple[int, int]
 ) -> "csr_array[np.float64]":
     """Sum entries of equal row and column, drop rounding residues, make rows sum to 1."""
@@ -380,13 +376,11 @@ def _with_linear_rows(
     )
     keep = np.ones(len(points))
     keep[missed] = 0.0
-    kept = weights.copy()
-    kept.data = np.where(np.repeat(keep, np.diff(kept.indptr)) > 0, kept.data, 0.0)
-    kept.eliminate_zeros()
-    return scipy.sparse.csr_array(kept + linear)
+    remaining = weights.copy()
+    remaining.data = np.where(np.repeat(keep, np.diff(remaining.indptr)) > 0, remaining.data, 0.0)
+    remaining.eliminate_zeros()
+    return scipy.sparse.csr_array(remaining + linear)
 
-
-# Sites on one line: linear interpolation from each to the next.
 
 #: Sites no farther from the line than this part of their extent lie on it.  A quarter of what makes
 #: two sites one, so that different sites have different places along the line.
@@ -415,7 +409,7 @@ class SiteLine:
     extent: float
 
     def weights_at(self, points: Floats) -> SiteWeights:
-        """Weights of the given sites for the value at each point, (n_points, 2).
+        """Return the weights of the given sites for the value at each point, (n_points, 2).
 
         A point counts as the nearest place between the ends of the line; it is ``outside`` unless
         it is that place.
@@ -444,7 +438,7 @@ class SiteLine:
         )
 
     def _share(self, points: Floats, start: Indices) -> Floats:
-        """How far along its stretch each point lies: 0 at the start, 1 at the end."""
+        """Return each point's position along its segment: 0 at the start, 1 at the end."""
         stop = np.minimum(start + 1, len(self.sites) - 1)
         length = dot(self.sites[stop] - self.sites[start], self.along)
         part = dot(points - self.sites[start], self.along)
@@ -453,7 +447,7 @@ class SiteLine:
 
 
 def site_line(sites: Floats) -> SiteLine | None:
-    """Line through distinct sites, (n_sites, 2); None where they span a plane."""
+    """Return the line through distinct sites, (n_sites, 2); None where they span a plane."""
     extent = float(np.ptp(sites, axis=0).max())
     end = _farthest(sites, sites[0])
     along = _farthest(sites, end) - end
@@ -469,9 +463,6 @@ def site_line(sites: Floats) -> SiteLine | None:
 def _farthest(sites: Floats, place: Floats) -> Floats:
     away = sites - place
     return np.asarray(sites[np.argmax(dot(away, away))])
-
-
-# Interpolation between sites wherever they lie: in the plane, on one line, at one place.
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -495,24 +486,24 @@ class ScatteredSites:
         return isinstance(self.arrangement, SiteLine)
 
     def weights_at(self, points: Floats) -> SiteWeights:
-        """Weights of the sites for the value at each point, (n_points, 2).
+        """Return the weights of the sites for the value at each point, (n_points, 2).
 
         Sibson's natural neighbours; linear between neighbours on a line; a single site counts
         everywhere.  Outside the convex hull, which may be a line or a place, the nearest place on
         it counts.  Sites at one place share its weight.
         """
         if isinstance(self.arrangement, SiteLine):
-            found = self.arrangement.weights_at(points)
+            weights = self.arrangement.weights_at(points)
         else:
-            found = natural_neighbour_weights(self.arrangement, points)
-        if found.weights.shape[1] == len(self.place):
-            return found
+            weights = natural_neighbour_weights(self.arrangement, points)
+        if weights.weights.shape[1] == len(self.place):
+            return weights
         share = 1.0 / np.bincount(self.place)
         shared = scipy.sparse.csr_array(
             (share[self.place], (self.place, np.arange(len(self.place)))),
             shape=(len(share), len(self.place)),
         )
-        return replace(found, weights=scipy.sparse.csr_array(found.weights @ shared))
+        return replace(weights, weights=scipy.sparse.csr_array(weights.weights @ shared))
 
 
 def scattered_sites(sites: Floats) -> ScatteredSites:

@@ -1,4 +1,4 @@
-"""Sites so near to each other that they are one, and the refusal of two values for one place."""
+"""The surface operator, from one value per output to a picture, and outputs that share a place."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -24,7 +24,7 @@ Pairs = tuple[tuple[int, int], ...]
 
 
 def first_at_same_place(sites: Floats, size: float) -> Indices:
-    """Index of the first site at the place of each, (n_sites,): its own where it lies alone.
+    """Return the index of the first site at each site's place, (n_sites,).
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ def first_at_same_place(sites: Floats, size: float) -> Indices:
 
 
 def pairs_at_same_place(sites: Floats, size: float) -> Pairs:
-    """Each site that shares its place, with the first one there; sites without a place are NaN."""
+    """Return each site that shares its place, paired with the first one there; NaN has no place."""
     placed = np.flatnonzero(np.isfinite(sites).all(axis=1))
     first = placed[first_at_same_place(sites[placed], size)]
     second = first != placed
@@ -66,19 +66,16 @@ def check_values_of_shared_places(values: Floats, pairs: Pairs) -> None:
     InvalidInputError
         Names both outputs and their values.
     """
-    for one, other in pairs:
-        differ = np.argwhere(np.atleast_1d(values[one] != values[other]))
+    for first, other in pairs:
+        differ = np.argwhere(np.atleast_1d(values[first] != values[other]))
         if len(differ):
             at = tuple(differ[0])
-            found = (np.atleast_1d(values[k])[at] for k in (one, other))
+            pair = (np.atleast_1d(values[k])[at] for k in (first, other))
             raise InvalidInputError(
-                f"outputs {one + 1} and {other + 1} lie at the same place of the map, but were "
+                f"outputs {first + 1} and {other + 1} lie at the same place of the map, but were "
                 "given {:g} and {:g}; expected one value for one place. Move one of the two, or "
-                "give both the same value.".format(*found)
+                "give both the same value.".format(*pair)
             )
-
-
-# The heatmap: from one value per output to a picture of the back of the hand and arm.
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -138,15 +135,15 @@ class SurfaceOperator:
             The shape is wrong, the value of an output with a place is NaN or +inf, or outputs at
             one place have different values.
         """
-        given = real_array("values", values, "one value per output")
+        data = real_array("values", values, "one value per output")
         n_outputs = self.weights.shape[1]
-        if given.ndim not in (1, 2) or given.shape[0] != n_outputs:
+        if data.ndim not in (1, 2) or data.shape[0] != n_outputs:
             raise InvalidInputError(
-                f"the surface was given values of shape {given.shape}; expected one value per "
+                f"the surface was given values of shape {data.shape}; expected one value per "
                 f"output, ({n_outputs},) or ({n_outputs}, n_frames)."
             )
-        given = np.where(np.isneginf(given), FLOOR_DB, given)
-        bad = ~np.isfinite(given).reshape(n_outputs, -1).all(axis=1) & self._placed
+        data = np.where(np.isneginf(data), FLOOR_DB, data)
+        bad = ~np.isfinite(data).reshape(n_outputs, -1).all(axis=1) & self._placed
         if bad.any():
             names = ", ".join(str(output) for output in np.flatnonzero(bad) + 1)
             raise InvalidInputError(
@@ -154,10 +151,10 @@ class SurfaceOperator:
                 "place on the map needs a finite value or -inf. Correct the values before "
                 "interpolating."
             )
-        check_values_of_shared_places(given, self.same_place)
+        check_values_of_shared_places(data, self.same_place)
         # Zero times NaN must not reach the outputs that do have a place.
-        usable = np.where(self._placed.reshape(-1, *[1] * (given.ndim - 1)), given, 0.0)
-        surface = np.full((*self.mask.shape, *given.shape[1:]), np.nan)
+        usable = np.where(self._placed.reshape(-1, *[1] * (data.ndim - 1)), data, 0.0)
+        surface = np.full((*self.mask.shape, *data.shape[1:]), np.nan)
         surface[self.mask] = self._inside @ usable
         return surface
 

@@ -1,4 +1,11 @@
-"""A closed polygon in the plane: tidied, split finely, and its inside on a grid."""
+"""The outline of a map: its inside on a grid, and the weights of the outputs at its vertices.
+
+A vertex takes a mean of the two nearest outputs that it sees.  The rule of sight gives the
+published map's table of distances, pair by pair: the outline is drawn on a raster of one pixel,
+widened by two pixels, and its border traced through pixel centres; a vertex sees an output if the
+straight line between them stays inside that border.  Vertices that see no output take the two with
+the shortest ways inside the outline.
+"""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -14,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def distinct_vertices(outline: Floats) -> Indices:
-    """Indices of the vertices that are left when immediate repetitions are dropped.
+    """Return the indices of the vertices that remain without immediate repetitions.
 
     Parameters
     ----------
@@ -67,14 +74,14 @@ def count_crossings(outline: Floats) -> int:
     for axis in range(2):
         overlap &= low[:, None, axis] <= high[None, :, axis]
         overlap &= low[None, :, axis] <= high[:, None, axis]
-    one, other = np.nonzero(overlap)
+    first, other = np.nonzero(overlap)
 
     def side(edge: Indices, point: Floats) -> Floats:
         along, aside = end[edge] - start[edge], point - start[edge]
         return np.sign(along[:, 0] * aside[:, 1] - along[:, 1] * aside[:, 0])
 
-    apart = side(one, start[other]) * side(one, end[other]) < 0
-    return int(np.sum(apart & (side(other, start[one]) * side(other, end[one]) < 0)))
+    straddles = side(first, start[other]) * side(first, end[other]) < 0
+    return int(np.sum(straddles & (side(other, start[first]) * side(other, end[first]) < 0)))
 
 
 def ranges(start: Indices, stop: Indices) -> tuple[Indices, Indices]:
@@ -86,7 +93,7 @@ def ranges(start: Indices, stop: Indices) -> tuple[Indices, Indices]:
 
 
 def grid_inside(outline: Floats, x: Floats, y: Floats, tolerance: float = 1e-9) -> Booleans:
-    """Which points of a grid lie inside the closed polygon, by the even-odd rule.
+    """Return which points of a grid lie inside the closed polygon, by the even-odd rule.
 
     Parameters
     ----------
@@ -109,7 +116,7 @@ def grid_inside(outline: Floats, x: Floats, y: Floats, tolerance: float = 1e-9) 
 
 
 def _grid_enclosed(start: Floats, end: Floats, x: Floats, y: Floats) -> Booleans:
-    """Even-odd rule; points exactly on an edge fall on either side."""
+    """Apply the even-odd rule; points exactly on an edge fall on either side."""
     low, high = np.minimum(start[:, 1], end[:, 1]), np.maximum(start[:, 1], end[:, 1])
     # Half open, so that a vertex between two edges is counted once; horizontal edges drop out.
     edge, row = ranges(np.searchsorted(y, low), np.searchsorted(y, high))
@@ -125,7 +132,7 @@ def _grid_enclosed(start: Floats, end: Floats, x: Floats, y: Floats) -> Booleans
 def _grid_points_near(
     start: Floats, end: Floats, x: Floats, y: Floats, tolerance: float
 ) -> tuple[Indices, Indices]:
-    """Row and column of the grid points no farther than ``tolerance`` from an edge."""
+    """Return row and column of the grid points no farther than ``tolerance`` from an edge."""
     low = np.minimum(start[:, 1], end[:, 1]) - tolerance
     high = np.maximum(start[:, 1], end[:, 1]) + tolerance
     edge, row = ranges(np.searchsorted(y, low), np.searchsorted(y, high, side="right"))
@@ -146,12 +153,6 @@ def _grid_points_near(
     near = np.hypot(*(aside - share[:, None] * along).T) <= tolerance
     return row[near], column[near]
 
-
-# Which outputs an outline vertex sees, and which two it takes its value from.
-#
-# The rule was found to give the published map's table of distances, pair by pair: the outline is
-# drawn on a raster of one pixel, widened by two pixels, and its border traced through pixel
-# centres; a vertex sees an output if the straight line between them stays inside that border.
 
 #: Raster units in one hand length; two of them, 0.5 % of it, are the rule's tolerance.
 UNITS_PER_HAND = 398.1
@@ -232,12 +233,12 @@ def _holds_points(filled: Booleans, points: Floats) -> Booleans:
     # The sides of such a hull have one of these eight directions.
     outward = np.array([(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (1, -1), (-1, 1), (-1, -1)])
     at = cell.astype(np.intp)[:, None] + corner
-    reach = np.where(_look_up(filled, at)[:, None, :], outward @ corner.T, -np.inf).max(axis=2)
+    reach = np.where(_is_filled(filled, at)[:, None, :], outward @ corner.T, -np.inf).max(axis=2)
     return np.asarray(np.all(aside @ outward.T <= reach + _TOLERANCE, axis=1))
 
 
-def _look_up(filled: Booleans, at: Indices) -> Booleans:
-    """Filled or not at (…, 2) of column, row; empty beyond the raster."""
+def _is_filled(filled: Booleans, at: Indices) -> Booleans:
+    """Return whether the raster is filled at (…, 2) of column, row; empty beyond it."""
     last = np.array(filled.shape)[::-1] - 1
     column, row = np.moveaxis(np.clip(at, 0, last), -1, 0)
     return np.asarray(filled[row, column])
@@ -258,7 +259,7 @@ def _close_crossings(
     at[:, :, axis] = line[:, None]
     at[:, 0, 1 - axis] = np.floor(along + _TOLERANCE)
     at[:, 1, 1 - axis] = np.ceil(along - _TOLERANCE)
-    inside[owner[~_look_up(filled, at).all(axis=1)]] = False
+    inside[owner[~_is_filled(filled, at).all(axis=1)]] = False
 
 
 def nearest_visible(
@@ -284,19 +285,17 @@ def nearest_visible(
     order = np.argsort(distances, axis=1, kind="stable")
     index = np.full((len(vertices), count), -1)
     distance = np.full((len(vertices), count), np.inf)
-    found = np.zeros(len(vertices), dtype=np.intp)
+    n_found = np.zeros(len(vertices), dtype=np.intp)
     for rank in range(order.shape[1]):
-        vertex = np.flatnonzero(found < count)
+        vertex = np.flatnonzero(n_found < count)
         output = order[vertex, rank]
-        seen = sees(region, vertices[vertex], outputs[output])
-        vertex, output = vertex[seen], output[seen]
-        index[vertex, found[vertex]] = output
-        distance[vertex, found[vertex]] = distances[vertex, output]
-        found[vertex] += 1
+        visible = sees(region, vertices[vertex], outputs[output])
+        vertex, output = vertex[visible], output[visible]
+        index[vertex, n_found[vertex]] = output
+        distance[vertex, n_found[vertex]] = distances[vertex, output]
+        n_found[vertex] += 1
     return index, distance
 
-
-# Shortest ways inside the outline, for outline vertices that see no output.
 
 # Column, row of half of the 16 moves to a neighbour, and the raster points passed on the way.
 _MOVES = (
@@ -312,7 +311,7 @@ _MOVES = (
 
 
 def distances_inside(region: SightRegion, starts: Floats, ends: Floats) -> Floats:
-    """Lengths of the shortest ways inside the region, in units of the coordinates.
+    """Return the lengths of the shortest ways inside the region, in units of the coordinates.
 
     Ways lead over raster points by 16 moves, which makes them up to 2.8 % too long.
 
@@ -339,7 +338,7 @@ def distances_inside(region: SightRegion, starts: Floats, ends: Floats) -> Float
 
 
 def _moves_between(region: SightRegion, number: Indices) -> "csr_array[np.float64]":
-    """Lengths of the moves between filled raster points, each given once."""
+    """Return the lengths of the moves between filled raster points, each once."""
     row, column = np.nonzero(region.filled)
     begin, finish, length = [], [], []
     for (right, up), passed in _MOVES:
@@ -356,14 +355,11 @@ def _moves_between(region: SightRegion, number: Indices) -> "csr_array[np.float6
 
 
 def _nearest_filled(region: SightRegion, points: Floats) -> tuple[tuple[Indices, Indices], Floats]:
-    """Row and column of the filled raster point nearest to each point, and how far it is."""
+    """Return row, column and distance of the filled raster point nearest to each point."""
     row, column = np.nonzero(region.filled)
     at = region.raster_coordinates(points)
     distance, nearest = scipy.spatial.KDTree(np.column_stack([column, row])).query(at)
     return (row[nearest], column[nearest]), np.asarray(distance)
-
-
-# Values on the outline: each vertex takes a mean of the two nearest outputs it sees.
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -386,7 +382,7 @@ class Boundary:
 
 
 def boundary_from_table(table: Floats, outline: Floats, outputs: Floats, unit: float) -> Boundary:
-    """Boundary by given distances.
+    """Return the boundary by given distances.
 
     Parameters
     ----------
@@ -405,7 +401,7 @@ def boundary_from_table(table: Floats, outline: Floats, outputs: Floats, unit: f
 
 
 def boundary_by_sight(outline: Floats, outputs: Floats, unit: float) -> Boundary:
-    """Boundary by the rule of `skinsource.limbs.surface.outline`.
+    """Return the boundary by the rule of `skinsource.limbs.surface.outline`.
 
     Parameters
     ----------
@@ -424,30 +420,30 @@ def boundary_by_sight(outline: Floats, outputs: Floats, unit: float) -> Boundary
 def _boundary(
     index: Indices, distance: Floats, outline: Floats, outputs: Floats, unit: float
 ) -> Boundary:
-    """Weights from the two nearest (n_vertices, 2), of which any may be missing (-1)."""
+    """Make weights from the two nearest (n_vertices, 2), of which any may be missing (-1)."""
     n_vertices, n_outputs = len(outline), len(outputs)
-    seen = np.zeros((n_vertices, 2), dtype=np.intp)
+    nearest = np.zeros((n_vertices, 2), dtype=np.intp)
     away = np.full((n_vertices, 2), np.inf)
-    seen[:, : index.shape[1]], away[:, : index.shape[1]] = index, distance
+    nearest[:, : index.shape[1]], away[:, : index.shape[1]] = index, distance
     blind = np.flatnonzero(~np.isfinite(away[:, 0]))
     single = np.flatnonzero(np.isfinite(away[:, 0]) & ~np.isfinite(away[:, 1]))
     if len(blind):
-        seen[blind], away[blind] = _nearest_inside(outline, outputs, unit, blind)
+        nearest[blind], away[blind] = _nearest_inside(outline, outputs, unit, blind)
     near, far = away.T
     share = np.ones(n_vertices)
     both = np.isfinite(far) & (near > 0)
     share[both] = far[both] / (near[both] + far[both])
     weights = np.zeros((n_vertices, n_outputs))
     every = np.arange(n_vertices)
-    weights[every, seen[:, 0]] = share
-    weights[every[both], seen[both, 1]] = 1 - share[both]
+    weights[every, nearest[:, 0]] = share
+    weights[every[both], nearest[both, 1]] = 1 - share[both]
     return Boundary(weights=weights, blind=blind, single=single)
 
 
 def _nearest_inside(
     outline: Floats, outputs: Floats, unit: float, blind: Indices
 ) -> tuple[Indices, Floats]:
-    """Two nearest outputs by the way inside the outline, and how far; unreachable ones last."""
+    """Return the two nearest outputs by the way inside, and how far; unreachable ones last."""
     placed = np.flatnonzero(np.isfinite(outputs).all(axis=1))
     way = distances_inside(sight_region(outline, unit), outline[blind], outputs[placed])
     straight = np.hypot(*np.moveaxis(outline[blind][:, None] - outputs[placed], 2, 0))

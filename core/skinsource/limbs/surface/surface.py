@@ -1,4 +1,10 @@
-"""Builds the operator of a map: natural neighbours within its outline."""
+"""Build the surface operator of a map: natural neighbours within its outline.
+
+Operators are cached on disk, because building one takes longer than all else of a start.  A cached
+operator is used only for the same map, hand and spacing, and the same code and versions.  The
+folder has a size limit and may be deleted at any time.  What cannot be read is built again; what
+cannot be written is not cached.
+"""
 
 import hashlib
 import io
@@ -49,7 +55,7 @@ _PIXELS_PER_CHUNK = 4096
 
 
 def surface_operator(limb: Limb, spacing_mm: float = 1.0, stop: Stop = never) -> SurfaceOperator:
-    """Natural neighbour interpolation over the limb's outline.
+    """Build the natural neighbour interpolation over a limb's outline.
 
     Takes a fraction of a second at 1 mm, longer as the square of the fineness.
 
@@ -75,7 +81,7 @@ def surface_operator(limb: Limb, spacing_mm: float = 1.0, stop: Stop = never) ->
 def surface_operator_from_map(
     limb_map: LimbMap, hand_length_mm: float, spacing_mm: float = 1.0, stop: Stop = never
 ) -> SurfaceOperator:
-    """Natural neighbour interpolation over the outline of a map.
+    """Build the natural neighbour interpolation over the outline of a map.
 
     Sites are the outputs and the outline's vertices; a vertex takes the mean of the two nearest
     outputs it sees, weighted by the other one's distance.  Everything is built in outline pixels:
@@ -146,13 +152,17 @@ def _check_map(limb_map: LimbMap, hand_length_mm: float, spacing_mm: float) -> N
 
 
 def _outline_and_boundary(limb_map: LimbMap) -> tuple[Floats, Boundary, int]:
-    """Outline as it is used, values at its vertices, and how often it crosses itself."""
+    """Return the outline as used, the weights at its vertices, and its self-crossings."""
     outputs = limb_map.output_positions
-    kept = distinct_vertices(limb_map.outline)
-    outline = limb_map.outline[kept]
+    distinct = distinct_vertices(limb_map.outline)
+    outline = limb_map.outline[distinct]
     unit = raster_unit(outline, limb_map.hand_length_px)
     if limb_map.visibility is not None:
-        return outline, boundary_from_table(limb_map.visibility[kept], outline, outputs, unit), 0
+        return (
+            outline,
+            boundary_from_table(limb_map.visibility[distinct], outline, outputs, unit),
+            0,
+        )
     crossings = count_crossings(outline)
     if limb_map.densify:
         outline = densified(outline, _LONGEST_EDGE * unit)
@@ -162,7 +172,7 @@ def _outline_and_boundary(limb_map: LimbMap) -> tuple[Floats, Boundary, int]:
 def _pixels(
     outline: Floats, spacing_mm: float, mm_per_px: float
 ) -> tuple[Floats, Floats, Booleans]:
-    """Coordinates of columns and rows in outline pixels, and the mask (rows, columns)."""
+    """Return x of columns and y of rows in outline pixels, and the mask (rows, columns)."""
     spacing = spacing_mm / mm_per_px
     low, high = outline.min(axis=0), outline.max(axis=0)
     # The last pixel may be missed by rounding.
@@ -186,7 +196,7 @@ def _pixels(
 def _point_weights(
     outline: Floats, outputs: Floats, boundary: Boundary, points: Floats, stop: Stop
 ) -> "tuple[csr_array[np.float64], int, bool]":
-    """Weights of the outputs at the points; how many are by the way out; if all is one line."""
+    """Return the outputs' weights at the points; how many are linear; whether sites are a line."""
     placed = np.flatnonzero(np.isfinite(outputs).all(axis=1))
     values = np.concatenate([np.eye(len(outputs))[placed], boundary.weights])
     snapped = snapped_to_lattice(np.concatenate([outputs[placed], outline]))
@@ -199,12 +209,12 @@ def _point_weights(
     parts, fallback_count = [], 0
     for first in range(0, len(points), _PIXELS_PER_CHUNK):
         stop_if(stop)
-        found = scattered.weights_at(points[first : first + _PIXELS_PER_CHUNK])
-        parts.append(found.weights @ from_outputs)
-        fallback_count += int(found.fallback.sum())
-    together = scipy.sparse.csr_array(scipy.sparse.vstack(parts, format="csr"))
-    together.sort_indices()
-    return together, fallback_count, scattered.on_a_line
+        weights = scattered.weights_at(points[first : first + _PIXELS_PER_CHUNK])
+        parts.append(weights.weights @ from_outputs)
+        fallback_count += int(weights.fallback.sum())
+    stacked = scipy.sparse.csr_array(scipy.sparse.vstack(parts, format="csr"))
+    stacked.sort_indices()
+    return stacked, fallback_count, scattered.on_a_line
 
 
 def _with_empty_rows(weights: "csr_array[np.float64]", filled: Booleans) -> "csr_array[np.float64]":
@@ -231,13 +241,7 @@ def _warnings(
     return thinness + tuple(f"{what}: {count}." for count, what in cases if count)
 
 
-# Operators of maps, kept on disk: to build one takes longer than to start the studio without it.
-#
-# A kept operator is found again only by the same map, hand and spacing, the same source code of
-# this folder and the same versions of what computes it.  The folder is bounded, and may be deleted
-# at any time.  Whatever cannot be read is built again; whatever cannot be written is not kept.
-
-#: What all kept operators take on disk, at most, and one of them.
+#: Most bytes of all cached operators, and of one.
 MOST_ON_DISK_BYTES, LARGEST_BYTES = 64 * 2**20, 16 * 2**20
 _HEAD = b"skinsource operator 1\n"
 _DIGEST_BYTES = 32
@@ -251,16 +255,16 @@ def cached_surface_operator(
     The same bits either way.  `skinsource.base.work` counts what was built.
     """
     path = cache_folder() / "surface" / f"{_key(limb, spacing_mm)}.operator"
-    found = _read(path)
-    if found is None:
-        found = surface_operator(limb, spacing_mm, stop=stop)
+    operator = _read_cached(path)
+    if operator is None:
+        operator = surface_operator(limb, spacing_mm, stop=stop)
         tally(operators_built=1)
-        _keep(path, found)
-    return found
+        _write_cached(path, operator)
+    return operator
 
 
 def encoded(operator: SurfaceOperator) -> bytes:
-    """An operator as bytes that know when they are damaged."""
+    """Encode an operator as bytes with a checksum."""
     weights = operator.weights
     about = {
         "fallback_count": operator.fallback_count,
@@ -272,15 +276,15 @@ def encoded(operator: SurfaceOperator) -> bytes:
     }
     content = io.BytesIO()
     arrays = (weights.data, weights.indices, weights.indptr, operator.mask)
-    words = np.frombuffer(json.dumps(about).encode(), np.uint8)
-    for array in (words, *arrays, operator.x_mm, operator.y_mm):
+    header = np.frombuffer(json.dumps(about).encode(), np.uint8)
+    for array in (header, *arrays, operator.x_mm, operator.y_mm):
         np.save(content, array, allow_pickle=False)
     image = content.getvalue()
     return _HEAD + hashlib.sha256(image).digest() + image
 
 
 def decoded(image: bytes) -> SurfaceOperator:
-    """The operator of such bytes.
+    """Decode the operator from bytes of `encoded`.
 
     Raises
     ------
@@ -295,12 +299,12 @@ def decoded(image: bytes) -> SurfaceOperator:
     ):
         raise ValueError("not a kept operator, or damaged")
     stream = io.BytesIO(content)
-    words, data, indices, indptr, mask, x_mm, y_mm = (
+    header, data, indices, indptr, mask, x_mm, y_mm = (
         np.load(stream, allow_pickle=False) for _ in range(7)
     )
-    about = json.loads(words.tobytes())
+    about = json.loads(header.tobytes())
     weights = scipy.sparse.csr_array((data, indices, indptr), shape=(mask.size, about["n_outputs"]))
-    # Of bytes that somebody else wrote: no row points outside.
+    # The bytes may be somebody else's: check that no row points outside.
     weights.check_format(full_check=True)
     return SurfaceOperator(
         weights=weights,
@@ -316,52 +320,52 @@ def decoded(image: bytes) -> SurfaceOperator:
 
 
 def _key(limb: Limb, spacing_mm: float) -> str:
-    """Digest of all that an operator depends on."""
-    found = hashlib.sha256(_code())
+    """Return the digest of all that an operator depends on."""
+    digest = hashlib.sha256(_version_bytes())
     lengths = limb.map.hand_length_px, limb.hand_length_mm, spacing_mm
-    found.update(repr((*map(float, lengths), limb.map.densify)).encode())
+    digest.update(repr((*map(float, lengths), limb.map.densify)).encode())
     for array in (limb.map.outline, limb.map.output_positions, limb.map.visibility):
         if array is not None:
-            found.update(f"{array.dtype.str}{array.shape}".encode())
-            found.update(array.tobytes())
-        found.update(b";")
-    return found.hexdigest()[:32]
+            digest.update(f"{array.dtype.str}{array.shape}".encode())
+            digest.update(array.tobytes())
+        digest.update(b";")
+    return digest.hexdigest()[:32]
 
 
 @cache
-def _code() -> bytes:
-    """What computes operators: versions, and the source of this folder where it is at hand."""
+def _version_bytes() -> bytes:
+    """Return the versions and the source files that operators are computed by."""
     versions = f"{__version__} {np.__version__} {scipy.__version__}".encode()
     sources = sorted(Path(__file__).parent.glob("*.py"))
     return b"\0".join((_HEAD, versions, *(path.read_bytes() for path in sources)))
 
 
-def _read(path: Path) -> SurfaceOperator | None:
+def _read_cached(path: Path) -> SurfaceOperator | None:
     try:
-        found = decoded(read_bytes(path, most=LARGEST_BYTES))
+        operator = decoded(read_bytes(path, most=LARGEST_BYTES))
         os.utime(path)  # used last is deleted last
     except (OSError, SkinSourceError, ValueError, KeyError, TypeError, EOFError):
         return None
-    return found
+    return operator
 
 
-def _keep(path: Path, operator: SurfaceOperator) -> None:
+def _write_cached(path: Path, operator: SurfaceOperator) -> None:
     image = encoded(operator)
     if len(image) > LARGEST_BYTES:
         return
     try:
         make_folder(path.parent)
         write_bytes(path, image)
-        _make_room(path.parent)
+        _limit_folder(path.parent)
     except (OSError, SkinSourceError):
         return
 
 
-def _make_room(folder: Path) -> None:
-    kept = [(one.stat(), one) for one in folder.glob("*.operator")]
-    kept.sort(key=lambda pair: pair[0].st_mtime_ns, reverse=True)
+def _limit_folder(folder: Path) -> None:
+    cached_files = [(path.stat(), path) for path in folder.glob("*.operator")]
+    cached_files.sort(key=lambda pair: pair[0].st_mtime_ns, reverse=True)
     total = 0
-    for about, path in kept:
+    for about, path in cached_files:
         total += about.st_size
         if total > MOST_ON_DISK_BYTES:
             path.unlink(missing_ok=True)
