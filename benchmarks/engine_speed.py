@@ -27,7 +27,7 @@ from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.limbs.catalogue import default_limb, load_limb
+from skinsource.limbs.catalog import default_limb, load_limb
 
 #: Edits come as drags: so many different ones after each plain pass, of which the mean counts.
 DRAG_STEPS = 10

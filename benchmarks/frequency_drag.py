@@ -34,7 +34,7 @@ from yardstick import Beside, computing_and_painting, judge
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
-from skinsource.limbs.catalogue import available_limbs, default_limb
+from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource_gui.app.app import make_application, manage_garbage_collection
 from skinsource_gui.fields.number_field import PIXELS_PER_STEP, NumberField
 from skinsource_gui.shell.window import MainWindow

@@ -33,7 +33,7 @@ from skinsource.design.effects.level import Envelope
 from skinsource.design.view import View
 from skinsource.design.waveforms.samples import Drawn
 from skinsource.design.waveforms.tones import Tone
-from skinsource.limbs.catalogue import available_limbs, default_limb
+from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource.specs.samples import Samples
 from skinsource_gui.app.app import make_application, manage_garbage_collection
 from skinsource_gui.panels.clip_editor.view import EditorView

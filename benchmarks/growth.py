@@ -37,7 +37,7 @@ from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.graph import Graph
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.limbs.catalogue import default_limb, load_limb
+from skinsource.limbs.catalog import default_limb, load_limb
 from skinsource.limbs.limb import Limb
 
 WANTED = frozenset({"output_rms", "axis_traces", "axis_spectra"})

@@ -35,7 +35,7 @@ from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.graph import Graph
 from skinsource.engine.memory import TOTAL_BYTES
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.limbs.catalogue import default_limb
+from skinsource.limbs.catalog import default_limb
 
 #: Processor time of the whole in times that of the transforms beside it; memory in times what is
 #: played and what the engine may remember; the longest wait as a part of the whole: once 10 s,

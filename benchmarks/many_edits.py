@@ -32,7 +32,7 @@ from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.limbs.catalogue import available_limbs, default_limb
+from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource_gui.app.app import make_application
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.document import Document

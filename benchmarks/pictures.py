@@ -23,7 +23,7 @@ from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Chirp, Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
-from skinsource.limbs.catalogue import available_limbs, default_limb
+from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource_gui.app.app import make_application
 from skinsource_gui.pages.importing.form import OverviewStrip
 from skinsource_gui.plots.colour_maps import colour_table

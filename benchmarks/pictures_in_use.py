@@ -24,7 +24,7 @@ from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.design.waveforms.wavelets import Gabor
-from skinsource.limbs.catalogue import available_limbs, default_limb
+from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource_gui.app.app import make_application
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences

@@ -5,12 +5,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from skinsource.base.published import AXES, N_INPUTS, N_OUTPUTS
+from skinsource.base.measurement_conditions import AXES, N_INPUTS, N_OUTPUTS
 from skinsource.design.design import Design, Input, track
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
 from skinsource.design.waveforms.tones import Tone
-from skinsource.limbs.catalogue import available_limbs
+from skinsource.limbs.catalog import available_limbs
 from skinsource.limbs.scaling import SCALINGS
 from skinsource.signals.projection import METHODS
 from skinsource_gui.panels.spectra.panel import SpectraSettings

@@ -28,7 +28,7 @@ import tempfile
 from pathlib import Path
 from time import monotonic
 
-from skinsource.limbs.catalogue import default_limb
+from skinsource.limbs.catalog import default_limb
 
 #: Promised, as ratios to the bare imports.
 MOST_TIMES = {"painted": 1.5, "complete": 2.0, "idle_mb": 3.0}

@@ -25,7 +25,7 @@ from PySide6.QtWidgets import QApplication
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise
-from skinsource.limbs.catalogue import available_limbs, default_limb
+from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource.limbs.own_limbs import OwnLimb, install_limb
 from skinsource_gui.app.app import make_application
 from skinsource_gui.shell.window import MainWindow

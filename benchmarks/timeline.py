@@ -24,7 +24,7 @@ from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelets import Gabor
-from skinsource.limbs.catalogue import available_limbs, default_limb
+from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource_gui.app.app import make_application
 from skinsource_gui.panels.timeline.lanes import LanesView
 from skinsource_gui.shell.window import MainWindow

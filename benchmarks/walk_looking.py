@@ -8,7 +8,7 @@ from driver import CONTROL, SHIFT, Driver
 from PySide6.QtCore import QPoint, Qt
 
 from skinsource.design.panel_settings import settings_of
-from skinsource.limbs.catalogue import available_limbs
+from skinsource.limbs.catalog import available_limbs
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.spectra.panel import SpectraSettings
 

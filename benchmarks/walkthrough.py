@@ -22,7 +22,7 @@ from walk_keeping import arrange, export_field, keep_files
 from walk_keyboard import go_by_keyboard
 from walk_looking import change_setup, colour_the_map, read_plots, select_outputs
 
-from skinsource.limbs.catalogue import available_limbs, default_limb
+from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource_gui.app.app import make_application
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences, start_design

@@ -16,7 +16,7 @@ from pathlib import Path
 from skinsource.base.extras import extra_line
 from skinsource.base.quoting import escaped
 from skinsource.version import __version__
-from skinsource_gui.qt.late_modules import leave_for_use, leave_sources_unread
+from skinsource_gui.qt.lazy_modules import leave_sources_unread, make_lazy
 from skinsource_gui.qt.system_libraries import has_display, install_line, missing_packages
 
 _FIRST_RUN = Path("build/first-run")
@@ -40,7 +40,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     gc.disable()
     importlib.import_module("PySide6.QtCore")
     leave_sources_unread()
-    leave_for_use()
+    make_lazy()
     if on_a_screen:
         return int(importlib.import_module("skinsource_gui.app.app").run(options.design))
     folder = options.render or _FIRST_RUN

@@ -169,7 +169,7 @@ def complete_rows() -> list[tuple[np.ndarray, float, float]]:
 
 
 @pytest.fixture(scope="session")
-def made_up_download(tmp_path_factory, write_table, complete_rows) -> Path:
+def synthetic_download(tmp_path_factory, write_table, complete_rows) -> Path:
     """Folder like the download, with made-up content.  Read only."""
     matio = pytest.importorskip("matio", reason="mat-io is not installed")
     from matio.utils.matclass import MatlabOpaque
@@ -200,18 +200,18 @@ def made_up_download(tmp_path_factory, write_table, complete_rows) -> Path:
 
 
 @pytest.fixture(scope="session")
-def made_up_store(made_up_download, tmp_path_factory) -> Iterator[Path]:
+def synthetic_store(synthetic_download, tmp_path_factory) -> Iterator[Path]:
     """Store made from the made-up download.  Read only."""
     from skinsource.limbs.dataset.install import install
 
     folder = tmp_path_factory.mktemp("made-up-store")
-    yield install(made_up_download, unpublished=True, folder=folder).path
+    yield install(synthetic_download, unpublished=True, folder=folder).path
     shutil.rmtree(folder, ignore_errors=True)
 
 
 @pytest.fixture
-def made_up_installed(made_up_store, user_data) -> Path:
+def synthetic_installed(synthetic_store, user_data) -> Path:
     """Install a made-up dataset of its own for one test; give the store."""
-    path = user_data / made_up_store.name
-    shutil.copyfile(made_up_store, path)
+    path = user_data / synthetic_store.name
+    shutil.copyfile(synthetic_store, path)
     return path

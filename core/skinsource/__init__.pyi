@@ -33,8 +33,8 @@ from .export.stimulus_export.export import export_stimulus as export_stimulus
 from .export.stimulus_export.options import StimulusOptions as StimulusOptions
 from .lab import matching as matching
 from .lab import rig_measuring as rig_measuring
-from .limbs.catalogue import available_limbs as available_limbs
-from .limbs.catalogue import load_limb as load_limb
+from .limbs.catalog import available_limbs as available_limbs
+from .limbs.catalog import load_limb as load_limb
 from .limbs.extent import Extent as Extent
 from .limbs.extent import extent as extent
 from .limbs.limb import Limb as Limb

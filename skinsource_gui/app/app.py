@@ -15,7 +15,7 @@ from skinsource.base.allocation import keep_freed_memory
 from skinsource.base.assets import user_folder
 from skinsource.base.crash_log import CrashLog
 from skinsource.base.files import make_folder
-from skinsource.limbs.catalogue import available_limbs, default_limb
+from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource_gui.qt.screen_fit import ScreenFit
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.playing import device_is_stuck

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
 from skinsource.base.quoting import printable
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.editor import Burst
-from skinsource_gui.qt.room import readable_in
+from skinsource_gui.qt.fitting import readable_in
 from skinsource_gui.qt.tooltips import tooltip
 
 # Between an icon and its text.

@@ -26,8 +26,8 @@ from skinsource.design.effects.breakpoints import (
     HIGHEST,
     Points,
     curve_at,
+    index_for,
     moved,
-    place_of,
     with_point,
     with_point_after,
     with_point_put,
@@ -241,7 +241,7 @@ class CurveMouse:
             x = self._rounded(self.scale.value(at, self._area())[0])
             if not self.scale.is_on_curve(before, x, at, self._area()):
                 return
-            near = place_of(before, x)
+            near = index_for(before, x)
             self._points.put(with_point(before, x), near, gesture)
         self._points.choose(near)
         self._drag = (gesture, self._points.value, at)

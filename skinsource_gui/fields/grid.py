@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QVBox
 
 from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import NewEditor
-from skinsource_gui.qt.asking import NextAct
-from skinsource_gui.qt.room import RoomOrText
+from skinsource_gui.qt.fitting import LayoutWatcher
+from skinsource_gui.qt.questions import NextAct
 from skinsource_gui.qt.theme import UNIT_PX, letter_scale, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 
@@ -199,7 +199,7 @@ class FieldGrid(QWidget):
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setHorizontalSpacing(UNIT_PX)
         self._grid.setVerticalSpacing(UNIT_PX // 4)
-        RoomOrText(self).changed.connect(self._fold)
+        LayoutWatcher(self).changed.connect(self._fold)
 
     def set_margins(self, left: int, top: int, right: int, bottom: int) -> None:
         """Set the margins around the cells, px."""

@@ -22,7 +22,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import SAMPLE_RATE_HZ
+from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.catalog import COMMON, kinds
 from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle

@@ -43,8 +43,8 @@ from skinsource_gui.fields.units import (
     stepped,
     with_unit,
 )
-from skinsource_gui.qt.asking import NextAct
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
+from skinsource_gui.qt.questions import NextAct
 from skinsource_gui.qt.theme import current_theme, letter_scale, tabular
 from skinsource_gui.qt.tooltips import show_tip_below, tooltip
 from skinsource_gui.qt.wheel import NOTCH

@@ -29,7 +29,7 @@ from skinsource.base.errors import SkinSourceError
 from skinsource.base.files import write_bytes
 from skinsource.base.job import Job, Progress, Stop, time_left_text
 from skinsource.base.quoting import sentence
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.studies.accuracy.cases import cases_of
 from skinsource.studies.accuracy.measuring import (

@@ -15,13 +15,13 @@ from PySide6.QtGui import QDragMoveEvent, QDropEvent
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from skinsource.base.errors import SkinSourceError
-from skinsource.base.files import is_there
+from skinsource.base.files import path_exists
 from skinsource.design import edits
 from skinsource.design.design import Design, Input
 from skinsource.design.design_file import SUFFIX
 from skinsource.design.edits.edit import Edit, Refusal, clip_of, location_text
 from skinsource.design.edits.inputs import usual_location
-from skinsource.design.labels import limb_word
+from skinsource.design.labels import limb_label
 from skinsource.design.presets import presets
 from skinsource.design.view import View
 from skinsource.design.waveforms.samples import Recording
@@ -30,9 +30,9 @@ from skinsource.studies import scenes
 from skinsource_gui import pages
 from skinsource_gui.pages.files.exports import ExportJobs
 from skinsource_gui.pages.files.file_actions import FileActions
-from skinsource_gui.plots.small_map import coloured_like
-from skinsource_gui.qt.asking import may_replace
+from skinsource_gui.plots.small_map import with_colours_of
 from skinsource_gui.qt.frames import DropPlace
+from skinsource_gui.qt.questions import ask_to_replace
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.panel import Panel, PanelRegistry
@@ -403,7 +403,7 @@ class SceneActions(QObject):
             return
         if not self._files.may_lose_changes():
             return
-        view = coloured_like(opened.view, self._document.view)
+        view = with_colours_of(opened.view, self._document.view)
         self._document.start_over(opened.design, view, None, scene=opened.scene.title)
         self._files.leave_file()
         self._files.suggested = self._preferences.folder / f"{opened.scene.name}{SUFFIX}"
@@ -414,7 +414,7 @@ class SceneActions(QObject):
         if opened.synthetic:
             text += ", on a SYNTHETIC limb"
         elif limb:
-            text += f", on {limb_word(limb).title}"
+            text += f", on {limb_label(limb).title}"
         self.done.emit(text)
 
 
@@ -494,11 +494,11 @@ class StimulusActions(QObject):
     def _may_write(self, path: Path, written: Iterable[tuple[Path, ...]]) -> bool:
         """Return whether files other than ``path``, on which the dialog asked, may be replaced."""
         # A user who has a file replaced has its sidecar replaced too.
-        agreed = is_there(path)
+        agreed = path_exists(path)
         firsts = (
-            next(filter(is_there, files), None)
+            next(filter(path_exists, files), None)
             for files in written
             if not (agreed and files[0] == path)
         )
         existing = [file for file in firsts if file is not None]
-        return not existing or may_replace(self._window, existing)
+        return not existing or ask_to_replace(self._window, existing)

@@ -28,7 +28,7 @@ from PySide6.QtWidgets import (
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import SkinSourceError, Stopped
 from skinsource.base.job import Job, Progress, Stop
-from skinsource.base.published import Axes as PublishedAxes
+from skinsource.base.measurement_conditions import Axes as PublishedAxes
 from skinsource.base.quoting import printable, sentence
 from skinsource.design.design import Design
 from skinsource.design.design_file import open_design
@@ -50,7 +50,7 @@ from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import minus
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.qt.buttons import page_button, page_label
-from skinsource_gui.qt.room import LetterWidth
+from skinsource_gui.qt.fitting import LetterWidth
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, set_tone, tabular
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner, PageJob

@@ -26,7 +26,7 @@ from PySide6.QtWidgets import (
 
 from skinsource.actuators.rigs import Rig
 from skinsource.base.errors import InvalidInputError, SkinSourceError
-from skinsource.base.published import MOST_PLACES
+from skinsource.base.measurement_conditions import MOST_LOCATIONS
 from skinsource.base.quoting import quoted, sentence
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.design import Design
@@ -39,8 +39,8 @@ from skinsource.limbs.locations import input_name
 from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.qt.buttons import page_button, page_label
+from skinsource_gui.qt.fitting import LetterWidth
 from skinsource_gui.qt.keys import KEYS, Gesture
-from skinsource_gui.qt.room import LetterWidth
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.state.playing import SoundThread
@@ -165,7 +165,7 @@ def _hint(gesture: Gesture) -> str:
 _NUMBERS = {
     "reference_hz": NumberSpec(label="Reference", unit="Hz", minimum=1.0, maximum=600.0, step=1.0),
     "reference_place": NumberSpec(
-        label="Reference place", minimum=1, maximum=MOST_PLACES, whole=True
+        label="Reference place", minimum=1, maximum=MOST_LOCATIONS, whole=True
     ),
     "amplitude": NumberSpec(
         label="Drive",

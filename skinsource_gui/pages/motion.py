@@ -29,7 +29,7 @@ from skinsource.design import edits
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.design import MAX_INPUTS, Design
 from skinsource.design.edits.edit import Refusal, as_kind, kind_spec
-from skinsource.design.motions import MOTIONS, Motion, following, path_of, with_field
+from skinsource.design.motions import MOTIONS, Motion, path_of, with_motion_field, with_path_of
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.catalog import kinds
 from skinsource.limbs.own_limbs import facts_of
@@ -38,7 +38,7 @@ from skinsource.specs.numbers import ModelSpec, NumberSpec
 from skinsource.specs.spec import ChoiceSpec, Spec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
-from skinsource_gui.panels.hand.layout import HandLayout, Place, paint_occupied
+from skinsource_gui.panels.hand.layout import HandLayout, Marker, paint_occupied
 from skinsource_gui.panels.hand.panel import HandDiagram
 from skinsource_gui.panels.hand.picture import drawing_of
 from skinsource_gui.plots.preview import ClipDrawings, ClipStrip, Lane
@@ -79,7 +79,7 @@ class Draft(QObject):
         self.motion: Motion = self._left[MOTIONS[0].__name__]
         # The playhead may be later than the latest onset.
         with suppress(InvalidInputError):
-            self.motion = with_field(self.motion, "onset_s", onset_s)
+            self.motion = with_motion_field(self.motion, "onset_s", onset_s)
         self.path, self.problem = self.motion.path, ""
         # A phantom takes two places only; the next kind gets all of them back.
         self._whole_path = self.path
@@ -87,14 +87,14 @@ class Draft(QObject):
     def change_kind(self, name: str) -> None:
         """Change to another kind of motion, along the same path."""
         self._left[type(self.motion).__name__] = self.motion
-        motion = following(self._left[name], self.motion)
+        motion = with_path_of(self._left[name], self.motion)
         with suppress(InvalidInputError):
-            motion = with_field(motion, "path", self._whole_path)
+            motion = with_motion_field(motion, "path", self._whole_path)
         self._set(motion)
 
     def change_field(self, name: str, value: Any) -> None:
         """Give a field of the motion another value."""
-        self._try(lambda: with_field(self.motion, name, value), name, self.field_refused)
+        self._try(lambda: with_motion_field(self.motion, name, value), name, self.field_refused)
 
     def change_path(self, path: tuple[int, ...]) -> None:
         """Change the path; one that is not valid yet is shown, but the motion does not follow."""
@@ -104,21 +104,23 @@ class Draft(QObject):
             self.path, self.problem = path, problem
             self.changed.emit()
         else:
-            self._set(with_field(self.motion, "path", path))
+            self._set(with_motion_field(self.motion, "path", path))
 
     def change_waveform_kind(self, name: str) -> None:
         """Play another kind of waveform."""
         kind = next(kind for kind in self.waveform_kinds if kind.__name__ == name)
         new = as_kind(self.motion.waveform, kind, self._limb.sample_rate_hz)
         self._try(
-            lambda: with_field(self.motion, "waveform", new), "kind", self.waveform_field_refused
+            lambda: with_motion_field(self.motion, "waveform", new),
+            "kind",
+            self.waveform_field_refused,
         )
 
     def change_waveform_field(self, name: str, value: Any) -> None:
         """Give a field of the waveform another value."""
         waveform: Any = self.motion.waveform
         self._try(
-            lambda: with_field(self.motion, "waveform", replace(waveform, **{name: value})),
+            lambda: with_motion_field(self.motion, "waveform", replace(waveform, **{name: value})),
             name,
             self.waveform_field_refused,
         )
@@ -183,7 +185,7 @@ def _why_no_path(motion: Motion, path: tuple[int, ...], n_places: int) -> str:
     if len(path) > spec.most:
         return f"{motion.title} takes {spec.most} places; remove the last."
     try:
-        with_field(motion, "path", path)
+        with_motion_field(motion, "path", path)
     except InvalidInputError as error:
         return sentence(str(error))
     return ""
@@ -234,7 +236,7 @@ class PathLayer(QWidget):
         painter.end()
 
     def _paint_place(self, painter: QPainter, number: int) -> None:
-        place = Place(
+        place = Marker(
             site=number,
             centre=self._places.centre(number),
             radius_px=self._places.radius_in_use_px(number),

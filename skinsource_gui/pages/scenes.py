@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.design.labels import limb_word
+from skinsource.design.labels import limb_label
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.spec import ChoiceSpec
 from skinsource.studies.scenes.catalog import all_scenes, open_scene, why_not_on
@@ -116,7 +116,7 @@ class ScenesPage(QDialog):
         self.setWindowTitle(TITLE)
         self._limbs, self._scenes = frozenset(limbs), all_scenes()
         own = [name for name in limbs if facts_of(name).own]
-        titles = tuple((name, limb_word(name).title) for name in own)
+        titles = tuple((name, limb_label(name).title) for name in own)
         self.played_on = ChoiceField(
             ChoiceSpec(label="Played on", options=(("", _OF_THE_PAPER), *titles), hint=_PLAYED_ON)
         )
@@ -220,7 +220,7 @@ class ScenesPage(QDialog):
         self.text.setText("<br>".join(lines))
 
     def _reason_text(self, reason: str) -> str:
-        text = f"Does not apply on {limb_word(self.played_on.value).title}: {reason}"
+        text = f"Does not apply on {limb_label(self.played_on.value).title}: {reason}"
         return f'<span style="color: {current_theme().error}">{escape(text)}</span>'
 
     def _limbs_text(self, scene: Scene) -> str:
@@ -228,7 +228,7 @@ class ScenesPage(QDialog):
         limb = self.played_on.value
         opened = open_scene(scene.name, available=self._limbs, limb=limb)
         limbs = dict.fromkeys(each.design.limb for each in opened.conditions)
-        titles = ", ".join(limb_word(limb).title for limb in limbs)
+        titles = ", ".join(limb_label(limb).title for limb in limbs)
         note = f"Opens on {titles}. {opened.note} {too_large(limb) if limb else ''} {_PICTURES}"
         return _dim(" ".join(note.split()))
 

@@ -7,8 +7,8 @@ from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from skinsource_gui.plots.figure import Figure, NoteLabel, draw_figure, open_figure_menu
-from skinsource_gui.qt.asking import CopyButton
 from skinsource_gui.qt.labels import how_to_select_output
+from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.state.panel import Panel
 

@@ -45,7 +45,7 @@ from skinsource_gui.plots.ranges import (
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, is_on_paper
 
 #: What levels are, unless curves say otherwise.
-LEVEL_WORDS = "dB re 1 m/s²"
+LEVEL_TEXT = "dB re 1 m/s²"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -102,7 +102,7 @@ class Curves:
     axes: tuple[str, ...] = ()
     kind: Kind = "amplitude"
     span: Range | None = None
-    level_words: str = LEVEL_WORDS
+    level_words: str = LEVEL_TEXT
     scaling: tuple[str, ...] = ()
     columns: tuple[str, ...] = ()
     about: Callable[[], tuple[str, ...]] = tuple
@@ -265,7 +265,7 @@ def visible_range(
         x, y = x[curves.x > 0], y[:, curves.x > 0]
     wave = None if curves.wave is None else _visible_wave(curves.wave, window, n_drawn)
     visible = columns.of(x, window.shown, int(row.width() * ratio))
-    return course_of(visible, y, wave, row.width(), ratio)
+    return visible_course(visible, y, wave, row.width(), ratio)
 
 
 def _visible_wave(wave: Wave, window: XWindow, n_drawn: int) -> Wave:
@@ -282,7 +282,7 @@ def _visible_wave(wave: Wave, window: XWindow, n_drawn: int) -> Wave:
     return Wave(points=points, extremes=extremes)
 
 
-def course_of(
+def visible_course(
     columns: Columns, y: Floats, wave: Wave | None, width_px: float, ratio: float
 ) -> VisibleRange:
     """Return the visible part of curves ``y``, (n_curves, n_points), of known ``columns``.

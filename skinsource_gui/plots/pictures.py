@@ -60,7 +60,7 @@ from skinsource.design.design import Design, Input, audible_inputs
 from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.level import UNCHANGED, Envelope
 from skinsource.design.effects.time import Stretch
-from skinsource.design.labels import SCALINGS, limb_word, word_of
+from skinsource.design.labels import SCALINGS, label_of, limb_label
 from skinsource.specs import fields
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
@@ -284,7 +284,7 @@ def _pdf(device: QIODevice, draw: Draw, width: int, height: int, title: str) -> 
     painter.end()
 
 
-class Pictured(QWidget):
+class DrawableWidget(QWidget):
     """A widget that can be drawn for a page or a slide."""
 
     def draw_picture(
@@ -330,14 +330,14 @@ def _without_cache(widget: QWidget) -> Iterator[None]:
 
 
 #: In place of the name of a panel: the panel in use, and all visible panels.
-IN_USE, ALL_IN_SIGHT = "panel in use", "all panels in sight"
+PANEL_IN_USE, ALL_VISIBLE = "panel in use", "all panels in sight"
 
 #: Returns the height of the smallest letters in a picture of this width and height, px.
 Letters = Callable[[int, int], float]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class WholePicture:
+class Picture:
     """A picture that can be drawn.
 
     Attributes
@@ -512,9 +512,9 @@ def caption_of(
     designs = [named_design for _, named_design in named]
     title = common_title([scenes.title_of(each) if each.title else "" for each in designs])
     first = f"{sentence(title)} " if title else ""
-    scalings = dict.fromkeys(word_of(SCALINGS, each.scaling).title.lower() for each in designs)
+    scalings = dict.fromkeys(label_of(SCALINGS, each.scaling).title.lower() for each in designs)
     titles = [
-        limb_word(limb_name).title
+        limb_label(limb_name).title
         for limb_name in dict.fromkeys((*(d.limb for d in designs), *limbs))
     ]
     limb = f"Limb{'s' if len(titles) > 1 else ''}: {', '.join(titles)}"
@@ -856,7 +856,7 @@ SMALLEST_PT = 5.0
 _ROUND_PX = 10
 
 
-def letters_remark(picture: WholePicture) -> RemarkOf | None:
+def letters_remark(picture: Picture) -> RemarkOf | None:
     """Return what warns of letters too small for print; None where letters keep their size."""
     letters_px, usual = picture.letters_px, picture.size_px
     if letters_px is None or usual is None:

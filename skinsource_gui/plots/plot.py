@@ -58,7 +58,7 @@ from skinsource_gui.plots.ranges import (
 from skinsource_gui.qt.frames import paint_focus_frame
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
 from skinsource_gui.qt.theme import PAPER_DOTS, current_theme, scaled, tabular
-from skinsource_gui.qt.wheel import ScrollingOn
+from skinsource_gui.qt.wheel import ScrollGesture
 
 
 class Canvas(pyqtgraph.GraphicsView):
@@ -78,7 +78,7 @@ class Canvas(pyqtgraph.GraphicsView):
         # No move of the mouse may be skipped: the last one is where it stopped.
         pyqtgraph.setConfigOption("mouseRateLimit", 0)
         super().__init__(parent, **options)
-        self.scrolling_on = ScrollingOn(self)
+        self.scrolling_on = ScrollGesture(self)
 
     def take_look(self) -> None:
         """Use the present colours and font, also in items that cache a picture."""

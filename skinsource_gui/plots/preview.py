@@ -12,14 +12,14 @@ from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPainterPath, QPaintEv
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.base.arrays import Floats
-from skinsource.base.published import SAMPLE_RATE_HZ, Band
+from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ, Band
 from skinsource.design.clips import Clip, Fragment
 from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.playing import played
 from skinsource.design.waveform import Waveform
 from skinsource_gui.fields.units import axis_unit
-from skinsource_gui.plots.curves import course_of
-from skinsource_gui.plots.pictures import Pictured
+from skinsource_gui.plots.curves import visible_course
+from skinsource_gui.plots.pictures import DrawableWidget
 from skinsource_gui.plots.ranges import CachedColumns, wave_of
 from skinsource_gui.qt.buttons import paint_swatch
 from skinsource_gui.qt.frames import CachedPicture
@@ -295,7 +295,7 @@ class WaveformPreview(QWidget):
         )
         wave, across = wave_of(time_s, drawn[np.newaxis]), max(int(shown_px * ratio), 1)
         columns = self._columns.of(time_s, (0.0, end_s), across)
-        points = course_of(columns, drawn[np.newaxis], wave, shown_px, ratio).line
+        points = visible_course(columns, drawn[np.newaxis], wave, shown_px, ratio).line
         samples = points.y[0]
         # The wave between samples may be higher than they are.
         highest = max(self._height, float(np.abs(samples).max()))
@@ -555,7 +555,7 @@ def _outline(samples: Floats, box: QRectF) -> QPainterPath:
     return path
 
 
-class PointsAtInputs(Pictured):
+class SharesPointedInput(DrawableWidget):
     """A panel that shares with others which input is under the pointer."""
 
     #: Id of the input under the pointer in this panel, or None.

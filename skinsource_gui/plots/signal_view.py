@@ -17,10 +17,10 @@ from PySide6.QtCore import QObject, QPoint, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QApplication, QFileDialog, QMenu, QToolButton, QVBoxLayout, QWidget
 
-from skinsource.base.decibels import in_tables
+from skinsource.base.decibels import levels_for_tables
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.job import never
-from skinsource.design.labels import limb_word, signal_label
+from skinsource.design.labels import limb_label, signal_label
 from skinsource.export.exported_design import (
     describe_levels,
     describe_played,
@@ -41,9 +41,9 @@ from skinsource_gui.plots.pictures import (
 from skinsource_gui.plots.plot import Plot
 from skinsource_gui.plots.ranges import Kind, Range, XAxis
 from skinsource_gui.plots.toolbar import PlotToolbar
+from skinsource_gui.qt.fitting import VisibleHeight
 from skinsource_gui.qt.keys import KEYS, key_text
 from skinsource_gui.qt.overlays import Staleness
-from skinsource_gui.qt.room import HeightInSight
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, current_theme, drawn_in, on_paper
 
 _SCALE = 2
@@ -220,7 +220,7 @@ def save_table(path: Path, plot: Plot, title: str, lines: Sequence[str] = ()) ->
         for axis in curves.axes or ("",)
     )
     header = [axis.column, *columns]
-    y = in_tables(curves.y) if curves.kind == "level" else curves.y
+    y = levels_for_tables(curves.y) if curves.kind == "level" else curves.y
     with output_file(path, never) as file:
         CsvTable(file, about, header, never).add(np.vstack((curves.x, y)).T)
 
@@ -364,7 +364,7 @@ class SignalView(QWidget):
         self.toolbar.everything_wanted.connect(self._show_everything)
         self.plot.reading_changed.connect(self._read)
         self.plot.menu_wanted.connect(self._open_menu)
-        self._in_sight = HeightInSight(self)
+        self._in_sight = VisibleHeight(self)
         self._in_sight.changed.connect(self._share_height)
 
     def add_switch_in_menu(
@@ -491,7 +491,7 @@ def _with_room_for_peaks(text: LegendText, curves: Curves) -> LegendText:
 
 
 #: Quantities that describe curves in files and pictures.
-NEEDS = frozenset(
+DESCRIPTION_QUANTITIES = frozenset(
     {
         "actuation",
         "axes",
@@ -508,11 +508,13 @@ NEEDS = frozenset(
 EACH_AXIS = "each axis of the sensors"
 
 
-def lines_later(
+def lazy_lines(
     results: Mapping[str, Any], *first: str, each_axis: bool = False
 ) -> Callable[[], tuple[str, ...]]:
     """Return a function that writes lines for the head of a table, only when they are needed."""
-    return partial(_lines, {name: results[name] for name in NEEDS}, first, each_axis)
+    return partial(
+        _lines, {name: results[name] for name in DESCRIPTION_QUANTITIES}, first, each_axis
+    )
 
 
 def _lines(results: Mapping[str, Any], first: tuple[str, ...], each_axis: bool) -> tuple[str, ...]:
@@ -531,4 +533,4 @@ def heading_of(results: Mapping[str, Any], *, each_axis: bool = False) -> tuple[
     """Return the parts of the heading of a picture; its caption describes the stimulus."""
     label = signal_label(results["axes"], results["method"])
     projection = f"along {EACH_AXIS}" if each_axis else label
-    return limb_word(results["limb"]).title, projection
+    return limb_label(results["limb"]).title, projection

@@ -366,7 +366,7 @@ _PANEL = "skin"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class LevelLook:
+class LevelStyle:
     """How maps of levels look, whichever panel shows them.
 
     Attributes
@@ -386,23 +386,23 @@ class LevelLook:
 
 
 #: The look unless the user chooses another one.
-USUAL_LOOK = LevelLook()
+USUAL_STYLE = LevelStyle()
 
 
-def level_look(view: View) -> LevelLook:
+def level_style(view: View) -> LevelStyle:
     """Return the look of all maps of levels."""
-    return settings_of(view, _PANEL, LevelLook)
+    return settings_of(view, _PANEL, LevelStyle)
 
 
-def coloured_like(view: View, other: View) -> View:
+def with_colours_of(view: View, other: View) -> View:
     """Return ``view`` with the colours of ``other``, unless it has colours of its own."""
-    return in_colours(view, level_look(other).colours)
+    return with_colours(view, level_style(other).colours)
 
 
-def in_colours(view: View, colours: str) -> View:
+def with_colours(view: View, colours: str) -> View:
     """Return ``view`` in these colours, unless it has colours of its own."""
-    look = level_look(view)
-    if look.colours != USUAL_LOOK.colours or look.colours == colours:
+    look = level_style(view)
+    if look.colours != USUAL_STYLE.colours or look.colours == colours:
         return view
     return with_settings(view, _PANEL, replace(look, colours=colours))
 
@@ -581,7 +581,7 @@ _TICKS, _SIGNED_TICKS, _FEW_TICKS = 6, 5, 3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Scale:
+class ColourScale:
     """A scale of colours.
 
     Attributes
@@ -612,22 +612,22 @@ class Scale:
         return minus(f"{value_db:+z.1f} dB" if self.signed else f"{value_db:z.1f} dB")
 
 
-def scale_of_levels(levels_db: Floats, look: LevelLook) -> Scale:
+def scale_of_levels(levels_db: Floats, look: LevelStyle) -> ColourScale:
     """Return the scale of RMS levels; its text tells where the user has fixed the range."""
     fixed = look.map_range_db is not None
-    return Scale(
+    return ColourScale(
         range_db=look.map_range_db or map_range_db(levels_db),
         words=f"{_LEVELS} · {FIXED_MARK}" if fixed else _LEVELS,
         colours=look.colours,
     )
 
 
-def scale_of_own(look: LevelLook) -> Scale:
+def scale_of_own(look: LevelStyle) -> ColourScale:
     """Return the scale of RMS levels relative to the loudest output of each map."""
-    return Scale(range_db=_OF_OWN, words="dB re each map's maximum", colours=look.colours)
+    return ColourScale(range_db=_OF_OWN, words="dB re each map's maximum", colours=look.colours)
 
 
-def with_matched(scale: Scale, matched: str) -> Scale:
+def with_matched(scale: ColourScale, matched: str) -> ColourScale:
     """Return the scale with a text that tells how much louder or softer than stored values are."""
     return replace(scale, words=f"{scale.words}, {matched}") if matched else scale
 
@@ -637,7 +637,7 @@ def scale_row_px(line_px: float) -> float:
     return _ABOVE_PX + _RAMP_PX + 2.0 * line_px
 
 
-def paint_scale_row(painter: QPainter, area: QRectF, scale: Scale, theme: Theme) -> None:
+def paint_scale_row(painter: QPainter, area: QRectF, scale: ColourScale, theme: Theme) -> None:
     """Draw the colours in the middle of ``area``, with numbers and a text below them."""
     line = painter.fontMetrics().height()
     width = max(min(area.width() - 4.0 * line, 20.0 * line), 4.0 * line)

@@ -18,7 +18,7 @@ _GRID_PX = 12.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Rest:
+class Snap:
     """Where a moved edge comes to rest.
 
     Attributes
@@ -38,14 +38,14 @@ def grid_step_s(px_per_s: float) -> float:
     return round_step(_GRID_PX / px_per_s)
 
 
-def rest_of(
+def snap_of(
     edges_s: Iterable[float],
     by_s: float,
     *,
     neighbours_s: Sequence[float],
     grid_s: float | None,
     reach_s: float,
-) -> Rest:
+) -> Snap:
     """Move edges by about ``by_s``, so that one of them snaps to something near.
 
     Parameters
@@ -69,12 +69,12 @@ def rest_of(
     ]
     distance_s, snapped_by_s, guide_s = min(snaps, key=itemgetter(0), default=(inf, 0.0, 0.0))
     if distance_s <= reach_s:
-        return Rest(by_s=snapped_by_s, guide_s=guide_s)
+        return Snap(by_s=snapped_by_s, guide_s=guide_s)
     if grid_s is None or not edges:
-        return Rest(by_s=by_s)
+        return Snap(by_s=by_s)
     # Only the first edge follows the grid: it is the start of something.
     target = round((edges[0] + by_s) / grid_s) * grid_s
-    return Rest(by_s=target - edges[0])
+    return Snap(by_s=target - edges[0])
 
 
 def _nearest(rising: Sequence[float], time_s: float) -> float | None:

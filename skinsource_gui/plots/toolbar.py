@@ -13,13 +13,13 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource_gui.qt.buttons import tool_button
-from skinsource_gui.qt.room import (
-    RoomOrText,
+from skinsource_gui.qt.fitting import (
+    LayoutWatcher,
     fitting_font,
     readable_of,
-    smallest_of,
+    set_fonts,
+    smallest_font,
     width_in,
-    write_in,
 )
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.qt.wheel import bars_px
@@ -69,7 +69,7 @@ class PlotToolbar(QWidget):
         self._everything.clicked.connect(self.everything_wanted)
         self._everything.setVisible(False)
         self._row.addWidget(self._everything)
-        RoomOrText(self).changed.connect(self._fit)
+        LayoutWatcher(self).changed.connect(self._fit)
 
     def add_layout(self, name: str, text: str, hint: str) -> None:
         """Add a further layout, before any switch."""
@@ -134,7 +134,7 @@ class PlotToolbar(QWidget):
         first = list(self._layout_buttons.values())
         staying = [button for button in self._shown if button is not self._everything]
         others = [button for button in staying if button not in first]
-        smallest = smallest_of(self.font())
+        smallest = smallest_font(self.font())
         # Without the scroll bar: a row that folded for it would be higher, and keep it.
         unscrolled_px = self._room_px(others) + bars_px(self)
         tight = width_in(readable_of(self.font()), staying) > unscrolled_px
@@ -173,14 +173,14 @@ class PlotToolbar(QWidget):
         if self._everything.isVisibleTo(self):
             room = self._room_px([*others, *everything])
             left = room - width_in(font, rows[-1])
-            if width_in(smallest_of(self.font()), everything) > left:
+            if width_in(smallest_font(self.font()), everything) > left:
                 rows = (*rows[:-1], [*rows[-1], *everything])
                 font = fitting_font(rows, self.font(), room)
                 left = room - width_in(font, rows[-1][:-1])
             left = min(left, width_in(font, everything))
-            write_in(fitting_font((everything,), self.font(), left), everything)
+            set_fonts(fitting_font((everything,), self.font(), left), everything)
         for row in rows:
-            write_in(font, [button for button in row if button is not self._everything])
+            set_fonts(font, [button for button in row if button is not self._everything])
 
     def _button(self, name: str, text: str, hint: str) -> QToolButton:
         button = tool_button(self, name, text, hint, checkable=True)

@@ -121,7 +121,7 @@ class Same:
         return id(self._value)
 
 
-class PaintedAnew:
+class UncachedPicture:
     """Paints without a cache; for pages and files, where lines stay lines."""
 
     def paint(
@@ -175,7 +175,7 @@ class CachedPicture:
         if is_on_paper():
             if ground is not None:
                 painter.fillRect(room, ground)
-            PaintedAnew().paint(painter, room, depends_on, paint_anew)
+            UncachedPicture().paint(painter, room, depends_on, paint_anew)
             return
         ratio, font = painter.device().devicePixelRatioF(), painter.font()
         key = (*depends_on, room, ratio, font, ground)

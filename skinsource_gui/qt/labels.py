@@ -26,7 +26,7 @@ from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 #: Names of panels that hints mention.
 HAND, TIMELINE, SKIN = "hand", "timeline", "skin"
 #: Panels that are assumed to be visible at first.
-USUALLY_IN_SIGHT = frozenset({HAND, TIMELINE, SKIN})
+USUALLY_VISIBLE = frozenset({HAND, TIMELINE, SKIN})
 
 
 def how_to_add(in_sight: frozenset[str], what: str = "an input") -> str:
@@ -139,7 +139,7 @@ class NameDelegate(QStyledItemDelegate):
             option.text = str(short)
 
 
-def dress_table(table: QTableView) -> None:
+def set_table_look(table: QTableView) -> None:
     """Set the look of a table of numbers: dense rows, a name column that shrinks, no grid.
 
     The first column gets the room that the numbers leave, so that the table scrolls sideways only
@@ -160,7 +160,7 @@ def dress_table(table: QTableView) -> None:
     table.setItemDelegateForColumn(0, NameDelegate(table))
 
 
-def give_names_the_rest(table: QTableView) -> None:
+def fit_name_column(table: QTableView) -> None:
     """Give the first column the room that the others leave, but no more than its names need.
 
     There must be such a column.  In a wider one, numbers would be too far from their names.

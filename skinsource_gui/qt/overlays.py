@@ -57,7 +57,7 @@ class Staleness(QObject):
         self.changed.emit(True)
 
 
-class OverAll(QWidget):
+class Overlay(QWidget):
     """Base of overlays, which cover all of the widget ``part``, their parent."""
 
     def __init__(self, part: QWidget) -> None:
@@ -85,7 +85,7 @@ COVERED = "Covered"
 _LEAST_LINES = 2
 
 
-class Cover(OverAll):
+class Cover(Overlay):
     """Hides a picture from an audience that shall guess first; it blocks the mouse, too."""
 
     def __init__(self, part: QWidget) -> None:
@@ -117,7 +117,7 @@ PALE = 0.45
 _RADIUS_PX = 4.0
 
 
-class StaleOverlay(OverAll):
+class StaleOverlay(Overlay):
     """Marks results of an older design, which stay readable and can be used."""
 
     def __init__(self, part: QWidget) -> None:

@@ -29,7 +29,7 @@ def bars_px(widget: QWidget) -> int:
     )
 
 
-def bring_into_sight(widget: QWidget) -> None:
+def scroll_to(widget: QWidget) -> None:
     """Scroll the areas around a widget until it is visible."""
     for area in areas_around(widget):
         area.ensureWidgetVisible(widget)
@@ -47,7 +47,7 @@ PAUSE_S = 0.5
 _STILL_PX = 4
 
 
-class ScrollingOn(QObject):
+class ScrollGesture(QObject):
     """Tells when the wheel goes on scrolling the areas around a widget.
 
     Scrolling moves widgets that use the wheel themselves under a pointer at rest: they ignore the
@@ -145,7 +145,7 @@ class PanZoom(QObject):
         self._grip: QPointF | None = None
         self.frame: Frame | None = None
         self.fit = WHOLE
-        self.scrolling_on = ScrollingOn(widget)
+        self.scrolling_on = ScrollGesture(widget)
 
     def arrange(self, fits: Mapping[str, Frame], outline: Floats, room: QRectF) -> None:
         """Fit a drawing into a room; a magnified drawing keeps its middle.

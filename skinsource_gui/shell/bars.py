@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 from skinsource.design import edits
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit, Refusal
-from skinsource.design.labels import CHOICES, LIMBS, Word, limb_word, scalings_on
+from skinsource.design.labels import CHOICES, LIMBS, Word, limb_label, scalings_on
 from skinsource.design.view import View
 from skinsource.limbs.dataset.store import NOT_INSTALLED
 from skinsource.limbs.own_limbs import drive_unit_known, facts_of, own_limb_names
@@ -108,7 +108,7 @@ class SetupBar(QWidget):
 
     def show_available(self, limbs: tuple[str, ...]) -> None:
         """Offer these limbs, and no others."""
-        options = (*LIMBS, *(limb_word(name) for name in own_limb_names()))
+        options = (*LIMBS, *(limb_label(name) for name in own_limb_names()))
         names = tuple(word.name for word in options)
         if options != self._limb_options:
             self._limb_options = options

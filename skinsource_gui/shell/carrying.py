@@ -10,22 +10,22 @@ from PySide6.QtCore import QEventLoop, QPoint, QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontInfo, QPainter
 from PySide6.QtWidgets import QApplication, QWidget
 
-from skinsource.design.comparing import EDITED, Snapshot, shown, with_edited
+from skinsource.design.comparing import EDITED, Snapshot, shown_snapshot, with_edited
 from skinsource.design.labels import short_limb_title
 from skinsource.perception.validity import Judged, in_full, in_short
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.plots.pictures import (
-    ALL_IN_SIGHT,
-    IN_USE,
+    ALL_VISIBLE,
+    PANEL_IN_USE,
     Letters,
-    WholePicture,
+    Picture,
     caption_of,
     height_above,
     stimulus_text,
     with_caption,
 )
 from skinsource_gui.plots.signal_view import SignalExports
-from skinsource_gui.qt.asking import CopyButton
+from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, Theme, apply_theme, current_theme
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.dock_layout import shown_off_screen, usual_size
@@ -79,7 +79,7 @@ class ExportMetadata:
             limbs=tuple(design.given["limb"] for design in designs),
             notes=in_short(self._judged(designs, panels)),
         )
-        here = shown(compared, design)
+        here = shown_snapshot(compared, design)
         if not compared or all(panel.needs_of_snapshots for panel in panels):
             return text
         elsewhere = stimulus_text(design) if here is None else _snapshot_label(here)
@@ -130,7 +130,7 @@ class ExportMetadata:
         """Return the design in the window, where it is shown, and the others of the panels."""
         design, view = self._document.design, self._document.seen
         compared = self._compared(panels)
-        here = shown(compared, design)
+        here = shown_snapshot(compared, design)
         label = short_limb_title(design.limb)
         if compared:
             label = _EDITED if here is None else _snapshot_label(here)
@@ -201,11 +201,11 @@ class PanelPictures:
         self._appearance, self._catch_up, self._docks = appearance, catch_up, docks
         self._in_use = in_use
 
-    def picture_of(self, name: str) -> WholePicture:
-        """Return the picture of a panel, `IN_USE` or `ALL_IN_SIGHT`, with its caption."""
+    def picture_of(self, name: str) -> Picture:
+        """Return the picture of a panel, `PANEL_IN_USE` or `ALL_VISIBLE`, with its caption."""
         panel: Panel | None = None
-        if name != ALL_IN_SIGHT:
-            panel = self._in_use.panel if name == IN_USE else self._panels[name]
+        if name != ALL_VISIBLE:
+            panel = self._in_use.panel if name == PANEL_IN_USE else self._panels[name]
         self._catch_up()
         caption = self._metadata.caption(*((panel,) if panel else self._docked_panels()))
         size: tuple[int, int] | None = None
@@ -217,10 +217,10 @@ class PanelPictures:
         else:
             draw = partial(self._draw_one, panel)
             likes = panel.size() if panel.isVisible() else usual_size(panel)
-            size = None if name != IN_USE else (2 * likes.width(), 2 * likes.height())
+            size = None if name != PANEL_IN_USE else (2 * likes.width(), 2 * likes.height())
         result = panel.map.stage.seen if isinstance(panel, SkinPanel) else None
         draw = with_caption(draw, caption)
-        return WholePicture(
+        return Picture(
             draw=draw,
             title="" if panel is None else panel.title,
             caption=caption,

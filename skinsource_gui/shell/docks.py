@@ -37,8 +37,8 @@ from PySide6.QtWidgets import (
 )
 from shiboken6 import isValid
 
+from skinsource_gui.qt.fitting import SteadyArea
 from skinsource_gui.qt.keys import shortcut_text
-from skinsource_gui.qt.room import SteadyArea
 from skinsource_gui.qt.theme import Theme, current_theme, drawn_icon
 from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.shell.focus import focus_into

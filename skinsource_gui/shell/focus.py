@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource_gui.qt.wheel import bring_into_sight
+from skinsource_gui.qt.wheel import scroll_to
 from skinsource_gui.state.panel import PanelRegistry
 
 if TYPE_CHECKING:
@@ -75,7 +75,7 @@ def move_focus(window: QMainWindow, regions: Sequence[QWidget], *, forward: bool
         target = stops[(stops.index(here) + (1 if forward else -1)) % len(stops)]
     reason = Qt.FocusReason.TabFocusReason if forward else Qt.FocusReason.BacktabFocusReason
     target.setFocus(reason)
-    bring_into_sight(target)
+    scroll_to(target)
     return True
 
 

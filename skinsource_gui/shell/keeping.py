@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from skinsource.base.assets import user_folder
 from skinsource.base.crash_log import MOST_BYTES, crashed_logs, note_offered
 from skinsource.base.errors import SkinSourceError
-from skinsource.base.files import named, read_bytes, write_bytes
+from skinsource.base.files import path_text, read_bytes, write_bytes
 from skinsource.design.recovery import Found, UnsavedWork
 from skinsource_gui.pages.files.autosave import Autosave, Recovery, WorkPicture
 from skinsource_gui.pages.files.file_actions import FileActions
@@ -49,7 +49,7 @@ def picture_of(left: UnsavedWork) -> QPixmap:
 
 def work_description(left: UnsavedWork) -> str:
     """Return name, age and file of the work, in two lines."""
-    where = named(left.file) if left.file else "never saved under a name"
+    where = path_text(left.file) if left.file else "never saved under a name"
     return f"{left.name}, kept {left.age()}\n{where}"
 
 
@@ -252,7 +252,7 @@ class AutosaveAndRecovery(QObject):
 
 def _offers(leftover: Found) -> list[str]:
     sentences = [
-        f"{copy.name} stopped the studio when it was opened; it was set aside: {named(copy)}."
+        f"{copy.name} stopped the studio when it was opened; it was set aside: {path_text(copy)}."
         for copy in leftover.set_aside
     ]
     if len(leftover.left) == 1:

@@ -25,7 +25,7 @@ from skinsource.design.labels import LIMBS
 from skinsource.design.signal_path import unplayable_text
 from skinsource.design.view import View
 from skinsource.limbs.dataset.store import StoreInfo
-from skinsource_gui.qt.asking import agreed
+from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import ClickGuard
 from skinsource_gui.shell.status import Accuracy, StatusLine
@@ -494,7 +494,7 @@ class RunningJobs(QObject):
         if not titles or self._ended:
             return True
         question = f"Not finished yet: {titles}. Stop it and close? Nothing half done is left."
-        return agreed(self._window, "Something is running", question)
+        return ask_yes(self._window, "Something is running", question)
 
     def end(self) -> None:
         """Stop all jobs for good, and clear them away."""

@@ -38,7 +38,7 @@ from skinsource.design.design_file import SUFFIX, open_design
 from skinsource.design.view import View
 from skinsource.studies import scenes
 from skinsource_gui.pages.files.file_actions import FileActions
-from skinsource_gui.plots.small_map import in_colours, level_look
+from skinsource_gui.plots.small_map import level_style, with_colours
 from skinsource_gui.qt.keys import KEYS, key_text, meaning_of, shortcut_text
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.shell.arrangement_spec import PRESENTATION
@@ -58,11 +58,11 @@ class ChosenColours:
     """
 
     def __init__(self, view: View) -> None:
-        self._opened, self._chosen = level_look(view).colours, ""
+        self._opened, self._chosen = level_style(view).colours, ""
 
     def forget(self, view: View) -> None:
         """Begin another show: something else was opened by hand."""
-        self._opened, self._chosen = level_look(view).colours, ""
+        self._opened, self._chosen = level_style(view).colours, ""
 
     def on(self, view: View, left: View, *, of_file: bool) -> View:
         """The next view in the colours of this show, unless it has some itself.
@@ -70,12 +70,12 @@ class ChosenColours:
         ``left`` is what is left for it.  Scenes of the paper have none: they take those of
         whatever was open.  ``of_file``: colours that another file brought go with that.
         """
-        now = level_look(left).colours
+        now = level_style(left).colours
         if now != self._opened:
             self._chosen = now
         colours = self._chosen if of_file else now
-        shown = in_colours(view, colours) if colours else view
-        self._opened = level_look(shown).colours
+        shown = with_colours(view, colours) if colours else view
+        self._opened = level_style(shown).colours
         return shown
 
 

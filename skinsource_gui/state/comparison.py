@@ -16,10 +16,10 @@ from skinsource.design.comparing import (
     loudest_db,
     match_text,
     matching_gain,
-    name_of,
-    other_than,
-    reference,
-    shown,
+    other_snapshot,
+    reference_snapshot,
+    shown_snapshot,
+    snapshot_name,
     why_no_comparison,
     with_edited,
 )
@@ -204,7 +204,7 @@ class StayingMatched(QObject):
         view = self._document.view
         if before == self._last or not view.levels_matched:
             return
-        stored = shown(view.snapshots, self._document.design)
+        stored = shown_snapshot(view.snapshots, self._document.design)
         just_switched_on = not before[0]
         # A snapshot that was not shown since it was stored has no gain.
         if stored is not None and (just_switched_on or stored.gain != 1.0):
@@ -275,10 +275,10 @@ class Comparison(QObject):
         document.apply(edits.store_snapshot(document.design, document.view, int(number)))
         replaced = " in place of another, which Undo brings back"
         replacement = replaced if document.undo_stack.index() > steps else ""
-        other = other_than(document.view.snapshots, document.design)
+        other = other_snapshot(document.view.snapshots, document.design)
         hint = "change the design, and X goes to and fro"
         if other is not None:
-            hint = f"X shows {name_of(other.number)}, and this again"
+            hint = f"X shows {snapshot_name(other.number)}, and this again"
         self.done.emit(f"Stored snapshot {number}{replacement}; {hint}")
 
     def forget_problems(self) -> None:
@@ -291,7 +291,7 @@ class Comparison(QObject):
     def toggle(self) -> None:
         """Show the other one of the last two snapshots that were shown."""
         document = self._document
-        other = other_than(document.view.snapshots, document.design)
+        other = other_snapshot(document.view.snapshots, document.design)
         if other is None:
             document.apply(Refusal(sentence=why_no_comparison(document.view.snapshots)))
         else:
@@ -421,7 +421,9 @@ class Comparison(QObject):
         """Return the factor with which a snapshot is as loud as the reference."""
         snapshots = self._snapshots()
         this = next((snapshot for snapshot in snapshots if snapshot.number == number), None)
-        own_db, other_db = (self._loudest_db(snapshot) for snapshot in (this, reference(snapshots)))
+        own_db, other_db = (
+            self._loudest_db(snapshot) for snapshot in (this, reference_snapshot(snapshots))
+        )
         return 1.0 if own_db is None or other_db is None else matching_gain(own_db, other_db)
 
     def _loudest_db(self, snapshot: Snapshot | None) -> float | None:
@@ -436,12 +438,12 @@ class Comparison(QObject):
 def _shown_text(number: int, document: Document) -> str:
     """Return the text on which snapshot is shown now, and on the way back."""
     text = f"{_named(number)} is shown"
-    other = other_than(document.view.snapshots, document.design)
-    return text if other is None else f"{text}; X shows {name_of(other.number)}"
+    other = other_snapshot(document.view.snapshots, document.design)
+    return text if other is None else f"{text}; X shows {snapshot_name(other.number)}"
 
 
 def _named(number: int) -> str:
-    name = name_of(number)
+    name = snapshot_name(number)
     return f"{name[:1].upper()}{name[1:]}"
 
 

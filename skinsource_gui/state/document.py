@@ -10,7 +10,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
-from skinsource.design.comparing import brought_back
+from skinsource.design.comparing import restored_snapshots
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit, Refusal, kept_selection
 from skinsource.design.view import View
@@ -53,7 +53,7 @@ class HistoryState:
             outputs=self.view.outputs,
             selected_inputs=self.view.selected_inputs,
             selected_clips=self.view.selected_clips,
-            snapshots=brought_back(self.view.snapshots, other.view.snapshots, view.snapshots),
+            snapshots=restored_snapshots(self.view.snapshots, other.view.snapshots, view.snapshots),
         )
 
 

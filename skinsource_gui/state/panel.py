@@ -16,16 +16,16 @@ from skinsource.design.comparing import Snapshot
 from skinsource.design.design import Design
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.view import View
-from skinsource_gui.plots.preview import PointsAtInputs
-from skinsource_gui.qt.asking import CopyButton
+from skinsource_gui.plots.preview import SharesPointedInput
 from skinsource_gui.qt.frames import DropPlace
-from skinsource_gui.qt.labels import USUALLY_IN_SIGHT
+from skinsource_gui.qt.labels import USUALLY_VISIBLE
 from skinsource_gui.qt.overlays import Cover, Staleness, StaleOverlay
+from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.history import History
 
 
-class ShowsStaleness(PointsAtInputs):
+class ShowsStaleness(SharesPointedInput):
     """Shows whether its results are out of date.
 
     Results that are stale for a while get an overlay and cannot be copied; a panel that comes into
@@ -113,7 +113,7 @@ class Panel(ShowsStaleness):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         #: Names of the panels in sight.
-        self.in_sight = USUALLY_IN_SIGHT
+        self.in_sight = USUALLY_VISIBLE
         #: Parts that show what the skin map shows: they are covered together with it.
         self.guessed: tuple[QWidget, ...] = ()
         self._covers: list[Cover] = []

@@ -13,7 +13,7 @@ from skinsource.base.errors import SkinSourceError
 from skinsource.base.files import is_folder
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.tones import Tone
-from skinsource.limbs.catalogue import available_limbs
+from skinsource.limbs.catalog import available_limbs
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.state.document import Document
 

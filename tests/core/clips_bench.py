@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from skinsource.design.clips import Clip, Marker
 from skinsource.design.design import Design, Input, track
 from skinsource.design.effects.playing import played
-from skinsource.design.signal_path import placed_chain
+from skinsource.design.signal_path import placed_signal_path
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
@@ -43,7 +43,7 @@ some_ids = st.lists(st.integers(1, 5), min_size=1, max_size=5, unique=True).map(
 
 def total(design: Design, place: int) -> np.ndarray:
     """What a track plays from time 0 on, without its curve."""
-    first, chain = placed_chain(design.inputs[place].clips, (), RATE_HZ)
+    first, chain = placed_signal_path(design.inputs[place].clips, (), RATE_HZ)
     samples = np.zeros(5000)
     for part in chain.parts:
         piece = played(part.waveform, part.effects, RATE_HZ, part.shift_s)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import FileFormatError, InvalidInputError, Stopped
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb import Limb
 from skinsource.studies.accuracy import cases as cases_module
 from skinsource.studies.accuracy.cases import (

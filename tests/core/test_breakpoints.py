@@ -12,8 +12,8 @@ from scipy.interpolate import PchipInterpolator
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.effects.breakpoints import (
     curve_at,
+    index_for,
     moved,
-    place_of,
     scaled,
     with_point,
     with_segment,
@@ -115,7 +115,7 @@ def test_ten_thousand_points_are_a_curve():
 def test_points_are_added_without_changing_the_curve(points, times_s):
     after = points
     for time_s in times_s:
-        place = place_of(after, time_s)
+        place = index_for(after, time_s)
         after = with_point(after, time_s)
         assert after[place][0] == time_s
     assert len(after) == len(points) + len(times_s)
@@ -175,7 +175,7 @@ def test_beside_a_step_of_next_to_nothing_the_curve_is_level():
 def test_a_split_curve_that_is_moved_rises_or_falls_throughout_between_its_points(
     points, time_s, by_s, by_value
 ):
-    added, place = with_point(points, time_s), place_of(points, time_s)
+    added, place = with_point(points, time_s), index_for(points, time_s)
     assert moved(added, {place}, 0.0, 0.0) == added
     after = moved(added, {place}, by_s, by_value)
     assert [slope_of(effect) is None for effect in after] == [

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from skinsource.base.published import AXES, LIMB_NAMES
+from skinsource.base.measurement_conditions import AXES, LIMB_NAMES
 from skinsource.design import labels
 from skinsource.limbs import own_limbs
 from skinsource.limbs.scaling import SCALINGS
@@ -57,8 +57,8 @@ def test_examples_in_the_docstrings_are_true():
 
 
 def test_words_of_something_unknown_are_its_name():
-    assert labels.word_of(labels.METHODS, "new").both == "new"
-    assert labels.word_of(labels.METHODS, "pca").both == "Principal axis (pca)"
+    assert labels.label_of(labels.METHODS, "new").both == "new"
+    assert labels.label_of(labels.METHODS, "pca").both == "Principal axis (pca)"
 
 
 def test_a_signal_is_named_by_its_axes_and_unless_there_is_one_by_its_method():

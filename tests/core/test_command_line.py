@@ -67,15 +67,15 @@ def test_limbs_lists_the_synthetic_limbs_and_says_what_they_are(run):
     assert lines[0].startswith("synthetic-1   Synthetic 1 (175 mm)")
 
 
-def test_limbs_lists_installed_limbs_first(run, made_up_installed):
+def test_limbs_lists_installed_limbs_first(run, synthetic_installed):
     _, out, _ = run("limbs")
     assert out.startswith("measured-1    Measured 1 (175 mm)     Impulse responses measured")
     assert "NOTE: made from files that are not the published ones" in out
     assert len(out.splitlines()) == 8
 
 
-def test_install_list_verify_remove(run, made_up_download, user_data):
-    code, out, err = run("dataset", "install", made_up_download, "--unpublished")
+def test_install_list_verify_remove(run, synthetic_download, user_data):
+    code, out, err = run("dataset", "install", synthetic_download, "--unpublished")
     store = user_data / "measured.h5"
     assert (code, err) == (0, "")
     first, second = out.splitlines()
@@ -110,8 +110,8 @@ def test_list_says_how_to_get_the_dataset_when_there_is_none(run):
     assert "skinsource dataset fetch" in out
 
 
-def test_verify_names_what_is_damaged_and_ends_with_code_1(run, made_up_installed):
-    with h5py.File(made_up_installed, "r+") as store:
+def test_verify_names_what_is_damaged_and_ends_with_code_1(run, synthetic_installed):
+    with h5py.File(synthetic_installed, "r+") as store:
         store["responses/limb-4"][18, 0, 0, 0] += 1e-9
     code, out, err = run("dataset", "verify")
     assert (code, out) == (1, "")
@@ -121,19 +121,19 @@ def test_verify_names_what_is_damaged_and_ends_with_code_1(run, made_up_installe
 
 
 @pytest.mark.parametrize("answer", ["\n", "n\n", "", "yess\n"])
-def test_remove_deletes_nothing_without_a_yes(run, made_up_installed, monkeypatch, answer):
+def test_remove_deletes_nothing_without_a_yes(run, synthetic_installed, monkeypatch, answer):
     monkeypatch.setattr(sys, "stdin", io.StringIO(answer))
     code, out, _ = run("dataset", "remove")
     assert code == 1
     assert out.endswith("Delete these files? [y/N] Nothing was deleted.\n")
-    assert made_up_installed.exists()
+    assert synthetic_installed.exists()
 
 
-def test_remove_deletes_after_a_yes(run, made_up_installed, monkeypatch):
+def test_remove_deletes_after_a_yes(run, synthetic_installed, monkeypatch):
     monkeypatch.setattr(sys, "stdin", io.StringIO("Yes\n"))
     code, _, _ = run("dataset", "remove")
     assert code == 0
-    assert not made_up_installed.exists()
+    assert not synthetic_installed.exists()
 
 
 def test_an_error_is_one_line_on_stderr_with_code_1(run, tmp_path):

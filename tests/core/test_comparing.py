@@ -14,16 +14,16 @@ from skinsource.design import edits
 from skinsource.design.comparing import (
     EDITED,
     Snapshot,
-    brought_back,
     difference_db,
     gain_text,
     louder,
     loudest_db,
     matching_gain,
-    other_than,
-    reference,
+    other_snapshot,
+    reference_snapshot,
+    restored_snapshots,
     same_but_rounding,
-    shown,
+    shown_snapshot,
     why_no_comparison,
 )
 from skinsource.design.design import Design, track
@@ -56,7 +56,7 @@ def store(design, view, number):
 
 
 def toggle(design, view):
-    other = other_than(view.snapshots, design)
+    other = other_snapshot(view.snapshots, design)
     return apply(design, view, edits.show_snapshot(design, view, other.number))
 
 
@@ -142,19 +142,19 @@ def test_one_key_goes_to_and_fro_between_the_last_two():
 
 
 def test_one_key_goes_to_and_fro_between_equal_ones_too_where_there_are_no_others():
-    assert other_than((), DESIGN) is None
+    assert other_snapshot((), DESIGN) is None
     _, view = store(DESIGN, View(), 1)
-    assert other_than(view.snapshots, DESIGN) is None
+    assert other_snapshot(view.snapshots, DESIGN) is None
     assert "is snapshot 1, and nothing else" in why_no_comparison(view.snapshots)
     _, view = store(DESIGN, view, 2)
     design, numbers = DESIGN, []
     for _ in range(4):
-        numbers.append(other_than(view.snapshots, design).number)
+        numbers.append(other_snapshot(view.snapshots, design).number)
         design, view = toggle(design, view)
     assert numbers == [1, 2, 1, 2]
     # Where another one differs, it comes first.
     _, view = store(OTHER, view, 3)
-    assert other_than(view.snapshots, DESIGN).number == 3
+    assert other_snapshot(view.snapshots, DESIGN).number == 3
 
 
 def test_what_was_edited_and_is_stored_then_is_not_compared_with_itself():
@@ -162,10 +162,10 @@ def test_what_was_edited_and_is_stored_then_is_not_compared_with_itself():
     design, view = toggle(OTHER, view)
     design, view = toggle(design, view)
     design, view = store(design, view, 2)
-    assert other_than(view.snapshots, design).number == 1
+    assert other_snapshot(view.snapshots, design).number == 1
     view = replace(view, snapshots=view.snapshots[1:])
     assert [snapshot.number for snapshot in view.snapshots] == [EDITED, 2]
-    assert other_than(view.snapshots, design) is None
+    assert other_snapshot(view.snapshots, design) is None
 
 
 def test_what_was_edited_comes_back():
@@ -191,8 +191,8 @@ def test_with_levels_matched_the_way_back_leads_to_the_same_numbers():
     assert back.design is OTHER
     assert back.view.match_gain(back.design) == 1 / 3
     assert there.view.match_gain(there.design) == 1.0
-    assert shown(back.view.snapshots, back.design).number == 2
-    assert other_than(back.view.snapshots, back.design).number == 1
+    assert shown_snapshot(back.view.snapshots, back.design).number == 2
+    assert other_snapshot(back.view.snapshots, back.design).number == 1
     assert [snapshot.design for snapshot in back.view.snapshots] == [DESIGN, OTHER]
     assert isinstance(edits.show_snapshot(DESIGN, view, 2, 1e7), Refusal)
 
@@ -236,9 +236,9 @@ def test_designs_are_alike_where_amplitudes_differ_by_rounding_alone():
 
 def test_others_are_matched_to_the_lowest_number_and_what_is_edited_is_left_alone():
     three = tuple(Snapshot(number=number, design=DESIGN) for number in (3, 1, 2))
-    assert reference(three).number == 1
-    assert reference((*three, Snapshot(design=DESIGN))).number == EDITED
-    assert reference(()) is None
+    assert reference_snapshot(three).number == 1
+    assert reference_snapshot((*three, Snapshot(design=DESIGN))).number == EDITED
+    assert reference_snapshot(()) is None
 
 
 def test_a_snapshot_is_forgotten_and_the_design_stays():
@@ -274,7 +274,7 @@ def test_whatever_is_done_two_turns_of_the_key_lead_back(actions):
         if what == "edit":
             amplitude += 1.0
             design = design.with_input(0, amplitude=amplitude)
-        elif what == "toggle" and other_than(view.snapshots, design):
+        elif what == "toggle" and other_snapshot(view.snapshots, design):
             before, differs = design, any(snapshot.played != design for snapshot in view.snapshots)
             design, view = toggle(design, view)
             assert (design != before) == differs
@@ -288,9 +288,12 @@ def test_a_change_of_snapshots_is_taken_back_and_what_was_stored_since_stays():
         Snapshot(number=1, design=design) for design in (DESIGN, Design(limb="synthetic-2"))
     )
     later, anew = Snapshot(number=2, design=DESIGN), Snapshot(number=1, design=DESIGN, gain=2.0)
-    assert brought_back((old,), (new,), (new, later)) == (old, later)
-    assert brought_back((), (old,), (old, later)) == (later,)
-    assert brought_back((old,), (), (later,)) == (old, later)
-    assert brought_back((old,), (), (anew, later)) == (anew, later)  # stored where it was free
-    assert brought_back((later, old), (old, later), (old, later)) == (later, old)
-    assert brought_back((), (), (later,)) == (later,)
+    assert restored_snapshots((old,), (new,), (new, later)) == (old, later)
+    assert restored_snapshots((), (old,), (old, later)) == (later,)
+    assert restored_snapshots((old,), (), (later,)) == (old, later)
+    assert restored_snapshots((old,), (), (anew, later)) == (
+        anew,
+        later,
+    )  # stored where it was free
+    assert restored_snapshots((later, old), (old, later), (old, later)) == (later, old)
+    assert restored_snapshots((), (), (later,)) == (later,)

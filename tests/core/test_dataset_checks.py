@@ -13,9 +13,9 @@ from skinsource.limbs.dataset.install import install
 
 
 @pytest.fixture
-def download(made_up_download, tmp_path):
+def download(synthetic_download, tmp_path):
     folder = tmp_path / "download"
-    shutil.copytree(made_up_download, folder)
+    shutil.copytree(synthetic_download, folder)
     return folder
 
 

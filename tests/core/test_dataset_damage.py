@@ -97,8 +97,10 @@ def used_gaps(path: Path) -> list[tuple[int, int]]:
 
 
 @pytest.mark.parametrize(("way", "count"), [("flip", 250), ("hole", 60), ("noise", 60)])
-def test_damage_outside_the_arrays_is_refused_or_makes_no_difference(made_up_installed, way, count):
-    gaps = json.dumps(used_gaps(made_up_installed))
+def test_damage_outside_the_arrays_is_refused_or_makes_no_difference(
+    synthetic_installed, way, count
+):
+    gaps = json.dumps(used_gaps(synthetic_installed))
     command = [sys.executable, "-c", ATTEMPTS, way, str(SEED), str(count), gaps]
     result = subprocess.run(command, check=False, capture_output=True, text=True, timeout=90)
     assert result.returncode == 0, f"{SEED=}: {result.stderr[-2000:]}"
@@ -107,27 +109,27 @@ def test_damage_outside_the_arrays_is_refused_or_makes_no_difference(made_up_ins
     assert outcome["refused"] > count // 6, f"{SEED=}: {outcome}"
 
 
-def test_a_store_cut_off_anywhere_is_refused(made_up_installed):
+def test_a_store_cut_off_anywhere_is_refused(synthetic_installed):
     random = np.random.default_rng(SEED)
-    size = made_up_installed.stat().st_size
+    size = synthetic_installed.stat().st_size
     cuts = [size - 1, *sorted(random.integers(0, size, 30).tolist(), reverse=True), 100, 47, 8, 1]
     for cut in cuts:
-        with made_up_installed.open("r+b") as opened:
+        with synthetic_installed.open("r+b") as opened:
             opened.truncate(cut)
         for call in (store.describe, lambda: store.load_measured_limb(1), upkeep.verify):
             with pytest.raises(DatasetError, match="Install it again"):
                 call()
-            assert made_up_installed.stat().st_size == cut, f"{SEED=}"
+            assert synthetic_installed.stat().st_size == cut, f"{SEED=}"
 
 
-def test_every_letter_of_every_text_is_watched_over(made_up_installed):
+def test_every_letter_of_every_text_is_watched_over(synthetic_installed):
     info = store.describe()
     texts = [published.FORMAT, info.installed_at, info.source_name, info.source_sha256]
-    with h5py.File(made_up_installed) as opened:
+    with h5py.File(synthetic_installed) as opened:
         texts.append(opened["map/outline"].attrs["sha256"].decode())
         texts += [digest.decode() for digest in opened["responses/limb-1"].attrs["sha256"][[0, 19]]]
-    gaps = used_gaps(made_up_installed)
-    with made_up_installed.open("r+b", buffering=0) as opened:
+    gaps = used_gaps(synthetic_installed)
+    with synthetic_installed.open("r+b", buffering=0) as opened:
         for text in texts:
             start = next(start for gap in gaps if (start := find(opened, gap, text)) is not None)
             for place in range(start, start + len(text)):
@@ -148,9 +150,9 @@ def find(opened, gap: tuple[int, int], text: str) -> int | None:
     return None if place < 0 else gap[0] + place
 
 
-def test_no_text_of_the_store_lies_outside_the_checksums(made_up_installed):
-    assert b"GCOL" not in made_up_installed.read_bytes()
-    with h5py.File(made_up_installed) as opened:
+def test_no_text_of_the_store_lies_outside_the_checksums(synthetic_installed):
+    assert b"GCOL" not in synthetic_installed.read_bytes()
+    with h5py.File(synthetic_installed) as opened:
         parts = [opened]
         opened.visititems(lambda _, part: parts.append(part))
         assert len(parts) == 16

@@ -27,10 +27,10 @@ PIECE = 2**16
 
 
 @pytest.fixture
-def served(made_up_download, monkeypatch):
+def served(synthetic_download, monkeypatch):
     monkeypatch.setenv("NO_PROXY", "127.0.0.1")
     served = Served(
-        content={path.name: path.read_bytes() for path in made_up_download.rglob("*.mat")}
+        content={path.name: path.read_bytes() for path in synthetic_download.rglob("*.mat")}
     )
     with http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler) as server:
         server.served = served

@@ -32,7 +32,7 @@ def _assert_same_content(path, other):
     assert all(first[name].tobytes() == second[name].tobytes() for name in first)
 
 
-def test_installing_keeps_every_response_with_time_last(made_up_installed, make_response):
+def test_installing_keeps_every_response_with_time_last(synthetic_installed, make_response):
     for limb in (1, 4):
         opened = load_measured_limb(limb)
         for place in (1, 13, 20):
@@ -42,22 +42,22 @@ def test_installing_keeps_every_response_with_time_last(made_up_installed, make_
 
 
 def test_both_matlab_encodings_give_the_same_bits(
-    made_up_download, made_up_store, write_table, complete_rows, tmp_path
+    synthetic_download, synthetic_store, write_table, complete_rows, tmp_path
 ):
     folder = tmp_path / "v7"
-    shutil.copytree(made_up_download, folder)
+    shutil.copytree(synthetic_download, folder)
     write_table(folder / "impulseResponses.mat", complete_rows, "v7")
     store = install(folder, unpublished=True).path
-    _assert_same_content(store, made_up_store)
+    _assert_same_content(store, synthetic_store)
 
 
 def test_the_order_of_the_rows_does_not_matter(
-    made_up_download, made_up_store, write_table, complete_rows, tmp_path
+    synthetic_download, synthetic_store, write_table, complete_rows, tmp_path
 ):
     folder = tmp_path / "reversed"
-    shutil.copytree(made_up_download, folder)
+    shutil.copytree(synthetic_download, folder)
     write_table(folder / "impulseResponses.mat", complete_rows[::-1])
-    _assert_same_content(install(folder, unpublished=True).path, made_up_store)
+    _assert_same_content(install(folder, unpublished=True).path, synthetic_store)
 
 
 def test_the_measured_dataset_in_v7_gives_the_same_bits(
@@ -88,18 +88,18 @@ def test_the_measured_dataset_in_v7_gives_the_same_bits(
     ],
 )
 def test_the_files_are_found_where_a_download_puts_them(
-    made_up_download, user_data, tmp_path, responses, maps, given
+    synthetic_download, user_data, tmp_path, responses, maps, given
 ):
     folder = tmp_path / "download"
-    shutil.copytree(made_up_download / "visualization", folder / maps)
+    shutil.copytree(synthetic_download / "visualization", folder / maps)
     (folder / responses).parent.mkdir(parents=True, exist_ok=True)
-    shutil.copy(made_up_download / "impulseResponses.mat", folder / responses)
+    shutil.copy(synthetic_download / "impulseResponses.mat", folder / responses)
     assert install(folder / given, unpublished=True).path == user_data / "measured.h5"
 
 
-def test_progress_ends_at_its_total_and_never_goes_back(made_up_download, user_data):
+def test_progress_ends_at_its_total_and_never_goes_back(synthetic_download, user_data):
     progress = []
-    install(made_up_download, unpublished=True, progress=lambda *report: progress.append(report))
+    install(synthetic_download, unpublished=True, progress=lambda *report: progress.append(report))
     done = [report[0] for report in progress]
     assert done == sorted(done)
     assert progress[-1][0] == progress[-1][1] == 160
@@ -107,99 +107,99 @@ def test_progress_ends_at_its_total_and_never_goes_back(made_up_download, user_d
 
 
 @pytest.mark.parametrize("asked", [0, 1, 40, 81, 82, 90])
-def test_a_cancel_at_any_moment_leaves_nothing(made_up_download, user_data, asked):
+def test_a_cancel_at_any_moment_leaves_nothing(synthetic_download, user_data, asked):
     answers = iter([False] * asked)
     with pytest.raises(Stopped, match="nothing was changed"):
-        install(made_up_download, unpublished=True, stop=lambda: next(answers, True))
+        install(synthetic_download, unpublished=True, stop=lambda: next(answers, True))
     assert next(answers, None) is None
     assert list(user_data.iterdir()) == []
 
 
-def test_ctrl_c_while_writing_leaves_nothing(made_up_download, user_data):
+def test_ctrl_c_while_writing_leaves_nothing(synthetic_download, user_data):
     def interrupt(done, _total, _text):
         if done > 100:
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        install(made_up_download, unpublished=True, progress=interrupt)
+        install(synthetic_download, unpublished=True, progress=interrupt)
     assert list(user_data.iterdir()) == []
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no limit of the file size")
-def test_writing_that_fails_midway_leaves_nothing(made_up_download, user_data):
+def test_writing_that_fails_midway_leaves_nothing(synthetic_download, user_data):
     import resource
 
     usual = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (20_000_000, usual[1]))
     try:
         with pytest.raises(StorageError, match=r"measured\.h5: cannot be written \(.*Free some"):
-            install(made_up_download, unpublished=True)
+            install(synthetic_download, unpublished=True)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, usual)
     assert list(user_data.iterdir()) == []
 
 
 def test_a_disk_found_full_at_the_last_moment_leaves_nothing(
-    made_up_download, user_data, monkeypatch
+    synthetic_download, user_data, monkeypatch
 ):
     def full(_handle):
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.setattr(os, "fsync", full)
     with pytest.raises(StorageError, match="No space left on device"):
-        install(made_up_download, unpublished=True)
+        install(synthetic_download, unpublished=True)
     assert list(user_data.iterdir()) == []
 
 
 def test_a_folder_that_may_not_be_written_is_one_clear_error(
-    made_up_download, user_data, monkeypatch
+    synthetic_download, user_data, monkeypatch
 ):
     def refuse(*_, **__):
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
 
     monkeypatch.setattr(os, "open", refuse)
     with pytest.raises(StorageError, match=r"Permission denied.*Choose a folder you may write"):
-        install(made_up_download, unpublished=True)
+        install(synthetic_download, unpublished=True)
     assert list(user_data.iterdir()) == []
 
 
-def test_a_user_folder_that_cannot_be_made_is_one_clear_error(made_up_download, tmp_path):
+def test_a_user_folder_that_cannot_be_made_is_one_clear_error(synthetic_download, tmp_path):
     (tmp_path / "file").write_text("in the way")
     with pytest.raises(StorageError, match="cannot be written"):
-        install(made_up_download, unpublished=True, folder=tmp_path / "file" / "below")
+        install(synthetic_download, unpublished=True, folder=tmp_path / "file" / "below")
 
 
-def test_a_failure_keeps_the_old_store(made_up_download, made_up_installed, tmp_path):
-    before = made_up_installed.read_bytes()
+def test_a_failure_keeps_the_old_store(synthetic_download, synthetic_installed, tmp_path):
+    before = synthetic_installed.read_bytes()
     broken = tmp_path / "broken"
-    shutil.copytree(made_up_download, broken)
+    shutil.copytree(synthetic_download, broken)
     (broken / "impulseResponses.mat").write_bytes(b"nonsense")
     with pytest.raises(DatasetError):
         install(broken, unpublished=True)
     answers = iter([False] * 85)
     with pytest.raises(Stopped):
-        install(made_up_download, unpublished=True, stop=lambda: next(answers, True))
-    assert made_up_installed.read_bytes() == before
-    assert [path.name for path in made_up_installed.parent.iterdir()] == ["measured.h5"]
+        install(synthetic_download, unpublished=True, stop=lambda: next(answers, True))
+    assert synthetic_installed.read_bytes() == before
+    assert [path.name for path in synthetic_installed.parent.iterdir()] == ["measured.h5"]
 
 
 def test_a_second_installation_replaces_the_first(
-    made_up_download, made_up_installed, write_table, complete_rows, tmp_path
+    synthetic_download, synthetic_installed, write_table, complete_rows, tmp_path
 ):
     folder = tmp_path / "newer"
-    shutil.copytree(made_up_download, folder)
+    shutil.copytree(synthetic_download, folder)
     rows = [(data + 1, limb, place) for data, limb, place in complete_rows]
     write_table(folder / "impulseResponses.mat", rows)
     install(folder, unpublished=True)
     assert load_measured_limb(1).response_to(1)[0, 0, 0] == 2.01
-    assert [path.name for path in made_up_installed.parent.iterdir()] == ["measured.h5"]
+    assert [path.name for path in synthetic_installed.parent.iterdir()] == ["measured.h5"]
 
 
 def test_map_files_that_are_not_the_published_ones_are_refused_unless_meant(
-    made_up_download, user_data
+    synthetic_download, user_data
 ):
     with pytest.raises(DatasetError, match=r"not the published content: .*mask2.*--unpublished"):
-        install(made_up_download)
+        install(synthetic_download)
     assert list(user_data.iterdir()) == []
 
 
@@ -217,13 +217,13 @@ def test_one_flipped_bit_of_a_published_map_file_is_refused(dataset_folder, tmp_
         install(folder)
 
 
-def test_the_store_tells_what_it_was_made_from(made_up_download, user_data):
-    info = install(made_up_download, unpublished=True)
+def test_the_store_tells_what_it_was_made_from(synthetic_download, user_data):
+    info = install(synthetic_download, unpublished=True)
     assert info == describe()
     assert is_installed()
     assert info.limbs == (1, 2, 3, 4)
     assert info.source_name == "impulseResponses.mat"
-    assert info.source_bytes == (made_up_download / "impulseResponses.mat").stat().st_size
+    assert info.source_bytes == (synthetic_download / "impulseResponses.mat").stat().st_size
     assert len(info.source_sha256) == 64
     assert info.installed_at.endswith("+00:00")
     assert info.size_bytes == info.path.stat().st_size
@@ -231,9 +231,9 @@ def test_the_store_tells_what_it_was_made_from(made_up_download, user_data):
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows refuses such names")
 @pytest.mark.parametrize("name", ["ä 触覚.mat", os.fsdecode(b"\xff.mat")])
-def test_the_source_may_have_any_name(made_up_download, user_data, tmp_path, name):
+def test_the_source_may_have_any_name(synthetic_download, user_data, tmp_path, name):
     folder = tmp_path / "download"
-    shutil.copytree(made_up_download, folder)
+    shutil.copytree(synthetic_download, folder)
     try:
         (folder / "impulseResponses.mat").rename(folder / name)
     except OSError as error:
@@ -243,7 +243,7 @@ def test_the_source_may_have_any_name(made_up_download, user_data, tmp_path, nam
 
 
 def test_a_store_that_is_a_link_is_replaced_behind_the_link(
-    made_up_download, made_up_store, user_data, tmp_path
+    synthetic_download, synthetic_store, user_data, tmp_path
 ):
     elsewhere = tmp_path / "elsewhere.h5"
     elsewhere.write_bytes(b"an old store")
@@ -251,9 +251,9 @@ def test_a_store_that_is_a_link_is_replaced_behind_the_link(
         (user_data / "measured.h5").symlink_to(elsewhere)
     except OSError as error:
         pytest.skip(f"links cannot be made here: {error}")
-    install(made_up_download, unpublished=True)
+    install(synthetic_download, unpublished=True)
     assert (user_data / "measured.h5").is_symlink()
-    _assert_same_content(elsewhere, made_up_store)
+    _assert_same_content(elsewhere, synthetic_store)
 
 
 def test_the_measured_values_are_those_of_the_published_dataset(measured):

@@ -151,9 +151,9 @@ def test_flips_in_the_measured_dataset_are_refused_or_make_no_difference(dataset
     assert outcome["refused"] >= 5
 
 
-def test_a_misplaced_piece_is_refused_by_the_installation(made_up_download, tmp_path):
+def test_a_misplaced_piece_is_refused_by_the_installation(synthetic_download, tmp_path):
     folder = tmp_path / "download"
-    shutil.copytree(made_up_download, folder)
+    shutil.copytree(synthetic_download, folder)
     path = folder / "visualization" / "adjacencyMatrix.mat"
     matio = pytest.importorskip("matio")
     values = matio.load_from_mat(str(path))["adjacencyMatrix"]

@@ -13,7 +13,7 @@ def _set_attribute(path, name, value):
         opened.attrs[name] = value
 
 
-def test_a_store_says_which_files_were_not_the_published_ones(made_up_installed):
+def test_a_store_says_which_files_were_not_the_published_ones(synthetic_installed):
     info = store.describe()
     assert {"impulseResponses.mat", "surface.mat", "mask4.mat"} <= set(info.unpublished)
     assert "not the published ones" in info.note
@@ -27,14 +27,14 @@ def test_the_measured_dataset_here_is_noted_as_another_file_with_the_published_m
     )
 
 
-def test_a_store_made_of_the_published_files_has_no_note(made_up_installed):
-    _set_attribute(made_up_installed, "unpublished", np.bytes_(b"none"))
+def test_a_store_made_of_the_published_files_has_no_note(synthetic_installed):
+    _set_attribute(synthetic_installed, "unpublished", np.bytes_(b"none"))
     assert store.describe().unpublished == ()
     assert store.load_measured_limb(1).note == ""
 
 
-def test_a_store_that_does_not_say_so_is_refused(made_up_installed):
-    with h5py.File(made_up_installed, "r+", libver=("v110", "v110")) as opened:
+def test_a_store_that_does_not_say_so_is_refused(synthetic_installed):
+    with h5py.File(synthetic_installed, "r+", libver=("v110", "v110")) as opened:
         del opened.attrs["unpublished"]
     with pytest.raises(DatasetError, match="lacks unpublished"):
         store.describe()

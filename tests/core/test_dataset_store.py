@@ -60,7 +60,7 @@ def test_without_a_store_the_message_says_how_to_get_it(call):
     assert "'skinsource dataset install PATH'" in str(caught.value)
 
 
-def test_a_limb_knows_its_name_hand_and_kind(made_up_installed):
+def test_a_limb_knows_its_name_hand_and_kind(synthetic_installed):
     lengths = []
     for number in (1, 2, 3, 4):
         limb = store.load_measured_limb(number)
@@ -73,14 +73,14 @@ def test_a_limb_knows_its_name_hand_and_kind(made_up_installed):
 
 
 @pytest.mark.parametrize("number", [0, 5, -1])
-def test_a_limb_that_does_not_exist_is_refused(made_up_installed, number):
+def test_a_limb_that_does_not_exist_is_refused(synthetic_installed, number):
     with pytest.raises(UnknownLimbError, match=f"measured limb {number} does not exist"):
         store.load_measured_limb(number)
     with pytest.raises(UnknownLimbError):
         store.load_mask(number)
 
 
-def test_opening_a_limb_reads_no_responses_and_one_input_reads_one_chunk(made_up_installed):
+def test_opening_a_limb_reads_no_responses_and_one_input_reads_one_chunk(synthetic_installed):
     limb = store.load_measured_limb(2)
     assert limb.bytes_read == 0
     limb.response_to(7)
@@ -91,7 +91,7 @@ def test_opening_a_limb_reads_no_responses_and_one_input_reads_one_chunk(made_up
 
 
 @pytest.mark.skipif(not Path("/proc/self/io").exists(), reason="only Linux counts bytes read")
-def test_the_operating_system_agrees_that_one_input_reads_one_chunk(made_up_installed):
+def test_the_operating_system_agrees_that_one_input_reads_one_chunk(synthetic_installed):
     def bytes_read():
         return int(Path("/proc/self/io").read_text().split()[1])
 
@@ -101,8 +101,8 @@ def test_the_operating_system_agrees_that_one_input_reads_one_chunk(made_up_inst
     assert CHUNK_BYTES <= bytes_read() - before < 1.1 * CHUNK_BYTES
 
 
-def test_an_input_is_read_although_all_others_are_destroyed(made_up_installed, make_response):
-    with h5py.File(made_up_installed, "r+") as opened:
+def test_an_input_is_read_although_all_others_are_destroyed(synthetic_installed, make_response):
+    with h5py.File(synthetic_installed, "r+") as opened:
         for limb in (1, 2, 3, 4):
             responses = opened[f"responses/limb-{limb}"]
             assert responses.chunks == (1, 72, 3, 522)
@@ -115,8 +115,8 @@ def test_an_input_is_read_although_all_others_are_destroyed(made_up_installed, m
     np.testing.assert_array_equal(response, make_response(3, 11).transpose(1, 2, 0))
 
 
-def test_one_flipped_bit_is_noticed_when_that_input_is_read(made_up_installed):
-    _flip(made_up_installed, _chunk_offset(made_up_installed, 1, 5) + 12_345)
+def test_one_flipped_bit_is_noticed_when_that_input_is_read(synthetic_installed):
+    _flip(synthetic_installed, _chunk_offset(synthetic_installed, 1, 5) + 12_345)
     limb = store.load_measured_limb(1)
     limb.response_to(4)
     limb.response_to(6)
@@ -127,73 +127,73 @@ def test_one_flipped_bit_is_noticed_when_that_input_is_read(made_up_installed):
 
 
 @pytest.mark.parametrize("part", ["outline", "output_positions", "input_positions", "visibility"])
-def test_one_flipped_bit_in_the_map_is_noticed_when_a_limb_is_opened(made_up_installed, part):
-    with h5py.File(made_up_installed) as opened:
+def test_one_flipped_bit_in_the_map_is_noticed_when_a_limb_is_opened(synthetic_installed, part):
+    with h5py.File(synthetic_installed) as opened:
         offset = opened[f"map/{part}"].id.get_offset()
-    _flip(made_up_installed, offset)
+    _flip(synthetic_installed, offset)
     with pytest.raises(DatasetError, match=f"map/{part} is damaged"):
         store.load_measured_limb(1)
     assert [part in problem for problem in upkeep.verify()] == [True]
 
 
-def test_one_flipped_bit_in_a_mask_is_noticed(made_up_installed):
-    with h5py.File(made_up_installed) as opened:
+def test_one_flipped_bit_in_a_mask_is_noticed(synthetic_installed):
+    with h5py.File(synthetic_installed) as opened:
         offset = opened["masks/limb-2"].id.get_offset()
-    _flip(made_up_installed, offset)
+    _flip(synthetic_installed, offset)
     with pytest.raises(DatasetError, match="masks/limb-2 is damaged"):
         store.load_mask(2)
     assert store.load_mask(1).dtype == np.bool_
 
 
-def test_verify_counts_every_checksum_and_finds_a_whole_store_whole(made_up_installed):
+def test_verify_counts_every_checksum_and_finds_a_whole_store_whole(synthetic_installed):
     progress = []
     assert upkeep.verify(progress=lambda *report: progress.append(report)) == ()
     assert [done for done, _, _ in progress] == list(range(1, 89))
     assert progress[-1][1] == 88
 
 
-def test_verify_can_be_stopped(made_up_installed):
+def test_verify_can_be_stopped(synthetic_installed):
     with pytest.raises(Stopped):
         upkeep.verify(stop=lambda: True)
 
 
 @pytest.mark.parametrize("version", [1, 3])
-def test_another_format_version_is_refused(made_up_installed, version):
-    _set_attribute(made_up_installed, "format_version", version)
+def test_another_format_version_is_refused(synthetic_installed, version):
+    _set_attribute(synthetic_installed, "format_version", version)
     with pytest.raises(DatasetError, match=rf"version {version}, expected 2\. Install it again"):
         store.load_measured_limb(1)
 
 
-def test_a_file_of_another_kind_is_refused(made_up_installed):
-    _set_attribute(made_up_installed, "format", np.bytes_("something else"))
+def test_a_file_of_another_kind_is_refused(synthetic_installed):
+    _set_attribute(synthetic_installed, "format", np.bytes_("something else"))
     with pytest.raises(DatasetError, match="is no store of the measured dataset"):
         store.describe()
 
 
 @pytest.mark.parametrize("name", ["format", "format_version"])
-def test_an_hdf5_file_that_names_no_format_is_refused(made_up_installed, name):
-    with h5py.File(made_up_installed, "r+") as opened:
+def test_an_hdf5_file_that_names_no_format_is_refused(synthetic_installed, name):
+    with h5py.File(synthetic_installed, "r+") as opened:
         del opened.attrs[name]
     with pytest.raises(DatasetError, match="is no store of the measured dataset"):
         store.describe()
 
 
 @pytest.mark.parametrize("share", [0.0, 0.3, 0.9])
-def test_a_store_that_was_cut_off_is_one_clear_error(made_up_installed, share):
-    whole = made_up_installed.read_bytes()
-    made_up_installed.write_bytes(whole[: int(len(whole) * share)])
+def test_a_store_that_was_cut_off_is_one_clear_error(synthetic_installed, share):
+    whole = synthetic_installed.read_bytes()
+    synthetic_installed.write_bytes(whole[: int(len(whole) * share)])
     with pytest.raises(DatasetError, match=r"the store is damaged.*Install it again"):
         store.load_measured_limb(1)
 
 
-def test_a_store_that_lacks_a_part_is_one_clear_error(made_up_installed):
-    with h5py.File(made_up_installed, "r+") as opened:
+def test_a_store_that_lacks_a_part_is_one_clear_error(synthetic_installed):
+    with h5py.File(synthetic_installed, "r+") as opened:
         del opened["responses/limb-1"]
     with pytest.raises(DatasetError, match="the store is damaged"):
         store.load_measured_limb(1)
 
 
-def test_a_store_that_may_not_be_read_is_one_clear_error(made_up_installed, monkeypatch):
+def test_a_store_that_may_not_be_read_is_one_clear_error(synthetic_installed, monkeypatch):
     def refuse(*_, **__):
         raise PermissionError("Permission denied")
 
@@ -202,16 +202,16 @@ def test_a_store_that_may_not_be_read_is_one_clear_error(made_up_installed, monk
         store.load_measured_limb(1)
 
 
-def test_a_limb_in_use_notices_that_the_store_is_gone(made_up_installed):
+def test_a_limb_in_use_notices_that_the_store_is_gone(synthetic_installed):
     limb = store.load_measured_limb(1)
     upkeep.remove()
     with pytest.raises(DatasetMissingError):
         limb.response_to(1)
 
 
-def test_a_limb_in_use_notices_that_other_data_took_the_place(made_up_installed):
+def test_a_limb_in_use_notices_that_other_data_took_the_place(synthetic_installed):
     limb = store.load_measured_limb(1)
-    with h5py.File(made_up_installed, "r+") as opened:
+    with h5py.File(synthetic_installed, "r+") as opened:
         attributes = opened["responses/limb-1"].attrs
         attributes["sha256"] = np.array(["0" * 64] * 20, dtype="S64")
     with pytest.raises(DatasetError, match="Open the limb again"):
@@ -219,7 +219,7 @@ def test_a_limb_in_use_notices_that_other_data_took_the_place(made_up_installed)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="open files are listed on Linux only")
-def test_no_file_stays_open_after_reading(made_up_installed):
+def test_no_file_stays_open_after_reading(synthetic_installed):
     limb = store.load_measured_limb(1)
     limb.response_to(1)
     handles = [
@@ -230,7 +230,7 @@ def test_no_file_stays_open_after_reading(made_up_installed):
     assert not [name for name in handles if name.endswith("measured.h5")]
 
 
-def test_a_response_and_the_map_cannot_be_written_to(made_up_installed):
+def test_a_response_and_the_map_cannot_be_written_to(synthetic_installed):
     limb = store.load_measured_limb(1)
     limb_map = limb.map
     for array in (
@@ -244,14 +244,14 @@ def test_a_response_and_the_map_cannot_be_written_to(made_up_installed):
             array[0] = 0
 
 
-def test_an_input_location_that_does_not_exist_is_refused(made_up_installed):
+def test_an_input_location_that_does_not_exist_is_refused(synthetic_installed):
     limb = store.load_measured_limb(1)
     with pytest.raises(InvalidInputError):
         limb.response_to(21)
 
 
-def test_remove_deletes_the_store_its_downloads_and_remains_but_nothing_else(made_up_installed):
-    folder = made_up_installed.parent
+def test_remove_deletes_the_store_its_downloads_and_remains_but_nothing_else(synthetic_installed):
+    folder = synthetic_installed.parent
     downloads = folder / "measured-download"
     (downloads / "visualization").mkdir(parents=True)
     for name in ("impulseResponses.mat", "visualization/mask1.mat", "impulseResponses.mat.part"):
@@ -265,7 +265,7 @@ def test_remove_deletes_the_store_its_downloads_and_remains_but_nothing_else(mad
     assert left == ["design.skinsource", "measured-download", "notes.txt"]
 
 
-def test_a_file_that_cannot_be_deleted_is_one_clear_error(made_up_installed, monkeypatch):
+def test_a_file_that_cannot_be_deleted_is_one_clear_error(synthetic_installed, monkeypatch):
     def refuse(*_, **__):
         raise PermissionError(13, "Permission denied")
 

@@ -172,8 +172,8 @@ STRANGE = (
 
 
 @pytest.mark.parametrize("change", STRANGE, ids=lambda change: change.__name__)
-def test_what_the_installation_does_not_write_is_not_read(made_up_installed, change):
-    with h5py.File(made_up_installed, "r+", libver=("v110", "v110")) as opened:
+def test_what_the_installation_does_not_write_is_not_read(synthetic_installed, change):
+    with h5py.File(synthetic_installed, "r+", libver=("v110", "v110")) as opened:
         change(opened)
     with pytest.raises(DatasetError, match="Install it again with 'skinsource dataset fetch'"):
         store.load_measured_limb(1)

@@ -3,7 +3,7 @@ import math
 import numpy as np
 import pytest
 
-from skinsource.base.decibels import FLOOR_DB, decibels, in_tables
+from skinsource.base.decibels import FLOOR_DB, decibels, levels_for_tables
 from skinsource.base.errors import InvalidInputError
 
 
@@ -86,6 +86,6 @@ def test_what_is_handed_over_is_not_changed():
 
 
 def test_tables_hold_no_number_where_silence_has_no_level():
-    held = in_tables(decibels([0.0, 1.0, 10.0]))
+    held = levels_for_tables(decibels([0.0, 1.0, 10.0]))
     np.testing.assert_array_equal(held, [np.nan, 0.0, 20.0])
-    assert np.isnan(in_tables([np.nan, FLOOR_DB + 1e-9])).all()
+    assert np.isnan(levels_for_tables([np.nan, FLOOR_DB + 1e-9])).all()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import StorageError
-from skinsource.base.published import VOLAR_OUTPUTS
+from skinsource.base.measurement_conditions import VOLAR_OUTPUTS
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise, Tap

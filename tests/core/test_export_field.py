@@ -15,7 +15,7 @@ from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.export.tables import export_field
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 
 SHORT = Design(
     scaling="upstream",

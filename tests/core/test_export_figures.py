@@ -18,7 +18,7 @@ from skinsource.engine.gains import TraceError
 from skinsource.engine.streaming import StreamedVibration
 from skinsource.engine.transforms import BLOCK_FFT
 from skinsource.export.tables import export_field, export_levels, export_traces
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.version import __version__
 
 EXPORTS = {"traces.csv": export_traces, "levels.csv": export_levels, "field.npz": export_field}

@@ -10,7 +10,7 @@ import psutil
 import pytest
 
 from skinsource.base.errors import FileFormatError, StorageError
-from skinsource.base.files import is_there, make_folder, read_bytes, write_bytes
+from skinsource.base.files import make_folder, path_exists, read_bytes, write_bytes
 
 ADVICE = {
     errno.ENOSPC: "Free some space",
@@ -87,7 +87,7 @@ def test_what_cannot_be_read_is_explained_in_one_printable_sentence(tmp_path, na
     with pytest.raises(StorageError, match=message) as caught:
         read_bytes(tmp_path / name, most=100)
     assert str(caught.value).isprintable()
-    assert not is_there(tmp_path / name) or name == "."
+    assert not path_exists(tmp_path / name) or name == "."
 
 
 @pytest.mark.parametrize("code", ADVICE)

@@ -5,7 +5,7 @@ import pytest
 
 from skinsource.base.decibels import decibels
 from skinsource.engine.prediction import predict
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.signals.generators import sinusoid
 from skinsource.signals.projection import project_axes
 from skinsource.signals.spectra import rms

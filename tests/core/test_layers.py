@@ -14,7 +14,7 @@ from skinsource.design.design import Design, Input
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.effects.playing import played
 from skinsource.design.effects.time import Trim
-from skinsource.design.signal_path import placed_chain
+from skinsource.design.signal_path import placed_signal_path
 from skinsource.design.view import View
 from skinsource.design.waveforms.catalog import KINDS
 from skinsource.design.waveforms.pulses import Noise, Tap
@@ -35,7 +35,7 @@ PARTS = (
 
 
 def total(*clips: Clip) -> np.ndarray:
-    first, chain = placed_chain(clips, (), RATE_HZ)
+    first, chain = placed_signal_path(clips, (), RATE_HZ)
     samples = np.zeros(1000)
     for part in chain.parts:
         piece = played(part.waveform, part.effects, RATE_HZ, part.shift_s)

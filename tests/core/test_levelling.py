@@ -17,7 +17,7 @@ from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.engine.levelling import MEASURE, wavelet_levels_db
 from skinsource.engine.prediction import predict
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.signals.spectra import rms
 
 LIMB = "synthetic-1"

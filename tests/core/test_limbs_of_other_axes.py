@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import AXES, axes_of, axis_numbers
+from skinsource.base.measurement_conditions import AXES, axes_of, axis_numbers
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise, Tap

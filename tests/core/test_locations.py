@@ -3,7 +3,7 @@ import re
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import VOLAR_OUTPUTS
+from skinsource.base.measurement_conditions import VOLAR_OUTPUTS
 from skinsource.limbs.locations import INPUTS, OUTPUTS, REGIONS, input_place, output_place
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import Stopped
-from skinsource.base.published import AXES
+from skinsource.base.measurement_conditions import AXES
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Impulse, Noise, Tap

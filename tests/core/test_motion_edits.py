@@ -18,8 +18,8 @@ from skinsource.design.motions import (
     Sweep,
     TapSequence,
     TravellingPhase,
-    following,
     path_of,
+    with_path_of,
 )
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Tap
@@ -83,13 +83,13 @@ def test_a_motion_that_does_not_fit_is_refused():
 @given(PATHS, st.sampled_from(MOTIONS))
 def test_a_motion_can_follow_the_path_of_another(path, kind):
     leader = ApparentMotion(path=path, amplitude=2.5, onset_s=1.5)
-    followers = following(kind(), leader)
+    followers = with_path_of(kind(), leader)
     assert type(followers) is kind
     assert (followers.amplitude, followers.onset_s) == (2.5, 1.5)
     moving = tuple(place for k, place in enumerate(path) if k == 0 or place != path[k - 1])
     expected_path = {Phantom: tuple(dict.fromkeys(path))[:2], Sweep: moving}.get(kind, path)
     assert followers.path == (expected_path if len(expected_path) > 1 else kind().path)
-    assert following(leader, followers).path == followers.path
+    assert with_path_of(leader, followers).path == followers.path
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import AXES
+from skinsource.base.measurement_conditions import AXES
 from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design

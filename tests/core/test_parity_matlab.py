@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from skinsource.engine.prediction import predict
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.signals.generators import sinusoid
 from skinsource.signals.projection import project_axes
 

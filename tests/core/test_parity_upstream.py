@@ -7,14 +7,14 @@ come from singular vectors, spectra from explicit sums.
 import numpy as np
 import pytest
 
-from skinsource.base.published import AXES
+from skinsource.base.measurement_conditions import AXES
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.signals.projection import METHODS, project_axes
 from skinsource.signals.spectra import magnitude_spectrum
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import AXES
+from skinsource.base.measurement_conditions import AXES
 from skinsource.signals.projection import (
     METHODS,
     magnitude,

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError, Stopped
-from skinsource.base.published import AXES
+from skinsource.base.measurement_conditions import AXES
 from skinsource.design.design import Design, track
-from skinsource.design.signal_path import Chain, Part, UnitVoice
+from skinsource.design.signal_path import Part, SignalPath, UnitVoice
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
@@ -145,7 +145,7 @@ def test_responses_to_all_outputs_are_not_copied(monkeypatch):
 
 def test_a_drive_that_is_in_use_is_not_drawn_again_however_small_the_memory():
     drives = Drives(budget_bytes=0, clips_bytes=0)
-    voice = UnitVoice(Chain((Part(Noise(seed=5)),)), location=1)
+    voice = UnitVoice(SignalPath((Part(Noise(seed=5)),)), location=1)
     first = drives.drawn(voice, 1300.0)
     assert drives.drawn(voice, 1300.0) is first
     samples = first.samples.copy()

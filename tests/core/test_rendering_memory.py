@@ -6,8 +6,8 @@ import tracemalloc
 
 import pytest
 
-from skinsource.base.published import N_AXES, N_OUTPUTS
-from skinsource.design.signal_path import Chain, Part, UnitVoice
+from skinsource.base.measurement_conditions import N_AXES, N_OUTPUTS
+from skinsource.design.signal_path import Part, SignalPath, UnitVoice
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine import memory as budgets
 from skinsource.engine.memory import ENTRY_BYTES, Memory
@@ -64,7 +64,7 @@ def test_many_small_values_do_not_exceed_the_budget_by_their_keys():
         memory = Memory[float](budget_bytes=10**6, size_of=sys.getsizeof)
         for k in range(5000):
             tone = Tone(frequency_hz=100 + k / 100, duration_s=0.1)
-            memory.add((UnitVoice(Chain((Part(tone),)), 7), 1920), k / 7)
+            memory.add((UnitVoice(SignalPath((Part(tone),)), 7), 1920), k / 7)
         held_bytes, _ = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.base.published import AXES
+from skinsource.base.measurement_conditions import AXES
 from skinsource.design.design import Design, audible_inputs, track
 from skinsource.design.signal_path import drive_of
 from skinsource.design.view import View

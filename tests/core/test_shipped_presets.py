@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from skinsource.base.published import BAND_HZ
+from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.design import edits
 from skinsource.design.design import Design
 from skinsource.design.presets import presets

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.sparse import csr_array
 
-from skinsource.base.published import VOLAR_OUTPUTS
+from skinsource.base.measurement_conditions import VOLAR_OUTPUTS
 from skinsource.limbs.limb import LimbMap
 from skinsource.limbs.surface import surface as surface_module
 from skinsource.limbs.surface.surface import surface_operator, surface_operator_from_map

@@ -12,7 +12,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.design.clips import Clip
 from skinsource.design.effects.playing import played, played_s
 from skinsource.design.effects.time import Trim
-from skinsource.design.signal_path import placed_chain
+from skinsource.design.signal_path import placed_signal_path
 from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 
@@ -23,7 +23,7 @@ WAVEFORMS = [TONE, Noise(seed=2, duration_s=0.0996), Tap(), Impulse()]
 
 def total(*clips: Clip) -> np.ndarray:
     """What clips play together, from time 0 on, by the chain of their track."""
-    first, chain = placed_chain(clips, (), RATE_HZ)
+    first, chain = placed_signal_path(clips, (), RATE_HZ)
     samples = np.zeros(2000)
     for part in chain.parts:
         piece = played(part.waveform, part.effects, RATE_HZ, part.shift_s)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from skinsource.base.published import N_TAPS
+from skinsource.base.measurement_conditions import N_TAPS
 from skinsource.design.signal_path import drive_of
 from skinsource.engine.gains import exact_gains, peaks_of, unit_gains
 from skinsource.engine.spectra import ResponseSpectrum

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import AXES
+from skinsource.base.measurement_conditions import AXES
 from skinsource.design.view import View
 from skinsource.signals.loudest_window import SPANS
 from skinsource.signals.projection import METHODS

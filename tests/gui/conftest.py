@@ -12,7 +12,7 @@ from PySide6.QtGui import QCursor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
-from skinsource.limbs.catalogue import available_limbs
+from skinsource.limbs.catalog import available_limbs
 from skinsource_gui.pages.files import exports
 from skinsource_gui.qt.theme import LIGHT, apply_theme, current_theme
 from skinsource_gui.shell.window import MainWindow

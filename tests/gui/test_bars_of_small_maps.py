@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QImage, QPainter
 import skinsource as ss
 from skinsource_gui.panels.side_by_side import panel as side_by_side
 from skinsource_gui.plots.pictures import save_drawing
-from skinsource_gui.plots.small_map import Scale, SmallMap, paint_small_bar
+from skinsource_gui.plots.small_map import ColourScale, SmallMap, paint_small_bar
 from skinsource_gui.qt.theme import LIGHT, on_paper
 from tests.gui.pages_of_paper import Paper
 
@@ -74,6 +74,6 @@ def test_words_beside_maps_grow_with_the_picture_and_are_never_smaller_than_on_t
 
 
 def test_a_level_of_no_decibels_has_no_sign():
-    scale = Scale(range_db=(-50.0, 0.0), words="dB")
+    scale = ColourScale(range_db=(-50.0, 0.0), words="dB")
     assert scale.text(-0.04) == "0.0 dB"
     assert scale.text(-0.06) == "−0.1 dB"

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
 from skinsource_gui.plots.pictures import (
-    ALL_IN_SIGHT,
+    ALL_VISIBLE,
     LAYOUTS,
     caption_px,
     drawn_image,
@@ -16,7 +16,7 @@ from skinsource_gui.plots.pictures import (
     save_drawing,
     with_caption,
 )
-from skinsource_gui.qt.asking import CopyButton
+from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.shell.panels import PANELS
 from tests.gui.pages_of_paper import Paper
 
@@ -32,8 +32,8 @@ SAID = (
 )
 GUESSED = "of the energy lies above 300 Hz: between outputs the map is a guess."
 #: Panels that draw maps between outputs; all in sight do too.
-MAPS = ("skin", "compare", "windowed", "side_by_side", ALL_IN_SIGHT)
-EVERY = (*(spec.panel.name for spec in PANELS), ALL_IN_SIGHT)
+MAPS = ("skin", "compare", "windowed", "side_by_side", ALL_VISIBLE)
+EVERY = (*(spec.panel.name for spec in PANELS), ALL_VISIBLE)
 
 
 @pytest.fixture
@@ -175,7 +175,7 @@ def test_designs_side_by_side_are_told_with_what_differs(tones, name):
 
 def test_a_picture_of_everything_tells_which_design_the_other_panels_show(tones):
     tones.docks["side_by_side"].bring_forward()
-    caption = tones.pictures.picture_of(ALL_IN_SIGHT).caption
+    caption = tones.pictures.picture_of(ALL_VISIBLE).caption
     assert FOUR in caption
     assert caption.endswith(" Other panels: Snapshot 1.")
     alone = tones.pictures.picture_of("skin").caption

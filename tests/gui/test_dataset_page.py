@@ -26,18 +26,18 @@ def text_of(page: DatasetPage) -> str:
 
 
 def test_what_there_is_to_note_is_said_after_the_installation(
-    page, window, qtbot, made_up_download
+    page, window, qtbot, synthetic_download
 ):
-    work = partial(install, made_up_download, unpublished=True)
+    work = partial(install, synthetic_download, unpublished=True)
     window.runner.add(Job(INSTALLATIONS[0], work))
     qtbot.waitUntil(lambda: "4 measured limbs are installed" in text_of(page), timeout=60_000)
     assert "Note: made from files that are not the published ones: " in text_of(page)
 
 
 def test_map_files_that_are_not_the_published_ones_are_refused_with_the_reason(
-    page, qtbot, made_up_download, monkeypatch
+    page, qtbot, synthetic_download, monkeypatch
 ):
-    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(made_up_download))
+    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(synthetic_download))
     page.findChild(QPushButton, "install_from_folder").click()
     qtbot.waitUntil(lambda: "not the published content" in text_of(page), timeout=60_000)
 
@@ -77,9 +77,9 @@ def test_a_folder_without_the_files_is_refused_and_another_one_may_be_chosen(
 
 
 def test_an_installation_goes_on_when_the_page_closes_and_the_limbs_are_there(
-    page, window, qtbot, made_up_download
+    page, window, qtbot, synthetic_download
 ):
-    work = partial(install, made_up_download, unpublished=True)
+    work = partial(install, synthetic_download, unpublished=True)
     window.runner.add(Job(INSTALLATIONS[0], work))
     page.close()
     qtbot.waitUntil(lambda: "measured-4" in window.limbs.names, timeout=60_000)

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource.design.design_file import save_design
 from skinsource.design.view import View
-from skinsource.limbs.catalogue import available_limbs
+from skinsource.limbs.catalog import available_limbs
 from skinsource_gui.shell.docks import Dock
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import start_design

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication, QMenu, QStyle, QStyleOptionFrame
 
 from skinsource.design.design_file import save_design
 from skinsource.design.view import View
-from skinsource.limbs.catalogue import available_limbs
+from skinsource.limbs.catalog import available_limbs
 from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS, Behind, Place
 from skinsource_gui.shell.panels import PANELS

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from skinsource import actuators
 from skinsource.actuators.actuation import Actuation, ActuatorAt
-from skinsource.base.published import LIMB_NAMES
+from skinsource.base.measurement_conditions import LIMB_NAMES
 from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.effects import EFFECTS

@@ -8,7 +8,7 @@ from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.pages.files import exports
-from skinsource_gui.qt.asking import CopyButton
+from skinsource_gui.qt.questions import CopyButton
 
 DESIGN = Design(limb="synthetic-1", inputs=(track(location=7, waveform=Tone(duration_s=0.2)),))
 

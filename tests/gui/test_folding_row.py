@@ -3,7 +3,7 @@
 from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QApplication, QScrollArea, QVBoxLayout, QWidget
 
-from skinsource_gui.qt.room import FoldingRow
+from skinsource_gui.qt.fitting import FoldingRow
 
 
 class Part(QWidget):

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QScrollArea, QWidget
 
-from skinsource_gui.qt.room import HeightInSight
+from skinsource_gui.qt.fitting import VisibleHeight
 
 HIGH_PX = 600
 
@@ -21,7 +21,7 @@ def area(qtbot):
 
 
 def test_of_what_is_higher_than_its_area_as_much_is_in_sight_as_that_shows(area):
-    in_sight = HeightInSight(area.widget())
+    in_sight = VisibleHeight(area.widget())
     area.show()
     assert in_sight.px == area.viewport().height() < HIGH_PX
     heights_px = []
@@ -36,7 +36,7 @@ def test_of_what_is_higher_than_its_area_as_much_is_in_sight_as_that_shows(area)
 def test_what_does_not_scroll_is_in_sight_as_a_whole(qtbot):
     panel = QWidget()
     qtbot.addWidget(panel)
-    in_sight, heights_px = HeightInSight(panel), []
+    in_sight, heights_px = VisibleHeight(panel), []
     in_sight.changed.connect(lambda: heights_px.append(in_sight.px))
     panel.resize(100, 321)
     panel.show()

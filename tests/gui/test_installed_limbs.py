@@ -23,12 +23,12 @@ def offered(window):
 
 
 def test_limbs_that_are_installed_while_the_studio_runs_can_be_used_at_once(
-    window, settle, made_up_download, user_data
+    window, settle, synthetic_download, user_data
 ):
     count, hints = offered(window)
     assert count == 4
     assert hints[0].startswith(NOT_INSTALLED)
-    install(made_up_download, unpublished=True, folder=user_data)
+    install(synthetic_download, unpublished=True, folder=user_data)
     come_back_to(window)
     count, hints = offered(window)
     assert count == 8
@@ -47,9 +47,9 @@ def test_limbs_that_are_installed_while_the_studio_runs_can_be_used_at_once(
 
 
 def test_of_a_limb_made_from_the_published_files_there_is_nothing_to_note(
-    window, settle, made_up_installed
+    window, settle, synthetic_installed
 ):
-    with h5py.File(made_up_installed, "r+") as store:
+    with h5py.File(synthetic_installed, "r+") as store:
         store.attrs["unpublished"] = np.bytes_(b"none")
     come_back_to(window)
     window.document.edit("a", replace(window.document.design, limb="measured-1"))
@@ -58,20 +58,20 @@ def test_of_a_limb_made_from_the_published_files_there_is_nothing_to_note(
 
 
 def test_a_design_whose_limb_was_missing_is_shown_once_it_is_installed(
-    window, settle, made_up_installed
+    window, settle, synthetic_installed
 ):
-    away = made_up_installed.with_suffix(".away")
-    made_up_installed.rename(away)
+    away = synthetic_installed.with_suffix(".away")
+    synthetic_installed.rename(away)
     window.document.edit("a", replace(window.document.design, limb="measured-2"))
     settle()
     assert "not installed" in window.notice.text
-    away.rename(made_up_installed)
+    away.rename(synthetic_installed)
     come_back_to(window)
     settle()
     assert window.notice.text == ""
 
 
-def test_the_way_to_measured_limbs_is_told_until_they_are_there(window, made_up_installed):
+def test_the_way_to_measured_limbs_is_told_until_they_are_there(window, synthetic_installed):
     note = window.findChild(LimbNote)
     assert "not installed" in note.text()
     come_back_to(window)

@@ -1,6 +1,6 @@
 """Lamps and buttons that belong to an older design."""
 
-from skinsource_gui.qt.asking import CopyButton
+from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.shell.validity_lamps import ValidityLamps, _lamp_text
 from tests.gui.analysis.test_validity_lamps import FINDINGS
 

@@ -13,8 +13,8 @@ from PySide6.QtWidgets import QApplication, QMenu
 from skinsource.design.effects.level import Fade
 from skinsource_gui.panels.regions.panel import columns_of_people
 from skinsource_gui.panels.timeline.painting import same_clips
-from skinsource_gui.qt.asking import CopyButton
 from skinsource_gui.qt.overlays import UPDATING, StaleOverlay
+from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.shell.panels import PANELS
 
 SELECTED = (3, 9, 15, 21)

@@ -9,7 +9,7 @@ from PySide6.QtCore import QAbstractAnimation, QCoreApplication, QEvent, QObject
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
 
-from skinsource.limbs.catalogue import available_limbs
+from skinsource.limbs.catalog import available_limbs
 from skinsource_gui.shell.window import MainWindow
 
 #: What each leaves behind is there twenty times.

@@ -8,11 +8,11 @@ import pytest
 from PySide6.QtWidgets import QPushButton
 
 from skinsource_gui.plots.pictures import (
-    ALL_IN_SIGHT,
+    ALL_VISIBLE,
+    Picture,
     PictureDialog,
     PictureOptions,
     Remark,
-    WholePicture,
     layout_of,
     letters_remark,
     save_drawing,
@@ -38,7 +38,7 @@ def test_letters_that_cannot_be_read_in_print_are_said_before_the_picture_of_all
     make_window, qtbot, tmp_path, layout
 ):
     window = make_window(start_design("synthetic-1"))
-    picture = window.pictures.picture_of(ALL_IN_SIGHT)
+    picture = window.pictures.picture_of(ALL_VISIBLE)
     width, height = layout_of(layout).size_px(picture.size_px)
     path = tmp_path / "a.svg"
     save_drawing(path, picture.draw, width, height)
@@ -59,7 +59,7 @@ def test_letters_that_cannot_be_read_in_print_are_said_before_the_picture_of_all
 
 
 def test_layouts_that_are_large_enough_are_named():
-    picture = WholePicture(draw=print, size_px=(1366, 768), letters_px=lambda w, h: 8.0 * w / 1366)
+    picture = Picture(draw=print, size_px=(1366, 768), letters_px=lambda w, h: 8.0 * w / 1366)
     remark = letters_remark(picture)
     assert remark(PictureOptions(width_px=336, height_px=189)) == Remark(
         "The smallest letters are 1.5 pt high; to be read in print they need 5 pt. Choose a width "
@@ -71,5 +71,5 @@ def test_layouts_that_are_large_enough_are_named():
 
 
 def test_a_picture_that_lays_itself_out_keeps_its_letters():
-    picture = WholePicture(draw=print, size_px=(1366, 768), letters_px=lambda w, h: 1.0)
+    picture = Picture(draw=print, size_px=(1366, 768), letters_px=lambda w, h: 1.0)
     assert letters_remark(replace(picture, letters_px=None)) is None

@@ -10,7 +10,7 @@ from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
 from skinsource_gui.plots.colour_maps import DIVERGING, colour_table
 from skinsource_gui.plots.pictures import drawn_image
-from skinsource_gui.plots.small_map import LevelLook, coloured_like, level_look
+from skinsource_gui.plots.small_map import LevelStyle, level_style, with_colours_of
 from tests.gui.compare.compare_bench import two_places
 
 #: Pixels of a small map, and of words that happen to have its colours.
@@ -100,8 +100,8 @@ def test_a_file_that_is_opened_after_a_restart_has_its_colours_on_every_map(
 
 def test_a_view_that_has_chosen_colours_itself_keeps_them():
     def in_colours(colours):
-        return with_settings(View(), "skin", LevelLook(colours=colours))
+        return with_settings(View(), "skin", LevelStyle(colours=colours))
 
-    assert level_look(coloured_like(View(), in_colours("magma"))).colours == "magma"
+    assert level_style(with_colours_of(View(), in_colours("magma"))).colours == "magma"
     own = in_colours("cividis")
-    assert coloured_like(own, in_colours("magma")) is own
+    assert with_colours_of(own, in_colours("magma")) is own

@@ -5,7 +5,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLineEdit, QWidget
 
-from skinsource_gui.plots.pictures import IN_USE
+from skinsource_gui.plots.pictures import PANEL_IN_USE
 from tests.gui.dock_bench import bar_with, titles
 
 LEFT = Qt.MouseButton.LeftButton
@@ -28,7 +28,7 @@ def keep_keyboard(window, qtbot):
 
 
 def in_use(window):
-    return window.pictures.picture_of(IN_USE).title
+    return window.pictures.picture_of(PANEL_IN_USE).title
 
 
 def press(part, at=None, button=LEFT):

@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 import skinsource as ss
-from skinsource_gui.plots.pictures import IN_USE, drawn_image, save_drawing
+from skinsource_gui.plots.pictures import PANEL_IN_USE, drawn_image, save_drawing
 from tests.gui.pages_of_paper import Paper
 
 DESIGN = ss.Design(
@@ -110,6 +110,6 @@ def test_text_in_a_pdf_is_text_and_colours_are_not_packed_with_loss(window, tmp_
 def test_with_no_panel_in_sight_the_one_in_use_has_its_usual_size(window):
     for dock in window.docks.values():
         dock.hide()
-    width, height = window.pictures.picture_of(IN_USE).size_px
+    width, height = window.pictures.picture_of(PANEL_IN_USE).size_px
     assert width > 400
     assert height > 400

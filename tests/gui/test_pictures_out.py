@@ -14,9 +14,9 @@ from skinsource.actuators.equalising import RegularisedInverse
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.files import exports
 from skinsource_gui.plots.pictures import (
-    ALL_IN_SIGHT,
+    ALL_VISIBLE,
     COLOURS,
-    IN_USE,
+    PANEL_IN_USE,
     PictureDialog,
     PictureOptions,
     caption_of,
@@ -145,17 +145,17 @@ def test_a_layout_gives_size_and_resolution_and_another_size_leaves_it(qtbot):
 
 def test_each_picture_has_real_words_and_the_stimulus(make_window, tmp_path):
     window = make_window(DESIGN)
-    for name in ("skin", "traces", "hand", ALL_IN_SIGHT, IN_USE):
+    for name in ("skin", "traces", "hand", ALL_VISIBLE, PANEL_IN_USE):
         picture = window.pictures.picture_of(name)
         path = tmp_path / f"{name}.svg"
         save_drawing(path, picture.draw, *(picture.size_px or (600, 900)))
         texts = texts_of(path)
         assert "Tone 100 Hz" in texts, name
-        if name in ("skin", ALL_IN_SIGHT):
+        if name in ("skin", ALL_VISIBLE):
             assert " mm" in texts, name
             assert "dB re 1 m/s²" in texts, name
             assert "SYNTHETIC" in texts, name
-        if name == ALL_IN_SIGHT:
+        if name == ALL_VISIBLE:
             assert all(title in texts for title in ("Hand", "Skin", "Timeline", "Traces"))
 
 
@@ -168,7 +168,7 @@ def test_pictures_are_on_light_ground_and_the_studio_stays_dark(make_window, qtb
     for _ in range(3):  # what follows from other colours is laid out, and then painted
         QApplication.processEvents()
     before = window.grab(above).toImage()
-    draw = window.pictures.picture_of(ALL_IN_SIGHT).draw
+    draw = window.pictures.picture_of(ALL_VISIBLE).draw
     picture = drawn_image(draw, 900, 600)
     assert QColor(picture.pixel(899, 599)).name() == LIGHT.base
     assert current_theme() == DARK
@@ -188,7 +188,7 @@ def test_what_is_in_use_is_the_panel_with_the_keyboard(make_window, qtbot):
     panel = window.panel("traces")
     panel.setFocus()
     qtbot.waitUntil(lambda: panel.isAncestorOf(window.focusWidget()))
-    size = window.pictures.picture_of(IN_USE).size_px
+    size = window.pictures.picture_of(PANEL_IN_USE).size_px
     assert size == (2 * panel.width(), 2 * panel.height())
 
 
@@ -208,7 +208,7 @@ def test_a_panel_whose_tab_is_clicked_is_in_use_and_named_where_its_picture_is_a
     for title in (*shared, shared[0], shared[0]):
         window.panel("skin").setFocus()
         click_tab(window, title)
-        assert window.pictures.picture_of(IN_USE).title == title
+        assert window.pictures.picture_of(PANEL_IN_USE).title == title
         window.do("export_panel_picture")
         assert asked.pop() == f"Export picture of the panel {title}"
 
@@ -238,7 +238,7 @@ def test_what_is_in_use_is_so_too_where_it_was_asked_for_in_the_palette(make_win
     elsewhere.activateWindow()
     elsewhere.setFocus()
     qtbot.waitUntil(elsewhere.hasFocus)
-    assert window.pictures.picture_of(IN_USE).size_px[0] == 2 * panel.width()
+    assert window.pictures.picture_of(PANEL_IN_USE).size_px[0] == 2 * panel.width()
 
 
 def test_the_bar_is_the_longest_round_length_in_a_quarter_of_the_room():

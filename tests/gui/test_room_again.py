@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
-from skinsource.limbs.catalogue import available_limbs
+from skinsource.limbs.catalog import available_limbs
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import start_design
 

@@ -12,11 +12,11 @@ import skinsource as ss
 from skinsource.base.extras import extra_line
 from skinsource.design.view import View
 from skinsource.export.tables import export_levels
-from skinsource.limbs.catalogue import available_limbs
+from skinsource.limbs.catalog import available_limbs
 from skinsource_gui import __main__ as start
 from skinsource_gui.app.app import GarbageCollector, manage_garbage_collection
 from skinsource_gui.qt import system_libraries
-from skinsource_gui.qt.late_modules import UNCALLED
+from skinsource_gui.qt.lazy_modules import UNCALLED
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import start_design
 

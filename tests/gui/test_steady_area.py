@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
 
-from skinsource_gui.qt.room import SteadyArea
+from skinsource_gui.qt.fitting import SteadyArea
 
 _TURNS = 30
 

@@ -13,7 +13,7 @@ from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.prediction import predict
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.signals.projection import project_axes
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.state.preferences import start_design

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 from skinsource_gui.panels.timeline.panel import TimelineToolbar
 from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.plots.toolbar import PlotToolbar
-from skinsource_gui.qt.room import fitting_font, width_in
+from skinsource_gui.qt.fitting import fitting_font, width_in
 from skinsource_gui.qt.theme import UNIT_PX, scaled
 
 

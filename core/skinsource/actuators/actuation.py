@@ -23,7 +23,7 @@ from skinsource.actuators.equalising import (
 )
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import BAND_HZ, MOST_PLACES, Band
+from skinsource.base.measurement_conditions import BAND_HZ, MOST_LOCATIONS, Band
 from skinsource.base.quoting import quoted
 from skinsource.specs import fields
 from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, OptionalSpec
@@ -31,7 +31,7 @@ from skinsource.specs.spec import SwitchSpec, TextSpec
 
 PLACE = OptionalSpec(
     label="Place",
-    of=NumberSpec(label="Place", minimum=1, maximum=MOST_PLACES, whole=True),
+    of=NumberSpec(label="Place", minimum=1, maximum=MOST_LOCATIONS, whole=True),
     hint="None: all places that have no actuator of their own",
 )
 NAME = TextSpec(label="Actuator", longest=100, one_line=True)

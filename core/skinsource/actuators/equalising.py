@@ -26,7 +26,7 @@ from skinsource.base.arguments import finite_array, positive_number, real_number
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import BAND_HZ, Band
+from skinsource.base.measurement_conditions import BAND_HZ, Band
 from skinsource.signals.resampling import PASSED_SHARE
 from skinsource.specs import fields
 from skinsource.specs.numbers import NumberSpec

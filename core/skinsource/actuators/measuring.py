@@ -18,7 +18,7 @@ from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.base.arguments import finite_array, integer, positive_number, real_number
 from skinsource.base.arrays import Complexes, Floats, Indices
 from skinsource.base.errors import InvalidInputError, RecordingError
-from skinsource.base.files import named
+from skinsource.base.files import path_text
 from skinsource.base.quoting import quoted, sentence
 from skinsource.readers.reader import Found
 from skinsource.readers.reading_process import ReadingProcess
@@ -581,7 +581,7 @@ def open_response(
             )
         return response_from_sweep(values[0] * scales[0], values[1] * scales[1], rate_hz)
     except InvalidInputError as error:
-        raise RecordingError(f"{named(Path(file.name))}: {sentence(str(error))}") from error
+        raise RecordingError(f"{path_text(Path(file.name))}: {sentence(str(error))}") from error
 
 
 def _names(contents: Found) -> str:

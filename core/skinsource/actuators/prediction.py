@@ -12,7 +12,7 @@ from skinsource.actuators.simulation import ActuatorMotion
 from skinsource.base.arguments import finite_array, integer
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import LARGEST_VELOCITY_M_PER_S
+from skinsource.base.measurement_conditions import LARGEST_VELOCITY_M_PER_S
 from skinsource.signals.loudest_window import loudest_energy
 from skinsource.signals.resampling import MAX_RATE_HZ, resample
 from skinsource.specs import fields

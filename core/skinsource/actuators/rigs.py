@@ -16,23 +16,15 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skinsource.actuators.catalog import (
-    LIMITS,
-    MODEL,
-    THERMAL,
-    Model,
-    names,
-    profile,
-    shape_names,
-)
+from skinsource.actuators.catalog import LIMITS, MODEL, THERMAL, Model, names, profile, shape_names
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.prediction import Breach, Limits, Thermal, breaches, limit_text, predicted
 from skinsource.base.arguments import finite_array
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import FileFormatError, InvalidInputError
-from skinsource.base.files import named, read_bytes, write_bytes
+from skinsource.base.files import path_text, read_bytes, write_bytes
 from skinsource.base.json_text import MAX_TEXT_BYTES
-from skinsource.base.published import MOST_PLACES
+from skinsource.base.measurement_conditions import MOST_LOCATIONS
 from skinsource.base.quoting import quoted, sentence
 from skinsource.specs import fields, models
 from skinsource.specs.codec import from_plain_text, to_plain_text
@@ -56,7 +48,7 @@ __all__ = [
 ]
 
 
-PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_PLACES, whole=True)
+PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_LOCATIONS, whole=True)
 NAME = TextSpec(label="Actuator", longest=100, one_line=True)
 DEVICE = TextSpec(label="Device", longest=200, one_line=True, hint="Sound card, as it is called")
 OUTPUT = NumberSpec(label="Output", minimum=1, maximum=1024, whole=True, hint="Of the device")
@@ -471,6 +463,6 @@ def open_rig(path: str | os.PathLike[str]) -> Rig:
         tree = from_plain_text(read_bytes(place, most=MAX_TEXT_BYTES + 1), FORMAT, VERSION)
         rig: Rig = models.decode(tree, (Rig,), Address())
     except (FileFormatError, InvalidInputError) as error:
-        message = str(error).removeprefix(f"{named(Path(place.name))}: ")
-        raise FileFormatError(f"{named(Path(place.name))}: {sentence(message)}") from error
+        message = str(error).removeprefix(f"{path_text(Path(place.name))}: ")
+        raise FileFormatError(f"{path_text(Path(place.name))}: {sentence(message)}") from error
     return rig

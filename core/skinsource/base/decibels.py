@@ -52,7 +52,7 @@ def decibels(
     return np.maximum(level, floor_db)
 
 
-def in_tables(levels_db: ArrayLike) -> NDArray[np.float64]:
+def levels_for_tables(levels_db: ArrayLike) -> NDArray[np.float64]:
     """Return levels for tables: NaN for silence, which has none.
 
     In files that is ``nan``, which NumPy, pandas, MATLAB and R read as no number; a table that is

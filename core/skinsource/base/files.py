@@ -58,7 +58,7 @@ def _delete_stale(folder: Path, *, folders: bool) -> None:
                         Path(entry.path).unlink()
 
 
-def named(path: Path) -> str:
+def path_text(path: Path) -> str:
     """Return ``path`` as a printable text for a message, whatever its name holds."""
     text = str(path)
     if len(text) <= _MOST_CHARACTERS:
@@ -116,23 +116,23 @@ def read_bytes(path: Path, *, most: int) -> bytes:
             status = os.fstat(file.fileno())
             if not stat.S_ISREG(status.st_mode):
                 raise StorageError(
-                    f"{named(path)}: cannot be read (it is no regular file). Choose a file."
+                    f"{path_text(path)}: cannot be read (it is no regular file). Choose a file."
                 )
             # It may grow while it is read.
             content = b"" if status.st_size > most else file.read(status.st_size + 1)
     except (OSError, ValueError) as error:
         raise StorageError(
-            f"{named(path)}: cannot be read ({reason_of(error)}). {_advice_on_reading(error)}"
+            f"{path_text(path)}: cannot be read ({reason_of(error)}). {_advice_on_reading(error)}"
         ) from error
     if status.st_size > most or len(content) > most:
         raise FileFormatError(
-            f"{named(Path(path.name))}: {status.st_size} bytes are too large for it, expected at "
-            f"most {most}."
+            f"{path_text(Path(path.name))}: {status.st_size} bytes are too large for it, expected "
+            f"at most {most}."
         )
     return content
 
 
-def is_there(path: Path) -> bool:
+def path_exists(path: Path) -> bool:
     """Whether something exists at ``path``; False too where the user may not find out."""
     try:
         return os.path.lexists(path)
@@ -163,7 +163,8 @@ def _mode_of(path: Path) -> int:
         return 0
     except (OSError, ValueError) as error:
         raise StorageError(
-            f"{named(path)}: cannot be looked at ({reason_of(error)}). {_advice_on_reading(error)}"
+            f"{path_text(path)}: cannot be looked at ({reason_of(error)}). "
+            f"{_advice_on_reading(error)}"
         ) from error
 
 
@@ -186,14 +187,14 @@ def replacing(path: Path) -> Iterator[Path]:
     StorageError
         The folder cannot be written, or the disk is full.
     """
-    with explained(path):
+    with storage_errors_of(path):
         target = _link_target(path)
         mode = _permissions_of(target)
         _delete_stale(target.parent, folders=False)
         temporary = _temporary_path(target)
         _create(temporary, private=mode is not None)
     try:
-        with explained(path):
+        with storage_errors_of(path):
             yield temporary
             _flush_file(temporary)
             if mode is not None:
@@ -212,12 +213,12 @@ def write_bytes(path: Path, content: bytes) -> None:
 
 def make_folder(path: Path) -> None:
     """Create ``path`` and its parents; raise `StorageError` where that is not possible."""
-    with explained(path):
+    with storage_errors_of(path):
         path.mkdir(parents=True, exist_ok=True)
 
 
 @contextmanager
-def explained(path: Path) -> Iterator[None]:
+def storage_errors_of(path: Path) -> Iterator[None]:
     """Turn errors of the system into a `StorageError` that names ``path``."""
     try:
         if "\0" in str(path):
@@ -225,7 +226,7 @@ def explained(path: Path) -> Iterator[None]:
         yield
     except (OSError, _BadPath) as error:
         raise StorageError(
-            f"{named(path)}: cannot be written ({reason_of(error)}). {advice_on_writing(error)}"
+            f"{path_text(path)}: cannot be written ({reason_of(error)}). {advice_on_writing(error)}"
         ) from error
 
 
@@ -313,12 +314,12 @@ def replacing_folder(path: Path, mark: str, kept: str = "") -> Iterator[Path]:
         Something else exists at ``path``, the parent cannot be written, or the disk is full.
     """
     _check_own_folder(path, mark)
-    with explained(path):
+    with storage_errors_of(path):
         _delete_stale(path.parent, folders=True)
         temporary = _temporary_path(path)
         temporary.mkdir()
     try:
-        with explained(path):
+        with storage_errors_of(path):
             yield temporary
             for entry in path.glob(kept) if kept else ():
                 if entry.is_file() and not (temporary / entry.name).exists():
@@ -343,15 +344,15 @@ def replacing_folder(path: Path, mark: str, kept: str = "") -> Iterator[Path]:
 
 
 def _check_own_folder(path: Path, mark: str) -> None:
-    with explained(path):
+    with storage_errors_of(path):
         if not path.exists() and not path.is_symlink():
             return
         ours = path.is_dir() and not path.is_symlink()
         if ours and ((path / mark).is_file() or not any(path.iterdir())):
             return
     raise StorageError(
-        f"{named(path)}: something else stands there, and it is not replaced. Choose another name, "
-        "or move it away first."
+        f"{path_text(path)}: something else stands there, and it is not replaced. Choose another "
+        "name, or move it away first."
     )
 
 

@@ -19,7 +19,7 @@ from threading import RLock
 import psutil
 
 from skinsource.base.errors import FileFormatError, SkinSourceError, StorageError
-from skinsource.base.files import advice_on_writing, named, read_bytes, reason_of
+from skinsource.base.files import advice_on_writing, path_text, read_bytes, reason_of
 from skinsource.base.json_text import dumped, loaded
 from skinsource.base.quoting import printable
 
@@ -204,9 +204,9 @@ class Lock:
             while (owner := self.take()) is not None:
                 if time.monotonic() >= until_s:
                     raise StorageError(
-                        f"{named(self.file)}: cannot be changed while another process has it "
+                        f"{path_text(self.file)}: cannot be changed while another process has it "
                         f"({owner.words}). Try again later; if that process has ended, delete "
-                        f"{named(self.path)}."
+                        f"{path_text(self.path)}."
                     )
                 time.sleep(_ASK_EVERY_S)
             try:
@@ -241,7 +241,7 @@ class Lock:
                 temporary.unlink(missing_ok=True)
         except (OSError, ValueError) as error:
             raise StorageError(
-                f"{named(self.path)}: cannot be written ({reason_of(error)}). "
+                f"{path_text(self.path)}: cannot be written ({reason_of(error)}). "
                 f"{advice_on_writing(error)}"
             ) from error
         return True

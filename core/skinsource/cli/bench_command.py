@@ -14,7 +14,7 @@ import scipy
 from skinsource.base.errors import Stopped
 from skinsource.base.files import make_folder, write_bytes
 from skinsource.base.job import Progress
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.dataset.commands import ProgressBar, WithTimeLeft
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.studies.accuracy.cases import cases_of

@@ -17,8 +17,8 @@ from skinsource.cli import (
     scene_commands,
     sweep_commands,
 )
-from skinsource.design.labels import limb_word
-from skinsource.limbs.catalogue import available_limbs, load_limb
+from skinsource.design.labels import limb_label
+from skinsource.limbs.catalog import available_limbs, load_limb
 from skinsource.limbs.dataset import commands as dataset_commands
 from skinsource.version import __version__
 
@@ -78,7 +78,7 @@ def _parser() -> argparse.ArgumentParser:
 def _limbs(_: argparse.Namespace) -> int:
     for name in available_limbs():
         limb = load_limb(name)
-        label = limb_word(name)
+        label = limb_label(name)
         mark = "SYNTHETIC  " if limb.synthetic else ""
         note = f"  NOTE: {limb.note}" if limb.note else ""
         sys.stdout.write(f"{name:12}  {label.title:22}  {mark}{label.sentence}{note}\n")

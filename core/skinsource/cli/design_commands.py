@@ -14,7 +14,7 @@ from skinsource.design.amplitudes import amplitude_note, amplitude_text, is_gain
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, audible_inputs
 from skinsource.design.design_file import open_design
-from skinsource.design.labels import SCALINGS, level_label, limb_word, signal_label, word_of
+from skinsource.design.labels import SCALINGS, label_of, level_label, limb_label, signal_label
 from skinsource.design.view import View, view_on
 from skinsource.engine.evaluation import evaluate
 from skinsource.export.map_files import export_map, export_map_picture
@@ -86,13 +86,13 @@ def _render(arguments: argparse.Namespace) -> int:
 
 def _design_lines(design: Design) -> list[str]:
     texts = {"title": design.title, "author": design.author, "licence": design.licence}
-    limb = limb_word(design.limb)
+    limb = limb_label(design.limb)
     synthetic = "  SYNTHETIC" if facts_of(design.limb).synthetic else ""
     return [
         *(f"{name:9} {escaped(text)}" for name, text in texts.items() if text),
         *(f"{'notes':9} {escaped(line)}" for line in design.notes.splitlines()),
         f"limb      {limb.both}{synthetic}",
-        f"scaling   {word_of(SCALINGS, design.scaling).both}",
+        f"scaling   {label_of(SCALINGS, design.scaling).both}",
         *([f"through   {design.actuated.words}"] if design.actuated is not None else []),
     ]
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.export.plot import SYNTHETIC
-from skinsource.limbs.catalogue import available_limbs
+from skinsource.limbs.catalog import available_limbs
 from skinsource.limbs.dataset.commands import ProgressBar
 from skinsource.studies.figures.writing import write_figures
 from skinsource.studies.scenes.catalog import names, why_not_on

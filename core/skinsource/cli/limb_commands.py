@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from skinsource.base.published import AXES
+from skinsource.base.measurement_conditions import AXES
 from skinsource.limbs.dataset.commands import ProgressBar
 from skinsource.limbs.limb_import import LimbSource, import_limb
 from skinsource.limbs.limb_layout import export_limb

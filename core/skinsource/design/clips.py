@@ -6,7 +6,7 @@ from itertools import count
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import MOST_PLACES
+from skinsource.base.measurement_conditions import MOST_LOCATIONS
 from skinsource.base.quoting import quoted
 from skinsource.design.effects import effect_kinds
 from skinsource.design.effects.effect import Effect
@@ -103,7 +103,7 @@ class Clip:
 MAX_CLIPS, MAX_TRACKS = 1000, 100
 
 # The limb checks whether it has a place when it is asked for one.
-PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_PLACES, whole=True)
+PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_LOCATIONS, whole=True)
 AMPLITUDE = NumberSpec(label="Amplitude", minimum=-1000.0, maximum=1000.0)
 OFFSET = NumberSpec(label="Tracks below the first", minimum=0, maximum=MAX_TRACKS, whole=True)
 CLIPS = ListSpec(

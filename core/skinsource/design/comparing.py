@@ -15,7 +15,7 @@ from skinsource.base.arguments import finite_array, positive_number, real_array
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import FLOOR_DB, decibels
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import N_OUTPUTS
+from skinsource.base.measurement_conditions import N_OUTPUTS
 from skinsource.design.design import Design
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.locations import DIGITS, OUTPUTS
@@ -96,7 +96,7 @@ def difference_db(
     return np.maximum(levels_db, floor) - np.maximum(played, floor)
 
 
-def end_db(*differences_db: ArrayLike) -> float:
+def scale_end_db(*differences_db: ArrayLike) -> float:
     """Return the end of a colour scale for differences or spreads in dB: a round number.
 
     A few large values would leave all others without colour.  So 19 of 20 values lie within the
@@ -120,7 +120,7 @@ def end_db(*differences_db: ArrayLike) -> float:
 
 
 #: Most limbs or designs side by side; with more each would be too small to see.
-MOST_BESIDE = 4
+MOST_SIDE_BY_SIDE = 4
 
 
 def related_limbs(limb: str) -> tuple[str, ...]:
@@ -133,7 +133,7 @@ def related_limbs(limb: str) -> tuple[str, ...]:
     if limb in PUBLISHED:
         return tuple(name for name in PUBLISHED if name.partition("-")[0] == kind)
     others = (name for name in own_limb_names() if name != limb and same_outputs(limb, name))
-    return (limb, *others)[:MOST_BESIDE]
+    return (limb, *others)[:MOST_SIDE_BY_SIDE]
 
 
 def same_outputs(limb: str, other: str) -> bool:
@@ -304,7 +304,7 @@ def same_but_rounding(design: Design, other: Design) -> bool:
     )
 
 
-def shown(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None:
+def shown_snapshot(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None:
     """Return the snapshot that holds ``design``, if any."""
     # The one that was shown last is the last.
     return next((snapshot for snapshot in reversed(snapshots) if snapshot.design == design), None)
@@ -312,19 +312,19 @@ def shown(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None:
 
 def with_edited(snapshots: Sequence[Snapshot], design: Design) -> tuple[Snapshot, ...]:
     """Return the snapshots, with ``design`` as the edited one if it is none of them."""
-    if shown(snapshots, design) is not None:
+    if shown_snapshot(snapshots, design) is not None:
         return tuple(snapshots)
     stored = (snapshot for snapshot in snapshots if snapshot.number != EDITED)
     return (*stored, Snapshot(number=EDITED, design=design))
 
 
-def other_than(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None:
+def other_snapshot(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None:
     """Return the snapshot that was shown last and is not ``design``, if any.
 
     For a design that is no snapshot this is a stored one, because the design itself replaces the
     one that was edited before.  If all others are equal to ``design``, it is one of those.
     """
-    current = shown(snapshots, design)
+    current = shown_snapshot(snapshots, design)
     without = EDITED if current is None else current.number
     others = [snapshot for snapshot in reversed(snapshots) if snapshot.number != without]
     differing = (snapshot for snapshot in others if snapshot.design != design)
@@ -332,23 +332,23 @@ def other_than(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None
     return next(differing, None) or next(equal, None)
 
 
-def name_of(number: int) -> str:
+def snapshot_name(number: int) -> str:
     """Return the name, within a sentence, of the design under a number."""
     return "what was edited" if number == EDITED else f"snapshot {number}"
 
 
 def why_no_comparison(snapshots: Sequence[Snapshot]) -> str:
-    """Say why `other_than` returns None, and what the user can do."""
+    """Say why `other_snapshot` returns None, and what the user can do."""
     if not snapshots:
         return "Store the design with Ctrl+1 to Ctrl+4, change it, and press X to go to and fro."
-    name = name_of(snapshots[-1].number)
+    name = snapshot_name(snapshots[-1].number)
     return (
         f"The design in the window is {name}, and nothing else is stored. Change it, or store a "
         "second one with Ctrl+1 to Ctrl+4, and press X to go to and fro."
     )
 
 
-def reference(snapshots: Sequence[Snapshot]) -> Snapshot | None:
+def reference_snapshot(snapshots: Sequence[Snapshot]) -> Snapshot | None:
     """Return the snapshot whose level the others are matched to: that of the lowest number.
 
     So the gain of the edited one, number 0, is never changed.
@@ -356,7 +356,7 @@ def reference(snapshots: Sequence[Snapshot]) -> Snapshot | None:
     return min(snapshots, key=lambda snapshot: snapshot.number, default=None)
 
 
-def brought_back(
+def restored_snapshots(
     restored: Sequence[Snapshot], other: Sequence[Snapshot], present: Sequence[Snapshot]
 ) -> tuple[Snapshot, ...]:
     """Undo in ``present`` the edit that had changed the snapshots ``restored`` to ``other``.

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from skinsource.base.errors import DesignFileError, FileFormatError, InvalidInputError
-from skinsource.base.files import named, read_bytes, write_bytes
+from skinsource.base.files import path_text, read_bytes, write_bytes
 from skinsource.base.json_text import Tree
 from skinsource.base.quoting import sentence
 from skinsource.design.design import Design
@@ -88,7 +88,7 @@ def open_design(path: str | os.PathLike[str]) -> DesignFile:
         It is not a design file, it is damaged, or it holds something this version does not know.
     """
     file = Path(path)
-    name = named(Path(file.name))
+    name = path_text(Path(file.name))
     try:
         return _content(read_bytes(file, most=image.MAX_IMAGE_BYTES))
     except FileFormatError as error:

@@ -12,7 +12,7 @@ from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
 from skinsource.design.amplitudes import Driven, Track
 from skinsource.design.clips import Clip
-from skinsource.design.labels import SCALINGS, limb_word, word_of
+from skinsource.design.labels import SCALINGS, label_of, limb_label
 from skinsource.design.signal_path import drive_of_clips
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
@@ -133,7 +133,7 @@ def html_of(design: DesignDisplay, audible: Collection[int], amplitudes: Sequenc
     """
     title = escape(design.title) or "Design"
     limb = escape(_limb(design.limb))
-    scaling = escape(word_of(SCALINGS, design.scaling).title)
+    scaling = escape(label_of(SCALINGS, design.scaling).title)
     parts = [f"<p><b>{title}</b><br>{limb} · scaling: {scaling}</p>"]
     inputs = design.inputs[:_MOST_TRACKS]
     if not inputs:
@@ -166,7 +166,7 @@ def _table(design: DesignDisplay, amplitudes: Sequence[str]) -> str:
 
 
 def _limb(name: str) -> str:
-    title = limb_word(name).title
+    title = limb_label(name).title
     return title if title == name else f"{title} ({name})"
 
 

@@ -148,7 +148,7 @@ SPANS = (
         f"{1 / HOLD_WINDOW_S:.0f} Hz.",
     ),
 )
-#: Synthetic and published limbs; `limb_word` also finds those that a lab imported.
+#: Synthetic and published limbs; `limb_label` also finds those that a lab imported.
 LIMBS = tuple(
     Word(name=name, title=facts.title, sentence=facts.sentence) for name, facts in PUBLISHED.items()
 )
@@ -166,10 +166,10 @@ CHOICES = (
 BACK_SIDE, PALM_SIDE = "Back of the hand", "Palm side"
 
 
-def word_of(words: tuple[Word, ...], name: str) -> Word:
+def label_of(words: tuple[Word, ...], name: str) -> Word:
     """Return the word with a short name; an unknown name is its own title.
 
-    >>> word_of(METHODS, "pca").title
+    >>> label_of(METHODS, "pca").title
     'Principal axis'
     """
     known = {word.name: word for word in words}
@@ -191,7 +191,7 @@ def scalings_on(*, drive_unit_known: bool) -> tuple[Word, ...]:
     )
 
 
-def limb_word(name: str) -> Word:
+def limb_label(name: str) -> Word:
     """Return the word of a limb, imported ones included; an unknown name is its own title."""
     facts = facts_of(name)
     return Word(name=name, title=facts.title, sentence=facts.sentence)
@@ -203,7 +203,7 @@ def short_limb_title(name: str) -> str:
     >>> short_limb_title("synthetic-1")
     'Synthetic 1'
     """
-    title = limb_word(name).title
+    title = limb_label(name).title
     return title.partition(" (")[0] if name in PUBLISHED else title
 
 
@@ -215,17 +215,17 @@ def signal_label(axes: str, method: str) -> str:
     >>> signal_label("xy", "mag")
     'x, y, magnitude'
     """
-    title = word_of(AXES, axes).title
+    title = label_of(AXES, axes).title
     if len(axes) == 1:
         return title
-    how = word_of(METHODS, method).title
+    how = label_of(METHODS, method).title
     # "RMS direction" keeps its capitals.
     return f"{title}, {how[:1].lower() if how[1:2].islower() else how[:1]}{how[1:]}"
 
 
 def span_label(span: str) -> str:
     """Return the name of a span within a sentence: ``"loudest 100 ms"``."""
-    return word_of(SPANS, span).title.lower()
+    return label_of(SPANS, span).title.lower()
 
 
 def level_label(span: str) -> str:

@@ -129,10 +129,10 @@ def _evenly_spaced_tracks(
     return _tracks_by_location(locations, clips, motion.amplitude)
 
 
-def in_ms(time_s: float) -> str:
+def ms_text(time_s: float) -> str:
     """Return a time as a text in milliseconds.
 
-    >>> in_ms(0.0793)
+    >>> ms_text(0.0793)
     '79.3 ms'
     """
     return f"{1e3 * time_s:.4g} ms"
@@ -142,10 +142,10 @@ def _gap_text(spacing_s: float, duration_s: float) -> str:
     """Say whether two bursts that follow each other overlap, touch or leave a pause."""
     if abs(gap_s := spacing_s - duration_s) < 1e-9:
         return "one right after the other"
-    return f"{in_ms(abs(gap_s))} {'apart' if gap_s > 0 else 'overlap'}"
+    return f"{ms_text(abs(gap_s))} {'apart' if gap_s > 0 else 'overlap'}"
 
 
-def with_field(motion: Motion, name: str, value: Any) -> Motion:
+def with_motion_field(motion: Motion, name: str, value: Any) -> Motion:
     """Return ``motion`` with another value of a field.
 
     Raises
@@ -157,7 +157,7 @@ def with_field(motion: Motion, name: str, value: Any) -> Motion:
     return replace(model, **{name: value})
 
 
-def following(motion: Motion, other: Motion) -> Motion:
+def with_path_of(motion: Motion, other: Motion) -> Motion:
     """Return ``motion`` with the path, amplitude and onset of ``other``.
 
     Parts of the path that the motion does not allow are left out: a sweep does not stay at a
@@ -243,8 +243,8 @@ class Alternation:
         n, burst_s = self.rounds * len(self.path), self.waveform.duration_s
         whole_s = (n - 1) * self.spacing_s + burst_s
         return (
-            f"{counted(n, 'burst')} of {in_ms(burst_s)}, {_gap_text(self.spacing_s, burst_s)}; "
-            f"{in_ms(whole_s)} in all"
+            f"{counted(n, 'burst')} of {ms_text(burst_s)}, {_gap_text(self.spacing_s, burst_s)}; "
+            f"{ms_text(whole_s)} in all"
         )
 
     def tracks(self) -> tuple[Input, ...]:
@@ -304,9 +304,9 @@ class ApparentMotion:
         burst_s = self.waveform.duration_s
         whole_s = (len(self.path) - 1) * self.spacing_s + burst_s
         return (
-            f"{len(self.path)} bursts of {in_ms(burst_s)}, one every "
-            f"{in_ms(self.spacing_s)}, {_gap_text(self.spacing_s, burst_s)}; "
-            f"{in_ms(whole_s)} in all"
+            f"{len(self.path)} bursts of {ms_text(burst_s)}, one every "
+            f"{ms_text(self.spacing_s)}, {_gap_text(self.spacing_s, burst_s)}; "
+            f"{ms_text(whole_s)} in all"
         )
 
     def tracks(self) -> tuple[Input, ...]:
@@ -377,7 +377,7 @@ class Phantom:
         first, second = self.shares
         return (
             f"{first:.3g} and {second:.3g} of the amplitude at once, for "
-            f"{in_ms(self.waveform.duration_s)}"
+            f"{ms_text(self.waveform.duration_s)}"
         )
 
     def tracks(self) -> tuple[Input, ...]:
@@ -467,9 +467,9 @@ class Sweep:
     def summary(self) -> str:
         """Describe the times in a phrase."""
         return (
-            f"{len(self.path)} places in {in_ms(self.waveform.duration_s)}, "
-            f"{in_ms(self.leg_s)} from one to the next; two play for "
-            f"{in_ms(self.overlap * self.leg_s)} of that"
+            f"{len(self.path)} places in {ms_text(self.waveform.duration_s)}, "
+            f"{ms_text(self.leg_s)} from one to the next; two play for "
+            f"{ms_text(self.overlap * self.leg_s)} of that"
         )
 
     def tracks(self) -> tuple[Input, ...]:
@@ -551,7 +551,9 @@ class TapSequence:
         """Describe the times in a phrase."""
         n = self.taps * len(self.path)
         whole_s = (n - 1) * self.spacing_s + self.waveform.duration_s
-        return f"{counted(n, 'tap')}, one every {in_ms(self.spacing_s)}; {in_ms(whole_s)} in all"
+        return (
+            f"{counted(n, 'tap')}, one every {ms_text(self.spacing_s)}; {ms_text(whole_s)} in all"
+        )
 
     def tracks(self) -> tuple[Input, ...]:
         """Return a track for each place."""
@@ -635,7 +637,7 @@ class TravellingPhase:
     def summary(self) -> str:
         """Describe the times in a phrase."""
         return (
-            f"{len(self.path)} places at once for {in_ms(self.waveform.duration_s)}, each "
+            f"{len(self.path)} places at once for {ms_text(self.waveform.duration_s)}, each "
             f"{degrees(2 * pi * self.lag_turns):.4g}° behind the one before"
         )
 

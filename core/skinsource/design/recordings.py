@@ -22,9 +22,9 @@ from numpy.typing import NDArray
 from skinsource.base.arguments import one_of, positive_number, real_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError, RecordingError
-from skinsource.base.files import named
+from skinsource.base.files import path_text
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.base.published import SAMPLE_RATE_HZ
+from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
 from skinsource.base.quoting import quoted, sentence
 from skinsource.design.waveforms.samples import Recording
 from skinsource.readers import limits
@@ -456,7 +456,7 @@ def read_part(
         absent = keys_of_axes[axes.index(None)]
         keys = ", ".join(series.key for series in contents.series[:8])
         raise RecordingError(
-            f"{named(Path(path.name))}: it has no signal {quoted(absent)}, expected one of "
+            f"{path_text(Path(path.name))}: it has no signal {quoted(absent)}, expected one of "
             f"{keys:.200}. Choose one of them."
         )
     read = partial(process.read, path, progress=progress, stop=stop)
@@ -515,7 +515,7 @@ def _read(
 
 
 def _recording_error(path: Path, error: InvalidInputError) -> RecordingError:
-    return RecordingError(f"{named(Path(path.name))}: {sentence(str(error))}")
+    return RecordingError(f"{path_text(Path(path.name))}: {sentence(str(error))}")
 
 
 def _check_part(start: int, end: int, lasts_s: float) -> None:

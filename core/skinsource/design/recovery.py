@@ -20,7 +20,7 @@ from pathlib import Path
 import psutil
 
 from skinsource.base.errors import SkinSourceError
-from skinsource.base.files import is_there, make_folder, read_bytes, write_bytes
+from skinsource.base.files import make_folder, path_exists, read_bytes, write_bytes
 from skinsource.base.lock import read_owner, still_runs, this_process, to_bytes
 from skinsource.base.work import counted
 from skinsource.design.design_file import SUFFIX, DesignFile, save_design
@@ -74,7 +74,7 @@ class Session:
         InvalidInputError
             The design is larger than any file may be.
         """
-        if self._copies and content == self._last and is_there(self._copies[-1]):
+        if self._copies and content == self._last and path_exists(self._copies[-1]):
             return self._copies[-1]
         self._write_owner_and_file(b"" if file is None else os.fsencode(file.absolute()))
         self._number += 1
@@ -99,7 +99,7 @@ class Session:
     def _write_owner_and_file(self, file: bytes) -> None:
         """Write which process owns the folder, and which file its copies belong to."""
         # The user may have deleted the folder.
-        if self._file_written == file and is_there(self.folder / OWNER):
+        if self._file_written == file and path_exists(self.folder / OWNER):
             return
         make_folder(self.folder)
         # The owner comes first: a folder without one counts as abandoned.

@@ -1,6 +1,6 @@
 """The signal path from the clips of a track to a drive that is sampled.
 
-`placed_chain` describes what the clips of a track play as a `Chain` of parts; `drive_played`
+`placed_signal_path` describes what the clips of a track play as a `Chain` of parts; `drive_played`
 samples it as a `Drive`.  A `Voice` is a signal path at an input place, with its start and
 amplitude: this is all that the engine knows of a design's inputs.
 """
@@ -22,7 +22,7 @@ from skinsource.actuators.equalising import (
 from skinsource.actuators.rigs import Rig
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import Band
+from skinsource.base.measurement_conditions import Band
 from skinsource.base.quoting import first_sentence
 from skinsource.design.clips import Clip
 from skinsource.design.effects.effect import Effect
@@ -57,7 +57,7 @@ class Part:
 
 
 @dataclass(frozen=True, slots=True)
-class Chain:
+class SignalPath:
     """The way from waveforms to a drive: a sum of parts, times a gain curve.
 
     Equal signal paths give the same samples at one sample rate.
@@ -116,7 +116,7 @@ class Drive:
 
 
 def drive_played(
-    signal_path: Chain, sample_rate_hz: float, place: int, drawn: Callable[[Part], Floats]
+    signal_path: SignalPath, sample_rate_hz: float, place: int, drawn: Callable[[Part], Floats]
 ) -> Drive:
     """Add up the parts of a signal path, times its curve.
 
@@ -143,7 +143,7 @@ def drive_played(
     return drive_of(samples)
 
 
-def _mixed(signal_path: Chain, sample_rate_hz: float, pieces: list[Floats]) -> Floats:
+def _mixed(signal_path: SignalPath, sample_rate_hz: float, pieces: list[Floats]) -> Floats:
     """Add up the samples of the parts, times their gains and the curve, (n_times,)."""
     if len(pieces) == 1 and signal_path.parts[0].gain == 1.0 and not signal_path.curve:
         return pieces[0]
@@ -244,9 +244,9 @@ def actuation_of_rig(
     return Actuation(actuators=tuple(actuators), equaliser=equaliser, rig=rig.title or "rig")
 
 
-def placed_chain(
+def placed_signal_path(
     clips: Iterable[Clip], gain_curve: Curve, sample_rate_hz: float
-) -> tuple[int, Chain]:
+) -> tuple[int, SignalPath]:
     """Return the sample at which the first audible clip begins, and the signal path from there on.
 
     The result does not depend on the order of the clips.
@@ -269,7 +269,7 @@ def placed_chain(
         )
         for first_sample, *rest, clip in entries
     )
-    return first, Chain(parts, gain_curve, first if gain_curve else 0)
+    return first, SignalPath(parts, gain_curve, first if gain_curve else 0)
 
 
 def drive_of_clips(
@@ -282,7 +282,7 @@ def drive_of_clips(
     InvalidInputError
         As for `drive_played`; the message names ``place``.
     """
-    first, signal_path = placed_chain(clips, gain_curve, sample_rate_hz)
+    first, signal_path = placed_signal_path(clips, gain_curve, sample_rate_hz)
 
     def drawn(part: Part) -> Floats:
         return played(part.waveform, part.effects, sample_rate_hz, part.shift_s)
@@ -325,7 +325,7 @@ class Voice:
     start: int
     amplitude: float
     heard: bool
-    chain: Chain
+    chain: SignalPath
 
     @property
     def unit(self) -> "UnitVoice":
@@ -337,7 +337,7 @@ class Voice:
 class UnitVoice:
     """A voice at amplitude 1 and start 0: a signal path and its input place."""
 
-    chain: Chain
+    chain: SignalPath
     location: int
 
 

@@ -4,10 +4,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import MOST_PLACES, Axes
+from skinsource.base.measurement_conditions import MOST_LOCATIONS, Axes
 from skinsource.base.quoting import quoted
 from skinsource.design import labels
-from skinsource.design.comparing import NUMBERS, Snapshot, shown
+from skinsource.design.comparing import NUMBERS, Snapshot, shown_snapshot
 from skinsource.design.design import Design
 from skinsource.limbs.own_limbs import outputs_on
 from skinsource.signals.analysis.windows import MOST_WINDOWS
@@ -32,8 +32,8 @@ METHOD = _choice_of("Method", labels.METHODS)
 SPAN = _choice_of("Levels", labels.SPANS)
 OUTPUTS = ListSpec(
     label="Outputs",
-    of=NumberSpec(label="Output", minimum=1, maximum=MOST_PLACES, whole=True),
-    most=MOST_PLACES,
+    of=NumberSpec(label="Output", minimum=1, maximum=MOST_LOCATIONS, whole=True),
+    most=MOST_LOCATIONS,
     different=True,
 )
 SELECTED_INPUTS = ListSpec(
@@ -179,7 +179,7 @@ class View:
 
         It is the gain of the snapshot that holds ``design``; an edited design has the factor 1.
         """
-        snapshot = shown(self.snapshots, design) if self.levels_matched else None
+        snapshot = shown_snapshot(self.snapshots, design) if self.levels_matched else None
         return 1.0 if snapshot is None else snapshot.gain
 
     @property

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import BAND_HZ
+from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 

@@ -26,7 +26,7 @@ from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.prediction import Prediction, duty_of, predicted
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import BAND_HZ, Band
+from skinsource.base.measurement_conditions import BAND_HZ, Band
 from skinsource.engine.gains import Placed
 from skinsource.specs import fields
 from skinsource.specs.models import specs_of

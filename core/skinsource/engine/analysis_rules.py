@@ -10,7 +10,7 @@ import scipy
 from skinsource.actuators.actuation import Actuation, transfers_of
 from skinsource.base.arrays import Floats
 from skinsource.base.job import Stop, stop_if
-from skinsource.base.published import Band
+from skinsource.base.measurement_conditions import Band
 from skinsource.design.panel_settings import SpectrogramSettings, settings_of
 from skinsource.design.signal_path import Drive, UnplayableInput, Voice, unplayable_text
 from skinsource.design.view import View

@@ -13,13 +13,13 @@ from skinsource.design.clips import Clip
 from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.playing import placed, played
 from skinsource.design.signal_path import (
-    Chain,
     Curve,
     Drive,
     Part,
+    SignalPath,
     UnitVoice,
     drive_played,
-    placed_chain,
+    placed_signal_path,
 )
 from skinsource.design.waveform import Waveform
 from skinsource.engine.memory import CLIPS_BYTES, DRIVES_BYTES, Memory
@@ -107,7 +107,7 @@ class ClipWaveforms:
             return None
 
 
-_KnownChain = tuple[tuple[Clip, ...], Curve, float, tuple[int, Chain]]
+_KnownChain = tuple[tuple[Clip, ...], Curve, float, tuple[int, SignalPath]]
 #: Far more than a design has tracks.
 _MOST = 1000
 
@@ -120,12 +120,12 @@ class PlacedChains:
 
     def of(
         self, id: int, clips: tuple[Clip, ...], gain_curve: Curve, sample_rate_hz: float
-    ) -> tuple[int, Chain]:
-        """Return start and signal path of the track with this id, see `placed_chain`."""
+    ) -> tuple[int, SignalPath]:
+        """Return start and signal path of the track with this id, see `placed_signal_path`."""
         known = self._known.get(id)
         if known is not None and known[0] is clips and known[1:3] == (gain_curve, sample_rate_hz):
             return known[3]
-        start_and_chain = placed_chain(clips, gain_curve, sample_rate_hz)
+        start_and_chain = placed_signal_path(clips, gain_curve, sample_rate_hz)
         if len(self._known) >= _MOST:
             self._known.clear()
         self._known[id] = clips, gain_curve, sample_rate_hz, start_and_chain
@@ -143,7 +143,7 @@ class Drives:
         self._drawn = Memory[Drive](budget_bytes, lambda drive: drive.samples.nbytes)
         self._spectra = Memory[Complexes](budget_bytes, lambda spectrum: spectrum.nbytes)
         # Long drives exceed the budget, but while a graph holds them they are not drawn again.
-        self._alive: WeakValueDictionary[tuple[Chain, float], Drive] = WeakValueDictionary()
+        self._alive: WeakValueDictionary[tuple[SignalPath, float], Drive] = WeakValueDictionary()
 
     def drawn(self, unit: UnitVoice, sample_rate_hz: float) -> Drive:
         """Return the drive of a voice.

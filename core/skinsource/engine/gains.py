@@ -358,7 +358,7 @@ class Gains:
         return [known[key] for key in keys]
 
 
-class Remembered:
+class EngineMemory:
     """What rules remember beyond their latest result: drives, spectra of responses, and gains.
 
     It changes no result.  It belongs to one thread, whose graphs may share it.
@@ -418,7 +418,7 @@ class CheckedVoice:
 
 
 def checked_voice(
-    remembered: Remembered,
+    remembered: EngineMemory,
     unit: UnitVoice,
     limb: Limb,
     actuation: Actuation | None,
@@ -564,7 +564,7 @@ class Responses:
     transforms have the length of blocks.
     """
 
-    remembered: Remembered
+    remembered: EngineMemory
     limb: Limb
     scaling: Scaling
     n_fft: int | None

@@ -12,8 +12,8 @@ import numpy as np
 from skinsource.base.arrays import Booleans, Complexes, Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.job import Stop
-from skinsource.base.published import Axes
-from skinsource.base.published import axis_numbers as numbers_of
+from skinsource.base.measurement_conditions import Axes
+from skinsource.base.measurement_conditions import axis_numbers as numbers_of
 from skinsource.engine.moments import (
     CrossMatrix,
     Moments,

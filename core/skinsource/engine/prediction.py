@@ -27,7 +27,7 @@ from skinsource.actuators.actuation import Actuation
 from skinsource.base.arguments import real_array
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import check_input_location
+from skinsource.base.measurement_conditions import check_input_location
 from skinsource.base.quoting import quoted
 from skinsource.base.work import tally
 from skinsource.design.signal_path import LARGEST, Drive, check_drive, drive_of, first_unusable

@@ -12,14 +12,14 @@ import numpy as np
 
 from skinsource.base.arrays import Floats
 from skinsource.base.job import Stop
-from skinsource.base.published import Band
+from skinsource.base.measurement_conditions import Band
 from skinsource.design.design import Design, Input, audible_indices
 from skinsource.design.signal_path import Voice
 from skinsource.design.view import View
 from skinsource.engine import analysis_rules, level_rules, trace_rules, vibration_rules, voice_rules
 from skinsource.engine import time_rules as in_time_rules
 from skinsource.engine import window_rules as in_windows_rules
-from skinsource.engine.gains import Remembered
+from skinsource.engine.gains import EngineMemory
 from skinsource.engine.graph import Graph
 from skinsource.engine.shared import Shared
 from skinsource.engine.time_rules import block_of
@@ -29,7 +29,7 @@ from skinsource.limbs.surface.operator import SurfaceOperator
 
 
 def voices(
-    remembered: Remembered, inputs: tuple[Input, ...], sample_rate_hz: float
+    remembered: EngineMemory, inputs: tuple[Input, ...], sample_rate_hz: float
 ) -> tuple[Voice, ...]:
     """What sounds where, from when, how strong, through what chain: one for each input."""
     audible = set(audible_indices(inputs))
@@ -50,7 +50,7 @@ def voices(
 
 
 def clip_waveforms(
-    remembered: Remembered, inputs: tuple[Input, ...], sample_rate_hz: float, stop: Stop
+    remembered: EngineMemory, inputs: tuple[Input, ...], sample_rate_hz: float, stop: Stop
 ) -> tuple[tuple[Floats | None, ...], ...]:
     """Samples of each clip of each input, muted or not, after its effects and before its gain.
 

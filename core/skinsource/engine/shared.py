@@ -11,10 +11,10 @@ from weakref import WeakValueDictionary, ref
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.base.job import Stop
-from skinsource.engine.gains import Remembered
+from skinsource.engine.gains import EngineMemory
 from skinsource.engine.memory import SURFACES_BYTES, Memory
 from skinsource.engine.spectra import actuated_limb
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.limbs.scaling import Scaling
@@ -31,7 +31,7 @@ class Shared:
     """
 
     def __init__(self) -> None:
-        self._remembered = Remembered()
+        self._remembered = EngineMemory()
         self._limbs: WeakValueDictionary[tuple[str, str, bool], Limb] = WeakValueDictionary()
         self._actuated: WeakValueDictionary[_Actuated, Limb] = WeakValueDictionary()
         self._surfaces = Memory[SurfaceOperator](SURFACES_BYTES, _bytes_of)
@@ -40,7 +40,7 @@ class Shared:
         """Return the methods that are rules."""
         return self.remembered, self.limb_data, self.driven_limb, self.surface
 
-    def remembered(self) -> Remembered:
+    def remembered(self) -> EngineMemory:
         """What rendering remembers."""
         return self._remembered
 

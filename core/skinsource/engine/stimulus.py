@@ -20,14 +20,14 @@ from skinsource.base.arguments import integer, one_of, real_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.published import BAND_HZ, Band, check_input_location
+from skinsource.base.measurement_conditions import BAND_HZ, Band, check_input_location
 from skinsource.base.quoting import quoted
 from skinsource.base.work import counted
 from skinsource.design.amplitudes import ARBITRARY_UNIT, drive_unit
 from skinsource.design.design import Design, Input, audible_inputs
 from skinsource.design.effects.playing import played
-from skinsource.design.signal_path import Part, drive_played, placed_chain
-from skinsource.limbs.catalogue import load_limb
+from skinsource.design.signal_path import Part, drive_played, placed_signal_path
+from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.scaling import Scaling
@@ -455,7 +455,7 @@ def _samples_of(
 
     for track in tracks:
         stop_if(stop)
-        start, chain = placed_chain(track.clips, track.gain_curve, own_rate_hz)
+        start, chain = placed_signal_path(track.clips, track.gain_curve, own_rate_hz)
         drive = drive_played(chain, own_rate_hz, track.location, drawn)
         pieces.append((rows[track.id], start, track.amplitude * drive.factor, drive.samples))
     n = max([1, *(start + samples.size for _, start, _, samples in pieces)])

@@ -12,7 +12,7 @@ import numpy as np
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, stop_if
-from skinsource.base.published import axes_text, axis_numbers
+from skinsource.base.measurement_conditions import axes_text, axis_numbers
 from skinsource.base.quoting import quoted
 from skinsource.engine.moments import Projection
 from skinsource.engine.spectra import TotalSpectrum
@@ -20,7 +20,7 @@ from skinsource.engine.streaming import StreamedVibration, output_groups
 from skinsource.engine.transforms import inverse
 from skinsource.limbs.limb import Limb
 from skinsource.signals.projection import magnitude
-from skinsource.signals.sampling import parted, values_at
+from skinsource.signals.sampling import sample_and_rest, values_at
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -108,7 +108,7 @@ class SlidingEnergy:
         count = max(round(window_s * self.sample_rate_hz), 1)
         # An odd window is centred on a sample, an even one between two samples.
         start = time_s * self.sample_rate_hz - self.first - (count - 1) / 2
-        whole, share = parted(start)
+        whole, share = sample_and_rest(start)
         square = (1.0 - share) * self._sum(whole, count) + share * self._sum(whole + 1, count)
         rms: Floats = np.sqrt(np.maximum(square / count, 0.0))
         return rms

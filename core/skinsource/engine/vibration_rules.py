@@ -10,7 +10,7 @@ from skinsource.base.arrays import Booleans, Complexes
 from skinsource.base.job import Stop
 from skinsource.design.signal_path import Drive, UnitVoice, Voice
 from skinsource.engine.drives import delayed
-from skinsource.engine.gains import Placed, Remembered, Responses, Sounding
+from skinsource.engine.gains import EngineMemory, Placed, Responses, Sounding
 from skinsource.engine.spectra import ResponseSpectrum, TotalSpectrum
 from skinsource.engine.streaming import StreamedVibration, Vibration
 from skinsource.engine.transforms import (
@@ -25,7 +25,7 @@ from skinsource.limbs.scaling import Scaling
 
 
 def responses(
-    remembered: Remembered, driven_limb: Limb, scaling: Scaling, n_fft: int | None
+    remembered: EngineMemory, driven_limb: Limb, scaling: Scaling, n_fft: int | None
 ) -> Responses:
     """Responses of the limb at the length of the transforms; nothing is read yet."""
     return Responses(remembered, driven_limb, scaling, n_fft)

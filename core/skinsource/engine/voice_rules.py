@@ -12,7 +12,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, stop_if
 from skinsource.design.signal_path import Drive, UnitVoice, UnplayableInput, Voice
 from skinsource.engine.drives import active_samples
-from skinsource.engine.gains import CheckedVoice, Placed, Remembered, checked_voice
+from skinsource.engine.gains import CheckedVoice, EngineMemory, Placed, checked_voice
 from skinsource.engine.transforms import length_at_once
 from skinsource.limbs.limb import Limb
 
@@ -48,7 +48,7 @@ def heard_voices(voices: tuple[Voice, ...]) -> tuple[bool, ...]:
 
 
 def unit_drives(
-    remembered: Remembered,
+    remembered: EngineMemory,
     unit_voices: tuple[UnitVoice, ...],
     heard_voices: tuple[bool, ...],
     sample_rate_hz: float,
@@ -79,7 +79,7 @@ def _unscaled(drive: Drive) -> Floats:
 
 
 def edited_checked(
-    remembered: Remembered,
+    remembered: EngineMemory,
     edited_unit: UnitVoice | None,
     limb_data: Limb,
     actuation: Actuation | None,
@@ -96,7 +96,7 @@ def edited_checked(
 
 
 def others_checked(
-    remembered: Remembered,
+    remembered: EngineMemory,
     other_voices: tuple[Voice, ...],
     limb_data: Limb,
     actuation: Actuation | None,

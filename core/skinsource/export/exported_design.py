@@ -21,12 +21,12 @@ from skinsource.base.arrays import Floats
 from skinsource.base.errors import TooInaccurateError
 from skinsource.base.files import replacing
 from skinsource.base.job import Progress, Stop, stop_if
-from skinsource.base.published import ALL_AXES, Axes, axes_of
+from skinsource.base.measurement_conditions import ALL_AXES, Axes, axes_of
 from skinsource.base.work import counted
 from skinsource.design.amplitudes import amplitude_note
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, audible_inputs
-from skinsource.design.labels import AXES, METHODS, SCALINGS, SPANS, limb_word, word_of
+from skinsource.design.labels import AXES, METHODS, SCALINGS, SPANS, label_of, limb_label
 from skinsource.design.view import View
 from skinsource.engine.gains import ESTIMATE_FACTOR, N_SAMPLES, TraceError
 from skinsource.engine.quantities import new_graph, sources
@@ -138,7 +138,7 @@ def describe_played(
     """Return lines on the limb, its note, the scaling, the actuators and the inputs."""
     lines = [f"NOTE on the limb: {note}"] if note else []
     lines.append(
-        f"limb: {limb_word(limb).title}, {limb}; scaling: {word_of(SCALINGS, scaling).both}"
+        f"limb: {limb_label(limb).title}, {limb}; scaling: {label_of(SCALINGS, scaling).both}"
     )
     meaning = amplitude_note(limb, "", scaling, actuated)
     if meaning:
@@ -178,8 +178,8 @@ def clip_description(clip: Clip) -> str:
 
 def describe_projection(axes: str, method: str) -> str:
     """Return a line on the axes and how they become one signal."""
-    how = "" if len(axes) == 1 else f"; method: {word_of(METHODS, method).both}"
-    return f"axes: {word_of(AXES, axes).both}{how}"
+    how = "" if len(axes) == 1 else f"; method: {label_of(METHODS, method).both}"
+    return f"axes: {label_of(AXES, axes).both}{how}"
 
 
 def describe_levels(span: str) -> str:
@@ -187,7 +187,7 @@ def describe_levels(span: str) -> str:
 
     Files without levels have it too: a reader sees whether traces and levels belong together.
     """
-    return f"levels: RMS over the {word_of(SPANS, span).both.lower()}"
+    return f"levels: RMS over the {label_of(SPANS, span).both.lower()}"
 
 
 def about_design(exported: ExportedDesign) -> list[str]:

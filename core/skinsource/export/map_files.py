@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.base.arrays import Floats
-from skinsource.base.decibels import in_tables
+from skinsource.base.decibels import levels_for_tables
 from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.design.design import Design
 from skinsource.design.view import View
@@ -90,7 +90,7 @@ def export_map(
     header = ["y_mm", *(f"x_{x:g}_mm" for x in surface.x_mm)]
     with output_file(path, stop) as file:
         table = CsvTable(file, about, header, stop)
-        table.add(np.column_stack((surface.y_mm, in_tables(levels_db))))
+        table.add(np.column_stack((surface.y_mm, levels_for_tables(levels_db))))
         progress(1, 1, "Writing")
 
 

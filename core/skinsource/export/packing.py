@@ -20,7 +20,7 @@ from skinsource.base.files import replacing
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.design.design import Design, audible_inputs
 from skinsource.design.design_file import save_design
-from skinsource.design.labels import limb_word
+from skinsource.design.labels import limb_label
 from skinsource.design.view import View
 from skinsource.export.map_files import export_map, export_map_picture
 from skinsource.export.tables import export_levels, export_traces
@@ -46,7 +46,7 @@ def citation(design: Design) -> str:
 
     The dataset is named where its limbs are used; an imported limb is identified by its digest.
     """
-    limb, data = limb_word(design.limb).title, data_of(design)
+    limb, data = limb_label(design.limb).title, data_of(design)
     published = bool(data["dataset_doi"])
     what = f"doi:{DATASET_DOI}" if published else _kind_of(design.limb)
     unverified = f"; {data['source_note']}" if data["source_note"] else ""

@@ -32,7 +32,7 @@ from skinsource.design.design import Design, audible_inputs
 from skinsource.design.labels import signal_label
 from skinsource.design.view import View
 from skinsource.engine.evaluation import evaluate
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.extent import Extent
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import facts_of

@@ -18,10 +18,10 @@ from numpy.lib import format as npy
 from numpy.typing import NDArray
 
 from skinsource.base.arrays import Floats
-from skinsource.base.decibels import in_tables
+from skinsource.base.decibels import levels_for_tables
 from skinsource.base.errors import StorageError
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.published import ALL_AXES
+from skinsource.base.measurement_conditions import ALL_AXES
 from skinsource.base.work import counted
 from skinsource.design.design import Design
 from skinsource.design.view import View
@@ -40,7 +40,7 @@ from skinsource.export.exported_design import (
 )
 from skinsource.limbs.extent import Extent
 from skinsource.limbs.locations import output_name
-from skinsource.perception.validity import listed as judging_listed
+from skinsource.perception.validity import number_ranges as judging_listed
 
 # Writing so many cells takes a few milliseconds.
 _CELLS_PER_PIECE = 8192
@@ -180,7 +180,7 @@ def export_levels(
     header = ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2", "side", "place"]
     with output_file(path, stop) as file:
         table = CsvTable(file, about, header, stop)
-        levels_db = in_tables(results["output_levels_db"])
+        levels_db = levels_for_tables(results["output_levels_db"])
         table.add(
             np.vstack((exported.all_outputs, results["output_rms"], levels_db)).T,
             [_side_and_place(output, exported.design.limb) for output in exported.all_outputs],

@@ -20,9 +20,9 @@ import numpy as np
 from skinsource.actuators.rigs import Rig
 from skinsource.base.arguments import integer, one_of, real_number
 from skinsource.base.errors import FileFormatError, InvalidInputError
-from skinsource.base.files import is_there, named, read_bytes, write_bytes
+from skinsource.base.files import path_exists, path_text, read_bytes, write_bytes
 from skinsource.base.lock import Lock
-from skinsource.base.published import MOST_PLACES
+from skinsource.base.measurement_conditions import MOST_LOCATIONS
 from skinsource.base.quoting import printable, quoted, sentence
 from skinsource.base.work import counted
 from skinsource.design.design import Design, Input, track
@@ -114,7 +114,7 @@ class Procedure:
         for frequency_hz in (*self.frequencies_hz, self.reference_hz):
             real_number("a frequency", frequency_hz, least=_LOWEST_HZ, most=_HIGHEST_HZ)
         for place in (*self.places, self.reference_place):
-            integer("a place", place, 1, MOST_PLACES)
+            integer("a place", place, 1, MOST_LOCATIONS)
         real_number("amplitude", self.amplitude, least=1e-6, most=MOST_AMPLITUDE)
         real_number("duration_s", self.duration_s, least=0.05, most=10.0)
         real_number("pause_s", self.pause_s, least=0.05, most=10.0)
@@ -245,10 +245,10 @@ def read_matches(path: Path) -> tuple[Match, ...]:
         text = read_bytes(path, most=_MOST_BYTES).decode()
         rows = list(csv.reader(io.StringIO(text, newline=""), strict=True))
     except (ValueError, csv.Error) as error:
-        raise FileFormatError(f"{named(path)}: is no CSV text ({printable(error)}).") from error
+        raise FileFormatError(f"{path_text(path)}: is no CSV text ({printable(error)}).") from error
     if not rows or tuple(rows[0]) != _COLUMNS:
         raise FileFormatError(
-            f"{named(path)}: is no table of matches: its first line is "
+            f"{path_text(path)}: is no table of matches: its first line is "
             f"{quoted(','.join(rows[0]) if rows else '')}, expected {','.join(_COLUMNS)}. Choose "
             "another file."
         )
@@ -264,7 +264,7 @@ def read_matches(path: Path) -> tuple[Match, ...]:
                 raise InvalidInputError("its reference is not that of line 2")
         except InvalidInputError as error:
             raise FileFormatError(
-                f"{named(path)}, line {line}: {sentence(str(error))} Correct or remove it."
+                f"{path_text(path)}, line {line}: {sentence(str(error))} Correct or remove it."
             ) from error
         matches.append(match)
     return tuple(matches)
@@ -284,11 +284,11 @@ def add_match(path: Path, new: Match) -> tuple[Match, ...]:
         The file is no table of matches, or cannot be read or written.
     """
     with Lock(path).hold():
-        before = read_matches(path) if is_there(path) else ()
+        before = read_matches(path) if path_exists(path) else ()
         if any(match.key == new.key for match in before):
             raise InvalidInputError(
-                f"{named(path)} has the {new.direction} match of {new.frequency_hz:g} Hz at place "
-                f"{new.place} by {new.person} already. Nothing was changed."
+                f"{path_text(path)} has the {new.direction} match of {new.frequency_hz:g} Hz at "
+                f"place {new.place} by {new.person} already. Nothing was changed."
             )
         check_reference(path, before, new.reference)
         matches = (*before, new)
@@ -304,8 +304,8 @@ def check_reference(
         if match.reference != reference:
             frequency_hz, place, amplitude = match.reference
             raise InvalidInputError(
-                f"{named(path)} holds matches with another reference: {frequency_hz:g} Hz at place "
-                f"{place}, a drive of {amplitude:g}. Choose another file, or that reference."
+                f"{path_text(path)} holds matches with another reference: {frequency_hz:g} Hz at "
+                f"place {place}, a drive of {amplitude:g}. Choose another file, or that reference."
             )
 
 
@@ -330,12 +330,12 @@ def _match(row: list[str]) -> Match:
     return Match(
         person=check_person(cells["person"]),
         frequency_hz=number("frequency_hz", least=1e-3),
-        place=whole("place", 1, MOST_PLACES),
+        place=whole("place", 1, MOST_LOCATIONS),
         direction=one_of("direction", cells["direction"], DIRECTIONS),
         start_db=number("start_db"),
         matched_db=number("matched_db", least=LOWEST_DB, most=HIGHEST_DB),
         reference_hz=number("reference_hz", least=1e-3),
-        reference_place=whole("reference_place", 1, MOST_PLACES),
+        reference_place=whole("reference_place", 1, MOST_LOCATIONS),
         amplitude=number("amplitude", least=1e-6, most=MOST_AMPLITUDE),
         trial=whole("trial", 1, _MOST_SEED),
         seed=whole("seed", 0, _MOST_SEED),
@@ -446,7 +446,7 @@ class MatchingRun:
     def __init__(self, procedure: Procedure, path: Path | None) -> None:
         self.procedure, self.path = procedure, path
         known: set[object] = set()
-        if path is not None and is_there(path):
+        if path is not None and path_exists(path):
             matches = read_matches(path)
             reference = procedure.reference_hz, procedure.reference_place, procedure.amplitude
             check_reference(path, matches, reference)

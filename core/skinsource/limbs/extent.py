@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from skinsource.base.arguments import finite_array
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import check_input_location
+from skinsource.base.measurement_conditions import check_input_location
 from skinsource.base.quoting import quoted
 from skinsource.limbs.limb import Limb
 

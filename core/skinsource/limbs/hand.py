@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.base.arrays import Floats
-from skinsource.base.published import N_INPUTS, N_OUTPUTS, VOLAR_OUTPUTS
+from skinsource.base.measurement_conditions import N_INPUTS, N_OUTPUTS, VOLAR_OUTPUTS
 from skinsource.limbs.limb import LimbMap
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import (
+from skinsource.base.measurement_conditions import (
     AXES,
     BAND_HZ,
     HAND_LENGTHS_MM,

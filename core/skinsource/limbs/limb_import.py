@@ -14,7 +14,7 @@ import numpy as np
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import FileFormatError, InvalidInputError
-from skinsource.base.files import is_file, named
+from skinsource.base.files import is_file, path_text
 from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.base.quoting import quoted
 from skinsource.limbs import limb_layout
@@ -109,7 +109,7 @@ def import_limb(
         try:
             install_limb(prepared.limb, responses, progress=progress, stop=stop)
         except InvalidInputError as error:
-            raise FileFormatError(f"{named(Path(source.responses.name))}: {error}") from error
+            raise FileFormatError(f"{path_text(Path(source.responses.name))}: {error}") from error
     return facts_of(prepared.limb.name)
 
 
@@ -154,7 +154,7 @@ def prepare_limb(
         _complete(values, shape)
         return PreparedLimb(limb=OwnLimb(**values), request=request)
     except InvalidInputError as error:
-        raise InvalidInputError(f"{named(Path(path.name))}: {error}") from error
+        raise InvalidInputError(f"{path_text(Path(path.name))}: {error}") from error
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -175,7 +175,7 @@ def read_points(path: Path, process: ReadingProcess, *, stop: Stop = never) -> P
         names = tuple(map(str, answer["names"]))
     except (TypeError, ValueError, KeyError) as error:
         raise FileFormatError(
-            f"{named(Path(path.name))}: its points make no sense, expected rows of x and y."
+            f"{path_text(Path(path.name))}: its points make no sense, expected rows of x and y."
         ) from error
     return Points(points=points, names=names, y_down=bool(answer["y_down"]))
 
@@ -191,16 +191,16 @@ def _array_request(
     if not arrays:
         names = ", ".join(quoted(array["name"]) for array in about["arrays"][:10])
         raise InvalidInputError(
-            f"{named(Path(source.responses.name))}: it has no array {quoted(source.array)}, "
+            f"{path_text(Path(source.responses.name))}: it has no array {quoted(source.array)}, "
             f"expected one of {names}"
         )
     array = max(arrays, key=lambda array: prod(array["shape"]))
     order = source.order or USUAL_ORDERS[len(array["shape"])]
     if sorted(order) != sorted(USUAL_ORDERS[len(array["shape"])]):
         raise InvalidInputError(
-            f"{named(Path(source.responses.name))}: the order of {quoted(array['name'])}, which "
-            f"has {len(array['shape'])} dimensions, is {quoted(order)}, expected i, o, a and t, "
-            "each once (without a where there are three)"
+            f"{path_text(Path(source.responses.name))}: the order of {quoted(array['name'])}, "
+            f"which has {len(array['shape'])} dimensions, is {quoted(order)}, expected i, o, a and "
+            "t, each once (without a where there are three)"
         )
     size = dict(zip(order, map(int, array["shape"]), strict=True))
     shape = size["i"], size["o"], size.get("a", 1), size["t"]
@@ -293,7 +293,7 @@ def _responses(
         rows = prepared.limb.n_outputs * len(prepared.limb.axes)
         if block.shape != (rows, prepared.limb.n_taps):
             raise FileFormatError(
-                f"{named(Path(path.name))}: a response has shape {block.shape}, expected "
+                f"{path_text(Path(path.name))}: a response has shape {block.shape}, expected "
                 f"{(rows, prepared.limb.n_taps)}. The file has changed, or is damaged."
             )
         yield block.reshape(prepared.limb.shape[1:])

@@ -27,7 +27,7 @@ import scipy
 from skinsource.base import files
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError, RecordingError, StorageError
-from skinsource.base.files import named, read_bytes, replacing
+from skinsource.base.files import path_text, read_bytes, replacing
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.quoting import quoted
 from skinsource.limbs.own_limbs import LimbFile, OwnLimb, existing_path
@@ -41,7 +41,9 @@ _ADVICE = "docs/limbs.md says what a limb consists of."
 
 def limb_file_error(path: Path, problem: str, expected: str) -> RecordingError:
     """Return an error that names the file, the problem, what was expected, and where to look."""
-    return RecordingError(f"{named(Path(path.name))}: {problem}, expected {expected}. {_ADVICE}")
+    return RecordingError(
+        f"{path_text(Path(path.name))}: {problem}, expected {expected}. {_ADVICE}"
+    )
 
 
 FORMAT, VERSION = "skinsource limb", 1
@@ -138,8 +140,8 @@ def export_limb(name: str, path: Path, *, progress: Progress = silent, stop: Sto
     if free_bytes < n_bytes:
         # Where the disk is full, HDF5 ends the process.
         raise StorageError(
-            f"{named(path)}: the limb takes {n_bytes / 1e9:.2f} GB, and {free_bytes / 1e9:.2f} GB "
-            "are free there. Free some space, or choose another disk."
+            f"{path_text(path)}: the limb takes {n_bytes / 1e9:.2f} GB, and {free_bytes / 1e9:.2f} "
+            "GB are free there. Free some space, or choose another disk."
         )
     with replacing(path) as temporary, files.File(temporary, "w") as file:
         _put_header(file, limb)

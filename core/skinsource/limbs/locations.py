@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import N_OUTPUTS, check_input_location
+from skinsource.base.measurement_conditions import N_OUTPUTS, check_input_location
 from skinsource.base.quoting import quoted
 from skinsource.limbs.own_limbs import facts_of
 

@@ -28,9 +28,9 @@ from skinsource.base.errors import (
     StorageError,
     UnknownLimbError,
 )
-from skinsource.base.files import explained, is_file, make_folder, named, replacing
+from skinsource.base.files import is_file, make_folder, path_text, replacing, storage_errors_of
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.published import AXES, BAND_HZ, Axes, Band, axes_of, axes_text
+from skinsource.base.measurement_conditions import AXES, BAND_HZ, Axes, Band, axes_of, axes_text
 from skinsource.base.quoting import printable, quoted
 from skinsource.base.work import counted
 from skinsource.limbs.limb import PUBLISHED, Limb, LimbFacts, LimbMap
@@ -316,7 +316,7 @@ class LimbFile:
             with self.path.open("rb") as file:
                 if _text_of(file, self.path)[1] != self._text_sum:
                     raise FileFormatError(
-                        f"{named(self.path)}: was replaced by other data since the limb was "
+                        f"{path_text(self.path)}: was replaced by other data since the limb was "
                         "opened. Open the limb again."
                     )
                 file.seek(self._start + (location - 1) * self._bytes_each)
@@ -450,14 +450,14 @@ def _digest(limb: OwnLimb, sums: tuple[str, ...]) -> str:
 
 def _unreadable(path: Path, error: OSError) -> StorageError:
     return StorageError(
-        f"{named(path)}: cannot be read ({error.strerror or error}). Check that it is there, and "
-        "whose it is."
+        f"{path_text(path)}: cannot be read ({error.strerror or error}). Check that it is there, "
+        "and whose it is."
     )
 
 
 def _damaged(path: Path, reason: str) -> FileFormatError:
     return FileFormatError(
-        f"{named(path)}: the limb cannot be used: {reason.rstrip('.')}. Import the limb again."
+        f"{path_text(path)}: the limb cannot be used: {reason.rstrip('.')}. Import the limb again."
     )
 
 
@@ -540,7 +540,7 @@ def mirror_limb(
 def remove_limb(name: str) -> None:
     """Delete an own limb; raises as `load_own_limb`, but damage is no hindrance."""
     path = existing_path(name)
-    with explained(path):
+    with storage_errors_of(path):
         path.unlink()
 
 

@@ -28,7 +28,7 @@ import numpy as np
 
 from skinsource.base.child_process import limit_memory, limit_time, own_output
 from skinsource.base.errors import FileFormatError, SkinSourceError
-from skinsource.base.files import named
+from skinsource.base.files import path_text
 from skinsource.base.quoting import printable
 from skinsource.limbs import limb_import
 from skinsource.readers import limits, readers
@@ -100,7 +100,7 @@ def _fail(answers: IO[bytes], request: dict[str, Any], path: Path, reason: str) 
     usual = "WAV, FLAC, AIFF, OGG, a table of numbers, NPY, NPZ, MATLAB or HDF5"
     expected = limb_import.EXPECTED.get(request["do"], usual)
     sentence = (
-        f"{named(Path(path.name))}: cannot be read ({reason.rstrip('.')}), expected "
+        f"{path_text(Path(path.name))}: cannot be read ({reason.rstrip('.')}), expected "
         f"{expected}. It may be damaged; record or export it again."
     )
     _answer(answers, {"error": sentence, "kind": "format"})

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.assets import data_folder
 from skinsource.base.errors import UnknownLimbError
-from skinsource.base.published import (
+from skinsource.base.measurement_conditions import (
     N_AXES,
     N_INPUTS,
     N_OUTPUTS,

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 from skinsource.base.arguments import finite_array, positive_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import LIMB_NAMES
+from skinsource.base.measurement_conditions import LIMB_NAMES
 from skinsource.base.quoting import quoted
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.locations import ARM_REGIONS, output_place

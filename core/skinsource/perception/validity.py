@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from skinsource.base.arguments import finite_array, positive_number
 from skinsource.base.arrays import Floats
-from skinsource.base.published import BAND_HZ, LARGEST_VELOCITY_M_PER_S, Band
+from skinsource.base.measurement_conditions import BAND_HZ, LARGEST_VELOCITY_M_PER_S, Band
 from skinsource.base.quoting import sentence
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling
@@ -323,8 +323,8 @@ def noise_findings(above_noise_db: Floats | None, *, synthetic: bool, silent: bo
         in_short=f"{{:.0f}} of {few}.",
         number=len(noisy),
         sentence=(
-            f"{len(noisy)} of {few} of the measurement: {listed(noisy)}. Their levels are mostly "
-            "noise; they are hatched on the map."
+            f"{len(noisy)} of {few} of the measurement: {number_ranges(noisy)}. Their levels are "
+            "mostly noise; they are hatched on the map."
         ),
         mend="deselect",
         outputs=noisy,
@@ -375,7 +375,7 @@ def setup_findings(*, synthetic: bool, scaling: Scaling, places: Sequence[int]) 
     )
 
 
-def listed(outputs: Sequence[int]) -> str:
+def number_ranges(outputs: Sequence[int]) -> str:
     """Return numbers as text, runs of three or more as ranges: "1, 4 to 7 and 9".
 
     >>> listed((1, 4, 5, 6, 7, 9, 10))

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError, RecordingError
-from skinsource.base.files import named
+from skinsource.base.files import path_text
 from skinsource.readers import limits
 
 
@@ -162,7 +162,7 @@ class Reader:
 
 def reading_error(path: Path, actual: str, expected: str, advice: str) -> RecordingError:
     """Return the error that says what is wrong with a file, what was expected and what to do."""
-    return RecordingError(f"{named(Path(path.name))}: {actual}, expected {expected}. {advice}")
+    return RecordingError(f"{path_text(Path(path.name))}: {actual}, expected {expected}. {advice}")
 
 
 def check_rate(path: Path, rate_hz: float) -> float:

@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 
 from skinsource.base.errors import StorageError
-from skinsource.base.files import is_file, named
+from skinsource.base.files import is_file, path_text
 from skinsource.readers import arrays, audio, text
 from skinsource.readers.reader import Block, Found, Reader
 
@@ -85,13 +85,13 @@ def reader_of(path: Path) -> Reader:
         The file cannot be read, or is no regular file.
     """
     if not is_file(path):
-        raise StorageError(f"{named(path)}: cannot be read (it is no file). Choose a file.")
+        raise StorageError(f"{path_text(path)}: cannot be read (it is no file). Choose a file.")
     try:
         with path.open("rb") as file:
             beginning = file.read(_BEGINNING_BYTES)
     except OSError as error:
         raise StorageError(
-            f"{named(path)}: cannot be read ({error.strerror or error}). Ask its owner for the "
+            f"{path_text(path)}: cannot be read ({error.strerror or error}). Ask its owner for the "
             "right to read it."
         ) from error
     return next(reader for reader in _READERS if reader.recognises(beginning))

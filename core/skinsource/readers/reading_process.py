@@ -22,7 +22,7 @@ from skinsource.base.arrays import Floats
 from skinsource.base.assets import PACKAGE
 from skinsource.base.child_process import child_command, child_environment
 from skinsource.base.errors import RecordingError, StorageError
-from skinsource.base.files import named
+from skinsource.base.files import path_text
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.readers import limits
 from skinsource.readers.reader import Block, Found, from_tree
@@ -343,4 +343,4 @@ def _listen(pipe: IO[bytes], answers: _Answers) -> None:
 
 
 def _name(path: Path) -> str:
-    return named(Path(path.name))
+    return path_text(Path(path.name))

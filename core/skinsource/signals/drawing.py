@@ -12,7 +12,7 @@ import scipy
 from skinsource.base.arguments import finite_array, positive_number, real_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import BAND_HZ, Band
+from skinsource.base.measurement_conditions import BAND_HZ, Band
 from skinsource.signals.generators import MAX_SAMPLES
 
 # A stroke that ends this near to a sample, as a share of one, covers it.

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from skinsource.base.arguments import LARGEST_SAMPLE, finite_array, one_of, real_array
 from skinsource.base.arrays import Booleans, Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import AXES, Axes, axis_numbers
+from skinsource.base.measurement_conditions import AXES, Axes, axis_numbers
 
 Method = Literal["mag", "pca", "rms", "soc"]
 METHODS: tuple[Method, ...] = get_args(Method)

@@ -71,11 +71,11 @@ def on_grid(position: float) -> tuple[int, float]:
     position
         In samples.
     """
-    whole, behind = parted(position)
+    whole, behind = sample_and_rest(position)
     return whole, round(behind * _PER_SAMPLE) / _PER_SAMPLE
 
 
-def parted(position: float) -> tuple[int, float]:
+def sample_and_rest(position: float) -> tuple[int, float]:
     """Return the sample at or before a position, and the rest with all its digits."""
     nearest = round(position)
     if abs(position - nearest) < NEAR:
@@ -98,7 +98,7 @@ def values_at(samples: Floats, position: float) -> Floats:
         In samples.
     """
     n_times = samples.shape[-1]
-    whole, behind = parted(position)
+    whole, behind = sample_and_rest(position)
     if behind == 0.0:
         inside = 0 <= whole < n_times
         return samples[..., whole].copy() if inside else np.zeros(samples.shape[:-1])

@@ -12,7 +12,7 @@ from skinsource.base.arguments import LARGEST_SAMPLE, finite_array, one_of, posi
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, never, stop_if
-from skinsource.base.published import BAND_HZ, SAMPLE_RATE_HZ, Band
+from skinsource.base.measurement_conditions import BAND_HZ, SAMPLE_RATE_HZ, Band
 from skinsource.base.quoting import quoted
 from skinsource.signals.loudest_window import (
     HOLD_WINDOW_S,

@@ -140,7 +140,7 @@ def turns_about_middle(
     return phases
 
 
-def begun(samples: Floats, shift_s: float) -> Floats:
+def silent_before_start(samples: Floats, shift_s: float) -> Floats:
     """Set the first sample of a shifted waveform, which lies before its start, to 0, in place."""
     if shift_s > 0.0:
         samples[:1] = 0.0

@@ -17,7 +17,7 @@ import numpy as np
 
 from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.base.json_text import Tree
-from skinsource.base.published import BAND_HZ, Band
+from skinsource.base.measurement_conditions import BAND_HZ, Band
 from skinsource.base.quoting import quoted
 
 #: Most levels of models within models; a deeper tree is a mistake or an attack.

@@ -19,13 +19,13 @@ import scipy
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError, RecordingError
-from skinsource.base.files import named
+from skinsource.base.files import path_text
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.base.published import N_AXES, N_OUTPUTS, Axes, Band
+from skinsource.base.measurement_conditions import N_AXES, N_OUTPUTS, Axes, Band
 from skinsource.base.quoting import printable, quoted
 from skinsource.design.comparing import louder, same_but_rounding
 from skinsource.design.design import Design, Input, audible_inputs
-from skinsource.design.labels import AXES, limb_word, word_of
+from skinsource.design.labels import AXES, label_of, limb_label
 from skinsource.design.view import View
 from skinsource.engine.analysis_rules import place_noise
 from skinsource.engine.quantities import new_graph, sources
@@ -117,7 +117,7 @@ def html_of(conditions: Sequence[Condition], limbs: Iterable[str]) -> str:
     limbs
         Names of the limbs of the designs.
     """
-    titles = ", ".join(limb_word(limb).title for limb in sorted(set(limbs)))
+    titles = ", ".join(limb_label(limb).title for limb in sorted(set(limbs)))
     written = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC"
     about = f"skinsource {__version__}; limb: {titles}; written on {written}"
     measured = [condition for condition in conditions if condition.agreement is not None]
@@ -446,7 +446,7 @@ def _condition_details(
     return (
         f"recording: {'none' if recorded is None else printable(recorded.path.name)}",
         *describe_played(design.limb, limb.note, design.scaling, design.inputs, design.actuated),
-        f"axes: {word_of(AXES, axes).both}",
+        f"axes: {label_of(AXES, axes).both}",
         *findings_lines(findings),
     )
 
@@ -472,8 +472,8 @@ def _read_recording(
     if not measured.any():
         # `agreement` would not name the file, which may be one of many.
         raise RecordingError(
-            f"{named(Path(recorded.path.name))}: it is silent throughout, so there is nothing to "
-            "compare. Choose another recording."
+            f"{path_text(Path(recorded.path.name))}: it is silent throughout, so there is nothing "
+            "to compare. Choose another recording."
         )
     return measured
 

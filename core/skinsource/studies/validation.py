@@ -20,9 +20,9 @@ from numpy.typing import ArrayLike
 from skinsource.base.arguments import finite_array, positive_number
 from skinsource.base.arrays import Booleans, Floats
 from skinsource.base.errors import InvalidInputError, RecordingError
-from skinsource.base.files import named
+from skinsource.base.files import path_text
 from skinsource.base.job import Stop, never
-from skinsource.base.published import BAND_HZ, Band
+from skinsource.base.measurement_conditions import BAND_HZ, Band
 from skinsource.base.work import counted
 from skinsource.readers import limits
 from skinsource.readers.reader import Found, Series
@@ -458,4 +458,4 @@ def _resampled(file: Path, field: Floats, from_hz: float, to_hz: float) -> Float
 
 
 def _recording_error(file: Path, reason: str) -> RecordingError:
-    return RecordingError(f"{named(Path(file.name))}: {reason.rstrip('.')}.")
+    return RecordingError(f"{path_text(Path(file.name))}: {reason.rstrip('.')}.")

@@ -15,7 +15,7 @@ from PySide6.QtCore import QBuffer, QByteArray, QObject, QRectF, QSize, Qt, QTim
 from PySide6.QtGui import QColor, QImage, QPainter
 
 from skinsource.base.errors import SkinSourceError
-from skinsource.base.files import named
+from skinsource.base.files import path_text
 from skinsource.base.quoting import sentence
 from skinsource.design import recovery
 from skinsource.design.design import Design
@@ -321,5 +321,5 @@ def _set_aside(copy: Path, error: Exception) -> str:
     """Set a copy aside that could not be opened; return why, and where it is now."""
     reason = str(error) if isinstance(error, SkinSourceError) else f"{copy.name}: {error!r}"
     new_path = recovery.set_aside(copy)
-    place = f"It was set aside: {named(new_path)}." if new_path else "It stays where it is."
+    place = f"It was set aside: {path_text(new_path)}." if new_path else "It stays where it is."
     return f"{sentence(reason)} {place}"

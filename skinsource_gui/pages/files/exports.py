@@ -35,18 +35,18 @@ from skinsource_gui.panels.skin.film import (
     film_remark,
 )
 from skinsource_gui.plots.pictures import (
-    ALL_IN_SIGHT,
-    IN_USE,
+    ALL_VISIBLE,
+    PANEL_IN_USE,
+    Picture,
     PictureOptions,
     Remark,
-    WholePicture,
     ask_picture_options,
     caption_px,
     letters_remark,
     save_drawing,
 )
-from skinsource_gui.qt.asking import agreed
 from skinsource_gui.qt.error_label import VISIBLE
+from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
@@ -182,7 +182,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
         file_name="panel.png",
         kinds=_PICTURES,
         hint="Save the panel that has the keyboard as PNG, SVG or PDF, for a paper or a slide",
-        panel=IN_USE,
+        panel=PANEL_IN_USE,
         keywords="image figure screenshot vector pdf svg png plot paper",
     ),
     ExportSpec(
@@ -191,7 +191,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
         file_name="studio.png",
         kinds=_PICTURES,
         hint="Save all panels that are in sight, arranged as they are, as PNG, SVG or PDF",
-        panel=ALL_IN_SIGHT,
+        panel=ALL_VISIBLE,
         keywords="image figure screenshot vector pdf svg png arrangement window slide",
     ),
     ExportSpec(
@@ -359,7 +359,7 @@ class ExportJobs(QObject):
 
 
 #: Returns the picture of a panel with the present results, given the name of the panel.
-DrawerOf = Callable[[str], WholePicture]
+DrawerOf = Callable[[str], Picture]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -457,7 +457,7 @@ class ExportActions(QObject):
 
     def _export_picture(self, spec: ExportSpec) -> None:
         picture = self._drawer_of(spec.panel)
-        if spec.panel == IN_USE:
+        if spec.panel == PANEL_IN_USE:
             # The dialogs cover the window, so their title names the panel.
             name = picture.title.lower().replace(" ", "-")
             spec = replace(
@@ -503,6 +503,6 @@ class ExportActions(QObject):
         if not isinstance(error, TooInaccurateError):
             return False
         question = f"{order.path.name}: {error} Export it all the same?"
-        if agreed(self._window, "Inaccurate numbers", question):
+        if ask_yes(self._window, "Inaccurate numbers", question):
             self._add(replace(order, largest_error=math.inf))
         return True

@@ -13,7 +13,7 @@ from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from skinsource.base.errors import SkinSourceError, StorageError
-from skinsource.base.files import is_there, named, read_bytes
+from skinsource.base.files import path_exists, path_text, read_bytes
 from skinsource.base.lock import Lock, Owner, still_runs
 from skinsource.base.quoting import printable
 from skinsource.design import edits
@@ -21,9 +21,9 @@ from skinsource.design.design import Design
 from skinsource.design.design_file import SUFFIX, open_design, save_design
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.view import View
-from skinsource.limbs.catalogue import available_limbs, default_limb
+from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource.specs.image import MAX_IMAGE_BYTES
-from skinsource_gui.qt.asking import agreed, may_replace, saved_or_given_up
+from skinsource_gui.qt.questions import ask_to_replace, ask_to_save, ask_yes
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 
@@ -319,14 +319,14 @@ class FileActions(QObject):
             for part in Path(ending).suffixes:
                 name = name.removesuffix(part)
             path = Path(f"{name}{ending or start.suffix}")
-            if is_there(path) and not may_replace(self._window, [path]):
+            if path_exists(path) and not ask_to_replace(self._window, [path]):
                 return None
         return path
 
     def note_written(self, path: Path, note: str = "") -> None:
         """Remember the folder of a file that was written, and report the file and ``note``."""
         self._note_folder(path)
-        self.done.emit("; ".join(part for part in (f"Saved {named(path)}", note) if part))
+        self.done.emit("; ".join(part for part in (f"Saved {path_text(path)}", note) if part))
 
     def _note_folder(self, path: Path) -> None:
         self._preferences.folder = path.absolute().parent
@@ -338,7 +338,7 @@ class FileActions(QObject):
         if not self._document.modified:
             return True
         question = "The design has edits that are not saved. Save them?"
-        return saved_or_given_up(self._window, "Unsaved design", question, self.save)
+        return ask_to_save(self._window, "Unsaved design", question, self.save)
 
     def look_at_disk(self) -> None:
         """Report, once, that another program has changed or deleted the open file."""
@@ -349,7 +349,7 @@ class FileActions(QObject):
         if state == "gone":
             self._document.mark_lost()
             self.failed.emit(
-                f"{path.name} is no longer in {named(path.parent)}. Save the design to keep it."
+                f"{path.name} is no longer in {path_text(path.parent)}. Save the design to keep it."
             )
         elif state == "changed":
             self.failed.emit(f"{path.name} {_CHANGED}. Saving will ask before it is replaced.")
@@ -364,7 +364,7 @@ class FileActions(QObject):
         self._reported, self.suggested = "same", None
 
     def _may_overwrite(self, path: Path) -> bool:
-        return self._on_disk.state() != "changed" or agreed(
+        return self._on_disk.state() != "changed" or ask_yes(
             self._window,
             "Replace what another program saved?",
             f"{path.name} {_CHANGED}. Replace it, and lose what was saved there?",
@@ -377,7 +377,7 @@ class FileActions(QObject):
             if still_runs(other) is not None:
                 self.failed.emit(f"{reason}. Save the design under another name.")
                 return False
-            if not agreed(self._window, "Replace the file?", f"{reason}. {_MAYBE_ENDED}"):
+            if not ask_yes(self._window, "Replace the file?", f"{reason}. {_MAYBE_ENDED}"):
                 return False
             self.held.take(path, from_other=True)
         try:

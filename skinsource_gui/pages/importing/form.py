@@ -13,7 +13,7 @@ from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from skinsource.base.arrays import Floats
-from skinsource.base.published import SAMPLE_RATE_HZ, Band
+from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ, Band
 from skinsource.design.recordings import ImportChoice, Taken, suggested, usual_scale
 from skinsource.readers.limits import LEAST_RATE_HZ, MOST_PART_S, MOST_RATE_HZ
 from skinsource.readers.reader import Found, Series, other_axes

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import SkinSourceError, Stopped
-from skinsource.base.files import named
+from skinsource.base.files import path_text
 from skinsource.base.job import Job, Progress, Stop, stop_if
 from skinsource.base.work import counted
 from skinsource.design.recordings import ImportChoice, RawPart, Taken, read_for, read_part
@@ -180,7 +180,7 @@ class ImportPage(QDialog):
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName("import_page")
-        self.setWindowTitle(f"Import {named(Path(path.name))}")
+        self.setWindowTitle(f"Import {path_text(Path(path.name))}")
         self.resize(820, 520)
         self._band_hz = limb.band_hz
         self._form: ChoiceForm | None = None

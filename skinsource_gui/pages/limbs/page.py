@@ -32,8 +32,8 @@ from skinsource.limbs.own_limbs import facts_of, mirror_limb, own_limb_names, re
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.limbs.form import Draft, LimbForm, LimbReader, PlacesCanvas
-from skinsource_gui.qt.asking import agreed
 from skinsource_gui.qt.buttons import page_button, page_label
+from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 from skinsource_gui.state.preferences import InstalledLimbs
@@ -42,9 +42,9 @@ _NO = QMessageBox.StandardButton.No
 _LOST = "Its responses cannot be had back from here"
 
 
-def may_replace(parent: QWidget, name: str) -> bool:
+def ask_to_replace(parent: QWidget, name: str) -> bool:
     """Return whether the user gives up the limb of this name for the one that is imported."""
-    return agreed(
+    return ask_yes(
         parent,
         "Replace a limb",
         f"Replace {_limb_text(name)}? {_LOST}, and its designs open read-only unless the new one "
@@ -55,7 +55,7 @@ def may_replace(parent: QWidget, name: str) -> bool:
 
 def may_remove(parent: QWidget, name: str) -> bool:
     """Return whether the user gives up the limb of this name."""
-    return agreed(
+    return ask_yes(
         parent,
         "Remove a limb",
         f"Remove {_limb_text(name)}? {_LOST}, and its designs open read-only.",
@@ -425,7 +425,7 @@ class LimbPage(QDialog):
     def _start(self) -> None:
         name = self.draft.values["name"]
         exists = name in own_limb_names()
-        if not exists or may_replace(self, name):
+        if not exists or ask_to_replace(self, name):
             work = partial(import_limb, self.draft.source(), replace=exists)
             self._jobs.add(Job(IMPORTING, work))
 

@@ -18,7 +18,7 @@ from PySide6.QtGui import QImage, QImageReader
 
 from skinsource.base.child_process import child_command, limit_memory, limit_time, own_output
 from skinsource.base.errors import RecordingError
-from skinsource.base.files import named
+from skinsource.base.files import path_text
 from skinsource.readers.reading_process import ReadingProcess
 
 #: Formats that are read: others, such as drawings, can do more than hold pixels.
@@ -94,7 +94,7 @@ def _blocks(path: Path) -> Iterator[NDArray[np.float32]]:
 
 
 def _refusal(path: Path, reason: str) -> RecordingError:
-    return RecordingError(f"{named(Path(path.name))}: {reason}, expected {_EXPECTED}")
+    return RecordingError(f"{path_text(Path(path.name))}: {reason}, expected {_EXPECTED}")
 
 
 def _answer(answers: IO[bytes], what: dict[str, Any], content: Any = b"") -> None:

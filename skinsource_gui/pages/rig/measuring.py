@@ -22,7 +22,7 @@ from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped
-from skinsource.base.published import BAND_HZ
+from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.base.quoting import sentence
 from skinsource.lab.rig_measuring.duplex import InputDevice, input_devices
 from skinsource.lab.rig_measuring.measurement import (

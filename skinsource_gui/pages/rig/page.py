@@ -27,7 +27,7 @@ from skinsource.actuators.measuring import open_response
 from skinsource.actuators.prediction import Limits
 from skinsource.actuators.rigs import SUFFIX, Rig, RigChannel, open_rig, save_rig
 from skinsource.base.errors import InvalidInputError, SkinSourceError
-from skinsource.base.files import named
+from skinsource.base.files import path_text
 from skinsource.base.quoting import sentence
 from skinsource.design import edits
 from skinsource.design.design import Design
@@ -42,8 +42,8 @@ from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.rig_field import RESPONSE_FILES
 from skinsource_gui.pages.rig.measuring import MeasurePage
-from skinsource_gui.qt.asking import saved_or_given_up
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
+from skinsource_gui.qt.questions import ask_to_save
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing import SoundSettings, SoundThread
@@ -404,7 +404,7 @@ class RigPage(QDialog):
         self._show_channel(self.channels.currentRow())
         self.button("remove").setEnabled(bool(channels))
         changed = " (changed)" if draft.unsaved else ""
-        where = named(Path(draft.path.name)) if draft.path is not None else "not saved yet"
+        where = path_text(Path(draft.path.name)) if draft.path is not None else "not saved yet"
         self._say(f"The rig is {where}{changed}" if channels else _NOTHING)
 
     def _show_channel(self, row: int) -> None:
@@ -457,7 +457,7 @@ class RigPage(QDialog):
             if self._use.isChecked():
                 self._settings.choose_rig(path)
             self._show(self.channels.currentRow())
-            self._say(f"Saved {named(Path(path.name))}")
+            self._say(f"Saved {path_text(Path(path.name))}")
 
     def _predict(self) -> None:
         """Predict the design through these actuators, with the equaliser that it has."""
@@ -484,7 +484,7 @@ class RigPage(QDialog):
             return not self.draft.unsaved
 
         question = "The changes of the rig are not saved. Save them?"
-        return saved_or_given_up(self, "Changes of the rig", question, save)
+        return ask_to_save(self, "Changes of the rig", question, save)
 
 
 def _row(*buttons: tuple[str, str]) -> QHBoxLayout:

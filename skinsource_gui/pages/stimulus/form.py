@@ -23,7 +23,7 @@ from skinsource.actuators.equalising import (
 )
 from skinsource.actuators.rigs import Rig, open_rig
 from skinsource.base.errors import InvalidInputError, SkinSourceError
-from skinsource.base.published import SAMPLE_RATE_HZ
+from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
 from skinsource.base.quoting import quoted
 from skinsource.design.amplitudes import ARBITRARY_UNIT, drive_unit
 from skinsource.design.design import Design

@@ -28,7 +28,7 @@ from skinsource.actuators.rigs import UNCALIBRATED
 from skinsource.base.arrays import Floats
 from skinsource.base.quoting import sentence
 from skinsource.design.design import Design
-from skinsource.design.motions import in_ms
+from skinsource.design.motions import ms_text
 from skinsource.design.view import View
 from skinsource.export.stimulus_export.preparing import (
     ChannelOverview,
@@ -479,7 +479,7 @@ def duration_text(time_s: float) -> str:
     """Return a duration as text, in ms below a second."""
     if time_s < 1e-3:
         return f"{1e3 * time_s:.2g} ms"
-    return in_ms(time_s) if time_s < 1.0 else f"{time_s:.4g} s"
+    return ms_text(time_s) if time_s < 1.0 else f"{time_s:.4g} s"
 
 
 def size_text(n_bytes: int) -> str:

@@ -14,7 +14,7 @@ from skinsource.actuators.equalising import curves
 from skinsource.actuators.prediction import Prediction, breaches
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.published import LARGEST_VELOCITY_M_PER_S, Band
+from skinsource.base.measurement_conditions import LARGEST_VELOCITY_M_PER_S, Band
 from skinsource.engine.actuator_demand import LONGEST_S, ActuatorSettings, Demand
 from skinsource.limbs.locations import input_name
 from skinsource_gui.fields.units import value_text

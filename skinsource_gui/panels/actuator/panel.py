@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from skinsource.actuators.equalising import followed_band
-from skinsource.base.published import Band
+from skinsource.base.measurement_conditions import Band
 from skinsource.design import edits
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import clip_of
@@ -42,7 +42,7 @@ from skinsource_gui.panels.actuator.figures import (
     step_curves,
 )
 from skinsource_gui.plots.signal_view import SignalView
-from skinsource_gui.qt.room import SteadyArea
+from skinsource_gui.qt.fitting import SteadyArea
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
 

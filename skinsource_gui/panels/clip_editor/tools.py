@@ -501,7 +501,7 @@ class EnvelopeTool(Tool):
             self.changed.emit(drag.points, None)
         elif drag.vertical:
             points = algebra.with_point(drag.points, drag.start[0])
-            self.chosen = (algebra.place_of(drag.points, drag.start[0]),)
+            self.chosen = (algebra.index_for(drag.points, drag.start[0]),)
             self.changed.emit(points, None)
         elif drag.box is not None:
             self.chosen = ()

@@ -23,12 +23,12 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 
 from skinsource.base.arrays import Floats
-from skinsource.base.published import Band
+from skinsource.base.measurement_conditions import Band
 from skinsource.design.clips import Clip
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.spectra import share_outside_band
 from skinsource_gui.fields.units import axis_unit
-from skinsource_gui.plots.curves import course_of
+from skinsource_gui.plots.curves import visible_course
 from skinsource_gui.plots.plot import Canvas
 from skinsource_gui.plots.ranges import Points, columns_of, linear_ticks, visible_points, wave_of
 from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_wheel, within, zoomed
@@ -307,7 +307,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
         time_s = np.arange(samples.size) / content.sample_rate_hz
         wave, across = wave_of(time_s, samples[np.newaxis]), max(round(width_px * ratio), 1)
         columns = columns_of(time_s, content.scale.shown_s, across)
-        curve = course_of(columns, samples[np.newaxis], wave, width_px, ratio)
+        curve = visible_course(columns, samples[np.newaxis], wave, width_px, ratio)
         x, y = _places(content, curve.line)
         painter.setOpacity(opacity)
         sharp = curve.line.strokes and not is_on_paper()

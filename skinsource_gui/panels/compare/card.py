@@ -13,12 +13,12 @@ from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.quoting import printable
 from skinsource.design.comparing import (
     EDITED,
-    end_db,
     gain_text,
     louder,
     loudest_db,
     match_text,
     same_but_rounding,
+    scale_end_db,
 )
 from skinsource.design.labels import short_limb_title
 from skinsource.studies import scenes
@@ -26,8 +26,8 @@ from skinsource_gui.fields.units import minus, output_text
 from skinsource_gui.plots.colour_maps import DIVERGING, colour_table
 from skinsource_gui.plots.outputs import output_at
 from skinsource_gui.plots.small_map import (
+    ColourScale,
     Range,
-    Scale,
     SmallMap,
     paint_numbers,
     paint_rings,
@@ -160,7 +160,7 @@ class Card(QAbstractButton):
         self._store_key = shortcut_text(f"store_snapshot_{number}") if number else ""
         self.compared: Compared | None = None
         self._map: SmallMap | None = None
-        self._scale: Scale | None = None
+        self._scale: ColourScale | None = None
         self.present = False
         self.setObjectName(f"snapshot_card_{number}")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -175,7 +175,7 @@ class Card(QAbstractButton):
         self,
         compared: Compared | None,
         shown: SmallMap | None,
-        scale: Scale | None,
+        scale: ColourScale | None,
         *,
         present: bool,
     ) -> None:
@@ -315,7 +315,7 @@ class Difference:
     def end_db(self) -> float:
         """Largest difference that has its own colour, dB."""
         levels = None if self.shown is None else self.shown.levels_db
-        return end_db() if levels is None else end_db(levels)
+        return scale_end_db() if levels is None else scale_end_db(levels)
 
     @property
     def reached_db(self) -> Range | None:
@@ -380,7 +380,7 @@ class DifferenceMap(QWidget):
         painter.setPen(QColor(theme.text))
         painter.drawText(top, flags, difference.heading)
         end, reached = difference.end_db, difference.reached_db
-        scale = Scale(
+        scale = ColourScale(
             range_db=(-end, end),
             words=difference.text,
             colours=DIVERGING,

@@ -19,9 +19,9 @@ from skinsource.design.comparing import (
     EDITED,
     NUMBERS,
     difference_db,
-    other_than,
+    other_snapshot,
     same_outputs,
-    shown,
+    shown_snapshot,
     why_no_comparison,
 )
 from skinsource.design.design import Design
@@ -37,9 +37,15 @@ from skinsource_gui.panels.compare.card import (
     played_db,
 )
 from skinsource_gui.panels.figure_panel import COMPUTING
-from skinsource_gui.plots.small_map import Scale, SmallMap, SmallMaps, level_look, scale_of_levels
+from skinsource_gui.plots.small_map import (
+    ColourScale,
+    SmallMap,
+    SmallMaps,
+    level_style,
+    scale_of_levels,
+)
 from skinsource_gui.qt.buttons import tool_button
-from skinsource_gui.qt.room import ButtonRow, FoldingRow, RoomOrText
+from skinsource_gui.qt.fitting import ButtonRow, FoldingRow, LayoutWatcher
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.compared import (
     ELSEWHERE,
@@ -98,7 +104,7 @@ class ComparePanel(Panel):
         self._row = FoldingRow(self.cards, UNIT_PX // 4, left=True, parent=self)
         self.map = DifferenceMap(self)
         self._lay_out()
-        RoomOrText(self).changed.connect(self._fold)
+        LayoutWatcher(self).changed.connect(self._fold)
         for card in self.cards:
             card.wanted.connect(self._act)
         self.setFocusProxy(self.cards[1])
@@ -119,7 +125,7 @@ class ComparePanel(Panel):
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
         self.match.setChecked(view.levels_matched)
-        self.toggle.setEnabled(other_than(view.snapshots, design) is not None)
+        self.toggle.setEnabled(other_snapshot(view.snapshots, design) is not None)
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
         matched = self._view.levels_matched
@@ -165,22 +171,24 @@ class ComparePanel(Panel):
         """Return the snapshot that is in the window."""
         if self._design is None:
             return None
-        snapshot = shown(self._view.snapshots, self._design)
+        snapshot = shown_snapshot(self._view.snapshots, self._design)
         number = EDITED if snapshot is None else snapshot.number
         return next((side for side in compared if side.snapshot.number == number), None)
 
     def _map_of(
         self, side: Compared | None, loudest_db: float
-    ) -> tuple[SmallMap | None, Scale | None]:
+    ) -> tuple[SmallMap | None, ColourScale | None]:
         """Return the map of a card, in colours that mean the same on all cards."""
         if side is None or side.values is None:
             return None, None
-        scale, gain = scale_of_levels(np.array(loudest_db), level_look(self._view)), gain_db(side)
+        scale, gain = scale_of_levels(np.array(loudest_db), level_style(self._view)), gain_db(side)
         low, high = scale.range_db
         return self._maps.map_of(side.values), replace(scale, range_db=(low - gain, high - gain))
 
     def _difference(self, compared: Sequence[Compared], present: Compared | None) -> Difference:
-        snapshot = None if self._design is None else other_than(self._view.snapshots, self._design)
+        snapshot = (
+            None if self._design is None else other_snapshot(self._view.snapshots, self._design)
+        )
         if snapshot is None or present is None:
             return Difference(text=why_no_comparison(self._view.snapshots))
         other = next((side for side in compared if side.snapshot.number == snapshot.number), None)

@@ -26,8 +26,8 @@ from skinsource_gui.panels.frequency_and_amplitude.settings import (
     ONSET,
     ControlSettings,
 )
+from skinsource_gui.qt.fitting import FoldingRow, LayoutWatcher
 from skinsource_gui.qt.labels import how_to_add, how_to_select_input
-from skinsource_gui.qt.room import FoldingRow, RoomOrText
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
 
@@ -47,7 +47,7 @@ class Heading(QLabel):
         super().__init__(text)
         self._phrases: tuple[str, ...] = (text,)
         self.setWordWrap(True)
-        RoomOrText(self).changed.connect(self._fit)
+        LayoutWatcher(self).changed.connect(self._fit)
 
     def show_phrases(self, *phrases: str) -> None:
         """Take over phrasings, the longest first."""

@@ -42,7 +42,7 @@ _IN_USE_PX = 8.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Place:
+class Marker:
     """Where a marker is painted.
 
     Attributes
@@ -80,12 +80,12 @@ def least_radius_px(site: int) -> float:
     return max(_IN_USE_PX, _DIGIT * len(str(site)) * _LETTERS_PX)
 
 
-def has_room(place: Place) -> bool:
+def has_room(place: Marker) -> bool:
     """Return whether a number fits into a marker."""
     return place.radius_px >= max(_DIGIT * len(str(place.site)), 0.5) * _LETTERS_PX
 
 
-def paint_empty(painter: QPainter, place: Place, theme: Theme, *, inviting: bool) -> None:
+def paint_empty(painter: QPainter, place: Marker, theme: Theme, *, inviting: bool) -> None:
     """Paint an unused site; ``inviting`` while something is dragged over the hand."""
     fill = QColor(theme.base)
     fill.setAlphaF(0.85 if inviting else 0.55)
@@ -99,7 +99,7 @@ def paint_empty(painter: QPainter, place: Place, theme: Theme, *, inviting: bool
     _paint_number(painter, place, QColor(theme.text), bold=False)
 
 
-def paint_dot(painter: QPainter, place: Place, theme: Theme) -> None:
+def paint_dot(painter: QPainter, place: Marker, theme: Theme) -> None:
     """Paint an unused site without its number, which would only hide the hand."""
     fill = QColor(theme.base)
     fill.setAlphaF(0.7)
@@ -109,7 +109,7 @@ def paint_dot(painter: QPainter, place: Place, theme: Theme) -> None:
     painter.drawPath(replace(place, radius_px=radius).path())
 
 
-def paint_hovered(painter: QPainter, place: Place, theme: Theme) -> None:
+def paint_hovered(painter: QPainter, place: Marker, theme: Theme) -> None:
     """Paint an empty site under the mouse, or a site that takes what is dropped."""
     painter.setPen(QPen(QColor(theme.accent), 2.0))
     painter.setBrush(QColor(theme.base))
@@ -119,7 +119,7 @@ def paint_hovered(painter: QPainter, place: Place, theme: Theme) -> None:
 
 def paint_occupied(
     painter: QPainter,
-    place: Place,
+    place: Marker,
     theme: Theme,
     colours: Sequence[QColor],
     *,
@@ -148,7 +148,7 @@ def paint_occupied(
         _paint_count(painter, corner, place.radius_px, len(colours), theme)
 
 
-def paint_selection(painter: QPainter, place: Place, theme: Theme, *, last: bool = True) -> None:
+def paint_selection(painter: QPainter, place: Marker, theme: Theme, *, last: bool = True) -> None:
     """Paint the ring around a selected input, a strong one around the ``last`` selected."""
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(QPen(QColor(theme.base), 6.0))
@@ -157,7 +157,7 @@ def paint_selection(painter: QPainter, place: Place, theme: Theme, *, last: bool
     painter.drawPath(place.path(3.5))
 
 
-def paint_cursor(painter: QPainter, place: Place, theme: Theme) -> None:
+def paint_cursor(painter: QPainter, place: Marker, theme: Theme) -> None:
     """Paint the dashed ring of the keyboard's cursor."""
     radius = place.radius_px * (1.0 if place.push is None else 1.3) + 7.5
     painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -216,7 +216,7 @@ def _rounded(corners: list[QPointF]) -> QPainterPath:
     return path
 
 
-def _paint_number(painter: QPainter, place: Place, colour: QColor, *, bold: bool) -> None:
+def _paint_number(painter: QPainter, place: Marker, colour: QColor, *, bold: bool) -> None:
     centre = place.centre
     if place.push is not None:
         # The triangle is wider at its base.

@@ -20,7 +20,7 @@ from skinsource_gui.panels.hand.layout import (
     HandLayout,
     HandState,
     Mark,
-    Place,
+    Marker,
     cached_hand_pixmap,
     fitted_hand,
     hand_layout,
@@ -262,9 +262,9 @@ class HandPicture:
         quiet = [site for site in range(1, self._layout.n_sites + 1) if site not in last]
         return [*quiet, *reversed(last)]
 
-    def _place(self, site: int, *, in_use: bool) -> Place:
+    def _place(self, site: int, *, in_use: bool) -> Marker:
         radius_px = self._layout.radius_in_use_px if in_use else self._layout.radius_px
-        return Place(
+        return Marker(
             site=site,
             centre=self._layout.centre(site),
             radius_px=radius_px(site),
@@ -330,7 +330,7 @@ class HandPicture:
         widths = _widths(metrics)
         left = area.center().x() - (sum(widths) + 2 * UNIT_PX) / 2
         for (text, push), width in zip(_LEGEND, widths, strict=True):
-            sign = Place(
+            sign = Marker(
                 site=0,
                 centre=QPointF(left + radius, area.center().y() - (0 if push is None else 1)),
                 radius_px=radius * (1.0 if push is None else 0.85),

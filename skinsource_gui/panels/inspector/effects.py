@@ -30,7 +30,7 @@ from skinsource_gui.fields.parts import RowColumn, RowTitle
 from skinsource_gui.qt.buttons import remove_button
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import tooltip
-from skinsource_gui.qt.wheel import bring_into_sight
+from skinsource_gui.qt.wheel import scroll_to
 
 
 class ChainEdits(QObject):
@@ -334,5 +334,5 @@ def _show_whole(row: EffectRow) -> None:
     """Scroll to a new row; of one that is too tall, to its beginning."""
     # Nested layouts post further requests; on some systems the timer fires before the last one.
     QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
-    bring_into_sight(row)
-    bring_into_sight(row.title)
+    scroll_to(row)
+    scroll_to(row.title)

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.base.published import Band
+from skinsource.base.measurement_conditions import Band
 from skinsource.design import edits
 from skinsource.design.amplitudes import is_gain, peak_text
 from skinsource.design.clips import GAIN, ONSET, Clip
@@ -49,8 +49,8 @@ from skinsource_gui.fields.inputs import FieldChanges, fixed_length_text, played
 from skinsource_gui.panels.inspector.effects import ChainEdits, EffectChain
 from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import Swatch, mute_button, solo_button
+from skinsource_gui.qt.fitting import LayoutWatcher, SteadyArea
 from skinsource_gui.qt.labels import how_to_add, how_to_select_input
-from skinsource_gui.qt.room import RoomOrText, SteadyArea
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 from skinsource_gui.state.panel import Panel
@@ -320,7 +320,7 @@ class InputHeading(QWidget):
         layout.addWidget(self._state)
         layout.addWidget(self._mute)
         layout.addWidget(self._solo)
-        RoomOrText(self).changed.connect(self._fit_title)
+        LayoutWatcher(self).changed.connect(self._fit_title)
         self._mute.clicked.connect(self.mute_toggled)
         self._solo.clicked.connect(self.solo_toggled)
 

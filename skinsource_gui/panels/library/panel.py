@@ -27,9 +27,9 @@ from skinsource.design.presets.presets import Entry, Fault, PresetFolder, matchi
 from skinsource.design.view import View
 from skinsource_gui.fields.choice_field import DropDown
 from skinsource_gui.panels.library.list import PresetList, PresetPreview, PresetsModel
-from skinsource_gui.qt.asking import agreed
+from skinsource_gui.qt.fitting import FoldingRow
 from skinsource_gui.qt.keys import KEYS, key_text
-from skinsource_gui.qt.room import FoldingRow
+from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
 
@@ -398,7 +398,7 @@ class LibraryPanel(Panel):
             f"Delete “{entry.preset.name}” from your library? It cannot be taken back; designs in "
             "which it was placed keep it."
         )
-        if agreed(self, "Delete from the library", question, otherwise=_NO):
+        if ask_yes(self, "Delete from the library", question, otherwise=_NO):
             self.folders.delete(entry)
 
     def _open_menu(self, at: QPoint) -> None:

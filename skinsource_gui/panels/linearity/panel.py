@@ -43,10 +43,10 @@ from skinsource_gui.panels.linearity.settings import (
     VELOCITY,
     LinearitySettings,
 )
-from skinsource_gui.qt.asking import copied
 from skinsource_gui.qt.buttons import tool_button
+from skinsource_gui.qt.fitting import ButtonRow
 from skinsource_gui.qt.keys import shortcut_text
-from skinsource_gui.qt.room import ButtonRow
+from skinsource_gui.qt.questions import copied_number
 from skinsource_gui.state.compared import Compared
 
 _STORED_ALONE = "snapshots alone"
@@ -126,7 +126,7 @@ def tab_separated(
     else:
         lines = [("output", "axis", "pearson_r")]
         for (output, axis), r in zip(channels, result.correlation, strict=True):
-            lines.append((str(output), axis, copied(r)))
+            lines.append((str(output), axis, copied_number(r)))
     return "".join("\t".join(line) + "\n" for line in lines)
 
 
@@ -137,14 +137,14 @@ def _straightness_table(all_outputs: Straightness, axes: tuple[str, ...]) -> _Li
     ]
     of_channels = all_outputs.adjusted_r2.reshape(-1, all_outputs.frequency_hz.size)
     for frequency_hz, r2 in zip(all_outputs.frequency_hz, of_channels.T, strict=True):
-        lines.append((copied(frequency_hz), *map(copied, r2)))
+        lines.append((copied_number(frequency_hz), *map(copied_number, r2)))
     return lines
 
 
 def _by_strength(result: Proportion, channels: list[str], unit: StrengthUnit) -> _Lines:
     lines: _Lines = [(unit.column, *(f"rms_{channel}_m_per_s2" for channel in channels))]
     for strength, rms in zip(result.strengths * unit.si_factor, result.rms, strict=True):
-        lines.append((copied(strength), *map(copied, rms)))
+        lines.append((copied_number(strength), *map(copied_number, rms)))
     return lines
 
 
@@ -158,7 +158,9 @@ def _by_band(result: Proportion, channels: list[str], unit: StrengthUnit) -> _Li
     ]
     for k, frequency_hz in enumerate(result.frequency_hz):
         levels, r2 = result.band_rms[..., k].ravel(), result.adjusted_r2[:, k]
-        lines.append((copied(frequency_hz), *map(copied, levels), *map(copied, r2)))
+        lines.append(
+            (copied_number(frequency_hz), *map(copied_number, levels), *map(copied_number, r2))
+        )
     return lines
 
 

@@ -16,7 +16,7 @@ from skinsource.limbs.locations import output_name
 from skinsource.signals.projection import MainAxes, ellipse
 from skinsource_gui.panels.figure_panel import SILENT, FigurePanel
 from skinsource_gui.plots.figure import Figure
-from skinsource_gui.qt.asking import copied
+from skinsource_gui.qt.questions import copied_number
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 
 _LEAST_ROW_PX = 66.0
@@ -249,5 +249,5 @@ class MainAxisPanel(FigurePanel):
                 main_axes.share[rank],
             )
             has_axis = "no" if main_axes.none[rank] else "yes"
-            lines.append("\t".join((str(output), *map(copied, numbers), has_axis)))
+            lines.append("\t".join((str(output), *map(copied_number, numbers), has_axis)))
         return "\n".join(lines) + "\n"

@@ -34,15 +34,15 @@ from skinsource.perception.thresholds import (
 )
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.figure_panel import COMPUTING
-from skinsource_gui.qt.asking import CopyButton, copied_level
 from skinsource_gui.qt.buttons import tool_button
+from skinsource_gui.qt.fitting import FoldingGroups, LetterWidth
 from skinsource_gui.qt.labels import (
     SHORT_NAME,
-    dress_table,
-    give_names_the_rest,
+    fit_name_column,
     how_to_select_output,
+    set_table_look,
 )
-from skinsource_gui.qt.room import BesideOrBelow, LetterWidth
+from skinsource_gui.qt.questions import CopyButton, copied_level
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
 
@@ -102,7 +102,7 @@ class LevelTable(QTableWidget):
         self.setObjectName("perception_table")
         self.setAccessibleName("Levels above threshold")
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        dress_table(self)
+        set_table_look(self)
 
     def fill(
         self,
@@ -113,7 +113,7 @@ class LevelTable(QTableWidget):
         """Show a row for each output under columns that have a title and a hint each."""
         self.setColumnCount(len(columns))
         self.setRowCount(len(texts))
-        give_names_the_rest(self)
+        fit_name_column(self)
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
         for k, (title, hint) in enumerate(columns):
@@ -324,7 +324,7 @@ class PerceptionPanel(Panel):
 
     def _lay_out(self) -> None:
         thresholds = (self.own, self.model, None, self.copy)
-        bar = BesideOrBelow((self.area_label, self.area, None), thresholds, spacing_px=UNIT_PX // 2)
+        bar = FoldingGroups((self.area_label, self.area, None), thresholds, spacing_px=UNIT_PX // 2)
         column = QVBoxLayout(self)
         column.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, UNIT_PX // 2)
         column.setSpacing(UNIT_PX // 2)

@@ -32,9 +32,9 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
+from skinsource_gui.qt.fitting import LetterWidth, SteadyArea
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.labels import FittingLabel, LevelMeter
-from skinsource_gui.qt.room import LetterWidth, SteadyArea
 from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
 from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.state.panel import Panel

@@ -27,16 +27,16 @@ from skinsource.design.comparing import (
     related_limbs,
 )
 from skinsource.design.design import Design
-from skinsource.design.labels import LIMBS, signal_label, span_label, word_of
+from skinsource.design.labels import LIMBS, label_of, signal_label, span_label
 from skinsource.design.view import View
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.own_limbs import missing_limb
 from skinsource_gui.fields.units import minus
 from skinsource_gui.panels.figure_panel import COMPUTING
 from skinsource_gui.plots.figure import NoteLabel
-from skinsource_gui.qt.asking import CopyButton, copied_level
-from skinsource_gui.qt.labels import dress_table
-from skinsource_gui.qt.room import SteadyArea
+from skinsource_gui.qt.fitting import SteadyArea
+from skinsource_gui.qt.labels import set_table_look
+from skinsource_gui.qt.questions import CopyButton, copied_level
 from skinsource_gui.qt.theme import UNIT_PX, scaled, tabular
 from skinsource_gui.state.compared import (
     LEVELS_MATCHED,
@@ -177,7 +177,7 @@ def _column(title: str, head: str, compared: Compared) -> Column:
         return column(hint=NO_REGIONS, numbers=nothing)
     rms = 10.0 ** (compared.values["output_levels_db"] / 20.0)
     levels = region_levels_db(rms * compared.gain)
-    limb = word_of(LIMBS, _limb(compared)).title
+    limb = label_of(LIMBS, _limb(compared)).title
     return column(hint=f"{title}: dB re 1 m/s², {limb}", numbers=tuple(levels.values()))
 
 
@@ -210,7 +210,7 @@ class RegionTable(QTableWidget):
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        dress_table(self)
+        set_table_look(self)
         # The names stay visible while columns are scrolled.
         self.verticalHeader().show()
         self.fit_font(self.font())

@@ -9,26 +9,26 @@ import numpy as np
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import FLOOR_DB
-from skinsource.base.published import Axes
+from skinsource.base.measurement_conditions import Axes
 from skinsource.base.quoting import printable
 from skinsource.design.comparing import (
     EDITED,
     Snapshot,
     difference_db,
-    end_db,
     mean_and_spread_over,
     same_outputs,
-    shown,
+    scale_end_db,
+    shown_snapshot,
     why_no_comparison,
 )
 from skinsource.design.design import Design
 from skinsource.design.labels import (
     AXES,
-    limb_word,
+    label_of,
+    limb_label,
     short_limb_title,
     signal_label,
     span_label,
-    word_of,
 )
 from skinsource.design.view import View
 from skinsource.limbs.limb import PUBLISHED
@@ -40,18 +40,18 @@ from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from skinsource_gui.plots.colour_maps import DIVERGING
 from skinsource_gui.plots.small_map import (
     SILENT,
-    USUAL_LOOK,
-    LevelLook,
+    USUAL_STYLE,
+    ColourScale,
+    LevelStyle,
     Range,
-    Scale,
     SmallMap,
     SmallMaps,
-    level_look,
+    level_style,
     scale_of_levels,
     scale_of_own,
     with_matched,
 )
-from skinsource_gui.qt.asking import copied_level
+from skinsource_gui.qt.questions import copied_level
 from skinsource_gui.state.compared import (
     ELSEWHERE,
     LEVELS_MATCHED,
@@ -95,7 +95,7 @@ class Cell:
     headings: tuple[str, ...]
     limb: str
     small: SmallMap | None = None
-    scale: Scale | None = None
+    scale: ColourScale | None = None
     maximum_db: float | None = None
     design: Design | None = None
     text: str = ""
@@ -158,7 +158,7 @@ class SideBySideContent:
     about: str = ""
 
     @cached_property
-    def common_scale(self) -> Scale | None:
+    def common_scale(self) -> ColourScale | None:
         """The scale that all maps share; None where they differ."""
         scales = {cell.scale for cell in self.cells if cell.scale is not None}
         return scales.pop() if len(scales) == 1 else None
@@ -194,7 +194,7 @@ class Cells:
         self._before: dict[str, SmallMaps] = {}
 
     def of_levels(
-        self, compared: Sequence[Compared], names: Sequence[Names], style: LevelLook = USUAL_LOOK
+        self, compared: Sequence[Compared], names: Sequence[Names], style: LevelStyle = USUAL_STYLE
     ) -> tuple[Cell, ...]:
         """Return a map of the levels of each, in the same colours over the same range."""
         self._begin()
@@ -209,7 +209,7 @@ class Cells:
         self,
         compared: Sequence[Compared],
         names: Sequence[Names],
-        style: LevelLook = USUAL_LOOK,
+        style: LevelStyle = USUAL_STYLE,
     ) -> tuple[Cell, ...]:
         """Return a map of the levels of each, relative to its own loudest output."""
         self._begin()
@@ -228,8 +228,8 @@ class Cells:
             if k != reference
         ]
         drawn = [cell.values_db for cell in cells if cell.values_db is not None]
-        end, reached = end_db(*drawn), _reached_db(drawn)
-        scale = Scale(
+        end, reached = scale_end_db(*drawn), _reached_db(drawn)
+        scale = ColourScale(
             range_db=(-end, end), words="dB", colours=DIVERGING, signed=True, reached_db=reached
         )
         return tuple(cell if cell.small is None else replace(cell, scale=scale) for cell in cells)
@@ -239,7 +239,7 @@ class Cells:
         compared: Sequence[Compared],
         names: Sequence[Names],
         reference: int,
-        style: LevelLook = USUAL_LOOK,
+        style: LevelStyle = USUAL_STYLE,
     ) -> tuple[Cell, ...]:
         """Return mean and standard deviation over all that have the outputs of ``reference``."""
         self._begin()
@@ -271,8 +271,8 @@ class Cells:
             "synthetic": any(_synthetic(side) for side in known),
         }
         of_mean = scale_of_levels(mean, style)
-        of_spread = Scale(
-            range_db=(0.0, end_db(spread)),
+        of_spread = ColourScale(
+            range_db=(0.0, scale_end_db(spread)),
             words="dB",
             colours=style.colours,
             reached_db=_reached_db([spread]),
@@ -311,7 +311,9 @@ class Cells:
         small = self._map(headings[0], side, levels, _noisy(side, base))
         return replace(cell, small=small, synthetic=both)
 
-    def _levels(self, side: Compared, names: Names, scale: Scale, *, own: bool = False) -> Cell:
+    def _levels(
+        self, side: Compared, names: Names, scale: ColourScale, *, own: bool = False
+    ) -> Cell:
         cell = Cell(headings=names, limb=_limb(side), text=side.problem, stale=side.late)
         if side.values is None:
             return cell
@@ -515,13 +517,13 @@ class Kind:
         shown = self.shown(settings)
         names = self.names(compared, view, difference=shown == "difference")
         if shown == "levels" and settings.own_maximum:
-            return cells.of_own_maxima(compared, names, level_look(view))
+            return cells.of_own_maxima(compared, names, level_style(view))
         if shown == "levels":
-            return cells.of_levels(compared, names, level_look(view))
+            return cells.of_levels(compared, names, level_style(view))
         reference = self.reference(compared, design, view)
         if shown == "difference":
             return cells.of_differences(compared, names, reference)
-        return cells.of_spread(compared, names, reference, level_look(view))
+        return cells.of_spread(compared, names, reference, level_style(view))
 
 
 #: Quantities for each axis, and the quantities of a map that they stand in for.
@@ -581,9 +583,9 @@ class OfLimbs(Kind):
         names: list[Names] = []
         for side in compared:
             limb = side.snapshot.design.limb
-            title = limb_word(limb).title
+            title = limb_label(limb).title
             other = (
-                f" ({word_of(AXES, side.axes).title})" if side.axes not in ("", view.axes) else ""
+                f" ({label_of(AXES, side.axes).title})" if side.axes not in ("", view.axes) else ""
             )
             number = title.split()[1] if limb in PUBLISHED else limb
             names.append((f"{title}{other}", short_limb_title(limb), number))
@@ -609,7 +611,7 @@ class OfSnapshots(Kind):
         return snapshot_names(compared, view.axes, with_limbs=difference)
 
     def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
-        held = shown(view.snapshots, design)
+        held = shown_snapshot(view.snapshots, design)
         number = EDITED if held is None else held.number
         matches = [side.snapshot.number == number for side in compared]
         return matches.index(True) if True in matches else 0
@@ -639,7 +641,7 @@ def snapshot_names(
     several = with_limbs and len({side.snapshot.design.limb for side in compared}) > 1
     for side, title in zip(compared, titles, strict=True):
         along = axes_on(side.snapshot.design.limb, axes)
-        other = f" ({word_of(AXES, along).title})" if along != axes else ""
+        other = f" ({label_of(AXES, along).title})" if along != axes else ""
         on_limb = f" on {short_limb_title(side.snapshot.design.limb)}" if several else ""
         other += on_limb
         edited = side.snapshot.number == EDITED

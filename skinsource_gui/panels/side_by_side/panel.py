@@ -10,12 +10,12 @@ from PySide6.QtGui import QColor, QPainter, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QVBoxLayout, QWidget
 
 from skinsource.design import edits
-from skinsource.design.comparing import MOST_BESIDE
+from skinsource.design.comparing import MOST_SIDE_BY_SIDE
 from skinsource.design.design import Design
-from skinsource.design.labels import limb_word
+from skinsource.design.labels import limb_label
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
-from skinsource.limbs.catalogue import available_limbs
+from skinsource.limbs.catalog import available_limbs
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.panels.side_by_side.content import (
     LEAST_BESIDE,
@@ -31,9 +31,9 @@ from skinsource_gui.panels.side_by_side.content import (
 from skinsource_gui.panels.side_by_side.settings import OF, OWN_MAXIMUM, SHOWN, SideBySideSettings
 from skinsource_gui.panels.side_by_side.view import MapsView, paint_page
 from skinsource_gui.plots.figure import NoteLabel
-from skinsource_gui.qt.asking import CopyButton
 from skinsource_gui.qt.buttons import tool_button
-from skinsource_gui.qt.room import FoldingRow, HeightInSight, fonts_of
+from skinsource_gui.qt.fitting import FoldingRow, VisibleHeight, shrinking_fonts
+from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper, tabular
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.panel import Panel
@@ -85,11 +85,11 @@ class LimbsButton(QToolButton):
         known = available_limbs()
         # A limb that no longer exists can be removed from the choice.
         for name in (*known, *(limb for limb in self._chosen if limb not in known)):
-            action = menu.addAction(limb_word(name).title)
+            action = menu.addAction(limb_label(name).title)
             action.setCheckable(True)
             ticked = name in self._chosen
             action.setChecked(ticked)
-            full = len(self._chosen) >= MOST_BESIDE
+            full = len(self._chosen) >= MOST_SIDE_BY_SIDE
             action.setEnabled(len(self._chosen) > LEAST_BESIDE if ticked else not full)
             action.triggered.connect(partial(self._toggle, name))
 
@@ -142,7 +142,7 @@ class ChoicesBar(QWidget):
         self.file.clicked.connect(self.file_wanted)
         self._parts = self.of, self.shown, self.own_maximum, self.limbs, self.file
         self._row = FoldingRow(self._parts, UNIT_PX // 2)
-        self._in_sight = HeightInSight(parent)
+        self._in_sight = VisibleHeight(parent)
         self._in_sight.changed.connect(self._check_room)
         around = QVBoxLayout(self)
         around.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
@@ -185,7 +185,7 @@ class ChoicesBar(QWidget):
     def _fit(self) -> None:
         """Write as large as leaves few rows, where there shall be no more; else as usual."""
         around = self.contentsMargins().left() + self.contentsMargins().right() + UNIT_PX
-        for font in fonts_of(self.font()) if not self._has_room else (self.font(),):
+        for font in shrinking_fonts(self.font()) if not self._has_room else (self.font(),):
             for part in self._parts:
                 part.setFont(font)
             self._row.fold()

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from skinsource.design.comparing import MOST_BESIDE, related_limbs
+from skinsource.design.comparing import MOST_SIDE_BY_SIDE, related_limbs
 from skinsource.specs import fields
 from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec
 
@@ -59,4 +59,4 @@ class SideBySideSettings:
         """Return the names of the limbs that are shown while a design is on ``limb``."""
         if not self.limbs.strip():
             return related_limbs(limb)
-        return tuple(dict.fromkeys(self.limbs.split()))[:MOST_BESIDE]
+        return tuple(dict.fromkeys(self.limbs.split()))[:MOST_SIDE_BY_SIDE]

@@ -11,9 +11,9 @@ from PySide6.QtGui import QGuiApplication, QImage, QPainter
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.base.published import N_OUTPUTS, axes_text
+from skinsource.base.measurement_conditions import N_OUTPUTS, axes_text
 from skinsource.design.design import Design, audible_inputs
-from skinsource.design.labels import limb_word
+from skinsource.design.labels import limb_label
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.engine.time_rules import block_of
@@ -411,7 +411,7 @@ class _Camera:
 
     def text(self, film: Film) -> str:
         """Return how fast time runs, and which limb is shown."""
-        limb = limb_word(self._exported.design.limb).title
+        limb = limb_label(self._exported.design.limb).title
         return f"{limb} · 1/{film.slow_motion:g} of real time"
 
     def frame(self, film: Film, number: int) -> NDArray[np.uint8]:
@@ -467,5 +467,5 @@ class _Camera:
 def _caption_of(exported: ExportedDesign, findings: Findings) -> str:
     """Return stimulus, limb, and the conditions of the measurement that are not met."""
     design, note = exported.design, exported.limb.note
-    judged = Judged(label=limb_word(design.limb).title, note=note, findings=findings)
+    judged = Judged(label=limb_label(design.limb).title, note=note, findings=findings)
     return caption_of(design, notes=in_short([judged]))

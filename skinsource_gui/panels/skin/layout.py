@@ -8,7 +8,7 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from skinsource.base.arrays import Floats
-from skinsource.base.published import VOLAR_OUTPUTS
+from skinsource.base.measurement_conditions import VOLAR_OUTPUTS
 from skinsource.design.labels import PALM_SIDE, TRIAD
 from skinsource.limbs.limb import LimbMap
 from skinsource_gui.qt.frames import Frame, fitted

@@ -33,7 +33,7 @@ from skinsource_gui.plots.small_map import (
     paint_dark_strokes,
     paint_strokes,
 )
-from skinsource_gui.qt.frames import CachedPicture, PaintedAnew
+from skinsource_gui.qt.frames import CachedPicture, UncachedPicture
 from skinsource_gui.qt.overlays import COVERED
 from skinsource_gui.qt.theme import Theme
 
@@ -502,13 +502,13 @@ class MapPainter:
     limb_map
         Outline and places.
     picture_type
-        `CachedPicture` on the screen, `PaintedAnew` for pages and files.
+        `CachedPicture` on the screen, `UncachedPicture` for pages and files.
     """
 
     def __init__(
         self,
         limb_map: LimbMap,
-        picture_type: type[CachedPicture | PaintedAnew] = CachedPicture,
+        picture_type: type[CachedPicture | UncachedPicture] = CachedPicture,
     ) -> None:
         self._limb_map, self._outline = limb_map, QPainterPath()
         self._outline.addPolygon(QPolygonF([QPointF(x, y) for x, y in limb_map.outline]))

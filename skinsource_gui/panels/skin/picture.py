@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.design import Design
-from skinsource.design.labels import limb_word, signal_label
+from skinsource.design.labels import limb_label, signal_label
 from skinsource.design.view import View
 from skinsource.limbs.limb import LimbMap
 from skinsource.limbs.own_limbs import facts_of
@@ -22,7 +22,7 @@ from skinsource_gui.panels.skin.painting import MapContent, MapPainter, small_fo
 from skinsource_gui.panels.skin.scale import paint_colour_scale
 from skinsource_gui.panels.skin.settings import LEVELS, SENSATION, MapQuantity
 from skinsource_gui.plots.colour_maps import colour_table
-from skinsource_gui.qt.frames import PaintedAnew
+from skinsource_gui.qt.frames import UncachedPicture
 from skinsource_gui.qt.theme import Theme, tabular
 
 #: What strokes over a map mean.
@@ -60,7 +60,7 @@ def heading_of(design: Design | None, view: View, quantity: MapQuantity | None =
         band_hz = limb.band_hz
         if quantity.name == SENSATION and band_hz is not None:
             parts.append(f"{band_hz[0]:g} to {band_hz[1]:g} Hz")
-        parts = [limb_word(design.limb).title, *parts]
+        parts = [limb_label(design.limb).title, *parts]
     return Heading(title=quantity.heading, details=" · ".join(parts))
 
 
@@ -161,7 +161,7 @@ def _paint_map(
     metrics = QFontMetricsF(painter.font())
     frame = visible.frame_in(limb_map, room, metrics)
     layout = map_layout(limb_map, frame, room, metrics)
-    map_painter = MapPainter(limb_map, PaintedAnew)
+    map_painter = MapPainter(limb_map, UncachedPicture)
     painter.save()
     # Magnified, the map would lie on heading and scale.
     painter.setClipRect(room, Qt.ClipOperation.IntersectClip)

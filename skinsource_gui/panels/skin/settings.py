@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit
-from skinsource.design.labels import AXES, level_label, signal_label, span_label, word_of
+from skinsource.design.labels import AXES, label_of, level_label, signal_label, span_label
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.signals.map_range import MAP_HIGHEST_DB, SILENT_MAP_RANGE_DB
@@ -14,7 +14,7 @@ from skinsource.specs import fields
 from skinsource.specs.numbers import NumberSpec, Range, RangeSpec
 from skinsource.specs.spec import ChoiceSpec, SwitchSpec
 from skinsource_gui.fields.units import minus
-from skinsource_gui.plots.small_map import MAP_RANGE, LevelLook
+from skinsource_gui.plots.small_map import MAP_RANGE, LevelStyle
 
 #: Levels; acceleration along z, with its sign; its magnitude; its RMS over a sliding window.
 LEVELS, Z, MAGNITUDE, RMS = "levels", "z", "magnitude", "rms"
@@ -100,7 +100,7 @@ class MapQuantity:
     def details_on(self, axes: str) -> str:
         """Return how the axes of a limb are combined."""
         if self.name in (Z, SENSATION):
-            return "z" if self.name == Z else f"{word_of(AXES, axes).title} together"
+            return "z" if self.name == Z else f"{label_of(AXES, axes).title} together"
         return signal_label(axes, "mag") if self.name == MAGNITUDE else self.signal
 
     def text(self, value: float) -> str:
@@ -151,7 +151,7 @@ SENSORS_SHOWN = SwitchSpec(label="Sensors", hint="Mark the outputs on the interp
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class SkinSettings(LevelLook):
+class SkinSettings(LevelStyle):
     """What the map shows, and how.
 
     Attributes

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.published import Band
+from skinsource.base.measurement_conditions import Band
 from skinsource.design.comparing import match_text
 from skinsource.design.design import Design
 from skinsource.design.panel_settings import settings_of, with_settings
@@ -23,10 +23,10 @@ from skinsource.specs import fields
 from skinsource.specs.numbers import Range, RangeSpec
 from skinsource.specs.spec import ChoiceSpec, SwitchSpec
 from skinsource_gui.panels.signal_panel import SignalPanel
-from skinsource_gui.plots.curves import LEVEL_WORDS, Curves, output_names
+from skinsource_gui.plots.curves import LEVEL_TEXT, Curves, output_names
 from skinsource_gui.plots.ranges import Kind, XAxis
 from skinsource_gui.plots.ranges import Range as RangesRange
-from skinsource_gui.plots.signal_view import NEEDS, heading_of, lines_later
+from skinsource_gui.plots.signal_view import DESCRIPTION_QUANTITIES, heading_of, lazy_lines
 
 LAYOUT = ChoiceSpec(
     label="Layout",
@@ -140,10 +140,10 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         axes=axes,
         kind=_kind(settings),
         span=span_shown,
-        level_words=_RELATIVE_LEVEL_TEXT if settings.relative else LEVEL_WORDS,
+        level_words=_RELATIVE_LEVEL_TEXT if settings.relative else LEVEL_TEXT,
         scaling=_scaling(settings, span),
         columns=_columns(results["outputs"], axes) if columns else (),
-        about=lines_later(results, *notes, each_axis=each_axis),
+        about=lazy_lines(results, *notes, each_axis=each_axis),
         heading=heading_of(results, each_axis=each_axis),
         peaks=peaks,
         matched=match_text(results["match_gain"]),
@@ -245,7 +245,7 @@ class SpectraPanel(SignalPanel):
     def needs(self) -> frozenset[str]:
         # Texts around the curves come with the curves.
         spectra = quantity_of(self._settings, self._view.span)
-        return frozenset({spectra, "outputs", "sample_rate_hz"}) | NEEDS
+        return frozenset({spectra, "outputs", "sample_rate_hz"}) | DESCRIPTION_QUANTITIES
 
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, SpectraSettings)

@@ -34,7 +34,7 @@ from skinsource_gui.panels.figure_panel import SILENT, FigurePanel
 from skinsource_gui.plots.colour_maps import colour_indices, colour_table
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.plots.ranges import Range, SteadyRange
-from skinsource_gui.qt.room import BesideOrBelow, LetterWidth
+from skinsource_gui.qt.fitting import FoldingGroups, LetterWidth
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 
 #: How far below its loudest the colours go.
@@ -258,7 +258,7 @@ class SpectrogramPanel(FigurePanel):
             (self.output, self.window_length),
             (self.floor, QLabel("–"), self.ceiling, None),
         )
-        self.choices.addWidget(BesideOrBelow(what, band, spacing_px=UNIT_PX // 2))
+        self.choices.addWidget(FoldingGroups(what, band, spacing_px=UNIT_PX // 2))
         self.output.chosen.connect(lambda number, _: self._change(output=float(number)))
         self.window_length.chosen.connect(lambda window_ms, _: self._change(window_ms=window_ms))
         self.floor.edited.connect(lambda value_hz, _: self._change(floor_hz=value_hz))

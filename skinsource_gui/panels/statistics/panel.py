@@ -36,14 +36,14 @@ from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.analysis.statistics import BEGUN_SHARE, Statistics
 from skinsource_gui.panels.figure_panel import COMPUTING
 from skinsource_gui.plots.figure import NoteLabel
-from skinsource_gui.qt.asking import CopyButton, copied
 from skinsource_gui.qt.keys import claims_shortcut
 from skinsource_gui.qt.labels import (
     SHORT_NAME,
-    dress_table,
-    give_names_the_rest,
+    fit_name_column,
     how_to_select_output,
+    set_table_look,
 )
+from skinsource_gui.qt.questions import CopyButton, copied_number
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.state.panel import Panel
 
@@ -125,7 +125,7 @@ def tab_separated(rows: tuple[StatisticsRow, ...]) -> str:
     header += ("crest", "dominant_hz", "delay_ms", "mostly_noise")
     lines = ["\t".join(header)]
     for row in rows:
-        numbers = map(copied, row.shown)
+        numbers = map(copied_number, row.shown)
         lines.append("\t".join((str(row.number), row.name, *numbers, "yes" if row.noisy else "no")))
     return "\n".join(lines) + "\n"
 
@@ -218,8 +218,8 @@ class StatisticsPanel(Panel):
         self.table.setObjectName("statistics_table")
         self.table.setAccessibleName("Figures of the selected outputs")
         self.table.setModel(self.model)
-        dress_table(self.table)
-        give_names_the_rest(self.table)
+        set_table_look(self.table)
+        fit_name_column(self.table)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         header = self.table.horizontalHeader()
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)

@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QPainter, QWheelEvent
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.published import SAMPLE_RATE_HZ
+from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
 from skinsource.design.clips import Clip
 from skinsource.design.design import MAX_INPUTS, Design, Input
 from skinsource.design.edits.cutting import fades_of

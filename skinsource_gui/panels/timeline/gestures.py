@@ -22,7 +22,7 @@ from skinsource_gui.panels.timeline.content import (
     curve_of,
     gain_point_text,
 )
-from skinsource_gui.plots.time_scale import Rest, panned, rest_of
+from skinsource_gui.plots.time_scale import Snap, panned, snap_of
 from skinsource_gui.qt.frames import DropPlace
 
 Modifier = Qt.KeyboardModifier
@@ -91,13 +91,13 @@ class GestureContext:
             self.applied = outcome.design
         self.apply(outcome, self.number)
 
-    def rest(self, edges_s: Sequence[float], by_s: float, neighbours_s: Sequence[float]) -> Rest:
+    def rest(self, edges_s: Sequence[float], by_s: float, neighbours_s: Sequence[float]) -> Snap:
         """Return how far edges move that are dragged ``by_s``: they snap, if that is on."""
         content = self.content()
         if not content.snaps:
-            return Rest(by_s=by_s)
+            return Snap(by_s=by_s)
         grid_s, reach_s = content.grid_s, content.reach_s
-        return rest_of(edges_s, by_s, neighbours_s=neighbours_s, grid_s=grid_s, reach_s=reach_s)
+        return snap_of(edges_s, by_s, neighbours_s=neighbours_s, grid_s=grid_s, reach_s=reach_s)
 
     def undo(self) -> None:
         """Put the design back as if the gesture had not begun."""
@@ -140,7 +140,7 @@ class _EndDrag(Gesture):
         self._end_s = self._start_s + context.before.durations_s[box.clip.id]
         self._neighbours = context.before.neighbours_s(frozenset({box.clip.id}))
 
-    def _rest(self, at: QPointF, edge_s: float) -> Rest:
+    def _rest(self, at: QPointF, edge_s: float) -> Snap:
         by_s = (at.x() - self._at.x()) / self._context.content().scale.px_per_s
         return self._context.rest((edge_s,), by_s, self._neighbours)
 
@@ -279,13 +279,13 @@ class MoveClips(Gesture):
         self._context.elsewhere(None)
         self._context.undo()
 
-    def _rest(self, at: QPointF, *, copies: bool, free: bool) -> Rest:
+    def _rest(self, at: QPointF, *, copies: bool, free: bool) -> Snap:
         by_s = (at.x() - self._at.x()) / self._context.content().scale.px_per_s
         by_s = max(round(by_s / self._sample_s) * self._sample_s, -self._first_s)
         if free:
-            return Rest(by_s=by_s)
+            return Snap(by_s=by_s)
         rest = self._context.rest(self._edges, by_s, self._snap_times_s[copies])
-        return rest if self._first_s + rest.by_s >= 0.0 else Rest(by_s=-self._first_s)
+        return rest if self._first_s + rest.by_s >= 0.0 else Snap(by_s=-self._first_s)
 
     def _lanes_to(self, at: QPointF) -> int:
         lanes = self._context.content().lanes

@@ -26,7 +26,7 @@ from skinsource_gui.panels.timeline.content import (
     paint_overlaps,
 )
 from skinsource_gui.panels.timeline.gestures import GesturePreview
-from skinsource_gui.plots.curves import course_of
+from skinsource_gui.plots.curves import visible_course
 from skinsource_gui.plots.ranges import CachedColumns, Tick, linear_ticks, wave_of
 from skinsource_gui.plots.time_scale import Range, TimeScale
 from skinsource_gui.qt.frames import CachedPicture
@@ -145,7 +145,7 @@ class ClipPictures:
         across = max(round(width * style.ratio), 1)
         wave = wave_of(time_s, samples[np.newaxis])
         columns = self.columns.of(time_s, (first_s, end_s), across)
-        curve = course_of(columns, samples[np.newaxis], wave, width, style.ratio)
+        curve = visible_course(columns, samples[np.newaxis], wave, width, style.ratio)
         heights = style.reach * curve.line.y[0]
         if curve.wave:
             self.waves += 1

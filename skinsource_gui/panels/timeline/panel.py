@@ -59,10 +59,10 @@ from skinsource_gui.panels.timeline.head_row import InputRow, heads_px, row_plac
 from skinsource_gui.panels.timeline.heads import Heads, InputList
 from skinsource_gui.panels.timeline.lanes import LanesView, marker_at
 from skinsource_gui.plots.time_scale import Range
+from skinsource_gui.qt.fitting import LayoutWatcher, fitting_font, set_fonts
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import KEYS, key_text
 from skinsource_gui.qt.labels import how_to_add
-from skinsource_gui.qt.room import RoomOrText, fitting_font, write_in
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
 
@@ -428,7 +428,7 @@ class TimelineToolbar(QWidget):
         for button in self._buttons:
             row.addWidget(button)
         row.addStretch(1)
-        RoomOrText(self).changed.connect(self._fit)
+        LayoutWatcher(self).changed.connect(self._fit)
 
     def show_state(self, *, snaps: bool, zoomed: bool) -> None:
         """Show whether edges snap, and whether less than everything is shown."""
@@ -441,7 +441,7 @@ class TimelineToolbar(QWidget):
         around = self._row.contentsMargins()
         gaps = around.left() + around.right() + self._row.spacing() * len(self._buttons)
         room = self.width() - gaps
-        write_in(fitting_font((self._buttons,), self.font(), room), self._buttons)
+        set_fonts(fitting_font((self._buttons,), self.font(), room), self._buttons)
 
     def _button(self, text: str, hint: str) -> QToolButton:
         button = QToolButton(self)

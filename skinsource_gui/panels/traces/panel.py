@@ -24,7 +24,7 @@ from skinsource_gui.panels.signal_panel import SignalPanel
 from skinsource_gui.plots.curves import Curves, output_names
 from skinsource_gui.plots.plot import moved_playhead
 from skinsource_gui.plots.ranges import Wave, XAxis
-from skinsource_gui.plots.signal_view import NEEDS, heading_of, lines_later
+from skinsource_gui.plots.signal_view import DESCRIPTION_QUANTITIES, heading_of, lazy_lines
 from skinsource_gui.qt.tooltips import tooltip
 
 LAYOUT = ChoiceSpec(
@@ -109,7 +109,11 @@ class TracesPanel(SignalPanel):
     @property
     def needs(self) -> frozenset[str]:
         # Outputs, delay and limb come with the curves: labels never belong to others.
-        drawn = {"response_time_s", "selected_traces", "outputs", "delay_removed"} | NEEDS | _WAVE
+        drawn = (
+            {"response_time_s", "selected_traces", "outputs", "delay_removed"}
+            | DESCRIPTION_QUANTITIES
+            | _WAVE
+        )
         if self._view.method == "pca" and len(self._view.axes) > 1:
             drawn.add("selected_without_main_axis")
         return frozenset(drawn)
@@ -164,7 +168,7 @@ class TracesPanel(SignalPanel):
             y=results["selected_traces"] if scale is None else results["selected_traces"] / scale,
             kind="amplitude" if scale is None else "relative",
             names=output_names(results["outputs"], results["limb"]),
-            about=lines_later(results),
+            about=lazy_lines(results),
             heading=heading_of(results),
             matched=match_text(results["match_gain"]),
             peaks=() if scale is None else tuple(_largest(results["selected_traces"]).tolist()),

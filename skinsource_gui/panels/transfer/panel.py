@@ -20,9 +20,9 @@ from skinsource_gui.panels.figure_panel import FigurePanel
 from skinsource_gui.panels.transfer.settings import TransferSettings
 from skinsource_gui.plots.figure import Axes, Axis, Figure, draw_legend, fitted_axes
 from skinsource_gui.plots.ranges import LEVEL_SPAN_DB, SteadyRange
-from skinsource_gui.qt.asking import copied
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.labels import how_to_add
+from skinsource_gui.qt.questions import copied_number
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 
 # Bars of many outputs share this part of the height, above which the curves are visible.
@@ -236,7 +236,7 @@ class TransferPanel(FigurePanel):
             transfer.coherence,
         )
         lines = ["\t".join(header)]
-        lines += ["\t".join(map(copied, row)) for row in np.vstack(columns).T.tolist()]
+        lines += ["\t".join(map(copied_number, row)) for row in np.vstack(columns).T.tolist()]
         return "\n".join(lines) + "\n"
 
     def _show_empty(self) -> None:

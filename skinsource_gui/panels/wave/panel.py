@@ -18,8 +18,8 @@ from skinsource.signals.analysis.wave_speed import LEAST_EXPLAINED, LEAST_STRAIG
 from skinsource_gui.fields.units import minus
 from skinsource_gui.panels.figure_panel import SILENT, FigurePanel
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
-from skinsource_gui.qt.asking import copied, copied_level
 from skinsource_gui.qt.labels import SKIN
+from skinsource_gui.qt.questions import copied_level, copied_number
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 
 _DOT_PX, _REACH_PX = 4.0, 14.0
@@ -207,8 +207,8 @@ class WavePanel(FigurePanel):
         lines = ["\t".join((*header, "counted", "timed"))]
         distances = wave.distance_m * 1e3, wave.delay_s * 1e3
         for k, output in enumerate(content.outputs):
-            distance, delay = (copied(values[k]) for values in distances)
-            numbers = distance, delay, copied_level(wave.level_db[k]), copied(wave.alike[k])
+            distance, delay = (copied_number(values[k]) for values in distances)
+            numbers = distance, delay, copied_level(wave.level_db[k]), copied_number(wave.alike[k])
             used = ("yes" if flags[k] else "no" for flags in (wave.counted, wave.timed))
             lines.append("\t".join((str(output), *numbers, *used)))
         return "\n".join(lines) + "\n"

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.comparing import match_text
 from skinsource.design.design import Design
-from skinsource.design.labels import limb_word, signal_label
+from skinsource.design.labels import limb_label, signal_label
 from skinsource.design.view import WINDOW_COUNT, WINDOW_LENGTH, WINDOWS_CUT, View
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editors import FieldCell
@@ -23,8 +23,8 @@ from skinsource_gui.panels.windowed.view import (
     strip_layout,
     windows_heading,
 )
-from skinsource_gui.plots.small_map import SmallMaps, level_look
-from skinsource_gui.qt.room import BesideOrBelow
+from skinsource_gui.plots.small_map import SmallMaps, level_style
+from skinsource_gui.qt.fitting import FoldingGroups
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper
 from skinsource_gui.state.panel import Panel
 
@@ -55,7 +55,7 @@ class WindowedPanel(Panel):
         for cell in self.cells.values():
             cell.edited.connect(self._change)
         fields = [part for cell in others for part in (cell.label, cell)]
-        row = BesideOrBelow((cut.label, cut, None), (*fields, None), spacing_px=UNIT_PX // 2)
+        row = FoldingGroups((cut.label, cut, None), (*fields, None), spacing_px=UNIT_PX // 2)
         column = QVBoxLayout(self)
         column.setContentsMargins(UNIT_PX // 2, UNIT_PX // 2, UNIT_PX // 2, UNIT_PX // 2)
         column.setSpacing(UNIT_PX // 2)
@@ -162,13 +162,13 @@ class WindowedPanel(Panel):
         delay_s = 0.0
         if self._design is not None and not self._view.delay_removed:
             delay_s = facts_of(self._design.limb).pre_trigger_delay_s
-        return {"traces_delay_s": delay_s, "look": level_look(self._view)}
+        return {"traces_delay_s": delay_s, "look": level_style(self._view)}
 
     def _heading(self, times: str = "") -> str:
         if self._design is None:
             return ""
         content, view = self.strip.content, self._view
-        limb = limb_word(self._design.limb).title
+        limb = limb_label(self._design.limb).title
         lines = [f"{limb}: RMS of {signal_label(view.axes, view.method)} in windows"]
         if times:
             lines.append(times)

@@ -25,9 +25,9 @@ from skinsource.signals.analysis.windows import Windows
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.plots.small_map import (
-    USUAL_LOOK,
-    LevelLook,
-    Scale,
+    USUAL_STYLE,
+    ColourScale,
+    LevelStyle,
     SmallMap,
     paint_scale_row,
     paint_small_bar,
@@ -82,7 +82,7 @@ class WindowedContent:
     in_noise: tuple[bool, ...] = ()
     traces_delay_s: float = 0.0
     matched: str = ""
-    look: LevelLook = USUAL_LOOK
+    look: LevelStyle = USUAL_STYLE
 
     @property
     def time_phrases(self) -> tuple[str, ...]:
@@ -139,7 +139,7 @@ class WindowedContent:
         return "the nearest input" if len(places) > 1 else "the input"
 
     @property
-    def scale(self) -> Scale:
+    def scale(self) -> ColourScale:
         """The colour scale of all maps."""
         return with_matched(scale_of_levels(self.levels_db, self.look), self.matched)
 

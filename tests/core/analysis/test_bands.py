@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from skinsource.base.published import BAND_HZ
+from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.signals.analysis import statistics
 from skinsource.studies.validation import linear_fit, straight_lines
 

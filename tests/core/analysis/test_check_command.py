@@ -9,7 +9,7 @@ import skinsource as ss
 from skinsource.base.errors import InvalidInputError, RecordingError
 from skinsource.cli.command_line import main
 from skinsource.design.design_file import save_design
-from skinsource.design.labels import SCALINGS, word_of
+from skinsource.design.labels import SCALINGS, label_of
 from skinsource.design.view import View
 from skinsource.studies import checking
 from skinsource.studies.checking import (
@@ -86,7 +86,7 @@ def test_a_recording_is_held_against_the_prediction_and_reported(design_file, tm
     # What else could it be a report on?
     assert "recording: lab.npz" in page
     assert "limb: Synthetic 1" in page
-    assert f"scaling: {word_of(SCALINGS, design.scaling).both}" in page
+    assert f"scaling: {label_of(SCALINGS, design.scaling).both}" in page
     assert "input at place 13: amplitude 0.5" in page
     assert re.search(r"written on \d{4}-\d\d-\d\d \d\d:\d\d UTC", page)
 

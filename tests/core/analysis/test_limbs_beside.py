@@ -6,7 +6,12 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.comparing import end_db, mean_and_spread_over, related_limbs, same_outputs
+from skinsource.design.comparing import (
+    mean_and_spread_over,
+    related_limbs,
+    same_outputs,
+    scale_end_db,
+)
 from tests.core.own_limbs.lab_bench import N_OUTPUTS, installed
 
 
@@ -47,7 +52,7 @@ def test_fewer_than_two_or_what_is_no_table_of_levels_is_refused(levels):
 
 
 def test_a_scale_of_differences_ends_at_the_next_round_number():
-    assert [end_db(level_db) for level_db in (0.0, -0.4, 1.0, 2.1, -6.01, 99.0)] == [
+    assert [scale_end_db(level_db) for level_db in (0.0, -0.4, 1.0, 2.1, -6.01, 99.0)] == [
         1,
         1,
         1,
@@ -55,13 +60,13 @@ def test_a_scale_of_differences_ends_at_the_next_round_number():
         10,
         60,
     ]
-    assert end_db(np.array([np.nan, -2.5]), np.array([0.1])) == 3.0
-    assert end_db() == 1.0
+    assert scale_end_db(np.array([np.nan, -2.5]), np.array([0.1])) == 3.0
+    assert scale_end_db() == 1.0
 
 
 def test_a_few_large_differences_leave_colours_for_the_others():
     most = np.linspace(-4.0, 4.0, 96)
-    assert end_db(most, [-29.0, 29.0]) == 10.0  # a third of the largest
-    assert end_db(most, [-9.0]) == 5.0
-    assert end_db(np.zeros(71), [25.0]) == 10.0
-    assert end_db(np.linspace(-38.0, 2.0, 72)) == 40.0
+    assert scale_end_db(most, [-29.0, 29.0]) == 10.0  # a third of the largest
+    assert scale_end_db(most, [-9.0]) == 5.0
+    assert scale_end_db(np.zeros(71), [25.0]) == 10.0
+    assert scale_end_db(np.linspace(-38.0, 2.0, 72)) == 40.0

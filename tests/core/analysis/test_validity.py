@@ -13,12 +13,12 @@ from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.export.stimulus_export.sidecar import about_validity
 from skinsource.export.tables import export_levels
-from skinsource.limbs import catalogue
+from skinsource.limbs import catalog
 from skinsource.perception.validity import (
     Finding,
     findings_lines,
-    listed,
     noise_findings,
+    number_ranges,
     probe_velocity,
 )
 
@@ -196,7 +196,7 @@ def test_tables_carry_what_is_not_kept(tmp_path):
     ("numbers", "text"), [((3,), "3"), ((1, 2), "1 and 2"), ((2, 1, 3), "1 to 3")]
 )
 def test_numbers_are_listed_as_one_reads_them(numbers, text):
-    assert listed(numbers) == text
+    assert number_ranges(numbers) == text
 
 
 def test_the_sidecar_of_a_stimulus_carries_the_conditions(tmp_path):
@@ -214,5 +214,5 @@ def test_the_sidecar_of_a_stimulus_carries_the_conditions(tmp_path):
 def test_the_sidecar_of_a_stimulus_carries_the_note_on_the_limb(monkeypatch):
     limb = ss.load_limb("synthetic-1")
     limb.note = "measured on a cold day"
-    monkeypatch.setattr(catalogue, "load_synthetic_limb", lambda number: limb)
+    monkeypatch.setattr(catalog, "load_synthetic_limb", lambda number: limb)
     assert about_validity(design_of())["limb_note"] == "measured on a cold day"

@@ -11,7 +11,7 @@ from skinsource.base.job import never
 from skinsource.design.view import View
 from skinsource.engine.analysis_rules import contact_weighted_rms, line_wave, output_noise_rms
 from skinsource.engine.moments import Projection
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.perception.hand_arm import hand_arm_weighting, weighted_rms
 from skinsource.perception.thresholds import table_threshold
 from skinsource.perception.validity import drive_findings

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import LIMB_NAMES
+from skinsource.base.measurement_conditions import LIMB_NAMES
 from skinsource.design.design import Design, Input
 from skinsource.specs import fields
 from skinsource.specs.breakpoints import SEGMENTS, BreakpointsSpec

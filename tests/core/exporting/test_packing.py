@@ -161,7 +161,7 @@ def test_a_limb_of_a_lab_is_told_by_its_digest_and_not_by_the_published_dataset(
     assert data_of(DESIGN)["limb_sha256"] == ""
 
 
-def test_a_citation_says_that_files_are_not_verified_as_published(made_up_installed):
+def test_a_citation_says_that_files_are_not_verified_as_published(synthetic_installed):
     design = ss.Design(limb="measured-2")
     assert "not verified as published: made from files that are not" in citation(design)
     assert data_of(design)["source_note"].startswith("not verified as published")

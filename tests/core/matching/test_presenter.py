@@ -12,7 +12,7 @@ from skinsource.base.errors import NothingToPlayOnError
 from skinsource.lab.matching import MatchingRun, Presenter, Procedure
 from skinsource.lab.playing import session as session_module
 from skinsource.lab.playing.devices import Output
-from tests.core.playing.made_up_sound import MadeUpLibrary, use
+from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
 
 PROCEDURE = Procedure(
     person="Anna",
@@ -34,7 +34,7 @@ def wait_for(condition):
 
 @pytest.fixture
 def sound(monkeypatch):
-    return use(monkeypatch, MadeUpLibrary(Four=4))
+    return use(monkeypatch, SyntheticSoundLibrary(Four=4))
 
 
 @pytest.fixture

@@ -8,7 +8,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError, RecordingError
-from skinsource.base.published import BAND_HZ
+from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.panel_settings import with_settings

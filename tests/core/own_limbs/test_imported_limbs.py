@@ -9,7 +9,7 @@ import scipy.io
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.cli.command_line import main
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb_import import LimbSource, import_limb
 from skinsource.limbs.limb_layout import export_limb
 from skinsource.limbs.own_limbs import facts_of, own_limb_names, own_limb_path

@@ -12,7 +12,7 @@ from skinsource.base.errors import FileFormatError, InvalidInputError, UnknownLi
 from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
-from skinsource.design.labels import limb_word
+from skinsource.design.labels import limb_label
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
@@ -21,7 +21,7 @@ from skinsource.engine.levelling import wavelet_levels_db
 from skinsource.export.map_files import export_map
 from skinsource.export.stimulus_export.export import export_stimulus
 from skinsource.export.tables import export_field, export_levels, export_traces
-from skinsource.limbs.catalogue import available_limbs, load_limb
+from skinsource.limbs.catalog import available_limbs, load_limb
 from skinsource.limbs.locations import input_name, output_name
 from skinsource.limbs.own_limbs import (
     facts_of,
@@ -64,8 +64,8 @@ def test_it_gives_back_every_number(lab):
 
 def test_it_is_named_beside_the_others_and_removed(lab):
     assert available_limbs()[-1] == "lab-1"
-    assert limb_word("lab-1").title == "Lab 1"
-    assert "31 outputs along x and z, 4000 Hz" in limb_word("lab-1").sentence
+    assert limb_label("lab-1").title == "Lab 1"
+    assert "31 outputs along x and z, 4000 Hz" in limb_label("lab-1").sentence
     assert input_name(3, "lab-1").name == "site 3"
     assert output_name(3, "lab-1").name == "Output 3"
     assert input_name(8, "lab-1").short_name == "not on this hand"

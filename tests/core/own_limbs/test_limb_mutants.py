@@ -6,7 +6,7 @@ import pytest
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.limbs import limb_import as importing_module
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb_import import LimbSource, import_limb, prepare_limb
 from skinsource.limbs.own_limbs import own_limb_names, own_limb_path
 from skinsource.readers.reading_process import ReadingProcess

@@ -8,7 +8,7 @@ import skinsource as ss
 from skinsource.base.errors import NothingToPlayOnError, PlaybackError, Stopped
 from skinsource.lab.playing.devices import Output
 from skinsource.lab.playing.session import Session
-from tests.core.playing.made_up_sound import MadeUpLibrary, use
+from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.5)
 ONE = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE, amplitude=0.9),))
@@ -23,7 +23,7 @@ def wait_for(condition):
 
 @pytest.fixture
 def sound(monkeypatch):
-    return use(monkeypatch, MadeUpLibrary(Two=2, Eight=8))
+    return use(monkeypatch, SyntheticSoundLibrary(Two=2, Eight=8))
 
 
 @pytest.fixture
@@ -126,7 +126,7 @@ def test_a_tone_is_on_one_output_alone(sound, session):
 
 
 def test_without_a_device_it_runs_in_silence_and_says_why(monkeypatch, session):
-    use(monkeypatch, MadeUpLibrary())
+    use(monkeypatch, SyntheticSoundLibrary())
     playing = play(session)
     assert playing.stream is None
     assert "No device to play on was found" in playing.reason

@@ -13,7 +13,7 @@ from skinsource.actuators.rigs import Margin, Rig, RigChannel, highest_gain, rig
 from skinsource.base.errors import InvalidInputError, PlaybackError
 from skinsource.lab.playing.devices import Output
 from skinsource.lab.playing.session import Session
-from tests.core.playing.made_up_sound import MadeUpLibrary, use
+from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
 
 RATE_HZ = 48_000
 FADE = 240
@@ -31,7 +31,7 @@ def rig_of(**changes):
 
 @pytest.fixture
 def sound(monkeypatch):
-    return use(monkeypatch, MadeUpLibrary(Two=2, Eight=8))
+    return use(monkeypatch, SyntheticSoundLibrary(Two=2, Eight=8))
 
 
 @pytest.fixture

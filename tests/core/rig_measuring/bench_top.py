@@ -11,7 +11,7 @@ from scipy.signal import fftconvolve
 
 import skinsource as ss
 from skinsource.lab.rig_measuring.measurement import MeasuringSetup
-from tests.core.playing.made_up_sound import CallbackStop, PortAudioError
+from tests.core.playing.synthetic_sound import CallbackStop, PortAudioError
 
 RATE_HZ = 8_000
 COIL = ss.actuators.load("example-voice-coil")

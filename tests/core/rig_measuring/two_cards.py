@@ -7,7 +7,7 @@ import numpy as np
 import scipy
 from scipy.signal import czt
 
-from tests.core.playing.made_up_sound import CallbackStop, PortAudioError
+from tests.core.playing.synthetic_sound import CallbackStop, PortAudioError
 from tests.core.rig_measuring.bench_top import RATE_HZ
 
 #: What is played reaches the sensor's device so many of its samples later, beside the path's delay.

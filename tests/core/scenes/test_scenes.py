@@ -4,9 +4,9 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import LIMB_NAMES
+from skinsource.base.measurement_conditions import LIMB_NAMES
 from skinsource.cli.command_line import main
-from skinsource.design.comparing import shown
+from skinsource.design.comparing import shown_snapshot
 from skinsource.design.design_file import open_design
 from skinsource.studies.scenes.catalog import path_of
 from skinsource.studies.scenes.shipped import SHIPPED
@@ -73,7 +73,7 @@ def test_the_window_shows_one_of_the_designs_that_are_compared_and_the_others_as
     for name in PANELS:
         opened = ss.scenes.open_scene(name, available=MEASURED)
         stored = [snapshot.design for snapshot in opened.view.snapshots]
-        extra = 1 if shown(opened.view.snapshots, opened.design) is None else 0
+        extra = 1 if shown_snapshot(opened.view.snapshots, opened.design) is None else 0
         assert len(stored) + extra == len(opened.conditions), name
         assert not opened.view.levels_matched, name
 

@@ -7,7 +7,7 @@ import pytest
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import never
-from skinsource.base.published import BAND_HZ
+from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.engine.shared import Shared
 from skinsource.studies.sweeps.metrics import Preparing
 from tests.core.own_limbs.lab_bench import installed

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.base.published import BAND_HZ
+from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.base.work import counting
 from skinsource.design import edits
 from skinsource.design.design import track

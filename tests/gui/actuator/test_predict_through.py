@@ -154,7 +154,8 @@ def test_pictures_and_tables_say_what_they_went_through(window, panel, qtbot):
     panel.through.box.click()
     settle(window, qtbot)
     from skinsource_gui.plots.pictures import caption_of
-    from skinsource_gui.plots.signal_view import NEEDS, lines_later
+    from skinsource_gui.plots.signal_view import DESCRIPTION_QUANTITIES as NEEDS
+    from skinsource_gui.plots.signal_view import lazy_lines
 
     computed = ss.evaluate(
         window.document.design,
@@ -162,7 +163,7 @@ def test_pictures_and_tables_say_what_they_went_through(window, panel, qtbot):
     )
     results = {**computed, **ss_sources(window)}
     assert "; predicted through " in caption_of(window.document.design)
-    assert any(line.startswith("predicted through: ") for line in lines_later(results)())
+    assert any(line.startswith("predicted through: ") for line in lazy_lines(results)())
 
 
 def ss_sources(window):

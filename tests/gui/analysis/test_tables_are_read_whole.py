@@ -6,14 +6,14 @@ from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QStyleOptionViewItem, QTableWidget, QTableWidgetItem
 
 from skinsource_gui.panels.regions.panel import RegionTable
-from skinsource_gui.qt.labels import SHORT_NAME, NameDelegate, dress_table, give_names_the_rest
+from skinsource_gui.qt.labels import SHORT_NAME, NameDelegate, fit_name_column, set_table_look
 
 
 @pytest.fixture
 def table(qtbot):
     table = QTableWidget(2, 1)
     qtbot.addWidget(table)
-    dress_table(table)
+    set_table_look(table)
     for row, name in enumerate(("8  hand V", "12  IV middle ulnar")):
         item = QTableWidgetItem(name)
         item.setData(SHORT_NAME, name.split()[0])
@@ -58,8 +58,8 @@ def figures(qtbot):
     """A table of names and of one number each, as wide as it is made."""
     table = QTableWidget(2, 2)
     qtbot.addWidget(table)
-    dress_table(table)
-    give_names_the_rest(table)
+    set_table_look(table)
+    fit_name_column(table)
     for row, name in enumerate(("8  hand V", "12  IV middle ulnar")):
         table.setItem(row, 0, QTableWidgetItem(name))
         table.setItem(row, 1, QTableWidgetItem("0.123"))
@@ -85,6 +85,6 @@ def test_where_there_is_little_room_names_take_what_numbers_leave(figures, qtbot
     assert header.sectionSize(0) == figures.viewport().width() - header.sectionSize(1)
     # What is filled anew, as often as one likes, is so too.
     for _ in range(3):
-        give_names_the_rest(figures)
+        fit_name_column(figures)
     figures.resize(900, 200)
     qtbot.waitUntil(lambda: header.length() < 400)

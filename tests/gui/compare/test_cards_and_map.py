@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
-from skinsource.design.comparing import end_db
+from skinsource.design.comparing import scale_end_db
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.plots.small_map import small_frame
@@ -34,7 +34,7 @@ def test_the_map_shows_how_much_louder_the_design_is(window, panel, settle):
         pytest.approx(expected.min(), abs=1e-6),
         pytest.approx(expected.max(), abs=1e-6),
     )
-    assert difference.end_db == end_db(difference.shown.levels_db)
+    assert difference.end_db == scale_end_db(difference.shown.levels_db)
     window.do("match_levels")
     settle()
     matched = stored + present.max() - stored.max()

@@ -25,17 +25,17 @@ def card(panel, number):
 
 
 def test_a_snapshot_on_a_limb_that_was_missing_is_predicted_once_it_is_installed(
-    window, settle, panel, qtbot, made_up_installed
+    window, settle, panel, qtbot, synthetic_installed
 ):
-    away = made_up_installed.with_suffix(".away")
-    made_up_installed.rename(away)
+    away = synthetic_installed.with_suffix(".away")
+    synthetic_installed.rename(away)
     start = window.document.design
     window.document.edit("a", Design(limb="measured-2", inputs=(track(7),)))
     window.do("store_snapshot_1")
     window.document.edit("b", start)
     settle()
     qtbot.waitUntil(lambda: bool(card(panel, 1).compared.problem))
-    away.rename(made_up_installed)
+    away.rename(synthetic_installed)
     QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
     settle()
     qtbot.waitUntil(lambda: card(panel, 1).compared.problem == "", timeout=5000)

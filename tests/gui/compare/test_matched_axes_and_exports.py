@@ -12,8 +12,8 @@ from skinsource.design.comparing import louder, match_text
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.skin.scale import fitting_title
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.plots.pictures import ALL_IN_SIGHT, drawn_image, save_drawing
-from skinsource_gui.qt.asking import CopyButton
+from skinsource_gui.plots.pictures import ALL_VISIBLE, drawn_image, save_drawing
+from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.shell.status import MatchNote
 from skinsource_gui.state.playing import played_of
 from tests.gui.compare.compare_bench import levels, show_matched, shown_levels
@@ -78,9 +78,9 @@ def test_the_colour_bar_of_the_map_says_it_whatever_it_shows(window, settle, gai
         assert panel.time.bar.strip._matched == gain_text
 
 
-@pytest.mark.parametrize("name", [*DRAWN, "regions", ALL_IN_SIGHT])
+@pytest.mark.parametrize("name", [*DRAWN, "regions", ALL_VISIBLE])
 def test_pictures_are_those_of_levels_that_are_not_matched(window, settle, gain_text, name):
-    if name != ALL_IN_SIGHT:
+    if name != ALL_VISIBLE:
         brought_forward(window, settle, name)
 
     def drawn():

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.design.design import track
 from skinsource_gui.panels.hand import layout
-from skinsource_gui.panels.hand.layout import Place, contrast, paint_occupied, readable_on
+from skinsource_gui.panels.hand.layout import Marker, contrast, paint_occupied, readable_on
 from skinsource_gui.qt.theme import DARK, LIGHT, Theme
 from tests.gui.hand.bench import KEY
 
@@ -111,7 +111,7 @@ def test_the_count_of_inputs_at_a_site_is_never_cut_off(qtbot, count):
     image = QImage(160, 80, QImage.Format.Format_RGB32)
     image.fill(QColor("red"))
     painter = QPainter(image)
-    place = Place(site=9, centre=QPointF(60, 30), radius_px=11.0, push=None)
+    place = Marker(site=9, centre=QPointF(60, 30), radius_px=11.0, push=None)
     paint_occupied(painter, place, LIGHT, [QColor("red")] * count, silent=False)
     painter.end()
     # Digits are written in the colour of the ground, on a badge in the colour of words, which

@@ -12,7 +12,7 @@ from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.signals.projection import project_axes
 from skinsource.signals.spectra import rms
 from skinsource.specs import fields

@@ -10,17 +10,17 @@ from PySide6.QtWidgets import QPushButton
 
 from skinsource.actuators.prediction import Limits
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
-from tests.core.playing.made_up_sound import MadeUpLibrary, use
+from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
 
 
 @pytest.fixture
 def sound(monkeypatch):
-    return use(monkeypatch, MadeUpLibrary(Eight=8))
+    return use(monkeypatch, SyntheticSoundLibrary(Eight=8))
 
 
 @pytest.fixture
 def no_sound(monkeypatch):
-    return use(monkeypatch, MadeUpLibrary())
+    return use(monkeypatch, SyntheticSoundLibrary())
 
 
 @pytest.fixture

@@ -5,7 +5,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QImage
 
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb_layout import export_limb
 from skinsource_gui.pages.limbs.form import spacing_of
 from tests.core.own_limbs.lab_bench import N_TAPS, RATE_HZ, installed

@@ -21,7 +21,7 @@ from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import parse_number
 from skinsource_gui.plots.pictures import caption_of
 from tests.core.own_limbs.lab_bench import installed
-from tests.core.playing.made_up_sound import MadeUpLibrary, use
+from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
 
 PLAYED = Design(
     limb="synthetic-1",
@@ -99,7 +99,7 @@ def shows(window, qtbot, unit):
 
 
 def opened_with(front, make_window, qtbot, monkeypatch):
-    use(monkeypatch, MadeUpLibrary(Two=2))
+    use(monkeypatch, SyntheticSoundLibrary(Two=2))
     window = make_window(*on(DRIVE))
     window.front = front
     window.docks[front].bring_forward()
@@ -184,7 +184,7 @@ def test_strengths_of_snapshots_are_told_in_it(limbs, make_window, qtbot, limb, 
 
 @pytest.mark.parametrize(("limb", "unit"), [(DRIVE, "a.u."), (PROBE, "m/s²")])
 def test_pages_ask_for_drives_in_it(limbs, make_desk, qtbot, monkeypatch, limb, unit):
-    use(monkeypatch, MadeUpLibrary(Two=2))
+    use(monkeypatch, SyntheticSoundLibrary(Two=2))
     desk = make_desk(*on(limb))
     motion = desk.show_motion()
     cells = {cell.name: cell for cell in motion.motion_fields.cells}

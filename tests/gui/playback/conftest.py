@@ -4,7 +4,7 @@ import pytest
 
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.tones import Tone
-from tests.core.playing.made_up_sound import MadeUpLibrary, use
+from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
 
 TONE = Tone(frequency_hz=100.0, duration_s=0.5)
 DESIGN = Design(
@@ -15,12 +15,12 @@ DESIGN = Design(
 
 @pytest.fixture
 def sound(monkeypatch):
-    return use(monkeypatch, MadeUpLibrary(Two=2, Eight=8))
+    return use(monkeypatch, SyntheticSoundLibrary(Two=2, Eight=8))
 
 
 @pytest.fixture
 def no_sound(monkeypatch):
-    return use(monkeypatch, MadeUpLibrary())
+    return use(monkeypatch, SyntheticSoundLibrary())
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from skinsource.design.design_file import save_design
 from skinsource.design.view import View
 from skinsource.studies.scenes.catalog import all_scenes, open_scene
 from skinsource_gui.panels.skin.settings import use_colours
-from skinsource_gui.plots.small_map import level_look
+from skinsource_gui.plots.small_map import level_style
 from skinsource_gui.shell.presenting import NotesWindow
 from skinsource_gui.state.historian import Historian
 
@@ -233,7 +233,7 @@ def test_at_the_last_scene_nobody_is_asked_for_what_stays(studio, folder, asked)
 
 
 def colours(window):
-    return level_look(window.document.view).colours
+    return level_style(window.document.view).colours
 
 
 @pytest.mark.parametrize("presented", [True, False])

@@ -10,7 +10,7 @@ from skinsource.design.design_file import save_design
 from skinsource.design.edits.setup import change_limb
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
-from skinsource.limbs.catalogue import default_limb
+from skinsource.limbs.catalog import default_limb
 from skinsource_gui.pages.files import file_actions
 from skinsource_gui.panels.skin.settings import SkinSettings
 

@@ -7,7 +7,7 @@ from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
-from skinsource.limbs.catalogue import available_limbs
+from skinsource.limbs.catalog import available_limbs
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences, start_design
 

@@ -9,7 +9,7 @@ from PySide6.QtGui import QGuiApplication, QImage, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design.comparing import end_db
+from skinsource.design.comparing import scale_end_db
 from skinsource.design.panel_settings import with_settings
 from skinsource.engine.evaluation import evaluate
 from skinsource.signals.map_range import map_range_db
@@ -95,7 +95,7 @@ def test_differences_and_mean_and_spread_are_those_of_the_levels(window, panel, 
         assert np.nanmax(np.abs(field)) <= np.abs(values - expected[0]).max() + 1e-9
         assert cell.scale.range_db[0] == -cell.scale.range_db[1]
         differences = np.array(expected[1:]) - expected[0]
-        assert cell.scale.range_db[1] == end_db(differences)
+        assert cell.scale.range_db[1] == scale_end_db(differences)
         assert cell.scale.reached_db == pytest.approx((differences.min(), differences.max()))
     choose(window, shown="mean")
     mean, spread = shown(panel, qtbot, 2)

@@ -7,7 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QScrollArea, QVBoxLayout, QWidget
 
 from skinsource_gui.plots.signal_view import SignalView
-from skinsource_gui.qt.wheel import PAUSE_S, ScrollingOn
+from skinsource_gui.qt.wheel import PAUSE_S, ScrollGesture
 from tests.gui.signal_view.bench import TIME, waves
 
 PLAIN, CTRL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier
@@ -30,7 +30,7 @@ class ScrolledPlot:
         self.area.setWidget(inside)
         qtbot.addWidget(self.area)
         plot = self.view.plot
-        plot.scrolling_on = ScrollingOn(plot, lambda: self.now_s)
+        plot.scrolling_on = ScrollGesture(plot, lambda: self.now_s)
         self.area.resize(400, 300)
         self.area.show()
         qtbot.waitExposed(self.area)

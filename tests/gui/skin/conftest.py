@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.surface.surface import surface_operator
 from skinsource_gui.panels.skin.panel import SkinPanel
 from tests.gui.skin.bench import (

@@ -3,7 +3,7 @@ from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QFontMetricsF
 from PySide6.QtTest import QTest
 
-from skinsource.base.published import VOLAR_OUTPUTS
+from skinsource.base.measurement_conditions import VOLAR_OUTPUTS
 from skinsource_gui.panels.skin import painting
 from skinsource_gui.panels.skin.painting import output_labels, ring_radius, small_font, square
 from skinsource_gui.plots.outputs import output_beyond

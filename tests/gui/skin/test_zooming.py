@@ -9,7 +9,7 @@ from skinsource_gui.panels.skin import layout
 from skinsource_gui.panels.skin import picture as map_picture
 from skinsource_gui.panels.skin.layout import HAND
 from skinsource_gui.qt.theme import LIGHT
-from skinsource_gui.qt.wheel import FREE, PAUSE_S, WHOLE, ScrollingOn
+from skinsource_gui.qt.wheel import FREE, PAUSE_S, WHOLE, ScrollGesture
 from tests.gui.skin.bench import CONTROL, LEFT, MIDDLE, PLAIN, SHIFT, drag, pixel, place, wheel
 
 # Zooming
@@ -88,7 +88,7 @@ def test_a_magnified_map_keeps_its_middle_in_another_dock(window):
 def test_the_wheel_scrolls_the_dock_where_nothing_is_left_to_zoom_out(window):
     view, at = window.panel.map, QPoint(150, 100)
     now_s = [100.0]
-    view.stage.pan_zoom.scrolling_on = ScrollingOn(view, lambda: now_s[0])
+    view.stage.pan_zoom.scrolling_on = ScrollGesture(view, lambda: now_s[0])
     assert wheel(view, at, 2, PLAIN)
     assert wheel(view, at, -9, PLAIN)
     assert view.stage.pan_zoom.fit == WHOLE

@@ -4,33 +4,33 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource_gui.plots.time_scale import grid_step_s, rest_of
+from skinsource_gui.plots.time_scale import grid_step_s, snap_of
 
 
 def test_an_edge_near_another_clip_rests_on_its_end_and_shows_where():
-    rest = rest_of((0.1, 0.3), 0.198, neighbours_s=[0.5], grid_s=None, reach_s=0.01)
+    rest = snap_of((0.1, 0.3), 0.198, neighbours_s=[0.5], grid_s=None, reach_s=0.01)
     assert rest.by_s == pytest.approx(0.2)
     assert rest.guide_s == 0.5
 
 
 def test_of_two_edges_the_nearer_one_decides():
-    rest = rest_of((0.0, 1.0), 0.5, neighbours_s=[0.505, 1.503], grid_s=None, reach_s=0.01)
+    rest = snap_of((0.0, 1.0), 0.5, neighbours_s=[0.505, 1.503], grid_s=None, reach_s=0.01)
     assert rest.by_s == pytest.approx(0.503)
     assert rest.guide_s == 1.503
 
 
 def test_what_is_out_of_reach_leaves_the_edge_free():
-    rest = rest_of((0.1,), 0.2, neighbours_s=[0.35], grid_s=None, reach_s=0.01)
+    rest = snap_of((0.1,), 0.2, neighbours_s=[0.35], grid_s=None, reach_s=0.01)
     assert (rest.by_s, rest.guide_s) == (0.2, None)
 
 
 def test_a_clip_goes_before_the_grid():
-    rest = rest_of((0.0,), 0.104, neighbours_s=[0.107], grid_s=0.1, reach_s=0.01)
+    rest = snap_of((0.0,), 0.104, neighbours_s=[0.107], grid_s=0.1, reach_s=0.01)
     assert rest.guide_s == 0.107
 
 
 def test_the_first_edge_follows_the_grid_without_a_guide():
-    rest = rest_of((0.013, 0.2), 0.084, neighbours_s=[], grid_s=0.05, reach_s=0.01)
+    rest = snap_of((0.013, 0.2), 0.084, neighbours_s=[], grid_s=0.05, reach_s=0.01)
     assert rest.by_s == pytest.approx(0.087)
     assert rest.guide_s is None
 
@@ -44,7 +44,7 @@ def test_the_first_edge_follows_the_grid_without_a_guide():
 def test_no_edge_moves_further_than_the_reach_or_half_a_step_of_the_grid(
     neighbours, edge, by_s, reach
 ):
-    rest = rest_of((edge,), by_s, neighbours_s=neighbours, grid_s=0.1, reach_s=reach)
+    rest = snap_of((edge,), by_s, neighbours_s=neighbours, grid_s=0.1, reach_s=reach)
     assert abs(rest.by_s - by_s) <= max(reach, 0.05) * (1 + 1e-9) + 1e-12
     if rest.guide_s is not None:
         assert edge + rest.by_s == pytest.approx(rest.guide_s)

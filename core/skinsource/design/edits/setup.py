@@ -4,12 +4,12 @@ from dataclasses import replace
 from typing import Any
 
 from skinsource.actuators.actuation import Actuation
-from skinsource.base.published import ALL_AXES, Axes
+from skinsource.base.measurement_conditions import ALL_AXES, Axes
 from skinsource.base.quoting import quoted
 from skinsource.design.design import Design, audible_inputs
 from skinsource.design.edits.edit import Edit, Refusal, refusing
 from skinsource.design.effects.level import BandLimit
-from skinsource.design.labels import SCALINGS, word_of
+from skinsource.design.labels import SCALINGS, label_of
 from skinsource.design.view import View
 from skinsource.limbs.limb import LimbFacts
 from skinsource.limbs.own_limbs import axes_on, facts_of
@@ -35,7 +35,7 @@ def change_scaling(design: Design, view: View, scaling: Any) -> Edit | Refusal:
             "through an actuator. Switch off Predict through the actuator first."
         )
     after = replace(design, scaling=scaling)
-    title = word_of(SCALINGS, scaling).title
+    title = label_of(SCALINGS, scaling).title
     return Edit(label=f"Change scaling to {title[:1].lower()}{title[1:]}", design=after, view=view)
 
 

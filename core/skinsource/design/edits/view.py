@@ -6,7 +6,15 @@ from typing import Any
 
 from skinsource.base.quoting import quoted
 from skinsource.design.clips import Marker
-from skinsource.design.comparing import EDITED, NUMBERS, Snapshot, gain_text, louder, name_of, shown
+from skinsource.design.comparing import (
+    EDITED,
+    NUMBERS,
+    Snapshot,
+    gain_text,
+    louder,
+    shown_snapshot,
+    snapshot_name,
+)
 from skinsource.design.design import MAX_MARKERS, Design
 from skinsource.design.edits.edit import Edit, Refusal, change_inputs, refusing
 from skinsource.design.view import View
@@ -122,7 +130,7 @@ def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) ->
     if chosen is None:
         return _NO_SNAPSHOT
     snapshots = view.snapshots
-    if shown(snapshots, design) is None:
+    if shown_snapshot(snapshots, design) is None:
         if number == EDITED:
             return Refusal(
                 sentence="What was edited before would replace the present design unseen; store "
@@ -137,7 +145,7 @@ def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) ->
             shown_now,
         ),
     )
-    return Edit(label=f"Show {name_of(number)}", design=chosen.design, view=after)
+    return Edit(label=f"Show {snapshot_name(number)}", design=chosen.design, view=after)
 
 
 def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
@@ -158,7 +166,9 @@ def forget_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
     if len(remaining) == len(view.snapshots):
         return _NO_SNAPSHOT
     return Edit(
-        label=f"Forget {name_of(number)}", design=design, view=replace(view, snapshots=remaining)
+        label=f"Forget {snapshot_name(number)}",
+        design=design,
+        view=replace(view, snapshots=remaining),
     )
 
 

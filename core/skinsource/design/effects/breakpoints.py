@@ -75,7 +75,7 @@ def with_point(points: Points, x: float) -> Points:
     curve stays level.
     """
     x = float(x)
-    new_index = place_of(points, x)
+    new_index = index_for(points, x)
     segment = points[new_index - 1][2] if new_index else SEGMENTS[0]
     y = float(curve_at(points, np.array([x]))[0])
     new: Breakpoint = (x, y, segment)
@@ -93,7 +93,7 @@ def with_point(points: Points, x: float) -> Points:
     return tuple(new_points)
 
 
-def place_of(points: Points, x: float) -> int:
+def index_for(points: Points, x: float) -> int:
     """Return the index for a new point at ``x``: after all points that are not later."""
     return sum(point[0] <= x for point in points)
 
@@ -119,7 +119,7 @@ def with_point_put(
 ) -> tuple[Points, int]:
     """Add a point at (x, y), with y from 0 to ``highest``; return the points and its index."""
     x = max(float(x), 0.0)
-    added, index = with_point(points, x), place_of(points, x)
+    added, index = with_point(points, x), index_for(points, x)
     by_y = min(max(y, LOWEST), highest) - added[index][1]
     return moved(added, (index,), 0.0, by_y), index
 

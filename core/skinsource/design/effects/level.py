@@ -8,7 +8,7 @@ import scipy
 
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import BAND_HZ
+from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.design.effects.breakpoints import curve_at
 from skinsource.design.effects.effect import ON, KeepsTime, own_duration_s
 from skinsource.design.effects.playing import own_times, silent_outside

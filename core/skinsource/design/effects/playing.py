@@ -12,7 +12,7 @@ from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.effects.effect import Effect
 from skinsource.design.waveform import Waveform
-from skinsource.signals.sampling import NEAR, on_grid, parted
+from skinsource.signals.sampling import NEAR, on_grid, sample_and_rest
 
 #: Returns samples of a waveform at a rate, with a shift.
 Draw = Callable[[Waveform, float, float], Floats]
@@ -131,7 +131,7 @@ def own_times(n: int, sample_rate_hz: float, shift_s: float) -> Floats:
 
 def part_of_sample(samples: float) -> float:
     """Return how far a position lies after the sample before it, 0 to less than 1."""
-    return parted(samples)[1]
+    return sample_and_rest(samples)[1]
 
 
 def samples_until(samples: float) -> int:

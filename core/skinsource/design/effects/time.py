@@ -23,7 +23,7 @@ from skinsource.design.effects.playing import (
     silent_outside,
 )
 from skinsource.signals.generators import sample_count
-from skinsource.signals.sampling import NEAR, band_limited_delay, parted, values_between
+from skinsource.signals.sampling import NEAR, band_limited_delay, sample_and_rest, values_between
 from skinsource.specs import fields
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
@@ -301,7 +301,7 @@ class Trim:
     def shift_before(self, shift_s: float, duration_s: float, sample_rate_hz: float) -> float:
         """Return the shift of the samples before, whose time 0 lies ``start_s`` earlier."""
         del duration_s
-        _, shift = parted((shift_s - self.start_s) * sample_rate_hz)
+        _, shift = sample_and_rest((shift_s - self.start_s) * sample_rate_hz)
         return shift / sample_rate_hz
 
     def applied(
@@ -317,7 +317,7 @@ class Trim:
         length_s = self.length(before_s)
         if length_s == 0.0:
             return samples[:0].copy()
-        left_out, _ = parted((shift_s - self.start_s) * sample_rate_hz)
+        left_out, _ = sample_and_rest((shift_s - self.start_s) * sample_rate_hz)
         part = samples[-left_out:].copy()
         if self.start_s > 0.0:
             # A part that starts between two samples has none at the first of them.

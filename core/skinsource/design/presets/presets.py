@@ -16,7 +16,14 @@ import numpy as np
 from skinsource.base.arrays import Floats
 from skinsource.base.assets import data_folder, user_folder
 from skinsource.base.errors import FileFormatError, InvalidInputError, SkinSourceError, StorageError
-from skinsource.base.files import is_there, make_folder, named, read_bytes, reason_of, write_bytes
+from skinsource.base.files import (
+    make_folder,
+    path_exists,
+    path_text,
+    read_bytes,
+    reason_of,
+    write_bytes,
+)
 from skinsource.base.json_text import MAX_TEXT_BYTES
 from skinsource.base.quoting import sentence
 from skinsource.design.clips import MAX_EFFECTS, Clip, Fragment
@@ -119,7 +126,7 @@ def read_preset(path: Path) -> Preset:
     try:
         return preset_from(content.decode(errors="replace"))
     except (FileFormatError, InvalidInputError) as error:
-        raise FileFormatError(f"{named(Path(path.name))}: {sentence(str(error))}") from error
+        raise FileFormatError(f"{path_text(Path(path.name))}: {sentence(str(error))}") from error
 
 
 def why(error: SkinSourceError) -> str:
@@ -183,7 +190,7 @@ def read_preset_folder(folder: Path) -> PresetFolder:
     except (FileNotFoundError, NotADirectoryError):
         return PresetFolder()
     except OSError as error:
-        problem = f"{named(folder)}: cannot be looked through ({reason_of(error)})."
+        problem = f"{path_text(folder)}: cannot be looked through ({reason_of(error)})."
         return PresetFolder(faults=(Fault(path=folder, sentence=problem),))
     entries, faults = [], []
     for path in paths[:MOST_FILES]:
@@ -192,7 +199,9 @@ def read_preset_folder(folder: Path) -> PresetFolder:
         except SkinSourceError as error:
             faults.append(Fault(path=path, sentence=why(error)))
     if len(paths) > MOST_FILES:
-        problem = f"{named(folder)}: holds {len(paths)} presets, the first {MOST_FILES} are read."
+        problem = (
+            f"{path_text(folder)}: holds {len(paths)} presets, the first {MOST_FILES} are read."
+        )
         faults.append(Fault(path=folder, sentence=problem))
     entries.sort(key=lambda entry: (_by_number(entry.preset.name), entry.path))
     return PresetFolder(entries=tuple(entries), faults=tuple(faults))
@@ -298,16 +307,16 @@ def delete_preset(folder: Path, path: Path) -> None:
         path.unlink(missing_ok=True)
     except OSError as error:
         raise StorageError(
-            f"{named(path)}: cannot be deleted ({reason_of(error)}). Look whether another program "
-            "holds it, or whether the folder is read-only."
+            f"{path_text(path)}: cannot be deleted ({reason_of(error)}). Look whether another "
+            "program holds it, or whether the folder is read-only."
         ) from error
 
 
 def _check_own(folder: Path, path: Path) -> None:
     if path.parent != folder or path.suffix != SUFFIX:
         raise InvalidInputError(
-            f"{named(path)} is no preset in {named(folder)}; only your own can be renamed and "
-            "deleted"
+            f"{path_text(path)} is no preset in {path_text(folder)}; only your own can be renamed "
+            "and deleted"
         )
 
 
@@ -317,7 +326,7 @@ def _free_path(folder: Path, name: str) -> Path:
     if _RESERVED.fullmatch(stem):
         stem = f"preset-{stem}".strip("-")
     path, number = folder / f"{stem}{SUFFIX}", 1
-    while is_there(path):
+    while path_exists(path):
         number += 1
         path = folder / f"{stem}-{number}{SUFFIX}"
     return path

@@ -9,12 +9,17 @@ from numpy.typing import NDArray
 
 from skinsource.base.arguments import positive_number
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import BAND_HZ, SAMPLE_RATE_HZ
+from skinsource.base.measurement_conditions import BAND_HZ, SAMPLE_RATE_HZ
 from skinsource.design.waveform import DURATION, WINDOW
 from skinsource.design.waveforms.tones import FREQUENCY, PHASE, count_of, instants
 from skinsource.signals.generators import TAP_S, WindowName, impulse, sample_count, tap, white_noise
 from skinsource.signals.sampling import band_limited_delay, shift_of, turns
-from skinsource.signals.synthesis import about_middle, begun, burst, check_below_half_rate
+from skinsource.signals.synthesis import (
+    about_middle,
+    burst,
+    check_below_half_rate,
+    silent_before_start,
+)
 from skinsource.specs import fields
 from skinsource.specs.numbers import NumberSpec
 
@@ -86,7 +91,7 @@ class CentredTap:
         turn = about_middle(n, sample_rate_hz, shift_s) / self.width_s
         pulse = 0.5 * (np.cos(2.0 * pi * turn) + np.cos(4.0 * pi * turn))
         pulse[np.abs(turn) > 0.5] = 0.0
-        return begun(pulse, shift_s)
+        return silent_before_start(pulse, shift_s)
 
 
 @dataclass(frozen=True, slots=True)

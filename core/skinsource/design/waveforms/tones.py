@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import BAND_HZ
+from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.design.waveform import DURATION, LONGEST_S, WINDOW, lists_to_tuples
 from skinsource.signals.generators import WindowName, sample_count, sinusoid
 from skinsource.signals.sampling import shift_of, turns

@@ -16,9 +16,9 @@ from skinsource.signals.sampling import shift_of
 from skinsource.signals.synthesis import (
     DIGITS,
     about_middle,
-    begun,
     bent_turns,
     check_below_half_rate,
+    silent_before_start,
     turns_about_middle,
 )
 from skinsource.specs import fields
@@ -83,7 +83,7 @@ class Gabor:
         wave += self.phase_rad
         np.cos(wave, out=wave)
         wave *= np.exp(envelope, out=envelope)
-        return begun(wave, shift_s)
+        return silent_before_start(wave, shift_s)
 
 
 W0 = NumberSpec(
@@ -147,7 +147,7 @@ class Morlet:
         peak = -expm1(-(self.w0**2) / 2.0)
         wave -= 1.0 - peak
         wave *= np.exp(-0.5 * np.square(u)) / peak
-        return begun(wave, shift_s)
+        return silent_before_start(wave, shift_s)
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,7 +186,7 @@ class Ricker:
         shift_s = shift_of(shift_s, sample_rate_hz)
         n = sample_count(self.duration_s, sample_rate_hz)
         a = np.square(about_middle(n, sample_rate_hz, shift_s) * (pi * self.frequency_hz))
-        return begun((1.0 - 2.0 * a) * np.exp(-a), shift_s)
+        return silent_before_start((1.0 - 2.0 * a) * np.exp(-a), shift_s)
 
 
 SLOPE = NumberSpec(
@@ -273,4 +273,4 @@ class Chirplet:
             sample_rate_hz,
         )
         envelope = np.exp(-0.5 * np.square(time_s / self.sigma_s))
-        return begun(envelope * np.cos(2.0 * pi * phase), shift_s)
+        return silent_before_start(envelope * np.cos(2.0 * pi * phase), shift_s)

@@ -11,7 +11,7 @@ from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.equalising import Equaliser
 from skinsource.actuators.rigs import Rig
 from skinsource.base.errors import NotConfirmedError, StorageError
-from skinsource.base.files import named, replacing, replacing_folder
+from skinsource.base.files import path_text, replacing, replacing_folder
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.design.design import Design
 from skinsource.engine.stimulus import Stage
@@ -182,7 +182,7 @@ def _write_outgoing(
     """Write a file, or fill a folder, with its sidecar; it gets its name as ``stack`` closes."""
     is_folder = ready.format.folder
     if path.is_dir() and not is_folder:
-        raise StorageError(f"{named(path)}: a folder stands there. Choose another name.")
+        raise StorageError(f"{path_text(path)}: a folder stands there. Choose another name.")
     temporary = stack.enter_context(
         replacing_folder(path, MARK, kept=LOGS) if is_folder else replacing(path)
     )

@@ -11,7 +11,7 @@ from skinsource.actuators.actuation import Actuation
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import SkinSourceError
 from skinsource.design.design import Design, Input
-from skinsource.design.labels import scalings_on, word_of
+from skinsource.design.labels import label_of, scalings_on
 from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.stimulus import Stimulus
@@ -136,7 +136,7 @@ def _about_rig(
 def _scaling_sentence(design: Design) -> str:
     # Predicted through actuators, amplitudes are drives of these, whatever the limb was driven by.
     known = design.actuated is not None or drive_unit_known(design.limb, design.limb_digest)
-    return word_of(scalings_on(drive_unit_known=known), design.scaling).sentence
+    return label_of(scalings_on(drive_unit_known=known), design.scaling).sentence
 
 
 def _about_prediction(actuated: Actuation | None) -> dict[str, Any] | None:

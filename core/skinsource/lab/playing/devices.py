@@ -20,7 +20,7 @@ from skinsource.base.errors import (
     PlaybackError,
 )
 from skinsource.base.extras import extra_line, package_of_extra
-from skinsource.base.published import MOST_PLACES
+from skinsource.base.measurement_conditions import MOST_LOCATIONS
 from skinsource.base.quoting import printable, quoted
 from skinsource.base.work import counted
 from skinsource.design.design import Design
@@ -79,7 +79,7 @@ class Output:
         real_number("latency_s", self.latency_s, least=least_s, most=most_s)
         real_number("shift_hz", self.shift_hz, least=LEAST_SHIFT_HZ, most=MOST_SHIFT_HZ)
         for place, output in self.outputs:
-            integer("place", place, 1, MOST_PLACES)
+            integer("place", place, 1, MOST_LOCATIONS)
             integer("output", output, 1, MOST_OUTPUTS)
         for name, numbers in zip(
             ("place", "output"), zip(*self.outputs, strict=True), strict=False

@@ -18,7 +18,7 @@ from skinsource.design.design import Design
 from skinsource.engine.stimulus import Stimulus, for_rig, stimulus_of
 from skinsource.lab.playing.devices import DeviceRows, Output, outputs_by_place
 from skinsource.lab.playing.mix import SHORTEST_LOOP_S, Mix, mix_of
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb import Limb
 
 

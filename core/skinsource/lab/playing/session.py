@@ -27,7 +27,7 @@ from skinsource.lab.playing.devices import (
 from skinsource.lab.playing.mix import Mix, PlayQueue, tone_of
 from skinsource.lab.playing.mixer import Mixer, loop_of
 from skinsource.lab.playing.stream import Stream
-from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.catalog import load_limb
 
 Loop = tuple[float, float] | None
 

@@ -22,7 +22,13 @@ from skinsource.base.arrays import Floats
 from skinsource.base.errors import DatasetError, StorageError
 from skinsource.base.extras import package_of_extra
 from skinsource.base.job import Progress, Stop, stop_if
-from skinsource.base.published import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS, VOLAR_OUTPUTS
+from skinsource.base.measurement_conditions import (
+    N_AXES,
+    N_INPUTS,
+    N_OUTPUTS,
+    N_TAPS,
+    VOLAR_OUTPUTS,
+)
 from skinsource.base.quoting import printable
 from skinsource.base.work import counted
 from skinsource.limbs.dataset.published import MASK_FILES, MASK_SHAPES, N_VERTICES

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from skinsource.base.assets import user_folder
 from skinsource.base.errors import DatasetError, StorageError
 from skinsource.base.files import is_file, is_folder
-from skinsource.base.published import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS
+from skinsource.base.measurement_conditions import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS
 
 FILE_NAME = "measured.h5"
 FORMAT = "skinsource measured dataset"

@@ -27,7 +27,7 @@ from skinsource.base.errors import (
 )
 from skinsource.base.files import is_file, is_folder
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.published import HAND_LENGTHS_MM, N_INPUTS
+from skinsource.base.measurement_conditions import HAND_LENGTHS_MM, N_INPUTS
 from skinsource.base.quoting import quoted
 from skinsource.limbs.dataset import published
 from skinsource.limbs.dataset.published import (

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from skinsource.base.arguments import finite_array, positive_number
 from skinsource.base.arrays import Floats, Indices
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import PRE_TRIGGER_DELAY_S
+from skinsource.base.measurement_conditions import PRE_TRIGGER_DELAY_S
 from skinsource.signals.analysis.windows import Windows
 
 #: Share of the time before the pulse that is noise alone: 30 of 52 ms in the published responses.

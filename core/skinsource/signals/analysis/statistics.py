@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from skinsource.base.arguments import finite_array, positive_number
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import BAND_HZ, Band
+from skinsource.base.measurement_conditions import BAND_HZ, Band
 from skinsource.signals.analysis.wave_speed import vertex
 
 #: A signal begins when it first reaches this share of its peak.

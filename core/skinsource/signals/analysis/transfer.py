@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from skinsource.base.arguments import finite_array, positive_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import BAND_HZ, Band
+from skinsource.base.measurement_conditions import BAND_HZ, Band
 
 #: Power is averaged over this width before it is compared with the noise.
 AVERAGED_HZ = 25.0

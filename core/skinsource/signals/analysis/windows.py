@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from skinsource.base.arguments import finite_array, integer, positive_number, real_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import PRE_TRIGGER_DELAY_S
+from skinsource.base.measurement_conditions import PRE_TRIGGER_DELAY_S
 from skinsource.signals.sampling import NEAR
 
 #: Most windows of one response.

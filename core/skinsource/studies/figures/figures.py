@@ -10,9 +10,9 @@ import numpy as np
 import scipy
 
 from skinsource.base.arrays import Floats
-from skinsource.base.decibels import decibels, in_tables
+from skinsource.base.decibels import decibels, levels_for_tables
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import Band
+from skinsource.base.measurement_conditions import Band
 from skinsource.base.quoting import quoted
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.labels import signal_label
@@ -360,7 +360,9 @@ def maps_figure(
             shown = replace(level, values=level.values - tops_db[k])
             image = draw_map(ax, shown, colours, title=title, bar=bar)
         sheet.colour_bar(image, left_mm + room_mm + 2.0, 24.0, 50.0, unit)
-    values = [in_tables(level.values) - top for level, top in zip(levels, tops_db, strict=True)]
+    values = [
+        levels_for_tables(level.values) - top for level, top in zip(levels, tops_db, strict=True)
+    ]
     header = ["output", *(f"{title.replace(',', '')} ({unit})" for title in titles)]
     numbers = np.arange(1.0, values[0].size + 1.0)
     table = Table(header=header, rows=np.column_stack((numbers, *values)))

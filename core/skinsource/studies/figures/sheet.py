@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from skinsource.base.arrays import Floats
-from skinsource.base.published import AXES, Axes, axis_numbers
+from skinsource.base.measurement_conditions import AXES, Axes, axis_numbers
 from skinsource.base.quoting import sentence
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design
-from skinsource.design.labels import SCALINGS, limb_word, word_of
+from skinsource.design.labels import SCALINGS, label_of, limb_label
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
@@ -34,8 +34,8 @@ from skinsource.studies.scenes.opened_scene import OpenedScene
 
 def setup_text(opened: OpenedScene) -> str:
     """Return sentences on limbs and scaling."""
-    scaling = word_of(SCALINGS, opened.design.scaling).title
-    limbs = ", ".join(limb_word(limb).title for limb in limbs_of(opened))
+    scaling = label_of(SCALINGS, opened.design.scaling).title
+    limbs = ", ".join(limb_label(limb).title for limb in limbs_of(opened))
     return f"Limb: {limbs}. Scaling: {scaling}."
 
 

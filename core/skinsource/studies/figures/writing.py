@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 
 from skinsource.base.errors import StorageError
-from skinsource.base.files import named, write_bytes
+from skinsource.base.files import path_text, write_bytes
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.design.labels import SCALINGS, limb_word, word_of
+from skinsource.design.labels import SCALINGS, label_of, limb_label
 from skinsource.export.exported_design import output_file
 from skinsource.export.plot import METADATA, SYNTHETIC, figure_content, module
 from skinsource.export.tables import CsvTable
@@ -62,7 +62,7 @@ def write_figures(
     chosen = chosen or [name for name in names() if not limb or not why_not_on(name, limb)]
     module("matplotlib")
     if not folder.is_dir():
-        raise StorageError(f"{named(folder)} is no folder. Make it, or name another one.")
+        raise StorageError(f"{path_text(folder)} is no folder. Make it, or name another one.")
     written: list[Path] = []
     for k, name in enumerate(chosen):
         stop_if(stop)
@@ -96,9 +96,9 @@ def about(opened: OpenedScene, *, maps: bool) -> list[str]:
         lines.append(SYNTHETIC)
     if opened.note:
         lines.append(opened.note)
-    limbs = (f"{limb_word(limb_name).title} ({limb_name})" for limb_name in limbs_of(opened))
+    limbs = (f"{limb_label(limb_name).title} ({limb_name})" for limb_name in limbs_of(opened))
     lines.append(f"limb: {', '.join(limbs)}")
-    lines.append(f"scaling: {word_of(SCALINGS, opened.design.scaling).both}")
+    lines.append(f"scaling: {label_of(SCALINGS, opened.design.scaling).both}")
     lines += condition_lines(opened, maps=maps)
     lines.append(f"computed by: skinsource {__version__}, numpy {np.__version__}")
     return lines

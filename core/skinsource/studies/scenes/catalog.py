@@ -13,7 +13,7 @@ from skinsource.design.amplitudes import ARBITRARY_UNIT, amplitude_unit
 from skinsource.design.comparing import Snapshot
 from skinsource.design.design import Design
 from skinsource.design.design_file import SUFFIX, DesignFile, open_design
-from skinsource.limbs.catalogue import available_limbs
+from skinsource.limbs.catalog import available_limbs
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.studies.scenes.opened_scene import (
     PROBE_UNITS,

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import axes_text
+from skinsource.base.measurement_conditions import axes_text
 from skinsource.base.quoting import quoted, sentence
 from skinsource.base.work import counted
 from skinsource.design.amplitudes import ARBITRARY_UNIT, amplitude_unit

@@ -13,7 +13,7 @@ from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped
 from skinsource.base.job import Stop, never, stop_if
-from skinsource.base.published import axis_numbers
+from skinsource.base.measurement_conditions import axis_numbers
 from skinsource.base.quoting import sentence
 from skinsource.design.design import Design
 from skinsource.design.view import View

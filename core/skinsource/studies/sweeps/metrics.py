@@ -15,10 +15,10 @@ from skinsource.actuators.prediction import Limits, Prediction, Thermal, breache
 from skinsource.actuators.rigs import strictest
 from skinsource.base.arrays import Floats
 from skinsource.base.job import Stop, stop_if
-from skinsource.base.published import Band
+from skinsource.base.measurement_conditions import Band
 from skinsource.design.design import Design, Input, audible_indices
 from skinsource.design.signal_path import Drive, check_drive
-from skinsource.engine.gains import Placed, Remembered, Responses
+from skinsource.engine.gains import EngineMemory, Placed, Responses
 from skinsource.engine.quantities import voices
 from skinsource.engine.shared import Shared
 from skinsource.engine.transforms import length_at_once
@@ -108,7 +108,7 @@ class Preparing:
         self._drawn: dict[int, _DrawnTrack] = {}
 
     @property
-    def _remembered(self) -> Remembered:
+    def _remembered(self) -> EngineMemory:
         return self._shared.remembered()
 
     def of(self, design: Design, stop: Stop) -> PreparedStimulus:

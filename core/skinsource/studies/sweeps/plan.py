@@ -17,7 +17,7 @@ from skinsource.base.arguments import integer, one_of
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.json_text import Tree
-from skinsource.base.published import Axes
+from skinsource.base.measurement_conditions import Axes
 from skinsource.base.quoting import quoted
 from skinsource.base.work import counted
 from skinsource.design.clips import Clip

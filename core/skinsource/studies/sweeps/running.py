@@ -12,9 +12,9 @@ from typing import Any, Protocol
 from skinsource.actuators.prediction import Limits
 from skinsource.base.arguments import integer, one_of, real_number
 from skinsource.base.errors import FileFormatError, InvalidInputError
-from skinsource.base.files import named, read_bytes
+from skinsource.base.files import path_text, read_bytes
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.base.published import AXES, Axes
+from skinsource.base.measurement_conditions import AXES, Axes
 from skinsource.base.quoting import printable, quoted, sentence
 from skinsource.design.design import Design
 from skinsource.design.design_file import open_design
@@ -293,13 +293,13 @@ def read_sweep(path: Path) -> Sweep:
         content = tomllib.loads(read_bytes(path, most=_MOST_BYTES).decode())
     except (ValueError, RecursionError) as error:
         raise FileFormatError(
-            f"{named(path)}: is no TOML text ({printable(error)}). Correct that place, and try "
+            f"{path_text(path)}: is no TOML text ({printable(error)}). Correct that place, and try "
             "again."
         ) from error
     try:
         return _sweep(content, path.parent)
     except InvalidInputError as error:
-        raise FileFormatError(f"{named(path)}: {sentence(str(error))}") from error
+        raise FileFormatError(f"{path_text(path)}: {sentence(str(error))}") from error
 
 
 def _sweep(content: dict[str, Any], folder: Path) -> Sweep:

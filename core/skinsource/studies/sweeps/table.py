@@ -25,9 +25,9 @@ from skinsource.base.errors import InvalidInputError, StorageError
 from skinsource.base.extras import package_of_extra
 from skinsource.base.files import (
     advice_on_writing,
-    is_there,
     make_folder,
-    named,
+    path_exists,
+    path_text,
     read_bytes,
     reason_of,
     replacing,
@@ -187,7 +187,7 @@ class Journal:
         self.path = path
         self.rows: dict[int, Metrics | str] = {}
         first = _line({"sweep": digest})
-        content = read_bytes(path, most=_MOST_BYTES) if is_there(path) else b""
+        content = read_bytes(path, most=_MOST_BYTES) if path_exists(path) else b""
         try:
             if first.startswith(content):
                 content = b""
@@ -198,7 +198,7 @@ class Journal:
             # An incomplete last line is deleted.
             n_complete = max(len(first), content.rfind(b"\n") + 1) if content else 0
             self._read(content[len(first) : n_complete])
-            self._file = path.open("r+b" if is_there(path) else "w+b")
+            self._file = path.open("r+b" if path_exists(path) else "w+b")
             self._file.truncate(n_complete)
             self._file.seek(n_complete)
         except OSError as error:
@@ -268,15 +268,15 @@ def _is_nearly(line: bytes, expected: bytes) -> bool:
 def _check_same_sweep(path: Path, content: bytes) -> None:
     if _content_of(content.partition(b"\n")[0]) is not None:
         raise InvalidInputError(
-            f"{named(path)} belongs to another sweep. Choose another folder, or delete the file to "
-            "begin anew."
+            f"{path_text(path)} belongs to another sweep. Choose another folder, or delete the "
+            "file to begin anew."
         )
 
 
 def _set_aside(path: Path) -> None:
     """Rename ``path`` to a free name."""
     names = (path.with_stem(f"{path.stem} set aside {number}") for number in count(1))
-    path.rename(next(name for name in names if not is_there(name)))
+    path.rename(next(name for name in names if not path_exists(name)))
 
 
 def _finite(metrics: Metrics) -> dict[str, float | None]:
@@ -293,7 +293,7 @@ def _outcome_of(tree: dict[str, Any]) -> Metrics | str:
 
 def _unwritable(path: Path, error: OSError) -> StorageError:
     return StorageError(
-        f"{named(path)}: cannot be written ({reason_of(error)}). {advice_on_writing(error)}"
+        f"{path_text(path)}: cannot be written ({reason_of(error)}). {advice_on_writing(error)}"
     )
 
 
@@ -327,7 +327,7 @@ class Folder:
         owner = self._lock.take()
         if owner is not None:
             raise StorageError(
-                f"{named(path)}: another process ({owner.pid} on {owner.host}) runs a sweep "
+                f"{path_text(path)}: another process ({owner.pid} on {owner.host}) runs a sweep "
                 "there. Wait for its end, or choose another folder."
             )
         try:
@@ -443,7 +443,7 @@ class StimulusFiles:
     def _is_exported(self, path: Path) -> bool:
         """Return whether a stimulus is exported in this format."""
         sidecar, kind = sidecar_path(path), format_named(self.format, Path())
-        if not (is_there(path) and is_there(sidecar)):
+        if not (path_exists(path) and path_exists(sidecar)):
             return False
         own_rate = kind.fixed_rate or self.rate_hz is None
         try:

@@ -17,7 +17,7 @@ class CallbackStop(Exception):
     """As sounddevice has it: no more comes."""
 
 
-class MadeUpStream:
+class SyntheticStream:
     """Asks for a block every other millisecond, from a thread of its own."""
 
     latency = INSIDE_S
@@ -75,7 +75,7 @@ class MadeUpStream:
         self.asked["finished_callback"]()
 
 
-class MadeUpLibrary:
+class SyntheticSoundLibrary:
     """Devices by name, with their outputs; the first is what the system plays on.
 
     One that ``is_stuck`` asks for nothing any more, and tells nobody.
@@ -86,7 +86,7 @@ class MadeUpLibrary:
     def __init__(self, **outputs) -> None:
         self.outputs = outputs
         self.default = SimpleNamespace(device={"output": 0 if outputs else -1})
-        self.streams: list[MadeUpStream] = []
+        self.streams: list[SyntheticStream] = []
         self.refuses_to_start = self.is_stuck = False
         self.rates = (44_100, 48_000)
 
@@ -106,7 +106,7 @@ class MadeUpLibrary:
     def OutputStream(self, **asked):
         if asked["samplerate"] not in self.rates:
             raise PortAudioError("Invalid sample rate", -9997)
-        self.streams.append(MadeUpStream(self, asked))
+        self.streams.append(SyntheticStream(self, asked))
         return self.streams[-1]
 
     def _terminate(self):
@@ -116,7 +116,7 @@ class MadeUpLibrary:
         pass
 
 
-def use(monkeypatch, library) -> MadeUpLibrary:
+def use(monkeypatch, library) -> SyntheticSoundLibrary:
     """Let all that plays use ``library``."""
     for module in ("devices", "stream"):
         monkeypatch.setattr(f"skinsource.lab.playing.{module}.sound_library", lambda: library)

@@ -9,14 +9,14 @@ from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import QApplication, QMessageBox, QToolButton, QWidget
 
-from skinsource.base.decibels import in_tables
+from skinsource.base.decibels import levels_for_tables
 
 _Answer = QMessageBox.StandardButton
 #: A question lists so many names of files.
 _NAMED = 3
 
 
-def agreed(
+def ask_yes(
     parent: QWidget, title: str, question: str, *, otherwise: _Answer = _Answer.Cancel
 ) -> bool:
     """Ask in front of ``parent``; return whether the user says Yes instead of ``otherwise``."""
@@ -24,18 +24,18 @@ def agreed(
     return answer == _Answer.Yes
 
 
-def may_replace(parent: QWidget, existing: Sequence[Path]) -> bool:
+def ask_to_replace(parent: QWidget, existing: Sequence[Path]) -> bool:
     """Ask whether existing files may be replaced."""
     if len(existing) == 1:
         question = f"{existing[0].name} exists already. Replace it?"
-        return agreed(parent, "Replace the file?", question)
+        return ask_yes(parent, "Replace the file?", question)
     names = ", ".join(path.name for path in existing[:_NAMED])
     more = f" and {len(existing) - _NAMED} more" if len(existing) > _NAMED else ""
     question = f"{len(existing)} files exist already: {names}{more}. Replace them?"
-    return agreed(parent, "Replace the files?", question)
+    return ask_yes(parent, "Replace the files?", question)
 
 
-def saved_or_given_up(parent: QWidget, title: str, question: str, save: Callable[[], bool]) -> bool:
+def ask_to_save(parent: QWidget, title: str, question: str, save: Callable[[], bool]) -> bool:
     """Ask whether to save changes; return whether they are saved or discarded."""
     buttons = _Answer.Save | _Answer.Discard | _Answer.Cancel
     answer = QMessageBox.question(parent, title, question, buttons, _Answer.Save)
@@ -118,14 +118,14 @@ def _goes_on(event: QEvent) -> bool:
     return not writes or bool(event.modifiers() & _COMMAND)
 
 
-def copied(value: float) -> str:
+def copied_number(value: float) -> str:
     """Return digits that read back as the same number; "" for no number."""
     return repr(float(value)) if math.isfinite(value) else ""
 
 
 def copied_level(level_db: float) -> str:
     """Return the digits of a level in dB; "" for silence."""
-    return copied(float(in_tables(level_db)))
+    return copied_number(float(levels_for_tables(level_db)))
 
 
 class CopyButton(QToolButton):

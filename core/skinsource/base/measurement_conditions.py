@@ -24,7 +24,7 @@ PRE_TRIGGER_DELAY_S = 0.052
 VOLAR_OUTPUTS = (61, 62, 63, 64, 65, 66)
 
 #: The largest number that an input location or an output of any limb can have.
-MOST_PLACES = 10_000
+MOST_LOCATIONS = 10_000
 
 #: Hand lengths of limbs 1 to 4, measured and synthetic.
 HAND_LENGTHS_MM = (175.0, 165.0, 185.0, 165.0)

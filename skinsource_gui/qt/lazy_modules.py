@@ -16,7 +16,7 @@ from types import ModuleType
 UNCALLED = ("numpy.f2py", "numpy.testing")
 
 
-def leave_for_use(names: Sequence[str] = UNCALLED) -> None:
+def make_lazy(names: Sequence[str] = UNCALLED) -> None:
     """Make each module of ``names`` lazy: it runs when an attribute of it is first used.
 
     Modules that are imported already stay as they are; those that do not exist are ignored.

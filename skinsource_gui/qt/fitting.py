@@ -53,7 +53,7 @@ class LetterWidth(QObject):
 _ROOM_EVENTS = (QEvent.Type.Resize, QEvent.Type.LayoutRequest, QEvent.Type.FontChange)
 
 
-class RoomOrText(QObject):
+class LayoutWatcher(QObject):
     """Signals when the size of a widget, or the text or font in it, may have changed.
 
     A slot that changes the layout of the widget causes a further signal.  That ends if the same
@@ -160,7 +160,7 @@ _READABLE = 0.8
 
 def fitting_font(rows: Sequence[Sequence[QAbstractButton]], font: QFont, room_px: int) -> QFont:
     """Return the largest font, up to ``font``, in which the texts of each row fit."""
-    fonts = fonts_of(font)
+    fonts = shrinking_fonts(font)
     fit = (smaller for smaller in fonts if max(width_in(smaller, row) for row in rows) <= room_px)
     return next(fit, fonts[-1])
 
@@ -198,9 +198,9 @@ def readable_in(text: str, font: QFont, room_px: float) -> QFont:
     return next(fit, fonts[-1])
 
 
-def smallest_of(font: QFont) -> QFont:
+def smallest_font(font: QFont) -> QFont:
     """Return the smallest font to which ``font`` may shrink."""
-    return fonts_of(font)[-1]
+    return shrinking_fonts(font)[-1]
 
 
 def readable_of(font: QFont) -> QFont:
@@ -208,14 +208,14 @@ def readable_of(font: QFont) -> QFont:
     return scaled(font, _READABLE)
 
 
-def write_in(font: QFont, buttons: Sequence[QAbstractButton]) -> None:
+def set_fonts(font: QFont, buttons: Sequence[QAbstractButton]) -> None:
     """Set the font of buttons."""
     for button in buttons:
         if button.font() != font:
             button.setFont(font)
 
 
-def fonts_of(font: QFont) -> list[QFont]:
+def shrinking_fonts(font: QFont) -> list[QFont]:
     """Return the fonts to which ``font`` may shrink, from large to small."""
     large = (scaled(font, scale) for scale in _SCALES_OF_LARGE)
     readable = [smaller for smaller in large if QFontInfo(smaller).pixelSize() >= _LEAST_PX]
@@ -236,16 +236,16 @@ class ButtonRow(QWidget):
             row.addWidget(button)
         row.addStretch(1)
         self._gap_px = row.spacing()
-        RoomOrText(self).changed.connect(self._fit)
+        LayoutWatcher(self).changed.connect(self._fit)
 
     def _fit(self) -> None:
         shown = [button for button in self._buttons if not button.isHidden()]
         gaps_px = self._gap_px * len(shown)
-        write_in(fitting_font((shown,), self.font(), self.width() - gaps_px), self._buttons)
-        self.setMinimumWidth(width_in(smallest_of(self.font()), shown) + gaps_px)
+        set_fonts(fitting_font((shown,), self.font(), self.width() - gaps_px), self._buttons)
+        self.setMinimumWidth(width_in(smallest_font(self.font()), shown) + gaps_px)
 
 
-class HeightInSight(RoomOrText):
+class VisibleHeight(LayoutWatcher):
     """Signals when the visible height of a widget may have changed, and returns it.
 
     A widget in a scroll area can be higher than the visible part.
@@ -278,7 +278,7 @@ class HeightInSight(RoomOrText):
 _BESIDE, _BELOW = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
 
 
-class BesideOrBelow(QWidget):
+class FoldingGroups(QWidget):
     """Puts groups of widgets beside each other, or in a narrow room below each other.
 
     Parameters
@@ -306,7 +306,7 @@ class BesideOrBelow(QWidget):
             self._rows.append(row)
             # The last group gets the room that is left.
             self._box.addLayout(row, int(len(self._rows) == len(groups)))
-        RoomOrText(self).changed.connect(self._fold)
+        LayoutWatcher(self).changed.connect(self._fold)
 
     def minimumSizeHint(self) -> QSize:
         widest = max(row.minimumSize().width() for row in self._rows)

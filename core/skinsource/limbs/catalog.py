@@ -1,7 +1,7 @@
 """All limbs that can be loaded, by name."""
 
 from skinsource.base.errors import InvalidInputError, UnknownLimbError
-from skinsource.base.published import LIMB_NAMES
+from skinsource.base.measurement_conditions import LIMB_NAMES
 from skinsource.base.quoting import quoted
 from skinsource.limbs.dataset.store import is_installed, load_measured_limb
 from skinsource.limbs.limb import Limb
