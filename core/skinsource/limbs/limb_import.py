@@ -256,9 +256,9 @@ def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:
     for name in ("axes", "sample_rate_hz", "hand_length_mm"):
         if values.get(name) is None:
             raise InvalidInputError(f"{name} is not known, expected it with the responses")
-    strange = sorted(set(values) - known)
-    if strange:
-        raise InvalidInputError(f"{', '.join(strange)} says nothing about a limb")
+    unknown = sorted(set(values) - known)
+    if unknown:
+        raise InvalidInputError(f"{', '.join(unknown)} says nothing about a limb")
     if not isinstance(values["axes"], str) or len(values["axes"]) != shape[2]:
         raise InvalidInputError(
             f"axes is {quoted(values['axes'])}, expected {shape[2]} of x, y and z, as many as the "

@@ -44,7 +44,7 @@ NAME_RULE = "small letters, digits and '-', at most 40, a letter first"
 _NAME = re.compile(r"[a-z][a-z0-9-]{0,39}")
 # Names of the published and of the synthetic limbs begin so.
 _RESERVED = ("measured-", "synthetic-")
-_LONGEST_TITLE, _LONGEST_NOTE, _LONGEST_PLACE = 100, 2000, 80
+_LONGEST_TITLE, _LONGEST_NOTE, _LONGEST_PLACE_NAME = 100, 2000, 80
 # Coordinates beyond this are no places on a hand, in whatever unit.
 _FARTHEST = 1e6
 
@@ -110,8 +110,8 @@ class OwnLimb:
                 f"the name of the limb is {quoted(self.name)}, expected {NAME_RULE}, not beginning "
                 f"with {' or '.join(_RESERVED)}"
             )
-        self._put(title=_line("title", self.title, _LONGEST_TITLE))
-        self._put(note=_line("note", self.note, _LONGEST_NOTE))
+        self._put(title=_checked_line("title", self.title, _LONGEST_TITLE))
+        self._put(note=_checked_line("note", self.note, _LONGEST_NOTE))
         one_of("axes", self.axes, AXES)
         self._put(n_taps=integer("n_taps", self.n_taps, 1, MOST_TAPS))
         for name, least, most, unit in (
@@ -123,7 +123,7 @@ class OwnLimb:
             expected = f"a number from {least:g} to {most:g} {unit}"
             number = real_number(name, getattr(self, name), expected, least=least, most=most)
             self._put(**{name: number})
-        self._put(band_hz=_band(self.band_hz, self.sample_rate_hz))
+        self._put(band_hz=_checked_band(self.band_hz, self.sample_rate_hz))
         self._check_places()
         n_bytes = 8 * self.n_inputs * self.n_outputs * len(self.axes) * self.n_taps
         if n_bytes > MOST_BYTES:
@@ -133,7 +133,7 @@ class OwnLimb:
             )
 
     def _check_places(self) -> None:
-        outline = _points("outline", self.outline, 3, MOST_VERTICES, missing=False)
+        outline = _checked_points("outline", self.outline, 3, MOST_VERTICES, missing=False)
         if len(outline) > 3 and np.array_equal(outline[0], outline[-1]):
             outline = outline[:-1]
         x, y = outline.T
@@ -145,14 +145,18 @@ class OwnLimb:
             )
         self._put(
             outline=outline,
-            input_positions=_points("input_positions", self.input_positions, 1, MOST_INPUTS),
-            output_positions=_points("output_positions", self.output_positions, 1, MOST_OUTPUTS),
+            input_positions=_checked_points(
+                "input_positions", self.input_positions, 1, MOST_INPUTS
+            ),
+            output_positions=_checked_points(
+                "output_positions", self.output_positions, 1, MOST_OUTPUTS
+            ),
         )
         for what, names, n in (
             ("input_names", self.input_names, self.n_inputs),
             ("output_names", self.output_names, self.n_outputs),
         ):
-            texts = tuple(_line(what, name, _LONGEST_PLACE) for name in names)
+            texts = tuple(_checked_line(what, name, _LONGEST_PLACE_NAME) for name in names)
             if texts and len(texts) != n:
                 raise InvalidInputError(
                     f"{what} are {len(texts)}, expected {n}, one for each place"
@@ -194,12 +198,8 @@ class OwnLimb:
             axes_shown=False,
         )
 
-    def shown_mirrored(self, mirrored: bool) -> "OwnLimb":
-        """Return this limb, shown mirrored or not."""
-        return replace(self, mirrored=mirrored)
 
-
-def _line(what: str, text: object, longest: int) -> str:
+def _checked_line(what: str, text: object, longest: int) -> str:
     if not isinstance(text, str) or len(text) > longest or not (text.isprintable()):
         raise InvalidInputError(
             f"{what} is {quoted(text)}, expected one line of at most {longest} characters"
@@ -207,7 +207,7 @@ def _line(what: str, text: object, longest: int) -> str:
     return text.strip()
 
 
-def _band(band_hz: object, sample_rate_hz: float) -> Band | None:
+def _checked_band(band_hz: object, sample_rate_hz: float) -> Band | None:
     if band_hz is None:
         return None
     band = real_array("band_hz", band_hz, "two frequencies")  # type: ignore[arg-type]
@@ -220,7 +220,9 @@ def _band(band_hz: object, sample_rate_hz: float) -> Band | None:
     return float(band[0]), float(band[1])
 
 
-def _points(what: str, points: object, fewest: int, most: int, *, missing: bool = True) -> Floats:
+def _checked_points(
+    what: str, points: object, fewest: int, most: int, *, missing: bool = True
+) -> Floats:
     """Return checked places, (n, 2); where ``missing``, a row with NaN is no place."""
     array = np.array(real_array(what, points, "(n, 2)"))  # type: ignore[arg-type]
     if array.ndim != 2 or array.shape[1] != 2 or not fewest <= len(array) <= most:
@@ -242,7 +244,7 @@ def _points(what: str, points: object, fewest: int, most: int, *, missing: bool 
 
 
 _MAGIC, _BLOCK = b"skinsource limb 1\n", 512
-_MOST_TEXT = 16 * 2**20
+_MOST_TEXT_BYTES = 16 * 2**20
 #: Largest magnitude of a response, as of `skinsource.design.signal_path`.
 _LARGEST = 1e30
 #: Fields that the digest of a limb is made of: all that a result can depend on.
@@ -288,42 +290,42 @@ class LimbFile:
         self.path = path
         try:
             with path.open("rb") as file:
-                text, self._text_sum = _text_of(file, path)
+                text, self._text_checksum = _read_text(file, path)
                 size = path.stat().st_size
         except OSError as error:
             raise _unreadable(path, error) from error
         try:
             tree = json.loads(text)
-            self._sums = tuple(str(checksum) for checksum in tree.pop("sha256"))
+            self._checksums = tuple(str(checksum) for checksum in tree.pop("sha256"))
             self.limb = _limb_of(tree)
         except InvalidInputError as error:
             raise _damaged(path, str(error)) from error
         except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
             raise _damaged(path, f"its text makes no sense ({printable(error)})") from error
-        self._start = _start(len(text))
-        expected = self._start + self.limb.n_inputs * self._bytes_each
-        if len(self._sums) != self.limb.n_inputs or size != expected:
+        self._first_response_byte = _first_response_byte(len(text))
+        expected = self._first_response_byte + self.limb.n_inputs * self._response_bytes
+        if len(self._checksums) != self.limb.n_inputs or size != expected:
             raise _damaged(path, f"it has {size} bytes, expected {expected}")
-        self.digest = _digest(self.limb, self._sums)
+        self.digest = _digest(self.limb, self._checksums)
 
     @property
-    def _bytes_each(self) -> int:
+    def _response_bytes(self) -> int:
         return 8 * self.limb.n_outputs * len(self.limb.axes) * self.limb.n_taps
 
     def response(self, location: int) -> Floats:
         """Return the responses to one input place, (n_outputs, n_axes, n_taps), m/s²."""
         try:
             with self.path.open("rb") as file:
-                if _text_of(file, self.path)[1] != self._text_sum:
+                if _read_text(file, self.path)[1] != self._text_checksum:
                     raise FileFormatError(
                         f"{path_text(self.path)}: was replaced by other data since the limb was "
                         "opened. Open the limb again."
                     )
-                file.seek(self._start + (location - 1) * self._bytes_each)
-                content = file.read(self._bytes_each)
+                file.seek(self._first_response_byte + (location - 1) * self._response_bytes)
+                content = file.read(self._response_bytes)
         except OSError as error:
             raise _unreadable(self.path, error) from error
-        if hashlib.sha256(content).hexdigest() != self._sums[location - 1]:
+        if hashlib.sha256(content).hexdigest() != self._checksums[location - 1]:
             raise _damaged(self.path, f"the responses to input {location} have another checksum")
         return np.frombuffer(content, "<f8").astype(np.float64).reshape(self.limb.shape[1:])
 
@@ -357,17 +359,17 @@ def write_limb_file(
         ``stop`` returned true.
     """
     # The length of the text does not depend on the checksums.
-    room = _start(len(_encoded(limb, ("0" * 64,) * limb.n_inputs)))
+    placeholder = _json(_tree(limb, ("0" * 64,) * limb.n_inputs))
     with replacing(path) as temporary, temporary.open("r+b") as file:
-        file.seek(room)
-        sums = []
+        file.seek(_first_response_byte(len(placeholder)))
+        checksums = []
         for number, response in enumerate(_checked(limb, responses), start=1):
             stop_if(stop)
             content = np.ascontiguousarray(response, "<f8").tobytes()
-            sums.append(hashlib.sha256(content).hexdigest())
+            checksums.append(hashlib.sha256(content).hexdigest())
             file.write(content)
             progress(number, limb.n_inputs, "Writing the responses")
-        text = _encoded(limb, tuple(sums))
+        text = _json(_tree(limb, tuple(checksums)))
         file.seek(0)
         head = _MAGIC + f"{hashlib.sha256(text).hexdigest()}\n{len(text)}\n".encode()
         file.write(head.ljust(_BLOCK, b"\0") + text)
@@ -398,7 +400,7 @@ def _checked(limb: OwnLimb, responses: Iterable[Floats]) -> Iterator[Floats]:
         )
 
 
-def _text_of(file: IO[bytes], path: Path) -> tuple[bytes, str]:
+def _read_text(file: IO[bytes], path: Path) -> tuple[bytes, str]:
     head = file.read(_BLOCK)
     if not head.startswith(_MAGIC) or len(head) < _BLOCK:
         raise _damaged(path, "it does not begin as the file of a limb")
@@ -406,32 +408,28 @@ def _text_of(file: IO[bytes], path: Path) -> tuple[bytes, str]:
     if len(lines) != 3 or not lines[1].isdecimal() or len(lines[1]) > 9 or lines[2]:
         raise _damaged(path, "its head makes no sense")
     expected, n_bytes = lines[0], int(lines[1])
-    if n_bytes > _MOST_TEXT:
-        raise _damaged(path, f"its text has {n_bytes} bytes, expected at most {_MOST_TEXT}")
+    if n_bytes > _MOST_TEXT_BYTES:
+        raise _damaged(path, f"its text has {n_bytes} bytes, expected at most {_MOST_TEXT_BYTES}")
     text = file.read(n_bytes)
     if hashlib.sha256(text).hexdigest() != expected:
         raise _damaged(path, "its text has another checksum")
     return text, expected
 
 
-def _start(text_bytes: int) -> int:
+def _first_response_byte(text_bytes: int) -> int:
     return _BLOCK + -(-text_bytes // _BLOCK) * _BLOCK
-
-
-def _encoded(limb: OwnLimb, sums: tuple[str, ...]) -> bytes:
-    return _json(_tree(limb, sums))
 
 
 def _json(tree: dict[str, Any]) -> bytes:
     return json.dumps(tree, sort_keys=True, allow_nan=False, separators=(",", ":")).encode("ascii")
 
 
-def _tree(limb: OwnLimb, sums: tuple[str, ...]) -> dict[str, Any]:
+def _tree(limb: OwnLimb, checksums: tuple[str, ...]) -> dict[str, Any]:
     tree = {name: getattr(limb, name) for name in _FIELDS}
     for name, value in tree.items():
         if isinstance(value, np.ndarray):
             tree[name] = [None if np.isnan(row).any() else row.tolist() for row in value]
-    return {**tree, "sha256": list(sums)}
+    return {**tree, "sha256": list(checksums)}
 
 
 def _limb_of(tree: dict[str, Any]) -> OwnLimb:
@@ -442,8 +440,8 @@ def _limb_of(tree: dict[str, Any]) -> OwnLimb:
     return OwnLimb(**tree)
 
 
-def _digest(limb: OwnLimb, sums: tuple[str, ...]) -> str:
-    tree = _tree(limb, sums)
+def _digest(limb: OwnLimb, checksums: tuple[str, ...]) -> str:
+    tree = _tree(limb, checksums)
     optional = tuple(name for name in _DIGESTED_IF_SET if tree[name] is not None)
     return hashlib.sha256(_json({name: tree[name] for name in (*_DIGESTED, *optional)})).hexdigest()
 
@@ -532,7 +530,7 @@ def mirror_limb(
     Raises as `load_own_limb`, and `Stopped` where ``stop`` returned true: it is as it was then.
     """
     file = _opened(name)
-    limb = file.limb.shown_mirrored(mirrored)
+    limb = replace(file.limb, mirrored=mirrored)
     responses = map(file.response, range(1, limb.n_inputs + 1))
     write_limb_file(file.path, limb, responses, progress=progress, stop=stop)
 

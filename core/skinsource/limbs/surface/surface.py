@@ -245,6 +245,7 @@ def _warnings(
 MOST_ON_DISK_BYTES, LARGEST_BYTES = 64 * 2**20, 16 * 2**20
 _HEAD = b"skinsource operator 1\n"
 _DIGEST_BYTES = 32
+_COUNTS = ("fallback_count", "blind_vertices", "single_vertices")
 
 
 def cached_surface_operator(
@@ -267,9 +268,7 @@ def encoded(operator: SurfaceOperator) -> bytes:
     """Encode an operator as bytes with a checksum."""
     weights = operator.weights
     about = {
-        "fallback_count": operator.fallback_count,
-        "blind_vertices": operator.blind_vertices,
-        "single_vertices": operator.single_vertices,
+        **{name: getattr(operator, name) for name in _COUNTS},
         "same_place": operator.same_place,
         "warnings": operator.warnings,
         "n_outputs": weights.shape[1],
@@ -311,11 +310,9 @@ def decoded(image: bytes) -> SurfaceOperator:
         mask=mask,
         x_mm=x_mm,
         y_mm=y_mm,
-        fallback_count=about["fallback_count"],
-        blind_vertices=about["blind_vertices"],
-        single_vertices=about["single_vertices"],
         same_place=tuple((first, second) for first, second in about["same_place"]),
         warnings=tuple(about["warnings"]),
+        **{name: about[name] for name in _COUNTS},
     )
 
 
