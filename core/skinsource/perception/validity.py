@@ -378,7 +378,7 @@ def setup_findings(*, synthetic: bool, scaling: Scaling, places: Sequence[int]) 
 def number_ranges(outputs: Sequence[int]) -> str:
     """Return numbers as text, runs of three or more as ranges: "1, 4 to 7 and 9".
 
-    >>> listed((1, 4, 5, 6, 7, 9, 10))
+    >>> number_ranges((1, 4, 5, 6, 7, 9, 10))
     '1, 4 to 7, 9 and 10'
     """
     runs: list[list[int]] = []
