@@ -7,8 +7,8 @@ import skinsource as ss
 from skinsource.base.job import never
 from skinsource.engine.shared import Shared
 from skinsource.studies.sweeps import neighbours
-from skinsource.studies.sweeps.measuring import METRICS, Measurer
-from skinsource.studies.sweeps.metrics import Preparing, main_axes
+from skinsource.studies.sweeps.measuring import Measurer
+from skinsource.studies.sweeps.metrics import METRICS, Preparing, main_axes
 from skinsource.studies.sweeps.neighbours import Batch
 from skinsource.studies.sweeps.plan import BATCH_SIZE, Plan
 

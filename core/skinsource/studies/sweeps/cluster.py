@@ -9,7 +9,8 @@ from skinsource.base.errors import MissingExtraError, SkinSourceError
 from skinsource.base.extras import package_of_extra
 from skinsource.base.job import Stop, stop_if
 from skinsource.base.quoting import printable, quoted
-from skinsource.studies.sweeps.measuring import Measurer, Metrics, metrics_or_reason
+from skinsource.studies.sweeps.measuring import Measurer, metrics_or_reason
+from skinsource.studies.sweeps.metrics import Metrics
 from skinsource.studies.sweeps.plan import Plan, chunks, plan_of
 from skinsource.studies.sweeps.workers import Row
 

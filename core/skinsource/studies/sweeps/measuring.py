@@ -30,13 +30,12 @@ from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.shared import Shared
 from skinsource.engine.trace_rules import shown_outputs
 from skinsource.engine.transforms import inverse_here
-from skinsource.export.tables import EXTENT_COLUMNS
 from skinsource.limbs.limb import Limb
 from skinsource.signals.loudest_window import loudest_energy, window_samples
 from skinsource.studies.sweeps.metrics import (
-    ACTUATOR_METRICS,
     DriveMetrics,
     Extents,
+    Metrics,
     PreparedStimulus,
     Preparing,
     actuator_metrics,
@@ -232,34 +231,6 @@ def _loudest_window(
         signals = _signals(projection.at(outputs), spectra, n_fft)
         highest = max(highest, float(loudest_energy(signals, n_window).max()))
     return float(np.sqrt(highest / n_window))
-
-
-#: Names of the metrics of a stimulus, in the order of the columns, without those of outputs.
-METRICS = (
-    "factor",
-    "duration_s",
-    "drive_peak",
-    "drive_rms",
-    "share_outside_band",
-    "loudest_output",
-    "rms",
-    "rms_100ms",
-    "peak",
-    "level_100ms_db",
-    "level_above_threshold_db",
-    *EXTENT_COLUMNS,
-)
-_OF_OUTPUTS = ("rms", "rms_100ms", "peak")
-Metrics = dict[str, float]
-
-
-def columns_of(plan: Plan) -> tuple[str, ...]:
-    """Return the names of the metrics of a plan."""
-    return (
-        *METRICS,
-        *(f"output_{output}_{name}" for output in plan.outputs for name in _OF_OUTPUTS),
-        *(ACTUATOR_METRICS if plan.drives_actuators else ()),
-    )
 
 
 class Measurer:

@@ -26,6 +26,45 @@ from skinsource.export.tables import EXTENT_COLUMNS
 from skinsource.limbs.extent import distances_mm, spread
 from skinsource.limbs.limb import Limb
 from skinsource.signals.spectra import share_outside_band
+from skinsource.studies.sweeps.plan import Plan
+
+#: Names of the metrics of a stimulus, in the order of the columns, without those of outputs.
+METRICS = (
+    "factor",
+    "duration_s",
+    "drive_peak",
+    "drive_rms",
+    "share_outside_band",
+    "loudest_output",
+    "rms",
+    "rms_100ms",
+    "peak",
+    "level_100ms_db",
+    "level_above_threshold_db",
+    *EXTENT_COLUMNS,
+)
+#: Metrics of actuators, each of the channel where it is largest, in the order of the columns.
+ACTUATOR_METRICS = (
+    "peak_voltage_v",
+    "rms_voltage_v",
+    "peak_current_a",
+    "rms_current_a",
+    "peak_displacement_m",
+    "peak_velocity_m_per_s",
+    "linear_share",
+    "limits_passed",
+)
+METRICS_OF_OUTPUTS = ("rms", "rms_100ms", "peak")
+Metrics = dict[str, float]
+
+
+def columns_of(plan: Plan) -> tuple[str, ...]:
+    """Return the names of the metrics of a plan."""
+    return (
+        *METRICS,
+        *(f"output_{output}_{name}" for output in plan.outputs for name in METRICS_OF_OUTPUTS),
+        *(ACTUATOR_METRICS if plan.drives_actuators else ()),
+    )
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -216,17 +255,6 @@ def _rotate(rows: list[list[Floats]], vectors: list[Floats], p: int, q: int, r: 
     vectors[p], vectors[q] = cosine * first - sine * second, sine * first + cosine * second
 
 
-#: Metrics of actuators, each of the channel where it is largest, in the order of the columns.
-ACTUATOR_METRICS = (
-    "peak_voltage_v",
-    "rms_voltage_v",
-    "peak_current_a",
-    "rms_current_a",
-    "peak_displacement_m",
-    "peak_velocity_m_per_s",
-    "linear_share",
-    "limits_passed",
-)
 # An equaliser rings before and after the drive, and the actuator has to play that too.
 _RINGS_S = 0.1
 

@@ -22,7 +22,8 @@ from skinsource.lab.matching import Strengths, read_matches
 from skinsource.signals.projection import METHODS, Method
 from skinsource.signals.resampling import MAX_RATE_HZ
 from skinsource.specs.models import specs_of
-from skinsource.studies.sweeps.measuring import Metrics, measured_here
+from skinsource.studies.sweeps.measuring import measured_here
+from skinsource.studies.sweeps.metrics import Metrics
 from skinsource.studies.sweeps.plan import (
     HIGHEST_DB,
     KINDS,

@@ -42,7 +42,7 @@ from skinsource.export.stimulus_export.export import export_stimulus
 from skinsource.export.stimulus_export.options import StimulusOptions, sidecar_path
 from skinsource.export.stimulus_export.preparing import prepare_stimulus
 from skinsource.signals.resampling import MAX_RATE_HZ
-from skinsource.studies.sweeps.measuring import Metrics, columns_of
+from skinsource.studies.sweeps.metrics import Metrics, columns_of
 from skinsource.studies.sweeps.plan import Order, Plan, trials
 from skinsource.version import __version__
 

@@ -17,7 +17,7 @@ from typing import IO
 from skinsource.base.assets import PACKAGE
 from skinsource.base.errors import StorageError
 from skinsource.base.job import Stop, never, stop_if
-from skinsource.studies.sweeps.measuring import Metrics
+from skinsource.studies.sweeps.metrics import Metrics
 from skinsource.studies.sweeps.plan import Plan, chunks
 
 #: Command of the process; it imports no module from the current folder.
