@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QComboBox, QFileDialog, QMenu, QMessageBox, QWidge
 
 def train(you: Composer, _: Path) -> None:
     """Fig. 2H's wavelet train: type the place, the kind, the sweep."""
-    begin_anew(you)
+    reset_range(you)
     you.go_to_panel("hand")
     you.type(str(TRAIN_PLACE))
     you.key("Enter")
@@ -37,7 +37,7 @@ def train(you: Composer, _: Path) -> None:
 
 def recording(you: Composer, folder: Path) -> None:
     """A recording imported, and an envelope set up over it, point by point."""
-    begin_anew(you)
+    reset_range(you)
     path = folder / "beat.wav"
     you.answer(lambda: you.key("Ctrl+I"), QFileDialog, lambda _: name_file(you, path))
     page = you.page()
@@ -68,7 +68,7 @@ def recording(you: Composer, folder: Path) -> None:
 
 def sweep(you: Composer, _: Path) -> None:
     """A sweep along the digits: places typed in the page."""
-    begin_anew(you)
+    reset_range(you)
     find(you, "motion")
     page = you.page()
     kind = page.findChildren(QComboBox)[0]
@@ -86,7 +86,7 @@ def sweep(you: Composer, _: Path) -> None:
     check_sweep(you)
 
 
-def begin_anew(you: Composer) -> None:
+def reset_range(you: Composer) -> None:
     """Ctrl+N; what is there need not be kept."""
 
     def discard(box: QWidget) -> None:

@@ -26,7 +26,7 @@ _HAND_S, _HAND_LEVEL = 0.004, 0.03
 
 def train(you: Composer, _: Path) -> None:
     """Fig. 2H's wavelet train: click on the fingertip, choose the kind, sweep, equalise."""
-    begin_anew(you)
+    reset_range(you)
     hand = you.window.panel("hand").diagram
     you.click(hand, hand.site_centre(7))
     you.click(you.widget("kind_field", you.window.panel("inspector")))
@@ -47,7 +47,7 @@ def train(you: Composer, _: Path) -> None:
 
 def recording(you: Composer, folder: Path) -> None:
     """A recording imported, and an envelope drawn over it."""
-    begin_anew(you)
+    reset_range(you)
     you.answer(
         lambda: you.choose("File", "Import recording…"),
         QFileDialog,
@@ -81,7 +81,7 @@ def recording(you: Composer, folder: Path) -> None:
 
 def sweep(you: Composer, _: Path) -> None:
     """A sweep along the digits: places clicked on the hand of the page."""
-    begin_anew(you)
+    reset_range(you)
     you.choose("Edit", "Motion…")
     page = you.page()
     pick_of_list(you, page.findChildren(QComboBox)[0], "Sweep")
@@ -102,7 +102,7 @@ def sweep(you: Composer, _: Path) -> None:
     check_sweep(you)
 
 
-def begin_anew(you: Composer) -> None:
+def reset_range(you: Composer) -> None:
     """File > New; what is there need not be kept."""
 
     def discard(box: QWidget) -> None:

@@ -23,7 +23,7 @@ _MISSED = 0.02
 
 def by_mouse(you: Composer, folder: Path) -> None:
     """Four tones through an equalised voice coil to a WAV file: all clicked."""
-    compose_by_mouse.begin_anew(you)
+    compose_by_mouse.reset_range(you)
     hand = you.window.panel("hand").diagram
     for place in PLACES:
         you.click(hand, hand.site_centre(place))
@@ -47,7 +47,7 @@ def by_mouse(you: Composer, folder: Path) -> None:
 
 def by_keyboard(you: Composer, folder: Path) -> None:
     """Four tones through an equalised voice coil to a WAV file: all typed."""
-    compose_by_keyboard.begin_anew(you)
+    compose_by_keyboard.reset_range(you)
     you.go_to_panel("hand")
     for place in PLACES:
         you.type(str(place))

@@ -133,7 +133,7 @@ _LONGEST = 100_000
 
 def outside_band_text(spec: NumberSpec) -> str:
     """Return the remark on a frequency outside the measured band."""
-    low_hz, high_hz = spec.felt_hz or (0.0, inf)
+    low_hz, high_hz = spec.measured_band_hz or (0.0, inf)
     return f"outside the measured band ({low_hz:g} to {high_hz:g} Hz)"
 
 

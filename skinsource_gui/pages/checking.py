@@ -321,7 +321,7 @@ def _hint(row: Row, column: int) -> str:
         return sentence(result)
     if result is None or result.agreement is None or _COLUMNS[column][0] != "Channels":
         return ""
-    return f"{result.noise_words[0].upper()}{result.noise_words[1:]}"
+    return f"{result.noise_text[0].upper()}{result.noise_text[1:]}"
 
 
 def _texts(row: Row) -> list[str]:

@@ -66,7 +66,7 @@ class FigurePanel(Panel):
         return how_to_select_output(self.in_sight)
 
     @property
-    def picture_words(self) -> str:
+    def picture_text(self) -> str:
         """Text above the figure in a picture: what is chosen there."""
         return "" if self._above is None else self._above.text
 
@@ -82,7 +82,7 @@ class FigurePanel(Panel):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.scale(scale, scale)
         room = QRectF(0.0, 0.0, width / scale, height / scale)
-        draw_figure(painter, room, self.figure, self.picture_words, self._result)
+        draw_figure(painter, room, self.figure, self.picture_text, self._result)
         painter.restore()
 
     def sizeHint(self) -> QSize:

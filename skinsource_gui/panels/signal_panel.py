@@ -41,8 +41,8 @@ class SignalPanel(Panel):
         if shows_no_outputs:
             self._plot.show_message(self.no_outputs)
 
-    def begin_anew(self) -> None:
-        self._plot.plot.begin_anew()
+    def reset_range(self) -> None:
+        self._plot.plot.reset_range()
 
     def show_problem(self, reason: str) -> None:
         self._plot.show_message(reason)

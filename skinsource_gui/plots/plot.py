@@ -80,7 +80,7 @@ class Canvas(pyqtgraph.GraphicsView):
         super().__init__(parent, **options)
         self.scrolling_on = ScrollGesture(self)
 
-    def take_look(self) -> None:
+    def update_style(self) -> None:
         """Use the present colours and font, also in items that cache a picture."""
         self.setBackground(QColor(current_theme().base))
         for item in self.scene().items():
@@ -106,7 +106,7 @@ class Canvas(pyqtgraph.GraphicsView):
         super().changeEvent(event)
         # pyqtgraph's constructor changes the palette, before there is a scene.
         if event.type() in (QEvent.Type.StyleChange, QEvent.Type.FontChange):
-            self.take_look()
+            self.update_style()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -532,7 +532,7 @@ class Plot(Canvas):
         watch = (self.navigation.watch, self.playhead.watch)
         self.stack = Stack(self.scene(), self.text_font, watch)
         self.scene().sigMouseMoved.connect(self.navigation.follow_mouse)
-        self.take_look()
+        self.update_style()
 
     @property
     def message(self) -> str:
@@ -545,8 +545,8 @@ class Plot(Canvas):
     def minimumSizeHint(self) -> QSize:
         return least_size(QFontMetricsF(self.text_font))
 
-    def take_look(self) -> None:
-        super().take_look()
+    def update_style(self) -> None:
+        super().update_style()
         self.text_font = scaled(tabular(self.font()), _TEXT)
         self.updateGeometry()
         self.stack.show_fonts(self.text_font, self.font())
@@ -579,7 +579,7 @@ class Plot(Canvas):
             self._place()
             self._colour()
 
-    def begin_anew(self) -> None:
+    def reset_range(self) -> None:
         """Decide the range of the next curves by them alone."""
         self.steady_range.let_go()
 

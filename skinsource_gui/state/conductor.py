@@ -218,7 +218,7 @@ class Conductor(QObject):
             a is not b for a, b in zip(results, before, strict=True)
         ):
             if panel in self._restarting:
-                panel.begin_anew()
+                panel.reset_range()
             panel.show_results(values)
             self._shown[panel] = results
 

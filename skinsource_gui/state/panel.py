@@ -165,7 +165,7 @@ class Panel(ShowsStaleness):
         `show_state` is not called for that.
         """
 
-    def begin_anew(self) -> None:
+    def reset_range(self) -> None:
         """Draw the next results as the first ones: nothing is held from before."""
 
     def show_results(self, results: Mapping[str, Any]) -> None:

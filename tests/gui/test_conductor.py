@@ -244,7 +244,7 @@ def test_a_look_elsewhere_reaches_the_panels(stage):
 
 def test_a_panel_begins_anew_once_before_the_results_of_an_undone_step(qtbot, stage):
     begun = []
-    stage.loud.begin_anew = lambda: begun.append(len(stage.loud.results))
+    stage.loud.reset_range = lambda: begun.append(len(stage.loud.results))
     stage.amplitude(2.0)
     assert begun == []
     drawn = len(stage.loud.results)

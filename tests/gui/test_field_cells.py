@@ -12,7 +12,7 @@ from skinsource.specs.spec import ChoiceSpec, PlainSpec, SwitchSpec, TextSpec
 from skinsource_gui.fields.editors import FieldCell
 
 FREQUENCY = NumberSpec(
-    label="Frequency", unit="Hz", minimum=1.0, maximum=649.0, felt_hz=(25.0, 600.0)
+    label="Frequency", unit="Hz", minimum=1.0, maximum=649.0, measured_band_hz=(25.0, 600.0)
 )
 
 

@@ -48,7 +48,7 @@ def test_a_picture_of_a_figure_has_no_controls(make_window, qtbot, tmp_path, nam
     for control in (*panel.findChildren(QAbstractButton), *panel.findChildren(QComboBox)):
         text = control.currentText() if isinstance(control, QComboBox) else control.text()
         # What is chosen may be said in words.
-        assert not text or text not in texts or text in panel.picture_words + panel._result
+        assert not text or text not in texts or text in panel.picture_text + panel._result
 
 
 @pytest.mark.parametrize("name", ["spectrogram", "transfer"])

@@ -116,7 +116,9 @@ def test_another_value_takes_away_why_one_was_refused(make_page):
 
 
 def test_a_remark_on_the_value_comes_back_after_a_reason(make_page, qtbot):
-    spec = NumberSpec(label="Frequency", unit="Hz", minimum=1.0, maximum=649.0, felt_hz=(25, 600))
+    spec = NumberSpec(
+        label="Frequency", unit="Hz", minimum=1.0, maximum=649.0, measured_band_hz=(25, 600)
+    )
     page = make_page(spec, 610.0)
     remark = page.note
     assert "measured band" in remark

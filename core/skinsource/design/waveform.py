@@ -90,7 +90,7 @@ CENTRE = NumberSpec(
     step=0.02,
     logarithmic=True,
     below_half_rate=True,
-    felt_hz=BAND_HZ,
+    measured_band_hz=BAND_HZ,
     hint="Where its spectrum is centred",
 )
 CYCLES = NumberSpec(

@@ -38,7 +38,7 @@ class NumberSpec(Spec):
         Whether only whole numbers are allowed.
     below_half_rate
         Whether it is a frequency that a limb can play only below half its sample rate.
-    felt_hz
+    measured_band_hz
         For a frequency of the motion itself the band in which the limb was measured; None where
         that is not known, and for all other numbers.
     unset
@@ -52,7 +52,7 @@ class NumberSpec(Spec):
     logarithmic: bool = False
     whole: bool = False
     below_half_rate: bool = False
-    felt_hz: Band | None = None
+    measured_band_hz: Band | None = None
     unset: str = ""
 
     def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "NumberSpec":
@@ -63,24 +63,31 @@ class NumberSpec(Spec):
         >>> NumberSpec(label="Frequency", unit="Hz", below_half_rate=True).at_rate(1300.0).maximum
         649.0
         """
-        felt_hz = None if self.felt_hz is None else band_hz
+        measured_band_hz = None if self.measured_band_hz is None else band_hz
         if not self.below_half_rate:
-            return self if felt_hz == self.felt_hz else replace(self, felt_hz=felt_hz)
+            return (
+                self
+                if measured_band_hz == self.measured_band_hz
+                else replace(self, measured_band_hz=measured_band_hz)
+            )
         highest = max(float(np.ceil(sample_rate_hz / 2)) - 1.0, self.minimum)
-        return replace(self, maximum=min(self.maximum, highest), felt_hz=felt_hz)
+        return replace(self, maximum=min(self.maximum, highest), measured_band_hz=measured_band_hz)
 
     @property
     def about(self) -> str:
         """The hint, and the measured band."""
-        if self.felt_hz is None:
+        if self.measured_band_hz is None:
             return self.hint
-        low_hz, high_hz = self.felt_hz
+        low_hz, high_hz = self.measured_band_hz
         band = f"{low_hz:g} to {high_hz:g} Hz is the measured band"
         return f"{self.hint}; {band}" if self.hint else band
 
     def is_known(self, value: float) -> bool:
         """Whether ``value`` lies in the measured band; True where there is none."""
-        return self.felt_hz is None or self.felt_hz[0] <= value <= self.felt_hz[1]
+        return (
+            self.measured_band_hz is None
+            or self.measured_band_hz[0] <= value <= self.measured_band_hz[1]
+        )
 
     @property
     def expected(self) -> str:

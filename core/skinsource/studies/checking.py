@@ -102,7 +102,7 @@ class Condition:
     details: tuple[str, ...] = ()
 
     @property
-    def noise_words(self) -> str:
+    def noise_text(self) -> str:
         """Source of the noise, as text."""
         return _NOISE_TEXTS[self.noise_of]
 
@@ -158,7 +158,7 @@ def summary_lines(conditions: Sequence[Condition]) -> list[str]:
             error, amplitude, correlation = map(_number_text, condition.agreement.medians)
             line += (
                 f"; measured: {condition.agreement.counted_text} channels above twice the noise, "
-                f"error {error}, amplitude {amplitude} %, r {correlation} ({condition.noise_words})"
+                f"error {error}, amplitude {amplitude} %, r {correlation} ({condition.noise_text})"
             )
         lines.append(line)
     return lines
@@ -214,10 +214,8 @@ def _table(conditions: Sequence[Condition]) -> str:
         rows.append(f"<tr><td>{escape(condition.name)}</td>{inner}</tr>")
     notes = ["Medians over the channels above twice the noise; shift in samples."]
     measured = [condition for condition in conditions if condition.agreement is not None]
-    for noise in dict.fromkeys(condition.noise_words for condition in measured):
-        names = ", ".join(
-            condition.name for condition in measured if condition.noise_words == noise
-        )
+    for noise in dict.fromkeys(condition.noise_text for condition in measured):
+        names = ", ".join(condition.name for condition in measured if condition.noise_text == noise)
         notes.append(f"{names}: {noise}.")
     paragraphs = "".join(f"<p class='note'>{escape(note)}</p>" for note in notes)
     return f"<table>{head}{''.join(rows)}</table>{paragraphs}"

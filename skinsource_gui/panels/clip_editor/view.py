@@ -480,7 +480,7 @@ class EditorView(Canvas):
         self.content: EditorContent | None = None
         self.visible_clip = VisibleClip(lambda: self.content, self)
         self.visible_clip.changed.connect(self.lay_out)
-        self.take_look()
+        self.update_style()
 
     def show_clip(
         self, clip: Clip | None, drawn: Floats | None, played: Floats | None, rate_hz: float
@@ -496,8 +496,8 @@ class EditorView(Canvas):
         self.viewport().setCursor(tool.cursor)
         self.lay_out()
 
-    def take_look(self) -> None:
-        super().take_look()
+    def update_style(self) -> None:
+        super().update_style()
         self.item.show_font(scaled(tabular(self.font()), _TEXT))
 
     def cancel(self) -> bool:

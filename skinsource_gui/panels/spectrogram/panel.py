@@ -79,7 +79,7 @@ class SpectrogramPicture(Figure):
         self._pixels: np.ndarray | None = None
         self._image = QImage()
 
-    def begin_anew(self) -> None:
+    def reset_range(self) -> None:
         """Decide the range of the next picture without a look at the one before."""
         self._steady_range.let_go()
 
@@ -266,7 +266,7 @@ class SpectrogramPanel(FigurePanel):
         self.figure.say(self.no_outputs)
 
     @property
-    def picture_words(self) -> str:
+    def picture_text(self) -> str:
         return f"Window {self.window_length.currentText()}"
 
     @property
@@ -275,8 +275,8 @@ class SpectrogramPanel(FigurePanel):
         drawn |= {"sample_rate_hz", "axes", "match_gain", "method", "limb_data"}
         return frozenset(drawn)
 
-    def begin_anew(self) -> None:
-        self.picture.begin_anew()
+    def reset_range(self) -> None:
+        self.picture.reset_range()
 
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, SpectrogramSettings)

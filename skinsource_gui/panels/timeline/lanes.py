@@ -525,7 +525,7 @@ class LanesView(Canvas):
         self.gain.choice_changed.connect(self.lay_out)
         self.mouse.shown.connect(self._show_preview)
         self._pointer = QPointF()
-        self.take_look()
+        self.update_style()
 
     @property
     def ruler_px(self) -> float:
@@ -550,8 +550,8 @@ class LanesView(Canvas):
         self._waveforms, self._awaited = waveforms, awaited
         self.lay_out()
 
-    def take_look(self) -> None:
-        super().take_look()
+    def update_style(self) -> None:
+        super().update_style()
         for item in (self.item, self.gains, self.overlay):
             item.show_font(scaled(tabular(self.font()), _TEXT))
 

@@ -49,7 +49,7 @@ class TransferPicture(Figure):
         self._steady_range = SteadyRange()
         self._top_db = 0.0
 
-    def begin_anew(self) -> None:
+    def reset_range(self) -> None:
         """Decide the range of the next picture without a look at the one before."""
         self._steady_range.let_go()
 
@@ -197,8 +197,8 @@ class TransferPanel(FigurePanel):
     def needs(self) -> frozenset[str]:
         return frozenset({"transfer", "transfer_place", "shown_outputs", *OF_UNIT, "limb_data"})
 
-    def begin_anew(self) -> None:
-        self.picture.begin_anew()
+    def reset_range(self) -> None:
+        self.picture.reset_range()
 
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, TransferSettings)

@@ -89,7 +89,7 @@ def test_frequencies_are_known_where_the_limb_says_it():
         assert names
         for name in names:
             spec, named = specs[name], getattr(specs[name], "of", specs[name])
-            assert named.felt_hz == BAND_HZ
+            assert named.measured_band_hz == BAND_HZ
             on_lab = spec.at_rate(4000.0, BAND)
             on_lab = getattr(on_lab, "of", on_lab)
             assert [on_lab.is_known(hz) for hz in (39.0, 40.0, 1500.0, 1501.0)] == [0, 1, 1, 0]

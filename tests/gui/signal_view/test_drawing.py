@@ -167,7 +167,7 @@ def test_both_axes_have_two_labels_at_least_however_small_the_plot(signals, size
     plot = signals.plot
     plot.resize(*size)
     for amplitude in (0.09, 0.11, 0.3, 0.47, 0.63, 7.7):
-        plot.begin_anew()
+        plot.reset_range()
         plot.show_curves(waves(amplitude=amplitude))
         plot.set_view(TIME, zoom, stacked=False)
         line = plot.stack.rows[0].axis

@@ -83,7 +83,7 @@ def test_a_tone_reaches_its_peak_everywhere_whatever_its_samples_miss(
 ):
     signals.show_curves(waves(), synthetic=False)
     width = signals.plot.places.row(0).width()
-    signals.plot.begin_anew()
+    signals.plot.reset_range()
     curves = curves_of(partial(tone, frequency_hz=frequency_hz), int(per_px * width), n_curves=2)
     signals.set_view(TIME, None, stacked=stacked)
     signals.show_curves(curves, synthetic=False)
@@ -119,7 +119,7 @@ def test_the_range_counts_the_wave_also_where_it_is_not_seen(signals, pictured):
     curves = curves_of(burst, 6500)
     assert curves.y.max() < 0.75
     for zoom in ((1.0, 1.02), (1.0, 1.5), (1.0, 4.0), None):
-        signals.plot.begin_anew()
+        signals.plot.reset_range()
         signals.set_view(TIME, zoom, stacked=False)
         signals.show_curves(curves, synthetic=False)
         assert signals.plot.value_scale.values == (-1.25, 1.25)

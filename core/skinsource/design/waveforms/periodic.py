@@ -184,7 +184,7 @@ def _harmonic_burst(
     return burst(wave, waveform.window, sample_rate_hz, shift_s)
 
 
-RATE = replace(FUNDAMENTAL, label="Rate", felt_hz=None, hint="Pulses per second")
+RATE = replace(FUNDAMENTAL, label="Rate", measured_band_hz=None, hint="Pulses per second")
 PULSE = NumberSpec(
     label="Pulse",
     unit="s",

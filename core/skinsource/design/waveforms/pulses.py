@@ -186,7 +186,7 @@ LOW = NumberSpec(
     minimum=0.0,
     maximum=99_999.0,
     step=1.0,
-    felt_hz=BAND_HZ,
+    measured_band_hz=BAND_HZ,
     hint="Lowest frequency of the noise",
 )
 HIGH = replace(

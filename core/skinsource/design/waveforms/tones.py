@@ -35,7 +35,7 @@ FREQUENCY = NumberSpec(
     step=0.02,
     logarithmic=True,
     below_half_rate=True,
-    felt_hz=BAND_HZ,
+    measured_band_hz=BAND_HZ,
 )
 PHASE = NumberSpec(
     label="Phase", unit="rad", minimum=-2 * pi, maximum=2 * pi, step=pi / 36, hint="Phase at onset"
@@ -90,7 +90,11 @@ def instants(duration_s: float, sample_rate_hz: float, shift_s: float = 0.0) -> 
 
 CARRIER = replace(FREQUENCY, label="Carrier")
 MODULATOR = replace(
-    FREQUENCY, label="Modulator", minimum=0.1, felt_hz=None, hint="How often it swells per second"
+    FREQUENCY,
+    label="Modulator",
+    minimum=0.1,
+    measured_band_hz=None,
+    hint="How often it swells per second",
 )
 DEPTH = NumberSpec(
     label="Depth", minimum=0.0, maximum=1.0, step=0.01, hint="1: down to silence; 0: a plain tone"
