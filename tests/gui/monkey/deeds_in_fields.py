@@ -194,7 +194,7 @@ def import_recording(hands):
     """Import a recording; the page reads it in another process."""
     hands.window.do("import_recording")
     for page in hands.window.imports.pages:
-        hands.wait(lambda page=page: page.ready or page.preview.words)
+        hands.wait(lambda page=page: page.ready or page.preview.text)
         if page.ready and hands.chance(0.8):
             page.accept()
         else:
