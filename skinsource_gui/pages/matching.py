@@ -402,7 +402,7 @@ class LatestDesignPlayer(QObject):
             self.began.emit(playback)
             stream = playback.stream
             # What was too loud at once ended before its end could be noted.
-            if stream is not None and stream.deck.ending is not None:
+            if stream is not None and stream.queue.ending is not None:
                 self._note_finished(stream)
         self._start_queued()
 
@@ -410,7 +410,7 @@ class LatestDesignPlayer(QObject):
         if stream.closed or self.now is None or self.now.stream is not stream:
             return
         self._reset()
-        ending = stream.deck.ending
+        ending = stream.queue.ending
         self.ended.emit(_DEVICE_LOST if ending is None else ending.sentence)
 
 

@@ -627,13 +627,13 @@ class Player(QObject):
             self._end_playing()
         else:
             # `_finished` follows when the device is silent.
-            stream.deck.stop()
+            stream.queue.stop()
 
     def stop_at_once(self) -> None:
         """Be silent within a millisecond, and reset the gain."""
         self.preparing, self._start = False, None
         if self.now is not None and self.now.stream is not None:
-            self.now.stream.deck.stop_at_once()
+            self.now.stream.queue.stop_at_once()
         else:
             self._end_playing()
         self.gain.reset()
@@ -683,7 +683,7 @@ class Player(QObject):
 
     def _pass_gain(self, gain_db: float) -> None:
         if self.now is not None and self.now.stream is not None:
-            self.now.stream.deck.set_gain(gain_db)
+            self.now.stream.queue.set_gain(gain_db)
         self.changed.emit()
 
     def _position(self) -> float | None:
@@ -705,7 +705,7 @@ class Player(QObject):
         if stream.closed or self.now is None or self.now.stream is not stream:
             self._over_early = stream if self.preparing else None
             return
-        ending = stream.deck.ending
+        ending = stream.queue.ending
         natural = ending is not None and ending.reason == "end"
         seen_on = self.now.seen_on(self._document.view.playhead_s) if natural else None
         if seen_on is None:
@@ -801,7 +801,7 @@ def _calibration(settings: SoundSettings, design: Design) -> str:
 def played_by(player: Player, design: Design) -> Played:
     """Return the state of playback for the panels."""
     settings, stream = player.settings, player.now.stream if player.now else None
-    mix = None if stream is None else stream.deck.mix
+    mix = None if stream is None else stream.queue.mix
     render_s = player.edits.render_s
     return Played(
         playing=player.playing,
@@ -814,7 +814,7 @@ def played_by(player: Player, design: Design) -> Played:
         rig_title=settings.rig_title,
         calibration=_calibration(settings, design),
         names=() if mix is None else mix.names,
-        levels=None if stream is None else stream.deck.levels(),
+        levels=None if stream is None else stream.queue.levels(),
         delay=None if stream is None or not render_s else stream.delay(render_s),
         underruns=0 if stream is None else stream.underruns,
         gain_db=player.gain.gain_db,

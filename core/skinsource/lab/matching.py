@@ -393,7 +393,7 @@ class Presenter:
                 design, self._output, loops=True, at_s=0.0, gain_db=gain_db, rig=self._rig
             )
         if self._playing.stream is not None:
-            self._playing.stream.deck.set_gain(gain_db)
+            self._playing.stream.queue.set_gain(gain_db)
         return self._playing
 
     @property
@@ -406,7 +406,7 @@ class Presenter:
         self._stopped = True
         playing = self._playing
         if playing is not None and playing.stream is not None:
-            playing.stream.deck.stop_at_once()
+            playing.stream.queue.stop_at_once()
 
     def close(self) -> None:
         """Stop playing and close the device."""

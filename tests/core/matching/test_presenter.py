@@ -69,7 +69,7 @@ def test_an_arrow_changes_the_test_alone_on_the_same_stream(sound, presenter):
     before_db = run.level_db
     assert run.step(1.0)
     assert presenter.present(run.design, 0.0) is playing
-    queue = playing.stream.deck
+    queue = playing.stream.queue
     wait_for(lambda: queue.swap is None and queue.faded == queue.fade.size)
     at = len(sound.streams[0].heard)
     wait_for(lambda: len(sound.streams[0].heard) > at + 2 * CYCLE // 256)
@@ -88,8 +88,8 @@ def test_stopped_at_once_it_is_silent_and_can_be_played_again(sound, presenter):
     assert len(sound.streams) == 2
     wait_for(lambda: np.abs(sound.streams[1].samples).max(initial=0.0) > 0.1)
     presenter.stop_at_once()
-    wait_for(lambda: playing.stream.deck.ending is not None)
-    assert playing.stream.deck.ending.reason == "panic"
+    wait_for(lambda: playing.stream.queue.ending is not None)
+    assert playing.stream.queue.ending.reason == "panic"
 
 
 def test_what_would_pass_full_scale_ends_it(sound, presenter):
@@ -97,7 +97,7 @@ def test_what_would_pass_full_scale_ends_it(sound, presenter):
     run.step(30.0)
     playing = presenter.present(run.design, 0.0)
     assert presenter.over.wait(20)
-    assert playing.stream.deck.ending.reason == "limit"
+    assert playing.stream.queue.ending.reason == "limit"
     assert np.abs(sound.streams[0].samples).max() <= 1.0
 
 
@@ -122,7 +122,7 @@ def test_the_rig_says_which_outputs_and_how_far(sound):
     narrow = Presenter(Output(), lambda stream: over.set(), rig(0.1))
     playing = narrow.present(run.design, 0.0)
     assert over.wait(20)
-    assert playing.stream.deck.ending.reason == "rig"
+    assert playing.stream.queue.ending.reason == "rig"
     narrow.close()
 
 

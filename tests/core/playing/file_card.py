@@ -161,7 +161,7 @@ def once(folder: Path) -> dict:
     stream.start()
     done = finished.wait(30)
     stream.close()
-    return {"done": done, "reason": stream.deck.ending.reason}
+    return {"done": done, "reason": stream.queue.ending.reason}
 
 
 def live(folder: Path) -> dict:
@@ -171,7 +171,7 @@ def live(folder: Path) -> dict:
     stream, finished = opened(mix(rows(1, LONG), (0.0, LONG_S)), 0)
     stream.start()
     sleep(0.15)
-    stream.deck.play(mix(rows(2, LONG), (0.0, LONG_S)))
+    stream.queue.play(mix(rows(2, LONG), (0.0, LONG_S)))
     seen_at = []
     for _ in range(15):
         sleep(0.01)
@@ -180,10 +180,10 @@ def live(folder: Path) -> dict:
         "seen_at": seen_at,
         "total_s": stream.delay(0.0).total_s,
         "gone": stream.gone,
-        "peak_db": stream.deck.levels().peak_db.tolist(),
+        "peak_db": stream.queue.levels().peak_db.tolist(),
     }
-    stream.deck.stop()
-    report |= {"done": finished.wait(30), "reason": stream.deck.ending.reason}
+    stream.queue.stop()
+    report |= {"done": finished.wait(30), "reason": stream.queue.ending.reason}
     stream.close()
     card.close()
     return report
@@ -198,7 +198,7 @@ def pulled(folder: Path) -> dict:
     done = finished.wait(30)
     stream.close()
     card.close()
-    return {"done": done, "ending": stream.deck.ending}
+    return {"done": done, "ending": stream.queue.ending}
 
 
 def matching(folder: Path) -> dict:

@@ -51,7 +51,7 @@ def largest_step(signal) -> float:
 
 
 def playing(of_mix, *, at=0, gain_db=0.0, n_outputs=None):
-    """A deck that plays a mix from a sample on."""
+    """A queue that plays a mix from a sample on."""
     queue = play_queue(n_outputs or of_mix.n_outputs, gain_db)
     queue.play(of_mix, at)
     return queue

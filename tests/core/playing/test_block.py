@@ -174,8 +174,8 @@ def test_outputs_that_nobody_uses_are_silent():
     assert not output[1:].any()
 
 
-def test_a_deck_takes_no_mix_that_does_not_fit():
-    with pytest.raises(ValueError, match="2 outputs at 8000 Hz, the deck 1"):
+def test_a_queue_takes_no_mix_that_does_not_fit():
+    with pytest.raises(ValueError, match="2 outputs at 8000 Hz, the queue 1"):
         play_queue(1).play(mix(np.zeros((2, 100))))
     with pytest.raises(ValueError, match="44100"):
         play_queue(1).play(mix(np.zeros(100), rate_hz=44100))

@@ -43,7 +43,7 @@ def play(session, design=ONE, output=None, **changes):
 def test_a_design_is_played_to_its_end(sound, session):
     playing = play(session)
     assert session.over.wait(20)
-    assert playing.stream.deck.ending.reason == "end"
+    assert playing.stream.queue.ending.reason == "end"
     expected = ss.stimulus_of(ONE, 48_000).samples[0].astype(np.float32)
     output = sound.streams[0].samples
     assert np.array_equal(output[0, FADE : FADE + expected.size], expected)
@@ -56,7 +56,7 @@ def test_a_playhead_behind_the_end_or_outside_the_loop_starts_from_the_beginning
         (ONE, 0.25, 0.25), (ONE, 9.0, 0.0), (looped, 0.3, 0.3), (looped, 0.0, 0.2),
         (looped, 0.45, 0.2),
     ):  # fmt: skip
-        queue = play(session, design, at_s=at_s).stream.deck
+        queue = play(session, design, at_s=at_s).stream.queue
         swap, begun = queue.swap, queue.position
         begin = swap.at if swap is not None else begun
         assert begin >= round(expected * 48_000) - FADE
@@ -120,7 +120,7 @@ def test_a_tone_is_on_one_output_alone(sound, session):
     assert output.shape[0] == 5
     assert not output[:4].any()
     assert np.abs(output[4]).max() == pytest.approx(1.0, abs=1e-3)
-    assert playing.stream.deck.ending.reason == "end"
+    assert playing.stream.queue.ending.reason == "end"
     with pytest.raises(PlaybackError, match="Two has 2 outputs"):
         session.tone(3, Output(), 0.0)
 
@@ -160,15 +160,15 @@ def test_a_device_that_is_pulled_out_leaves_no_ending(sound, session):
     playing = play(session, loops=True)
     sound.streams[0].pull_out()
     assert session.over.wait(20)
-    assert playing.stream.deck.ending is None
+    assert playing.stream.queue.ending is None
     assert not playing.stream.closed
 
 
 def test_underruns_are_counted(sound, session):
     playing = play(session, loops=True)
     sound.streams[0].underflows = 3
-    before = playing.stream.deck.played_samples
-    wait_for(lambda: playing.stream.deck.played_samples > before + 2400)
+    before = playing.stream.queue.played_samples
+    wait_for(lambda: playing.stream.queue.played_samples > before + 2400)
     assert playing.stream.underruns == 3
 
 

@@ -114,7 +114,7 @@ def test_a_limit_of_the_rig_stops_it_before_anything_is_heard(sound, session):
     loud = ONE.with_input(0, amplitude=0.9)
     playing = play(session, loud, rig=limited)
     assert session.over.wait(30)
-    ending = playing.stream.deck.ending
+    ending = playing.stream.queue.ending
     assert ending.reason == "rig"
     assert "place 7: peak voltage)" in ending.sentence
     assert "Turn the gain down to" in ending.sentence
@@ -124,7 +124,7 @@ def test_a_limit_of_the_rig_stops_it_before_anything_is_heard(sound, session):
     session.over.clear()
     quiet = play(again, loud, rig=limited, gain_db=np.floor(10 * ending.highest_db) / 10)
     assert session.over.wait(30)
-    assert quiet.stream.deck.ending.reason == "end"
+    assert quiet.stream.queue.ending.reason == "end"
     again.close()
 
 
@@ -133,7 +133,7 @@ def test_a_gain_that_is_turned_up_past_a_limit_stops_it(sound, session):
     playing = play(
         session, ONE.with_input(0, amplitude=0.9), rig=limited, gain_db=-20.0, loops=True
     )
-    queue = playing.stream.deck
+    queue = playing.stream.queue
     assert queue.ending is None
     queue.set_gain(0.0)
     assert session.over.wait(30)
@@ -149,7 +149,7 @@ def test_a_louder_edit_is_looked_at_before_it_is_heard(sound, session):
         playing, ONE.with_input(0, amplitude=0.9), Output(device="Eight"), loops=True, rig=limited
     )
     assert session.over.wait(30)
-    assert playing.stream.deck.ending.reason == "rig"
+    assert playing.stream.queue.ending.reason == "rig"
     assert np.abs(sound.streams[0].samples).max() <= 0.3 + 1e-6
 
 
@@ -157,8 +157,8 @@ def test_nothing_is_repeated_past_a_limit_of_the_duration(sound, session):
     limited = rig_of(limits=Limits(duration_s=10.0))
     playing = play(session, ONE.with_input(0, amplitude=0.3), rig=limited, loops=True)
     assert session.over.wait(30)
-    assert "repeated without end" in playing.stream.deck.ending.sentence
-    assert "Shorten what is played" in playing.stream.deck.ending.sentence
+    assert "repeated without end" in playing.stream.queue.ending.sentence
+    assert "Shorten what is played" in playing.stream.queue.ending.sentence
 
 
 def test_a_rig_of_another_device_is_refused(sound, session):
@@ -176,11 +176,11 @@ def test_the_test_tone_is_no_louder_than_the_rig_allows(sound, session):
     limited = rig_of(limits=Limits(peak_voltage_v=1.0))
     playing = session.tone(3, Output(device="Eight"), 0.0, limited)
     assert session.over.wait(30)
-    assert playing.stream.deck.ending.reason == "rig"
+    assert playing.stream.queue.ending.reason == "rig"
     session.over.clear()
     playing = session.tone(3, Output(device="Eight"), -10.0, limited)
     assert session.over.wait(30)
-    assert playing.stream.deck.ending.reason == "end"
+    assert playing.stream.queue.ending.reason == "end"
 
 
 @pytest.mark.parametrize(

@@ -132,7 +132,7 @@ def test_esc_stops_at_once_and_a_second_one_in_a_hurry_closes_nothing(
     stream = page.player.now.stream
     key(page, Qt.Key.Key_Escape)
     assert not page.player.playing
-    assert stream.deck.panic
+    assert stream.queue.panic
     key(page, Qt.Key.Key_Escape)
     assert page.isVisible()
     level_db, trial = page.run.level_db, page.run.trial

@@ -114,7 +114,7 @@ def test_escape_twice_stops_what_plays(sound, studio, player, qtbot, listen):
     QTest.keyClick(widget, ESCAPE)
     QTest.keyClick(widget, ESCAPE)
     qtbot.waitUntil(lambda: not player.playing, timeout=20_000)
-    assert now.stream.deck.ending.reason == "panic"
+    assert now.stream.queue.ending.reason == "panic"
 
 
 @pytest.fixture

@@ -47,7 +47,7 @@ def test_space_again_fades_out(sound, studio, player, qtbot, listen):
     now = listen(loops=True)
     studio.do("play")
     qtbot.waitUntil(settled(player), **WAIT)
-    assert now.stream.deck.ending.reason == "stopped"
+    assert now.stream.queue.ending.reason == "stopped"
     assert studio.notice.text == ""
     assert studio.document.view.playhead_s == 0.0
 
@@ -57,8 +57,8 @@ def test_an_edit_is_heard_while_it_loops_without_a_click(sound, studio, player, 
     softer = DESIGN.with_input(0, amplitude=0.2)
     studio.document.edit("Softer", softer)
     qtbot.waitUntil(lambda: player.edits.render_s > 0, **WAIT)
-    heard_to = now.stream.deck.played_samples
-    qtbot.waitUntil(lambda: now.stream.deck.played_samples > heard_to + 30_000, **WAIT)
+    heard_to = now.stream.queue.played_samples
+    qtbot.waitUntil(lambda: now.stream.queue.played_samples > heard_to + 30_000, **WAIT)
     samples = sound.streams[0].samples.astype(float)
     assert np.abs(samples[0, -24_000:]).max() == pytest.approx(0.02, rel=0.02)
     own = np.abs(np.diff(ss.stimulus_of(DESIGN, 48_000).samples)).max() * 0.1
@@ -73,9 +73,9 @@ def test_many_edits_at_once_are_heard_as_the_last_one(sound, studio, player, qtb
     for amplitude in np.linspace(0.8, 0.1, 15):
         studio.document.edit("Softer", DESIGN.with_input(0, amplitude=float(amplitude)))
     qtbot.waitUntil(
-        lambda: now.stream.deck.mix.samples[0].max() < 0.11 and player.edits.render_s > 0, **WAIT
+        lambda: now.stream.queue.mix.samples[0].max() < 0.11 and player.edits.render_s > 0, **WAIT
     )
-    assert now.stream.deck.ending is None
+    assert now.stream.queue.ending is None
 
 
 def test_an_edit_that_cannot_be_played_leaves_what_is_heard(sound, studio, player, qtbot, listen):
@@ -84,7 +84,7 @@ def test_an_edit_that_cannot_be_played_leaves_what_is_heard(sound, studio, playe
     studio.document.edit("Add", replace(DESIGN, inputs=nine))
     qtbot.waitUntil(lambda: "Two has 2 outputs" in studio.notice.text, **WAIT)
     assert player.now is now
-    assert now.stream.deck.ending is None
+    assert now.stream.queue.ending is None
 
 
 def test_the_limit_stops_and_names_the_output(sound, studio, player, qtbot):
@@ -102,7 +102,7 @@ def test_stop_at_once_is_silent_and_turns_the_gain_back(sound, studio, player, q
     now = listen(loops=True)
     studio.do("stop_at_once")
     qtbot.waitUntil(settled(player), **WAIT)
-    assert now.stream.deck.ending.reason == "panic"
+    assert now.stream.queue.ending.reason == "panic"
     assert player.gain.gain_db == START_DB
 
 
@@ -132,16 +132,16 @@ def test_the_gain_reaches_what_is_heard(sound, studio, player, qtbot, listen):
     studio.do("play_louder")
     assert player.gain.gain_db == START_DB + 2
     assert studio.playback.bar.gain.value_si == START_DB + 2
-    assert now.stream.deck.gain_db == pytest.approx(START_DB + 2)
+    assert now.stream.queue.gain_db == pytest.approx(START_DB + 2)
     studio.do("play_softer")
-    assert now.stream.deck.gain_db == pytest.approx(START_DB + 1)
+    assert now.stream.queue.gain_db == pytest.approx(START_DB + 1)
     player.gain.put(900.0)
     assert player.gain.gain_db == 20.0
 
 
 def test_a_playhead_that_is_put_elsewhere_is_followed(sound, studio, player, qtbot, listen):
     now = listen(loops=True)
-    queue = now.stream.deck
+    queue = now.stream.queue
     document = studio.document
     document.look(replace(document.view, playhead_s=0.4))
     qtbot.waitUntil(lambda: queue.swap is None and queue.position > 0.39 * 48_000, **WAIT)
@@ -181,8 +181,8 @@ def test_another_output_ends_what_is_played(sound, studio, player, qtbot, listen
     player.settings.choose(replace(player.settings.output, stand_in=True))
     qtbot.waitUntil(settled(player), **WAIT)
     now = listen()
-    qtbot.waitUntil(lambda: now.stream.deck.mix is not None, **WAIT)
-    assert now.stream.deck.mix.names == ("left", "right")
+    qtbot.waitUntil(lambda: now.stream.queue.mix is not None, **WAIT)
+    assert now.stream.queue.mix.names == ("left", "right")
 
 
 def test_nothing_ticks_while_nothing_is_played(sound, studio, player, qtbot, listen):

@@ -83,7 +83,7 @@ def test_it_is_played_on_the_outputs_of_the_rig(sound, studio, player, path, lis
     player.settings.choose_rig(path)
     playing = listen()
     qtbot.waitUntil(lambda: not player.playing, **WAIT)
-    assert playing.stream.deck.mix.names == (
+    assert playing.stream.queue.mix.names == (
         "place 12",
         "place 7",
     )

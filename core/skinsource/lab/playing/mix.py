@@ -586,7 +586,7 @@ class PlayQueue:
         """Change to ``mix`` at sample ``at``, or at the position of the present mix."""
         if mix.n_outputs > self.n_outputs or mix.sample_rate_hz != self.sample_rate_hz:
             raise ValueError(
-                f"the mix has {mix.n_outputs} outputs at {mix.sample_rate_hz} Hz, the deck "
+                f"the mix has {mix.n_outputs} outputs at {mix.sample_rate_hz} Hz, the queue "
                 f"{self.n_outputs} at {self.sample_rate_hz} Hz"
             )
         self.swap = MixChange(mix, at, perf_counter())

@@ -133,7 +133,7 @@ class Playing:
         if self.silent is not None:
             self.silent.seek(at_s)
         elif self.stream is not None:
-            queue = self.stream.deck
+            queue = self.stream.queue
             queue.seek(round(at_s * queue.sample_rate_hz))
 
     @property
@@ -230,9 +230,9 @@ class Session:
             playing.silent.change(duration_s, loop_of(design, duration_s, loops=loops))
             return playing
         stream = playing.stream
-        if stream is None or stream is not self._stream or stream.deck.ending is not None:
+        if stream is None or stream is not self._stream or stream.queue.ending is not None:
             return None
-        queue = stream.deck
+        queue = stream.queue
         mix = self._mix(design, output, stream.device, loops=loops, rig=rig)
         visible_s = response_end_s(design, mix.duration_s)
         if mix.n_outputs <= queue.n_outputs:

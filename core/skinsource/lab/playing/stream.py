@@ -227,7 +227,7 @@ class Stream:
         self, queue: PlayQueue, device: Device, latency_s: float, finished: Callable[[], None]
     ) -> None:
         self._library = sound_library()
-        self.deck, self.device = queue, device
+        self.queue, self.device = queue, device
         self.underruns, self.closed = 0, False
         self._silent, self._finished = Event(), finished
         self._heard, self._clock = HeardPosition(queue.sample_rate_hz), DeviceClock()
@@ -271,7 +271,7 @@ class Stream:
         self.closed = True
         if self._stream.active:
             # Closing the stream at once would make a click.
-            self.deck.stop_at_once()
+            self.queue.stop_at_once()
             self._silent.wait(_LONGEST_WAIT_S)
         # Closing a device that was unplugged fails, and that does not matter.
         self._stream.close(ignore_errors=True)
@@ -287,10 +287,10 @@ class Stream:
 
     def delay(self, render_s: float) -> Delay:
         """Return the delay from the last edit to the outputs, after rendering for ``render_s``."""
-        return Delay(render_s=render_s, wait_s=self.deck.waited_s, device_s=self._inside_s)
+        return Delay(render_s=render_s, wait_s=self.queue.waited_s, device_s=self._inside_s)
 
     def _refusal(self, error: Any) -> PlaybackError:
-        rate_hz, n_outputs = self.deck.sample_rate_hz, self.deck.n_outputs
+        rate_hz, n_outputs = self.queue.sample_rate_hz, self.queue.n_outputs
         return PlaybackError(playing_error_text(error, self.device, rate_hz, n_outputs))
 
     def _finish(self) -> None:
@@ -301,7 +301,7 @@ class Stream:
         self._called_s = perf_counter()
         self._clock.note(times.currentTime, self._called_s)
         self.underruns += bool(status.output_underflow)
-        queue = self.deck
+        queue = self.queue
         inside_s = times.outputBufferDacTime - times.currentTime
         if inside_s <= 0.0:
             # Some systems do not say when a block is heard.
