@@ -13,12 +13,14 @@ import hashlib
 import inspect
 import io
 import json
+import re
 import shutil
 import tempfile
 import types
 from pathlib import Path
 from unittest.mock import patch
 
+import h5py
 import numpy as np
 
 import skinsource as ss
@@ -128,10 +130,26 @@ def export_digests(folder: Path) -> dict[str, str]:
             arguments = ["--out", str(target / "drive"), "--format", name, "--accept-loss"]
             assert main(["export", str(folder / "design.skinsource"), *arguments]) == 0, name
     return {
-        path.relative_to(folder).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
+        path.relative_to(folder).as_posix(): hashlib.sha256(_compared(path)).hexdigest()
         for path in sorted(folder.rglob("*"))
         if path.is_file()
     }
+
+
+def _compared(path: Path) -> bytes:
+    """Return what must not change in a file; the last digits depend on the version of SciPy."""
+    if path.parent.name == "hdf5" and h5py.is_hdf5(path):
+        with h5py.File(path) as file:
+            values = {name: file[name][()] for name in sorted(file)}
+        return b"".join(
+            name.encode() + np.round(v / np.abs(v).max(), 6).tobytes() for name, v in values.items()
+        )
+    try:
+        text = path.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        return path.read_bytes()
+    text = re.sub(r'"(sha256|bytes|numpy|scipy)": ["\w.]+', r'"\1":', text)
+    return re.sub(r"\d+\.\d{9,}", lambda digits: f"{float(digits[0]):.9g}", text).encode()
 
 
 @contextlib.contextmanager

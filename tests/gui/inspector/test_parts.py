@@ -130,7 +130,7 @@ def test_a_part_is_dragged_to_another_place(bench, qtbot):
 
     def laid_out():
         # On a busy machine the window is laid out after it is shown, and not all at once.
-        tops = [title.mapToGlobal(QPoint()).y() for title in titles]
+        tops = [each.mapToGlobal(QPoint()).y() for each in titles]
         separate = all(b - a >= title.fontMetrics().height() for a, b in pairwise(tops))
         return separate and bench.panel.rect().contains(target.mapTo(bench.panel, QPoint(20, 20)))
 
