@@ -122,7 +122,7 @@ def scrolled(lanes: LanesView) -> Frames:
     began, ended = [], []
     for step in range(STEPS):
         began.append(now())
-        lanes.scroll_wanted.emit(-0.2 if step < STEPS / 2 else 0.2)
+        lanes.scroll_requested.emit(-0.2 if step < STEPS / 2 else 0.2)
         lanes.viewport().repaint()
         ended.append(now())
     return frames_per_s(began, ended)

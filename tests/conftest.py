@@ -211,7 +211,7 @@ def synthetic_store(synthetic_download, tmp_path_factory) -> Iterator[Path]:
 
 @pytest.fixture
 def synthetic_installed(synthetic_store, user_data) -> Path:
-    """Install a made-up dataset of its own for one test; give the store."""
+    """Install a synthetic dataset for a single test; give the store."""
     path = user_data / synthetic_store.name
     shutil.copyfile(synthetic_store, path)
     return path

@@ -9,8 +9,8 @@
 
 Or with a design, as the studio has it and saves it:
 
->>> one = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
->>> design = ss.Design(limb="synthetic-1", inputs=(one,))
+>>> track = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+>>> design = ss.Design(limb="synthetic-1", inputs=(track,))
 >>> ss.evaluate(design, "output_levels_db")["output_levels_db"].shape
 (72,)
 """

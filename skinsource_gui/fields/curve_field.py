@@ -438,12 +438,12 @@ class CurveField(QWidget):
         painter.setPen(QColor(current_theme().dim))
         room = QRectF(inside.left(), 2, inside.width(), _TEXT_PX)
         text = painter.fontMetrics().elidedText(
-            self.words, Qt.TextElideMode.ElideRight, round(room.width())
+            self.text, Qt.TextElideMode.ElideRight, round(room.width())
         )
         painter.drawText(room, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, text)
 
     @property
-    def words(self) -> str:
+    def text(self) -> str:
         """The text of the chosen point."""
         chosen = self.points.chosen
         x, y, segment = self.value[chosen]

@@ -63,11 +63,11 @@ class TextCell(LabelledCell):
 
     def __init__(self, label: str, text: str, parent: QWidget | None = None) -> None:
         super().__init__(label, parent)
-        self.words = QLabel(text)
-        self.words.setObjectName("fixed_length")
-        self.words.setWordWrap(True)
-        self.words.setMinimumHeight(LABEL_PX)
-        self.stack.addWidget(self.words)
+        self.text_label = QLabel(text)
+        self.text_label.setObjectName("fixed_length")
+        self.text_label.setWordWrap(True)
+        self.text_label.setMinimumHeight(LABEL_PX)
+        self.stack.addWidget(self.text_label)
 
 
 class EditedCell(LabelledCell):

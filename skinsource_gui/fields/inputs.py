@@ -201,7 +201,7 @@ class Entry:
         Whether there is a separator before it.
     """
 
-    words: str
+    text: str
     key: str
     edit: InputEdit
     on: Callable[[Input], bool] | None = None
@@ -210,20 +210,20 @@ class Entry:
 
 #: Entries for inputs everywhere.
 ENTRIES = (
-    Entry(words="Mute{}", key="mute", edit=edits.toggle_mute, on=lambda track: track.muted),
-    Entry(words="Solo{}", key="solo", edit=edits.toggle_solo, on=lambda track: track.solo),
-    Entry(words="Duplicate{}", key="duplicate", edit=edits.duplicate_inputs, separated=True),
-    Entry(words="Remove{}", key="remove", edit=edits.remove_inputs),
+    Entry(text="Mute{}", key="mute", edit=edits.toggle_mute, on=lambda track: track.muted),
+    Entry(text="Solo{}", key="solo", edit=edits.toggle_solo, on=lambda track: track.solo),
+    Entry(text="Duplicate{}", key="duplicate", edit=edits.duplicate_inputs, separated=True),
+    Entry(text="Remove{}", key="remove", edit=edits.remove_inputs),
 )
 #: Further entries for inputs in a list.
 ORDER = (
     Entry(
-        words="Move{} up",
+        text="Move{} up",
         key="shift_up",
         edit=partial(edits.shift_inputs, down=False),
         separated=True,
     ),
-    Entry(words="Move{} down", key="shift_down", edit=partial(edits.shift_inputs, down=True)),
+    Entry(text="Move{} down", key="shift_down", edit=partial(edits.shift_inputs, down=True)),
 )
 
 
@@ -254,7 +254,7 @@ def fill_inputs_menu(
     for entry in entries:
         if entry.separated:
             menu.addSeparator()
-        text = entry.words.format(several)
+        text = entry.text.format(several)
         key = key_text(place, entry.key) if entry.key in KEYS[place].gestures else ""
         action = menu.addAction(f"{text}\t{key}" if key else text)
         action.setEnabled(bool(chosen))

@@ -258,7 +258,7 @@ class GlideCurve(CurveField):
         self._y = spec.y
 
     @property
-    def words(self) -> str:
+    def text(self) -> str:
         """The quantity and the chosen point."""
         chosen = self.points.chosen
         time_s, value, _ = self.value[chosen]

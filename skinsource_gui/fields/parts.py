@@ -164,7 +164,7 @@ class PartFields(QObject):
                 nested[name] = PartFields(self._at_rate(spec), self._new_editor, self)
                 nested[name].edited.connect(partial(self._change, name))
                 nested[name].rebuilt.connect(self.rebuilt)
-            elif spec.asked:
+            elif spec.editable:
                 own[name] = self._cell(name, self._at_rate(spec))
                 own[name].edited.connect(self._change)
                 editor: Any = own[name].editor
@@ -243,7 +243,7 @@ class RowTitle(QToolButton):
     dragged = Signal(int)
     dropped = Signal(int)
     #: The drag was cancelled.
-    given_up = Signal()
+    cancelled = Signal()
 
     def __init__(self, text: str, place: str, where: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -282,7 +282,7 @@ class RowTitle(QToolButton):
         name = meaning_of(self._place, event)
         if self._dragging and event.key() == Qt.Key.Key_Escape:
             self._end_drag()
-            self.given_up.emit()
+            self.cancelled.emit()
         elif name:
             self.pressed_key.emit(name)
         else:

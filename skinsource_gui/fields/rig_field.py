@@ -25,7 +25,7 @@ class RigField(ChoiceField):
     """A drop-down list of no rig, the present rig, and another file."""
 
     #: The file that the user chooses, `Path`, or None for no rig.
-    wanted = Signal(object)
+    rig_chosen = Signal(object)
 
     def __init__(self) -> None:
         super().__init__(_SPEC)
@@ -52,6 +52,6 @@ class RigField(ChoiceField):
             # The present rig stays until the file is read.
             self.show_rig(self._title)
             if name:
-                self.wanted.emit(Path(name))
+                self.rig_chosen.emit(Path(name))
         elif option == "none":
-            self.wanted.emit(None)
+            self.rig_chosen.emit(None)

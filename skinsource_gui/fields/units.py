@@ -215,10 +215,10 @@ def range_text(spec: NumberSpec) -> str:
     return f"any {kind}"
 
 
-def parse_number(text: str, spec: NumberSpec, beside_si: float = 0.0) -> float:
+def parse_number(text: str, spec: NumberSpec, replaced_si: float = 0.0) -> float:
     """Return the value in SI units of a typed text: ``"250"``, ``"0,2 s"``, ``"200 ms"``.
 
-    A number without a unit is in the display unit of ``beside_si``, the value that it replaces.
+    A number without a unit is in the display unit of ``replaced_si``, the value that it replaces.
 
     Raises
     ------
@@ -226,7 +226,7 @@ def parse_number(text: str, spec: NumberSpec, beside_si: float = 0.0) -> float:
         The text is not a number, has a wrong unit, or is not allowed by ``spec``; the message names
         what is allowed.
     """
-    unit = display_unit(spec.unit, beside_si)
+    unit = display_unit(spec.unit, replaced_si)
     allowed = sentence(f"Allowed: {'whole numbers ' if spec.whole else ''}{range_text(spec)}")
     typed = text.strip().replace("−", "-")
     if not typed:

@@ -571,7 +571,7 @@ class MotionPage(QDialog):
         self._add.setEnabled(not problem)
         self._summary.setVisible(not problem)
         if problem:
-            self.strip.show_words(problem)
+            self.strip.show_message(problem)
 
     def _of_motion(self, name: str, spec: Spec) -> Spec | None:
         if name in ("path", "waveform"):

@@ -39,7 +39,7 @@ class FigurePanel(Panel):
         self._result = ""
         self._copy: CopyButton | None = None
         self._above: NoteLabel | None = None
-        self.words = NoteLabel(f"{self.name}_words")
+        self.note_label = NoteLabel(f"{self.name}_words")
         self.choices = QHBoxLayout()
         self.choices.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
         self.choices.setSpacing(UNIT_PX // 2)
@@ -54,7 +54,7 @@ class FigurePanel(Panel):
         column.addWidget(figure, 1)
         foot = QHBoxLayout()
         foot.setContentsMargins(UNIT_PX, 1, UNIT_PX, 2)
-        foot.addWidget(self.words)
+        foot.addWidget(self.note_label)
         column.addLayout(foot)
         figure.reading.connect(self._show_reading)
         figure.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
@@ -102,7 +102,7 @@ class FigurePanel(Panel):
     def say_instead(self, message: str) -> None:
         """Show a message in place of the figure."""
         self.figure.say(message)
-        self.show_found("")
+        self.show_result("")
         if self._copy is not None:
             self._copy.offer(False)
 
@@ -110,11 +110,11 @@ class FigurePanel(Panel):
         """Say in place of the figure that results are being computed."""
         self.figure.say(COMPUTING)
 
-    def show_found(self, text: str) -> None:
+    def show_result(self, text: str) -> None:
         """Show a result below the figure while the cursor reads nothing."""
         self._result = text
         if self.figure.cursor_at is None:
-            self.words.say(text)
+            self.note_label.say(text)
 
     def show_in_sight(self, names: frozenset[str]) -> None:
         shows_no_outputs = self.figure.message == self.no_outputs
@@ -122,8 +122,8 @@ class FigurePanel(Panel):
         if shows_no_outputs:
             self.figure.say(self.no_outputs)
 
-    def show_late(self, late: bool) -> None:
-        self.figure.show_late(late)
+    def show_staleness(self, late: bool) -> None:
+        self.figure.show_staleness(late)
 
     def show_problem(self, reason: str) -> None:
         self.say_instead(reason)
@@ -136,8 +136,8 @@ class FigurePanel(Panel):
     def _save_picture(self) -> None:
         # The action saves the panel that has the keyboard focus.
         self.figure.setFocus(Qt.FocusReason.MouseFocusReason)
-        self.action_wanted.emit("export_panel_picture")
+        self.action_requested.emit("export_panel_picture")
 
     def _show_reading(self, text: str) -> None:
         # A reading keeps the room of its line; otherwise the figure would jump.
-        self.words.say(text or self._result, holding=bool(text))
+        self.note_label.say(text or self._result, holding=bool(text))

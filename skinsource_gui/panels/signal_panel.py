@@ -22,7 +22,7 @@ class SignalPanel(Panel):
 
     def __init__(self, plot_name: str, accessible_name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._plot = SignalView(plot_name, accessible_name, self, self._lateness)
+        self._plot = SignalView(plot_name, accessible_name, self, self._staleness)
         self.setFocusProxy(self._plot.plot)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)

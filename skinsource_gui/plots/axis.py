@@ -202,9 +202,9 @@ class PlotViewBox(pyqtgraph.ViewBox):
     """
 
     #: Position that stays in place, and the factor of the zoom.
-    zoom_wanted = Signal(float, float)
+    zoom_requested = Signal(float, float)
     #: By how much the range is to move.
-    pan_wanted = Signal(float)
+    pan_requested = Signal(float)
     #: Position where the button went down, position of the pointer, whether it went up again.
     covered = Signal(float, float, bool)
 
@@ -232,9 +232,9 @@ class PlotViewBox(pyqtgraph.ViewBox):
         sideways = event.orientation() == Qt.Orientation.Horizontal
         if sideways or event.modifiers() & _SHIFT:
             low, high = self.viewRange()[0]
-            self.pan_wanted.emit(-turns * PAN_PER_NOTCH * (high - low))
+            self.pan_requested.emit(-turns * PAN_PER_NOTCH * (high - low))
         else:
-            self.zoom_wanted.emit(self.position(event.scenePos()), ZOOM_PER_NOTCH**turns)
+            self.zoom_requested.emit(self.position(event.scenePos()), ZOOM_PER_NOTCH**turns)
         event.accept()
 
     def mouseDragEvent(self, event: Any, axis: int | None = None) -> None:
@@ -246,7 +246,7 @@ class PlotViewBox(pyqtgraph.ViewBox):
             return
         event.accept()
         if pans:
-            self.pan_wanted.emit(self.position(event.lastScenePos()) - now)
+            self.pan_requested.emit(self.position(event.lastScenePos()) - now)
         else:
             down = self.position(event.buttonDownScenePos(button))
             self.covered.emit(down, now, event.isFinish())

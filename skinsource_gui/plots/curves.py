@@ -102,7 +102,7 @@ class Curves:
     axes: tuple[str, ...] = ()
     kind: Kind = "amplitude"
     span: Range | None = None
-    level_words: str = LEVEL_TEXT
+    level_text: str = LEVEL_TEXT
     scaling: tuple[str, ...] = ()
     columns: tuple[str, ...] = ()
     about: Callable[[], tuple[str, ...]] = tuple

@@ -92,8 +92,8 @@ class NoteLabel(QWidget):
 
     def heightForWidth(self, width: int) -> int:
         lines = self._lines_of(self._fitting(width), width)
-        lines_kept = self._held_lines if width == self.width() else 1
-        return self._height_of(max(lines, lines_kept))
+        least_lines = self._held_lines if width == self.width() else 1
+        return self._height_of(max(lines, least_lines))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -363,7 +363,7 @@ class Figure(QWidget):
         """Return the area in which keys move the cursor; empty: they do not."""
         return QRectF()
 
-    def show_late(self, stale: bool) -> None:
+    def show_staleness(self, stale: bool) -> None:
         """Say whether the picture belongs to an older design."""
         self._stale = stale
         self.update()

@@ -358,7 +358,7 @@ class Picture:
     title: str = ""
     caption: str = ""
     size_px: tuple[int, int] | None = None
-    seen: object | None = None
+    visible: object | None = None
     letters_px: Letters | None = None
 
 
@@ -699,7 +699,7 @@ class Remark:
         Whether the picture will have a flaw; whether it cannot be written at all.
     """
 
-    words: str
+    text: str
     warns: bool = False
     refuses: bool = False
 
@@ -826,8 +826,8 @@ class PictureDialog(QDialog):
         remark = Remark("") if self._remark is None else self._remark(self.options)
         tones = {(True, False): "warning", (False, True): "error"}
         set_tone(self.remark_label, tones.get((remark.warns, remark.refuses), ""))
-        self.remark_label.setText(remark.words)
-        self._form.setRowVisible(self.remark_label, bool(remark.words))
+        self.remark_label.setText(remark.text)
+        self._form.setRowVisible(self.remark_label, bool(remark.text))
         self._save.setEnabled(not remark.refuses)
 
 

@@ -218,7 +218,7 @@ class Playhead(QObject):
     """
 
     #: The time to which the user drags the playhead, s.
-    wanted = Signal(float)
+    dragged_to = Signal(float)
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -264,7 +264,7 @@ class Playhead(QObject):
         line, before_s = drag
         # pyqtgraph would move the line until the button goes up.
         line.moving = False
-        self.wanted.emit(before_s)
+        self.dragged_to.emit(before_s)
         return True
 
     def _move(self, line: PlayheadLine) -> None:
@@ -272,7 +272,7 @@ class Playhead(QObject):
             self._drag = (line, self.time_s or 0.0)
         before_s, self.time_s = self.time_s or 0.0, None
         pixel_s = float(line.getViewBox().viewPixelSize()[0])
-        self.wanted.emit(round_time(float(line.value()), pixel_s))
+        self.dragged_to.emit(round_time(float(line.value()), pixel_s))
         # The line is under the pointer: unless a slot has placed it, it goes back.
         if self.time_s is None:
             self.show_at(before_s)
@@ -319,8 +319,8 @@ class Navigation(QObject):
 
     def watch(self, view: PlotViewBox) -> None:
         """Follow the gestures on ``view``."""
-        view.zoom_wanted.connect(self._zoom)
-        view.pan_wanted.connect(self._pan)
+        view.zoom_requested.connect(self._zoom)
+        view.pan_requested.connect(self._pan)
         view.covered.connect(self._cover)
 
     def show_everything(self) -> None:
@@ -504,7 +504,7 @@ class Plot(Canvas):
     #: The crosshair reads something else: `crosshair` and the picture are up to date.
     reading_changed = Signal()
     #: The user asks for the menu at this place of the screen.
-    menu_wanted = Signal(object)
+    menu_requested = Signal(object)
     #: A key event for the playhead, see `moved_playhead`.
     playhead_key = Signal(object)
 
@@ -581,7 +581,7 @@ class Plot(Canvas):
 
     def reset_range(self) -> None:
         """Decide the range of the next curves by them alone."""
-        self.steady_range.let_go()
+        self.steady_range.reset()
 
     def show_curves(self, curves: Curves) -> None:
         """Draw ``curves`` instead of those before; zoom and crosshair stay."""
@@ -651,7 +651,7 @@ class Plot(Canvas):
             self.navigation.show_everything()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        self.menu_wanted.emit(event.globalPos())
+        self.menu_requested.emit(event.globalPos())
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
@@ -708,7 +708,7 @@ class Plot(Canvas):
             scale=self.value_scale,
             stacked=self.stacked,
             unit=self.unit,
-            level=curves.level_words if curves.kind == "level" else "",
+            level=curves.level_text if curves.kind == "level" else "",
             matched=curves.matched,
             n_curves=len(curves.names),
             scaling=curves.scaling,

@@ -171,7 +171,7 @@ class WaveformPreview(QWidget):
         self._has_axis = axis
         self._samples: Floats | None = None
         self._sample_rate_hz = self._height = 1.0
-        self._words = ""
+        self._message = ""
         self._colour: int | None = None
         self._flipped, self._problem = False, ""
         self._pale = False
@@ -191,9 +191,9 @@ class WaveformPreview(QWidget):
         return round(_AXIS_PX * letter_scale(self.font()))
 
     @property
-    def words(self) -> str:
+    def message(self) -> str:
         """The message in place of a curve, or ""."""
-        return self._words
+        return self._message
 
     @property
     def duration_s(self) -> float | None:
@@ -205,16 +205,16 @@ class WaveformPreview(QWidget):
         old = self._samples
         same = old is samples or (old is not None and np.array_equal(old, samples))
         self._samples = samples
-        if same and not self._words and self._sample_rate_hz == sample_rate_hz:
+        if same and not self._message and self._sample_rate_hz == sample_rate_hz:
             return
-        self._sample_rate_hz, self._words = sample_rate_hz, ""
+        self._sample_rate_hz, self._message = sample_rate_hz, ""
         self._height = max(float(np.abs(samples).max(initial=0.0)), 1.0)
         show_tooltip(self, "")
         self.update()
 
-    def show_words(self, message: str) -> None:
+    def show_message(self, message: str) -> None:
         """Show a message instead of a curve."""
-        self._samples, self._words = None, message
+        self._samples, self._message = None, message
         self.setToolTip(message)
         self.update()
 
@@ -236,11 +236,11 @@ class WaveformPreview(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
-        drawn = not self._words and self._samples is not None and self._samples.size > 0
+        drawn = not self._message and self._samples is not None and self._samples.size > 0
         ground = self.palette().window().color()
         if self._has_axis and not drawn:
             painter.fillRect(self.rect(), ground)
-        if self._words:
+        if self._message:
             painter.setPen(QColor(current_theme().dim))
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(self.rect(), flags, self._fitting_message(flags))
@@ -265,7 +265,7 @@ class WaveformPreview(QWidget):
 
     def _fitting_message(self, flags: int) -> str:
         # The tooltip has the whole message.
-        shown, words_left = self._words, self._words.split(" ")
+        shown, words_left = self._message, self._message.split(" ")
         room, metrics = self.rect(), self.fontMetrics()
         while words_left and metrics.boundingRect(room, flags, shown).height() > room.height():
             words_left.pop()
@@ -392,7 +392,7 @@ class ClipStrip(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._lanes: tuple[Lane, ...] = ()
-        self._words = ""
+        self._message = ""
         self._picture = CachedPicture()
         # Outlines of the clips being painted, by samples and size.
         self._outlines: dict[tuple[int, float, float], QPainterPath] = {}
@@ -407,19 +407,19 @@ class ClipStrip(QWidget):
         return self._lanes
 
     @property
-    def words(self) -> str:
+    def message(self) -> str:
         """The message in place of lanes, or ""."""
-        return self._words
+        return self._message
 
     def show_lanes(self, lanes: tuple[Lane, ...]) -> None:
         """Show these tracks."""
-        self._lanes, self._words = lanes, ""
+        self._lanes, self._message = lanes, ""
         self.updateGeometry()
         self.update()
 
-    def show_words(self, message: str) -> None:
+    def show_message(self, message: str) -> None:
         """Show a message instead of tracks."""
-        self._lanes, self._words = (), message
+        self._lanes, self._message = (), message
         self.update()
 
     def minimumSizeHint(self) -> QSize:
@@ -432,10 +432,10 @@ class ClipStrip(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
-        if self._words:
+        if self._message:
             painter.setPen(QColor(current_theme().warning))
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-            painter.drawText(self.rect(), flags, self._words)
+            painter.drawText(self.rect(), flags, self._message)
             return
         if self._lanes:
             shown = (current_theme(), self._lanes, self.font().toString())

@@ -55,7 +55,7 @@ class SteadyRange:
         self._kind = kind
         return self._range
 
-    def let_go(self) -> None:
+    def reset(self) -> None:
         """Decide the next range by its data alone."""
         self._kind, self._range = None, (0.0, 1.0)
 

@@ -361,9 +361,9 @@ class SignalView(QWidget):
         self._staleness = lateness or Staleness(self)
         self._staleness.changed.connect(self._mark_stale)
         self.plot.navigation.zoom_requested.connect(self.zoom_requested)
-        self.toolbar.everything_wanted.connect(self._show_everything)
+        self.toolbar.everything_requested.connect(self._show_everything)
         self.plot.reading_changed.connect(self._read)
-        self.plot.menu_wanted.connect(self._open_menu)
+        self.plot.menu_requested.connect(self._open_menu)
         self._in_sight = VisibleHeight(self)
         self._in_sight.changed.connect(self._share_height)
 
@@ -397,7 +397,7 @@ class SignalView(QWidget):
 
     def wait_for_curves(self) -> None:
         """Remove the curves until there are new ones; a message appears after a while."""
-        self.plot.show_message(_COMPUTING if self._staleness.late else "")
+        self.plot.show_message(_COMPUTING if self._staleness.is_stale else "")
 
     def set_stale(self, stale: bool) -> None:
         """Say whether curves belong to an older design; this becomes visible after a while."""
@@ -442,7 +442,7 @@ class SignalView(QWidget):
         ):
             action = menu.addAction(text)
             # Curves of an older design cannot be exported.
-            action.setEnabled(not self._staleness.late)
+            action.setEnabled(not self._staleness.is_stale)
             action.triggered.connect(export)
         menu.popup(at)
 

@@ -600,7 +600,7 @@ class ColourScale:
     """
 
     range_db: Range
-    words: str
+    text_below: str
     colours: str = VIRIDIS
     signed: bool = False
     reached_db: Range | None = None
@@ -617,19 +617,21 @@ def scale_of_levels(levels_db: Floats, look: LevelStyle) -> ColourScale:
     fixed = look.map_range_db is not None
     return ColourScale(
         range_db=look.map_range_db or map_range_db(levels_db),
-        words=f"{_LEVELS} · {FIXED_MARK}" if fixed else _LEVELS,
+        text_below=f"{_LEVELS} · {FIXED_MARK}" if fixed else _LEVELS,
         colours=look.colours,
     )
 
 
 def scale_of_own(look: LevelStyle) -> ColourScale:
     """Return the scale of RMS levels relative to the loudest output of each map."""
-    return ColourScale(range_db=_OF_OWN, words="dB re each map's maximum", colours=look.colours)
+    return ColourScale(
+        range_db=_OF_OWN, text_below="dB re each map's maximum", colours=look.colours
+    )
 
 
 def with_matched(scale: ColourScale, matched: str) -> ColourScale:
     """Return the scale with a text that tells how much louder or softer than stored values are."""
-    return replace(scale, words=f"{scale.words}, {matched}") if matched else scale
+    return replace(scale, text_below=f"{scale.text_below}, {matched}") if matched else scale
 
 
 def scale_row_px(line_px: float) -> float:
@@ -660,4 +662,4 @@ def paint_scale_row(painter: QPainter, area: QRectF, scale: ColourScale, theme: 
         painter.drawText(text_area, _CENTRE, number)
     painter.setPen(QColor(theme.dim))
     below = QRectF(area.left(), ramp.bottom() + line, area.width(), line)
-    painter.drawText(below, _CENTRE, scale.words)
+    painter.drawText(below, _CENTRE, scale.text_below)

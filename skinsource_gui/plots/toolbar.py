@@ -42,7 +42,7 @@ class PlotToolbar(QWidget):
 
     #: ``"overlaid"``, ``"stacked"``, or a layout that was added.
     layout_chosen = Signal(str)
-    everything_wanted = Signal()
+    everything_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -66,7 +66,7 @@ class PlotToolbar(QWidget):
         self._row.addStretch(1)
         self._everything = self._button("show-all", "Show all", "Leave the zoom (key 0)")
         self._everything.setCheckable(False)
-        self._everything.clicked.connect(self.everything_wanted)
+        self._everything.clicked.connect(self.everything_requested)
         self._everything.setVisible(False)
         self._row.addWidget(self._everything)
         LayoutWatcher(self).changed.connect(self._fit)

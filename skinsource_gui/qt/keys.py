@@ -95,8 +95,8 @@ def claims_shortcut(event: QEvent, wanted: Callable[[QKeyEvent], object]) -> boo
     Qt sends this event to the widget with the focus before it looks for a shortcut; if the widget
     accepts it, the widget gets the key press.
     """
-    is_asked = event.type() == QEvent.Type.ShortcutOverride
-    if not is_asked or not isinstance(event, QKeyEvent) or not wanted(event):
+    is_requested = event.type() == QEvent.Type.ShortcutOverride
+    if not is_requested or not isinstance(event, QKeyEvent) or not wanted(event):
         return False
     event.accept()
     return True

@@ -24,7 +24,7 @@ class Staleness(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self.late = False
+        self.is_stale = False
         self._timer = QTimer(self, interval=_STALE_MS, singleShot=True)
         self._timer.timeout.connect(self._set_late)
 
@@ -36,10 +36,10 @@ class Staleness(QObject):
         """
         if not stale:
             self._timer.stop()
-            if self.late:
-                self.late = False
+            if self.is_stale:
+                self.is_stale = False
                 self.changed.emit(False)
-        elif self.late:
+        elif self.is_stale:
             return
         elif at_once:
             self._timer.stop()
@@ -47,13 +47,13 @@ class Staleness(QObject):
         elif not self._timer.isActive():
             self._timer.start()
 
-    def count_anew(self) -> None:
+    def restart(self) -> None:
         """Restart the delay: a newer picture is drawn, which is not up to date either."""
         if self._timer.isActive():
             self._timer.start()
 
     def _set_late(self) -> None:
-        self.late = True
+        self.is_stale = True
         self.changed.emit(True)
 
 

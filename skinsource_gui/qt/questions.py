@@ -167,7 +167,7 @@ class CopyButton(QToolButton):
         self._exists = exists
         self.setEnabled(exists and not self._stale)
 
-    def show_late(self, stale: bool) -> None:
+    def show_staleness(self, stale: bool) -> None:
         """Say whether the table belongs to an older design."""
         self._stale = stale
         self.setEnabled(self._exists and not stale)

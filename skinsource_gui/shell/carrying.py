@@ -128,7 +128,7 @@ class ExportMetadata:
 
     def _shown_designs(self, panels: Sequence[Panel]) -> list[_ShownDesign]:
         """Return the design in the window, where it is shown, and the others of the panels."""
-        design, view = self._document.design, self._document.seen
+        design, view = self._document.design, self._document.shown_view
         compared = self._compared(panels)
         here = shown_snapshot(compared, design)
         label = short_limb_title(design.limb)
@@ -218,14 +218,14 @@ class PanelPictures:
             draw = partial(self._draw_one, panel)
             likes = panel.size() if panel.isVisible() else usual_size(panel)
             size = None if name != PANEL_IN_USE else (2 * likes.width(), 2 * likes.height())
-        result = panel.map.stage.seen if isinstance(panel, SkinPanel) else None
+        result = panel.map.stage.visible if isinstance(panel, SkinPanel) else None
         draw = with_caption(draw, caption)
         return Picture(
             draw=draw,
             title="" if panel is None else panel.title,
             caption=caption,
             size_px=size,
-            seen=result,
+            visible=result,
             letters_px=letters,
         )
 

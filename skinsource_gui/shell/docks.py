@@ -232,7 +232,7 @@ class TabLists(QObject):
     """
 
     #: The bar whose list is wanted, and where in the bar.
-    wanted = Signal(object, QPoint)
+    requested = Signal(object, QPoint)
 
     def add_to(self, bar: QTabBar) -> None:
         """Give a bar its list."""
@@ -256,12 +256,12 @@ class TabLists(QObject):
         return False
 
     def _tell(self, at: QPoint) -> None:
-        self.wanted.emit(self.sender(), at)
+        self.requested.emit(self.sender(), at)
 
     def _request_below(self) -> None:
         button = self.sender()
         if isinstance(button, QWidget):
-            self.wanted.emit(button.parent(), button.geometry().bottomLeft())
+            self.requested.emit(button.parent(), button.geometry().bottomLeft())
 
 
 def tab_menu(bar: QTabBar, bring: Callable[[str], None], parent: QWidget) -> QMenu:
@@ -320,7 +320,7 @@ class DockTabs(QObject):
         super().__init__(window)
         self._window, self._docks = window, docks
         self._lists = TabLists(self)
-        self._lists.wanted.connect(self._open_list)
+        self._lists.requested.connect(self._open_list)
         window.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
         window.installEventFilter(self)
         for dock in docks.values():

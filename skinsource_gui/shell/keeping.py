@@ -79,8 +79,8 @@ class UnsavedWorkPage(QDialog):
         self.resize(560, 420)
         self._look, self._open_it, self._discard = look, open_it, discard
         self._left: tuple[UnsavedWork, ...] = ()
-        self._words = QLabel()
-        self._words.setWordWrap(True)
+        self._text_label = QLabel()
+        self._text_label.setWordWrap(True)
         self.rows = QListWidget()
         self.rows.setObjectName("left_over_rows")
         self.rows.setAccessibleName("Unsaved work")
@@ -95,13 +95,13 @@ class UnsavedWorkPage(QDialog):
         self.discard_button.clicked.connect(self._give_up)
         buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
-        for part in (self._words, self.rows, buttons):
+        for part in (self._text_label, self.rows, buttons):
             layout.addWidget(part)
         self._fill()
 
     def _fill(self) -> None:
         self._left = self._look()
-        self._words.setText(
+        self._text_label.setText(
             "The studio ended before this work was saved. A copy of each was kept."
             if self._left
             else "There is no unsaved work of earlier sessions."

@@ -23,7 +23,7 @@ class LimbNote(QLabel):
     published files; of one that is not here, only that.
     """
 
-    help_wanted = Signal()
+    help_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -36,7 +36,7 @@ class LimbNote(QLabel):
         self._phrases: tuple[tuple[str, str], ...] = (("", ""),)
         self.setTextFormat(Qt.TextFormat.RichText)
         self.setAccessibleName("Kind of limb")
-        self.linkActivated.connect(self.help_wanted)
+        self.linkActivated.connect(self.help_requested)
 
     def show_available(self, limbs: tuple[str, ...]) -> None:
         """Take over which limbs are installed."""

@@ -349,7 +349,7 @@ class Reports(QObject):
         self._impossible = ""
         self._reported_design: Design = document.design
         document.changed.connect(self._forget_outdated)
-        document.told.connect(self.report)
+        document.message.connect(self.report)
         document.title_changed.connect(status_bar.clearMessage)
 
     def complain(self, reason: str) -> None:

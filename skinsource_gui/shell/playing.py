@@ -207,20 +207,20 @@ _REPEAT = (
 class Transport(QWidget):
     """Play, repeat and gain, in the bar above the panels."""
 
-    play_wanted = Signal()
-    repeat_wanted = Signal()
+    play_requested = Signal()
+    repeat_requested = Signal()
     #: The new gain, dB.
-    gain_wanted = Signal(float)
+    gain_requested = Signal(float)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("transport")
         self._played = Played()
         self.play = self._button("play_button", "play", *_PLAY)
-        self.play.clicked.connect(self.play_wanted)
+        self.play.clicked.connect(self.play_requested)
         self.repeat = self._button("repeat_button", "repeat", *_REPEAT)
         self.repeat.setCheckable(True)
-        self.repeat.clicked.connect(self.repeat_wanted)
+        self.repeat.clicked.connect(self.repeat_requested)
         self.gain = NumberField(GAIN, widest_unit=GAIN.unit, widest_number=_WIDEST)
         self.gain.setObjectName("gain_field")
         self.gain.set_value(START_DB)
@@ -275,7 +275,7 @@ class Transport(QWidget):
         return button
 
     def _want_gain(self, gain_db: float, _gesture: int | None) -> None:
-        self.gain_wanted.emit(gain_db)
+        self.gain_requested.emit(gain_db)
 
 
 _PLAYBACK_PANEL = "playback"
@@ -335,10 +335,10 @@ class Playback(QObject):
     def connect_to(self, panels: PanelRegistry, reports: Reports) -> None:
         """Connect the bar, the panel once it is made, and ``reports``."""
         player, bar = self.player, self.bar
-        bar.play_wanted.connect(player.play_or_stop)
-        bar.repeat_wanted.connect(player.toggle_loop)
-        bar.gain_wanted.connect(player.gain.put)
-        self.note.cancel_wanted.connect(player.stop)
+        bar.play_requested.connect(player.play_or_stop)
+        bar.repeat_requested.connect(player.toggle_loop)
+        bar.gain_requested.connect(player.gain.put)
+        self.note.cancel_requested.connect(player.stop)
         player.changed.connect(self._follow)
         player.failed.connect(reports.complain)
         self.rigs.failed.connect(reports.complain)
@@ -354,10 +354,10 @@ class Playback(QObject):
             return
         player = self.player
         self._panel = panel = cast("PlaybackPanel", panel)
-        panel.output_wanted.connect(player.settings.choose)
-        panel.devices_wanted.connect(player.settings.look)
-        panel.rig_wanted.connect(player.settings.choose_rig)
-        panel.tone_wanted.connect(player.play_tone)
+        panel.output_requested.connect(player.settings.choose)
+        panel.devices_requested.connect(player.settings.look)
+        panel.rig_requested.connect(player.settings.choose_rig)
+        panel.tone_requested.connect(player.play_tone)
         panel.visibility_changed.connect(self._look)
 
     def _follow(self) -> None:
@@ -385,5 +385,5 @@ class Playback(QObject):
         if self._panel is not None and self._panel.isVisible():
             self.player.settings.look_for_rig()
             self._show()
-            if not self.player.settings.looked and not self.player.playing:
+            if not self.player.settings.searched and not self.player.playing:
                 self.player.settings.look()

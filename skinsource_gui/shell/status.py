@@ -463,7 +463,7 @@ class StatusLine(QWidget):
         return f"{times}{known}"
 
     def _note_times(self) -> None:
-        self._times.setVisible(not self._staleness.late)
+        self._times.setVisible(not self._staleness.is_stale)
         self._sparkline.show_times(self.timing.times.seconds())
 
     def _about_times(self) -> str:
@@ -498,7 +498,7 @@ class StatusLine(QWidget):
         if scope is None:
             self._work.show_phrases((self._audible,))
             self._work.setToolTip("")
-        elif self._staleness.late:
+        elif self._staleness.is_stale:
             self._work.show_phrases((f"{self._audible} · computing…", "computing…"))
             self._work.setToolTip(_OLDER)
         else:
@@ -514,7 +514,7 @@ _HINT = "It is brought to the rate of the device from beginning to end, and play
 class PreparingNote(QWidget):
     """A text and Cancel, shown while the sound of a long design is prepared."""
 
-    cancel_wanted = Signal()
+    cancel_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -526,7 +526,7 @@ class PreparingNote(QWidget):
         self._cancel.setToolTip(f"Do not play ({shortcut_text('play')})")
         self._cancel.setAccessibleName("Cancel preparing the sound")
         self._cancel.setAutoDefault(False)
-        self._cancel.clicked.connect(self.cancel_wanted)
+        self._cancel.clicked.connect(self.cancel_requested)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         row = QHBoxLayout(self)
         row.setContentsMargins(UNIT_PX, 0, 0, 0)

@@ -215,7 +215,7 @@ class ValidityLamps(QWidget):
 
     def _describe(self) -> None:
         states = [f"{NAMES[lamp.name]}: {STATES[lamp.state]}" for lamp in self.row.lamps]
-        self.setAccessibleDescription("; ".join([_OLDER] * self._staleness.late + states))
+        self.setAccessibleDescription("; ".join([_OLDER] * self._staleness.is_stale + states))
 
     def sizeHint(self) -> QSize:
         return self._size(self.row.whole_px)
@@ -226,7 +226,7 @@ class ValidityLamps(QWidget):
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
             finding = self.row.at(event.pos().x(), QRectF(self.rect()))
-            text = "" if finding is None else _lamp_text(finding, stale=self._staleness.late)
+            text = "" if finding is None else _lamp_text(finding, stale=self._staleness.is_stale)
             QToolTip.showText(event.globalPos(), text, self)
             return True
         return super().event(event)
@@ -250,7 +250,7 @@ class ValidityLamps(QWidget):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(self.text_font)
-        painter.setOpacity(_PALE if self._staleness.late else 1.0)
+        painter.setOpacity(_PALE if self._staleness.is_stale else 1.0)
         for finding, area in self.places:
             paint_lamp(painter, finding, area, current_theme())
         if self.hasFocus():
@@ -293,7 +293,7 @@ class ValidityCard(QFrame):
     """A card over the status bar; it closes at the next click elsewhere, or with Esc."""
 
     #: The `Finding` whose cause is to be repaired.
-    repair_wanted = Signal(object)
+    repair_requested = Signal(object)
 
     def __init__(self, findings: Findings, first: str, parent: QWidget) -> None:
         super().__init__(parent, Qt.WindowType.Popup)
@@ -332,8 +332,8 @@ class ValidityCard(QFrame):
         top = Qt.AlignmentFlag.AlignTop
         grid.addWidget(title, row, 0, top)
         grid.addWidget(label, row, 1, top)
-        if finding.mend:
-            button = QPushButton(_REPAIRS[finding.mend])
+        if finding.repair:
+            button = QPushButton(_REPAIRS[finding.repair])
             button.setObjectName(f"mend_{finding.name}")
             button.clicked.connect(partial(self._repair, finding))
             grid.addWidget(button, row, 2, top)
@@ -342,7 +342,7 @@ class ValidityCard(QFrame):
 
     def _repair(self, finding: Finding) -> None:
         self.close()
-        self.repair_wanted.emit(finding)
+        self.repair_requested.emit(finding)
 
 
 _IDLE_MS = 400
@@ -422,7 +422,7 @@ class Validity(QObject):
 
     def _explain(self, name: str, position: QPoint) -> None:
         card = ValidityCard(self.lamps.findings, name, self.lamps)
-        card.repair_wanted.connect(self._repair)
+        card.repair_requested.connect(self._repair)
         card.open_above(position)
 
     def _repair(self, finding: Finding) -> None:

@@ -222,7 +222,7 @@ class MainWindow(QMainWindow):
 
     def _install(self, panel: Panel) -> None:
         """Connect a panel that was just made, after all others have met it, and show it."""
-        panel.action_wanted.connect(self.do)
+        panel.action_requested.connect(self.do)
         panel.failed.connect(self.reports.complain)
         panel.done.connect(self.reports.report)
         panel.written.connect(self.files.note_written)
@@ -263,7 +263,7 @@ class MainWindow(QMainWindow):
         self.playback.connect_to(self.panels, reports)
         self.keeping.connect_to(self.conductor, reports)
         self.running_jobs.show_on(self.actions_by_name["cancel_job"])
-        self._limb_note.help_wanted.connect(self.pages.show_dataset)
+        self._limb_note.help_requested.connect(self.pages.show_dataset)
         self.conductor.failed.connect(reports.show_impossible)
         self.conductor.delivered.connect(reports.show_outcome)
         self.conductor.stale.connect(self.status_line.show_stale)

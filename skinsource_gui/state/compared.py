@@ -46,7 +46,7 @@ class Compared:
     problem: str = ""
     gain: float = 1.0
     axes: str = ""
-    late: bool = False
+    is_stale: bool = False
 
     @property
     def left_out(self) -> str:

@@ -120,7 +120,7 @@ class OnLimbs(QObject):
     def _sources(self, asked: tuple[Design, View]) -> dict[str, Any]:
         """Return the sources of evaluation, as loud as the design is shown in the window."""
         document = self._document
-        return sources_of_levels(*asked, match_gain=document.seen.match_gain(document.design))
+        return sources_of_levels(*asked, match_gain=document.shown_view.match_gain(document.design))
 
     def _is_known(self, limb: str, needs: frozenset[str], sources: dict[str, Any]) -> bool:
         outcome = self._outcomes.get(limb)
@@ -164,7 +164,7 @@ class OnLimbs(QObject):
             values=outcome.values,
             problem=problem,
             axes=asked[1].axes,
-            late=stale,
+            is_stale=stale,
         )
 
 
@@ -265,7 +265,7 @@ class Comparison(QObject):
         self._engine.finished.connect(self._note)
         self._engine.rested.connect(self._ask)
         self._panels.each(lambda panel: panel.visibility_changed.connect(self._follow))
-        self._panels.each(lambda panel: panel.snapshot_wanted.connect(self.show))
+        self._panels.each(lambda panel: panel.snapshot_requested.connect(self.show))
         StayingMatched(self._document, self.show)
 
     def store(self, number: str) -> None:
@@ -404,7 +404,7 @@ class Comparison(QObject):
     def _compared(self, wanted: frozenset[str]) -> tuple[Compared, ...]:
         """Return every snapshot, with values where all that is ``wanted`` is known."""
         compared = []
-        matched = self._document.seen.levels_matched
+        matched = self._document.shown_view.levels_matched
         for snapshot in sorted(self._snapshots(), key=lambda snapshot: snapshot.number):
             known = self._lookup(snapshot, wanted)
             compared.append(

@@ -85,7 +85,7 @@ class Conductor(QObject):
 
     def _tell(self, panel: Panel) -> None:
         self._informed.add(panel)
-        panel.show_state(self._document.design, self._document.seen)
+        panel.show_state(self._document.design, self._document.shown_view)
 
     def _note_visibility(self, panel: Panel) -> None:
         if panel.isVisible() and panel not in self._informed:
@@ -110,7 +110,7 @@ class Conductor(QObject):
     def _follow_playhead(self) -> None:
         for panel in self._panels:
             if panel.isVisible():
-                panel.show_playhead(self._document.seen)
+                panel.show_playhead(self._document.shown_view)
             else:
                 self._informed.discard(panel)
 
@@ -126,7 +126,7 @@ class Conductor(QObject):
         if not any(panel.needs for panel in visible):
             return
         visible = self._without_too_large(visible)
-        given = sources_shown(self._document.design, self._document.seen)
+        given = sources_shown(self._document.design, self._document.shown_view)
         wanted = self._also.union(*(panel.needs for panel in visible))
         if not wanted:
             return
@@ -248,7 +248,7 @@ class PanelController(QObject):
     def _meet(self, panel: Panel) -> None:
         panel.edited.connect(self._apply)
         panel.view_changed.connect(self._look)
-        panel.playhead_wanted.connect(self._put_playhead)
+        panel.playhead_requested.connect(self._put_playhead)
         panel.input_pointed_at.connect(self._point_at)
 
     def _apply(self, outcome: Edit | Refusal, gesture: int | None) -> None:

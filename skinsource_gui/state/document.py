@@ -83,7 +83,7 @@ class Document(QObject):
     #: Why an edit was not made, in one sentence.
     refused = Signal(str)
     #: A message of an edit that was made.
-    told = Signal(str)
+    message = Signal(str)
 
     def __init__(self, design: Design, view: View | None = None, parent: QObject | None = None):
         super().__init__(parent)
@@ -116,7 +116,7 @@ class Document(QObject):
         return self._view
 
     @property
-    def seen(self) -> View:
+    def shown_view(self) -> View:
         """The view that panels show; inside `as_stored` without matched levels."""
         return replace(self._view, levels_matched=False) if self._as_stored else self._view
 
@@ -178,7 +178,7 @@ class Document(QObject):
             self.undo_stack.push(ReplaceDesign(self, outcome.label, before, after, gesture))
             self.settled.emit()
         if outcome.said:
-            self.told.emit(outcome.said)
+            self.message.emit(outcome.said)
 
     def edit(self, label: str, design: Design, gesture: int | None = None) -> None:
         """Replace the design, as `apply` does."""

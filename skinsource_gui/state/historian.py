@@ -52,7 +52,7 @@ class Historian(QObject):
     def _meet(self, panel: Panel) -> None:
         if panel.lists_history:
             panel.visibility_changed.connect(partial(self._note_visibility, panel))
-            panel.step_wanted.connect(self._document.go_to)
+            panel.step_requested.connect(self._document.go_to)
 
     def _note_visibility(self, panel: Panel) -> None:
         self._shown = [other for other in self._shown if other is not panel]

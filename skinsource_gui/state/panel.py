@@ -39,23 +39,23 @@ class ShowsStaleness(SharesPointedInput):
         #: Whether it comes into sight just now.
         self.comes_into_sight = False
         self._overlays: list[StaleOverlay] = []
-        self._lateness = Staleness(self)
-        self._lateness.changed.connect(self._follow_staleness)
+        self._staleness = Staleness(self)
+        self._staleness.changed.connect(self._follow_staleness)
 
     @property
-    def late(self) -> bool:
+    def is_stale(self) -> bool:
         """Whether it is shown that the results belong to an older design."""
-        return self._lateness.late
+        return self._staleness.is_stale
 
     def show_stale(self, stale: bool) -> None:
         """Take over whether the results belong to an older design than the present one."""
-        self._lateness.set_stale(stale, at_once=self.comes_into_sight)
+        self._staleness.set_stale(stale, at_once=self.comes_into_sight)
 
     def show_newer(self) -> None:
         """Begin the waiting time anew: newer results were drawn, though not the newest."""
-        self._lateness.count_anew()
+        self._staleness.restart()
 
-    def show_late(self, stale: bool) -> None:
+    def show_staleness(self, stale: bool) -> None:
         """Show or remove the overlays of stale results."""
         while self._overlays:
             self._overlays.pop().take_away()
@@ -64,8 +64,8 @@ class ShowsStaleness(SharesPointedInput):
 
     def _follow_staleness(self, stale: bool) -> None:
         for button in self.findChildren(CopyButton):
-            button.show_late(stale)
-        self.show_late(stale)
+            button.show_staleness(stale)
+        self.show_staleness(stale)
 
 
 #: What a panel shows until the first prediction.
@@ -95,14 +95,14 @@ class Panel(ShowsStaleness):
     #: The new `View`.
     view_changed = Signal(object)
     #: The name of an action of the window, such as "export_picture".
-    action_wanted = Signal(str)
+    action_requested = Signal(str)
     #: The new time of the playhead, s; the other signals do not move it.
-    playhead_wanted = Signal(float)
+    playhead_requested = Signal(float)
     visibility_changed = Signal()
     #: How many steps of the history are to be done.
-    step_wanted = Signal(int)
+    step_requested = Signal(int)
     #: Number of the snapshot to show.
-    snapshot_wanted = Signal(int)
+    snapshot_requested = Signal(int)
     #: Why something that the user wanted of this panel was not done, a sentence.
     failed = Signal(str)
     #: What this panel did for the user; an error before that is over.

@@ -61,7 +61,7 @@ class Played:
     """
 
     playing: bool = False
-    looked: bool = False
+    searched: bool = False
     devices: "tuple[Device, ...]" = ()
     missing: str = ""
     output: Output = field(default_factory=Output)
@@ -398,7 +398,7 @@ class SoundSettings(QObject):
         super().__init__(parent)
         self._preferences, self._session, self._thread = preferences, session, thread
         self.output = _stored_output(preferences)
-        self.looked = False
+        self.searched = False
         self.devices: tuple[Device, ...] = ()
         self.rates_hz: tuple[int, ...] = ()
         self.missing = self._search_error = ""
@@ -486,13 +486,13 @@ class SoundSettings(QObject):
     def _receive_devices(
         self, found_devices: "tuple[Device, ...] | None", error: SkinSourceError | None
     ) -> None:
-        self.looked, self.devices, self.rates_hz = True, found_devices or (), ()
+        self.searched, self.devices, self.rates_hz = True, found_devices or (), ()
         self.missing = self._search_error = "" if error is None else str(error)
         self._request_rates()
         self.changed.emit()
 
     def _request_rates(self) -> None:
-        if not self.looked:
+        if not self.searched:
             return
         try:
             device = lab.playing.devices.device_of(self.output, self.devices)
@@ -623,7 +623,7 @@ class Player(QObject):
         """Fade out, or give up preparing."""
         self.preparing, self._start = False, None
         stream = None if self.now is None else self.now.stream
-        if stream is None or stream.gone:
+        if stream is None or stream.unresponsive:
             self._end_playing()
         else:
             # `_finished` follows when the device is silent.
@@ -698,7 +698,9 @@ class Player(QObject):
         if now is not None and now.over:
             self._end_playing()
             if now.stream is not None:
-                self._thread.do(partial(self._session.made.let_go, now.stream), _ignore_result)
+                self._thread.do(
+                    partial(self._session.made.close_stream, now.stream), _ignore_result
+                )
                 self.failed.emit(_DEVICE_LOST)
 
     def _note_end(self, stream: "Stream") -> None:
@@ -707,13 +709,13 @@ class Player(QObject):
             return
         ending = stream.queue.ending
         natural = ending is not None and ending.reason == "end"
-        seen_on = self.now.seen_on(self._document.view.playhead_s) if natural else None
+        seen_on = self.now.visible_after(self._document.view.playhead_s) if natural else None
         if seen_on is None:
             self._end_playing()
         else:
             # The last waves are still on their way.
             self.now = seen_on
-        self._thread.do(partial(self._session.made.let_go, stream), _ignore_result)
+        self._thread.do(partial(self._session.made.close_stream, stream), _ignore_result)
         if ending is None:
             self.failed.emit(_DEVICE_LOST)
         elif ending.reason == "panic":
@@ -805,7 +807,7 @@ def played_by(player: Player, design: Design) -> Played:
     render_s = player.edits.render_s
     return Played(
         playing=player.playing,
-        looked=settings.looked,
+        searched=settings.searched,
         devices=settings.devices,
         missing=settings.missing,
         output=settings.output,

@@ -101,7 +101,7 @@ def test_a_linear_response_is_the_same_once_divided_and_a_line_through_zero():
     x = np.array([2.0, 1.0, 5.0])
     result = proportion(x, x[:, None, None] * unit, RATE_HZ, None)
     assert result.strengths.tolist() == [1.0, 2.0, 5.0]
-    assert result.apart < 1e-14
+    assert result.largest_difference < 1e-14
     assert np.allclose(result.divided, unit)
     rms = np.sqrt(np.mean(unit**2, axis=-1))
     assert np.allclose(result.rms, result.strengths[:, None] * rms)
@@ -114,7 +114,7 @@ def test_a_response_that_saturates_is_told():
     unit = rng.normal(size=(1, 400))
     x = np.array([1.0, 2.0, 3.0, 4.0])
     result = proportion(x, np.tanh(x[:, None, None] * unit), RATE_HZ, None)
-    assert result.apart > 0.3
+    assert result.largest_difference > 0.3
     assert np.nanmin(result.adjusted_r2) < 0.9
     assert np.abs(result.line - result.rms).max() > 0.005
     through = np.polynomial.Polynomial.fit(x, result.rms[:, 0], 1)
@@ -132,20 +132,20 @@ def test_what_inputs_cause_together_is_held_against_their_sum():
     joint[:, :200] += second
     result = superposition([first, second], joint)
     assert np.array_equal(result.separate, joint)
-    assert result.apart == 0.0
+    assert result.largest_difference == 0.0
     assert np.allclose(result.correlation, 1.0)
     bent = superposition([first, second], np.tanh(joint))
-    assert bent.apart > 0.1
+    assert bent.largest_difference > 0.1
     assert (bent.correlation < 0.99).all()
 
 
 def test_differences_are_a_part_of_the_peak_of_either_sign():
     down = np.array([[0.0, -4.0, 1.0]])
     other = np.array([[0.0, -4.0, 1.5]])
-    assert superposition([down], other).apart == pytest.approx(0.5 / 4.0)
+    assert superposition([down], other).largest_difference == pytest.approx(0.5 / 4.0)
     result = proportion([1.0, 2.0, 4.0], down * [[[1.0]], [[2.0]], [[4.2]]], RATE_HZ, None)
-    assert result.apart == pytest.approx(0.05 * 4.0 / (1.05 * 4.0))
-    assert math.isnan(superposition([0.0 * down], 0.0 * down).apart)
+    assert result.largest_difference == pytest.approx(0.05 * 4.0 / (1.05 * 4.0))
+    assert math.isnan(superposition([0.0 * down], 0.0 * down).largest_difference)
 
 
 def test_the_prediction_adds_up():
@@ -154,4 +154,4 @@ def test_the_prediction_adds_up():
         evaluate(played(*places), "axis_traces", view=view)["axis_traces"][:, 0]
         for places in ((8,), (13,), (8, 13))
     ]
-    assert superposition(parts[:2], parts[2]).apart < 1e-9
+    assert superposition(parts[:2], parts[2]).largest_difference < 1e-9

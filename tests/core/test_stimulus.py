@@ -54,7 +54,7 @@ def test_at_the_rate_of_the_limb_it_is_what_the_engine_predicts_with():
     values = ss.evaluate(SEVERAL, "input_waveforms", "voices", "stimulus_samples")
     expected = np.zeros((2, values["stimulus_samples"]))
     for voice, samples in zip(values["voices"], values["input_waveforms"], strict=True):
-        if voice.heard:
+        if voice.audible:
             row = {7: 0, 12: 1}[voice.location]
             expected[row, voice.start : voice.start + samples.size] += voice.amplitude * samples
     assert result.sample_rate_hz == RATE_HZ

@@ -74,6 +74,6 @@ def test_words_beside_maps_grow_with_the_picture_and_are_never_smaller_than_on_t
 
 
 def test_a_level_of_no_decibels_has_no_sign():
-    scale = ColourScale(range_db=(-50.0, 0.0), words="dB")
+    scale = ColourScale(range_db=(-50.0, 0.0), text_below="dB")
     assert scale.text(-0.04) == "0.0 dB"
     assert scale.text(-0.06) == "−0.1 dB"

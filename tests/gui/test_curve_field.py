@@ -118,7 +118,7 @@ def test_keys_choose_move_continue_add_and_remove(field):
     field.setFocus()
     QTest.keyClick(field, Qt.Key.Key_PageDown)
     assert field.points.chosen == 1
-    assert field.words == "2/3 · 100 ms · 1 · smoothly on"
+    assert field.text == "2/3 · 100 ms · 1 · smoothly on"
     for key, held in (
         (Qt.Key.Key_Right, Qt.KeyboardModifier.NoModifier),
         (Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier),

@@ -67,7 +67,7 @@ findings = st.builds(
     name=st.just("band"),
     state=st.just("left"),
     sentence=st.just(""),
-    mend=st.sampled_from(["", "probe_scaling", "quieter", "band_limit", "deselect", "?"]),
+    repair=st.sampled_from(["", "probe_scaling", "quieter", "band_limit", "deselect", "?"]),
     factor=st.floats(0.1, 1.0),
     outputs=st.just((1, 2, 72)),
 )

@@ -30,7 +30,7 @@ def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_this_machine(
     chosen = FilmOptions(width_px=640, height_px=480, colours="dark", kind=".webm")
 
     def ask(_window, usual, *, title, kinds, most_px, remark, shape):
-        assert "frames" in remark(usual).words
+        assert "frames" in remark(usual).text
         assert shape == (900, 1200)
         asked.append((title, usual.width_px, usual.height_px, kinds, most_px))
         return answers.get("options", chosen)

@@ -21,9 +21,9 @@ def test_numbers_that_are_there_are_copied_once_they_are_not_late_any_more(qtbot
     button = CopyButton("made_up", str)
     qtbot.addWidget(button)
     for late, there in ((True, True), (True, False), (False, False), (False, True)):
-        button.show_late(late)
+        button.show_staleness(late)
         button.offer(there)
         assert button.isEnabled() is (there and not late)
-        button.show_late(not late)
+        button.show_staleness(not late)
         assert button.isEnabled() is (there and late)
-        button.show_late(late)
+        button.show_staleness(late)

@@ -111,17 +111,17 @@ def test_what_comes_into_sight_with_older_results_says_so_until_the_newer_ones_a
     for name in COMPUTED:
         panel = studio.look_at(name)
         studio.settled()
-        qtbot.waitUntil(lambda waiting=panel: not waiting.late)
+        qtbot.waitUntil(lambda waiting=panel: not waiting.is_stale)
         offered = offers(panel)
         studio.hide_panel(name)
         with held(studio):
             studio.edit_all()
             studio.look_at(name)
-            assert panel.late, name
+            assert panel.is_stale, name
             assert not any(offers(panel)), name
             assert looks_late(panel), name
         studio.settled()
-        qtbot.waitUntil(lambda waiting=panel: not waiting.late)
+        qtbot.waitUntil(lambda waiting=panel: not waiting.is_stale)
         assert offers(panel) == offered, name
         assert not panel.findChildren(StaleOverlay) or not panel._overlays, name
         studio.hide_panel(name)
@@ -134,13 +134,13 @@ def test_another_selection_makes_late_what_shows_selected_outputs_and_nothing_el
         studio.hide_panel(name)
     with held(studio):
         studio.document.look(replace(studio.document.view, outputs=(30, 31, 32, 33)))
-        late = {name for name in COMPUTED if studio.look_at(name).late}
+        late = {name for name in COMPUTED if studio.look_at(name).is_stale}
         handed_out = [name for name in late if any(offers(studio.panel(name)))]
     assert late == OF_OUTPUTS
     assert handed_out == []
     for name in COMPUTED:
         panel = studio.look_at(name)
-        qtbot.waitUntil(lambda waiting=panel: not waiting.late, timeout=30_000)
+        qtbot.waitUntil(lambda waiting=panel: not waiting.is_stale, timeout=30_000)
 
 
 def test_what_comes_into_sight_with_what_still_holds_is_not_late(studio):
@@ -149,7 +149,7 @@ def test_what_comes_into_sight_with_what_still_holds_is_not_late(studio):
         studio.settled()
         studio.hide_panel(name)
     with held(studio):
-        assert [name for name in COMPUTED if studio.look_at(name).late] == []
+        assert [name for name in COMPUTED if studio.look_at(name).is_stale] == []
 
 
 @pytest.mark.parametrize("name", [*OF_LIMBS, "compare"])
@@ -173,14 +173,14 @@ def test_what_compares_comes_into_sight_without_what_is_older(name, studio, qtbo
 def test_limbs_that_were_in_sight_all_the_time_are_late_after_a_while(name, studio, qtbot):
     panel = studio.look_at(name)
     studio.settled()
-    qtbot.waitUntil(lambda: not panel.late and all(offers(panel)), timeout=30_000)
+    qtbot.waitUntil(lambda: not panel.is_stale and all(offers(panel)), timeout=30_000)
     with held(studio):
         studio.edit_all()
-        qtbot.waitUntil(lambda: panel.late)
+        qtbot.waitUntil(lambda: panel.is_stale)
         assert not any(offers(panel))
         assert looks_late(panel)
     studio.settled()
-    qtbot.waitUntil(lambda: not panel.late and all(offers(panel)), timeout=30_000)
+    qtbot.waitUntil(lambda: not panel.is_stale and all(offers(panel)), timeout=30_000)
 
 
 def test_figures_that_are_late_are_not_copied_by_the_button_nor_by_the_key(studio, qtbot):
@@ -198,7 +198,7 @@ def test_figures_that_are_late_are_not_copied_by_the_button_nor_by_the_key(studi
         QTest.keyClick(panel.table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
         assert clipboard.text() == "before"
     studio.settled()
-    qtbot.waitUntil(lambda: not panel.late)
+    qtbot.waitUntil(lambda: not panel.is_stale)
     QTest.keyClick(panel.table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
     assert clipboard.text().startswith("output\t")
 
@@ -208,8 +208,8 @@ def test_what_was_in_sight_all_the_time_is_late_after_a_while(studio, qtbot):
     studio.settled()
     with held(studio):
         studio.edit_all()
-        assert not panel.late
-        qtbot.waitUntil(lambda: panel.late)
+        assert not panel.is_stale
+        qtbot.waitUntil(lambda: panel.is_stale)
         veil = panel.table.findChild(StaleOverlay)
         assert veil.accessibleName() == UPDATING
         assert veil.size() == panel.table.size()
@@ -245,7 +245,7 @@ def test_a_late_clip_has_no_curve_that_it_does_not_play_and_one_that_was_moved_k
         design = studio.document.design
         moved = replace(design.inputs[0].clips[0], onset_s=0.2)
         studio.document.edit("Move", design.with_input(0, clips=(moved,)))
-        qtbot.waitUntil(lambda: panel.late)
+        qtbot.waitUntil(lambda: panel.is_stale)
         assert clip in lanes.content.waveforms
         assert not lanes.content.awaited
         through = replace(moved, effects=(Fade(),))
@@ -257,7 +257,7 @@ def test_a_late_clip_has_no_curve_that_it_does_not_play_and_one_that_was_moved_k
         assert clip not in lanes.content.waveforms
         assert lanes.content.awaited == {clip}
     studio.settled()
-    qtbot.waitUntil(lambda: not panel.late)
+    qtbot.waitUntil(lambda: not panel.is_stale)
     assert clip in lanes.content.waveforms
     assert not lanes.content.awaited
 

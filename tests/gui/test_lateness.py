@@ -19,13 +19,13 @@ def test_what_is_soon_up_to_date_again_is_never_called_late(lateness, qtbot):
     lateness.set_stale(False)
     other = Staleness(lateness)
     other.set_stale(True)
-    qtbot.waitUntil(lambda: other.late)
+    qtbot.waitUntil(lambda: other.is_stale)
     assert lateness.changes == []
 
 
 def test_lateness_is_told_once_and_ends_at_once(lateness, qtbot):
     lateness.set_stale(True)
-    qtbot.waitUntil(lambda: lateness.late)
+    qtbot.waitUntil(lambda: lateness.is_stale)
     lateness.set_stale(True)
     lateness.set_stale(False)
     lateness.set_stale(False)
@@ -37,5 +37,5 @@ def test_a_second_edit_does_not_postpone_it(lateness, qtbot):
     other = Staleness(lateness)
     other.set_stale(True)
     # Asked again and again, as by a drag.
-    qtbot.waitUntil(lambda: lateness.set_stale(True) or lateness.late)
+    qtbot.waitUntil(lambda: lateness.set_stale(True) or lateness.is_stale)
     assert lateness.changes == [True]

@@ -106,7 +106,7 @@ def test_the_path_can_be_typed_and_what_is_none_is_said(page):
     assert page.draft.motion.path == (3, 8, 13)
     assert page.path_row.field.text() == "3, 8, 13"
     type_path(page, "3, x")
-    assert "'x'" in page.strip.words
+    assert "'x'" in page.strip.message
     assert not button(page, "add_motion").isEnabled()
     QTest.keyClick(page.path_row.field, Qt.Key.Key_Tab)
     assert page.path_row.field.text() == ", ".join(map(str, page.draft.path))
@@ -114,18 +114,18 @@ def test_the_path_can_be_typed_and_what_is_none_is_said(page):
     assert not button(page, "add_motion").isEnabled()
     type_path(page, "3 4")
     assert button(page, "add_motion").isEnabled()
-    assert page.strip.words == ""
+    assert page.strip.message == ""
 
 
 def test_a_path_that_is_too_short_asks_for_more(page):
     button(page, "clear_path").click()
-    assert page.strip.words == "Click 2 more places."
+    assert page.strip.message == "Click 2 more places."
     assert not button(page, "add_motion").isEnabled()
     assert not button(page, "remove_last").isEnabled()
     click(page, 8)
-    assert page.strip.words == "Click 1 more place."
+    assert page.strip.message == "Click 1 more place."
     click(page, 13)
-    assert page.strip.words == ""
+    assert page.strip.message == ""
     assert button(page, "add_motion").isEnabled()
 
 
@@ -185,7 +185,7 @@ def test_other_kinds_follow_the_path_and_a_phantom_gives_it_back(page):
     choose(page, "Phantom")
     assert page.draft.motion.path == (7, 12)
     click(page, 20)
-    assert "takes 2 places" in page.strip.words
+    assert "takes 2 places" in page.strip.message
     button(page, "remove_last").click()
     choose(page, "TravellingPhase")
     assert page.draft.motion.path == (7, 12)
@@ -199,7 +199,7 @@ def test_other_kinds_follow_the_path_and_a_phantom_gives_it_back(page):
 def test_what_a_limb_cannot_play_is_said_before_it_is_added(page):
     choose(page, "ApparentMotion")
     page.draft.change_waveform_field("frequency_hz", 700.0)
-    assert "frequency_hz is 700" in page.strip.words
+    assert "frequency_hz is 700" in page.strip.message
     assert not button(page, "add_motion").isEnabled()
 
 
@@ -214,7 +214,7 @@ def test_a_motion_begins_at_the_playhead(make_window):
 def test_a_full_design_takes_no_motion(make_desk):
     full = Design(limb="synthetic-1", inputs=(track(1, amplitude=0.0),) * (MAX_INPUTS - 1))
     page = make_desk(full).show_motion()
-    assert "inputs more" in page.strip.words
+    assert "inputs more" in page.strip.message
     assert not button(page, "add_motion").isEnabled()
     page.reject()
 

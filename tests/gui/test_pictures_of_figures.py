@@ -81,12 +81,12 @@ def test_after_its_picture_a_figure_reads_what_it_read(make_window, qtbot):
     qtbot.waitUntil(lambda: panel.figure.axes is not None)
     frame = panel.figure.axes.frame
     panel.figure.move_cursor(frame.center())
-    read, image = panel.words.text, panel.grab().toImage()
+    read, image = panel.note_label.text, panel.grab().toImage()
     drawn_image(panel.draw_picture, *SLIDE_PX)
     assert panel.figure.cursor_at == frame.center()
     assert panel.grab().toImage() == image
     panel.figure.read_again()
-    assert panel.words.text == read
+    assert panel.note_label.text == read
 
 
 def test_a_picture_of_transfer_functions_tells_which_output_is_which(make_window, qtbot, tmp_path):

@@ -119,12 +119,12 @@ FAST = {
 
 def shipped():
     """Parameters of the actuators of ``data/actuators`` that have a model, by name."""
-    found = {}
+    result = {}
     for path in sorted(SHIPPED.glob("*.json")):
         model = json.loads(path.read_text(encoding="utf-8"))["content"]["model"]
         if model["kind"] != "ResponseShape":
-            found[path.stem] = model
-    return found
+            result[path.stem] = model
+    return result
 
 
 def runs():
@@ -193,27 +193,27 @@ def motion(case, voltage, hold, rate_hz=RATE_HZ, every=1):
     rows, reads = equations(case)
     n, step_s = len(rows), 1 / mpf(rate_hz)
     grown = stepped(rows, step_s)
-    state, found = [mpf(0)] * n, []
+    state, result = [mpf(0)] * n, []
     for k, now in enumerate(voltage):
         known = [*state, mpf(now)]
         if k % every == 0:
-            found.append([sum(a * b for a, b in zip(read, known, strict=True)) for read in reads])
+            result.append([sum(a * b for a, b in zip(read, known, strict=True)) for read in reads])
         if k + 1 < len(voltage):
             slope = (mpf(voltage[k + 1]) - mpf(now)) / step_s if hold == "first" else mpf(0)
             known = [*known, slope]
             state = [sum(grown[j, i] * known[i] for i in range(n + 2)) for j in range(n)]
-    return np.array([[float(value) for value in line] for line in found]).T
+    return np.array([[float(value) for value in line] for line in result]).T
 
 
 def long_motion(case):
     """Outputs, (4, len(LONG)), so many samples after 1 V came on, each by one exponential."""
     rows, reads = equations(case)
-    n, found = len(rows), []
+    n, result = len(rows), []
     for samples in LONG:
         grown = stepped(rows, mpf(samples) / RATE_HZ)
         known = [*(grown[j, n] for j in range(n)), mpf(1)]
-        found.append([sum(a * b for a, b in zip(read, known, strict=True)) for read in reads])
-    return np.array([[float(value) for value in line] for line in found]).T
+        result.append([sum(a * b for a, b in zip(read, known, strict=True)) for read in reads])
+    return np.array([[float(value) for value in line] for line in result]).T
 
 
 def uneven():
@@ -231,23 +231,23 @@ def thousandths(n_steps):
 def main():
     """Write all cases."""
     mp.dps = 50
-    found = {"uneven": uneven()}
+    result = {"uneven": uneven()}
     for name, case in CASES.items():
         # Parts far apart need more digits than 50 to end with 50.
         mp.dps = 400 if name.startswith("hardly") else 120 if "microgram" in name else 60
-        found[f"{name}/step"] = motion(case, np.ones(N_STEP + 1), "zero")
-        found[f"{name}/uneven"] = motion(case, uneven(), "zero")
-        found[f"{name}/ramps"] = motion(case, uneven(), "first")
+        result[f"{name}/step"] = motion(case, np.ones(N_STEP + 1), "zero")
+        result[f"{name}/uneven"] = motion(case, uneven(), "zero")
+        result[f"{name}/ramps"] = motion(case, uneven(), "first")
     for name in ("d1", "d4", "d6"):
         full = next(case for case in CASES if case.startswith(name))
-        found[f"{full}/long"] = long_motion(CASES[full])
+        result[f"{full}/long"] = long_motion(CASES[full])
     cases = CASES | STIFF | FAST | shipped()
     for what, name, rate_hz in runs():
         mp.dps = 120 if what in ("stiff", "fast") else 60
         hold, n_steps, every = RUNS[what]
         voltage = thousandths(n_steps)
-        found[f"{what}/{name}/{rate_hz}"] = motion(cases[name], voltage, hold, rate_hz, every)
-    np.savez_compressed(HERE / "actuators.npz", **found)
+        result[f"{what}/{name}/{rate_hz}"] = motion(cases[name], voltage, hold, rate_hz, every)
+    np.savez_compressed(HERE / "actuators.npz", **result)
     known = {"rate_hz": RATE_HZ, "long": LONG, "runs": RUNS}
     known |= {"cases": CASES, "stiff": STIFF, "fast": FAST}
     (HERE / "actuators.json").write_text(json.dumps(known, indent=1) + "\n")

@@ -32,14 +32,14 @@ from tests.references.make_actuators import motion
 
 def convolved(problem: Convolution, samples: np.ndarray) -> np.ndarray:
     """Sums of products at some samples of the channels asked for."""
-    responses = [problem.solution(one)[:, ::-1] for one in problem.responses]
+    responses = [problem.solution(value)[:, ::-1] for value in problem.responses]
     n_taps = problem.limb.n_taps
     padded = np.pad(problem.drives, ((0, 0), (n_taps - 1, n_taps - 1)))
-    drives = [[mpf(one) for one in row] for row in padded.tolist()]
+    drives = [[mpf(value) for value in row] for row in padded.tolist()]
     rows = []
     for row in zip(*responses, strict=True):
-        taps = [mpf(one) for response in row for one in response.tolist()]
-        pieces = ([one for drive in drives for one in drive[k : k + n_taps]] for k in samples)
+        taps = [mpf(value) for response in row for value in response.tolist()]
+        pieces = ([value for drive in drives for value in drive[k : k + n_taps]] for k in samples)
         rows.append([float(mp.fdot(taps, piece)) for piece in pieces])
     return np.array(rows)
 

@@ -40,7 +40,7 @@ def bursts() -> list[mpf]:
     quieter = mpf(10) ** (-mpf(QUIETER_DB) / 20)
     samples = [mpf(0)] * N_TIMES
     samples[:130] = burst
-    samples[900:1030] = [quieter * one for one in noise(130, 5)]
+    samples[900:1030] = [quieter * value for value in noise(130, 5)]
     return samples
 
 
@@ -57,9 +57,9 @@ def ringing(modes: tuple[tuple[int, int, str], ...]) -> list[mpf]:
 
 def convolved(drive: np.ndarray, response: np.ndarray) -> list[float]:
     """Sum of the products of the stored numbers, each sum rounded once."""
-    left, right = ([mpf(float(one)) for one in row] for row in (drive, response))
+    left, right = ([mpf(float(value)) for value in row] for row in (drive, response))
     # Zeros add nothing, and take as long as the rest.
-    nonzero = [k for k, one in enumerate(left) if one != 0]
+    nonzero = [k for k, value in enumerate(left) if value != 0]
     results = []
     for time in range(len(left) + len(right) - 1):
         first = max(0, time - len(right) + 1)
@@ -72,10 +72,10 @@ def main() -> None:
     """Write the file."""
     mp.dps = 50
     drives = np.array(
-        [[float(one) for one in row] for row in (tone(N_TIMES, 100), noise(N_TIMES, 1), bursts())]
+        [[float(value) for value in row] for row in (tone(N_TIMES, 100), noise(N_TIMES, 1), bursts())]
     )
     modes = (((60, 30, "1"), (180, 55, "0.7"), (410, 140, "1.3")), ((95, 18, "0.02"),))
-    responses = np.array([[float(one) for one in ringing(some)] for some in modes])
+    responses = np.array([[float(value) for value in ringing(some)] for some in modes])
     fields = np.array([[convolved(drive, row) for row in responses] for drive in drives])
     np.savez(
         Path(__file__).with_name("convolution.npz"),

@@ -135,12 +135,12 @@ POINTS = 60
 def formulas() -> list[dict]:
     """Each formula with some of its samples; the last one is among them."""
     mp.dps = 40
-    found = []
+    result = []
     for text, rate_hz, shift_s, duration_s, meaning in FORMULAS:
         first, last = (1 if shift_s else 0), int(duration_s * rate_hz) - 1
         numbers = sorted({first + k * (last - first) // (POINTS - 1) for k in range(POINTS)})
         instants = [mpf(k) / N(rate_hz) - N(shift_s) for k in numbers]
-        found.append(
+        result.append(
             {
                 "text": text,
                 "sample_rate_hz": rate_hz,
@@ -150,7 +150,7 @@ def formulas() -> list[dict]:
                 "values": [float(meaning(t, N(duration_s))).hex() for t in instants],
             }
         )
-    return found
+    return result
 
 
 def main() -> None:

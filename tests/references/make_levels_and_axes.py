@@ -46,7 +46,7 @@ def turned(angles: tuple[mpf, mpf, mpf]) -> matrix:
 
 def axes() -> list[dict]:
     """Covariances, rounded to floats, with the axis and gap of the rounded ones."""
-    found = []
+    result = []
     for number, (middle, small) in enumerate(SHAPES):
         turn = turned((mpf(number) + mpf("0.3"), mpf("0.7") * number, mpf("1.9") - number))
         rough = turn * mp.diag([1, mpf(middle) ** 2, mpf(small) ** 2]) * turn.T
@@ -55,14 +55,14 @@ def axes() -> list[dict]:
         s1, s2 = mp.sqrt(values[2]), mp.sqrt(values[1])
         axis = [vectors[i, 2] for i in range(3)]
         largest = max(axis, key=abs)
-        found.append(
+        result.append(
             {
-                "covariance": [[one.hex() for one in row] for row in stored],
+                "covariance": [[value.hex() for value in row] for row in stored],
                 "gap": float((s1 - s2) / s1).hex(),
-                "axis": [float(one * mp.sign(largest)).hex() for one in axis],
+                "axis": [float(value * mp.sign(largest)).hex() for value in axis],
             }
         )
-    return found
+    return result
 
 
 def main() -> None:

@@ -60,7 +60,7 @@ def weights(sites: list[Point], point: Point) -> list[Fraction]:
             if other != site and part:
                 part = nearer_half(part, site, other)
         areas.append(area(part) if len(part) > 2 else Fraction(0))
-    return [one / sum(areas) for one in areas]
+    return [value / sum(areas) for value in areas]
 
 
 def case(seed: int) -> dict:
@@ -75,7 +75,7 @@ def case(seed: int) -> dict:
     return {
         "sites": sites,
         "points": [[float(x), float(y)] for x, y in exact_points],
-        "weights": [[float(one) for one in weights(exact_sites, at)] for at in exact_points],
+        "weights": [[float(value) for value in weights(exact_sites, at)] for at in exact_points],
     }
 
 

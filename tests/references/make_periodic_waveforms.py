@@ -141,11 +141,11 @@ CASES = (
 
 def some_instants(n: int, seed: int) -> list[int]:
     """Numbers of samples, by a linear congruential generator, and those at both ends."""
-    state, found = seed, set(range(N_ENDS)) | set(range(n - N_ENDS, n))
+    state, result = seed, set(range(N_ENDS)) | set(range(n - N_ENDS, n))
     for _ in range(N_ANYWHERE):
         state = (6364136223846793005 * state + 1442695040888963407) % 2**64
-        found.add((state >> 11) * n >> 53)
-    return sorted(found)
+        result.add((state >> 11) * n >> 53)
+    return sorted(result)
 
 
 def main() -> None:

@@ -95,9 +95,9 @@ def reach(family, cycles, frequency_hz):
 def beyond(frequencies_hz, cycles, slot_s, family):
     """How far a train reaches before its first slot and after its last one."""
     slot, count = mpf(slot_s), len(frequencies_hz)
-    reaches = [reach(family, cycles, one) for one in frequencies_hz]
-    early = max(one - (j + mpf(1) / 2) * slot for j, one in enumerate(reaches))
-    late = max(one - (count - j - mpf(1) / 2) * slot for j, one in enumerate(reaches))
+    reaches = [reach(family, cycles, value) for value in frequencies_hz]
+    early = max(value - (j + mpf(1) / 2) * slot for j, value in enumerate(reaches))
+    late = max(value - (count - j - mpf(1) / 2) * slot for j, value in enumerate(reaches))
     return max(early, 0), max(late, 0)
 
 
@@ -141,7 +141,7 @@ def glide(time, points):
     """Amplitude times the sine of the integral of the frequency, stretch by stretch."""
     turns, points = mpf(0), ((0.0, *points[0][1:]), *points)
     for before, after in pairwise(points):
-        (start, low, soft), (end, high, loud) = (tuple(map(mpf, one)) for one in (before, after))
+        (start, low, soft), (end, high, loud) = (tuple(map(mpf, value)) for value in (before, after))
         if time < end:
             since, length = time - start, end - start
             turns += low * since + (high - low) * since**2 / (2 * length)
@@ -215,11 +215,11 @@ CASES = (
 
 def some_instants(n: int, seed: int) -> list[int]:
     """Numbers of samples, by a linear congruential generator, and those at both ends."""
-    state, found = seed, {k % n for k in range(-N_ENDS, N_ENDS)}
+    state, result = seed, {k % n for k in range(-N_ENDS, N_ENDS)}
     for _ in range(N_ANYWHERE):
         state = (6364136223846793005 * state + 1442695040888963407) % 2**64
-        found.add((state >> 11) * n >> 53)
-    return sorted(found)
+        result.add((state >> 11) * n >> 53)
+    return sorted(result)
 
 
 def main() -> None:

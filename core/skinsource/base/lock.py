@@ -56,7 +56,7 @@ class Owner:
     started_s: float
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """Text for a message: "ana on lab-3, since 10:15"."""
         start = time.localtime(self.started_s)
         same_day = start[:3] == time.localtime()[:3]
@@ -205,8 +205,8 @@ class Lock:
                 if time.monotonic() >= until_s:
                     raise StorageError(
                         f"{path_text(self.file)}: cannot be changed while another process has it "
-                        f"({owner.words}). Try again later; if that process has ended, delete "
-                        f"{path_text(self.path)}."
+                        f"({owner.description}). Try again later; if that process has ended, "
+                        f"delete {path_text(self.path)}."
                     )
                 time.sleep(_ASK_EVERY_S)
             try:

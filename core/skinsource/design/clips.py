@@ -37,7 +37,7 @@ EFFECT_LIST = ListSpec(
 )
 MUTED = SwitchSpec(label="Mute", hint="A muted clip is silent")
 LABEL = TextSpec(label="Label", longest=200, one_line=True)
-ID = NumberSpec(label="Id", minimum=0, maximum=2**31 - 1, whole=True, asked=False)
+ID = NumberSpec(label="Id", minimum=0, maximum=2**31 - 1, whole=True, editable=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

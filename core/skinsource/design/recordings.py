@@ -386,7 +386,7 @@ def take(
     contents = process.look(file, stop=stop)
     choice = choice or suggested(contents)
     raw = read_part(file, contents, choice, process=process, progress=progress, stop=stop)
-    return raw.taken(choice, to_hz)
+    return raw.converted(choice, to_hz)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -414,7 +414,7 @@ class RawPart:
     path: Path
     name: str
     values: NDArray[Any]
-    stamps_s: Floats | None
+    timestamps_s: Floats | None
     rate_hz: float | None
     lasts_s: float
     landmarks_s: Floats | None
@@ -425,11 +425,11 @@ class RawPart:
         """Count the numbers that are missing or not finite."""
         return self.values.size - int(np.count_nonzero(np.isfinite(self.values)))
 
-    def taken(self, choice: ImportChoice, to_hz: float) -> Taken:
+    def converted(self, choice: ImportChoice, to_hz: float) -> Taken:
         """Convert the numbers as ``choice`` says; raises `RecordingError`."""
         try:
             choice = replace(choice, rate_hz=self.rate_hz)
-            return taken(self.values, choice, to_hz, name=self.name, stamps_s=self.stamps_s)
+            return taken(self.values, choice, to_hz, name=self.name, stamps_s=self.timestamps_s)
         except InvalidInputError as error:
             raise _recording_error(self.path, error) from error
 
@@ -506,7 +506,7 @@ def _read(
         path=path,
         name=f"{path.name}, {names}" if len(contents.signals()) > 1 else path.name,
         values=values if len(values) > 1 else values[0],
-        stamps_s=timestamps_s,
+        timestamps_s=timestamps_s,
         rate_hz=rate_hz,
         lasts_s=lasts_s,
         landmarks_s=landmarks_s,

@@ -136,14 +136,14 @@ class UnsavedWork:
         The newest first; a copy can have a picture next to it.
     file
         The file where the work was saved before, if any.
-    kept_s
+    saved_s
         When the newest copy was written, in seconds of the epoch.
     """
 
     name: str
     copies: tuple[Path, ...]
     file: Path | None
-    kept_s: float
+    saved_s: float
 
     def picture(self) -> bytes:
         """Return the PNG of the newest copy; empty where there is none."""
@@ -153,7 +153,7 @@ class UnsavedWork:
 
     def age(self) -> str:
         """Return the age of the newest copy as a text."""
-        return age_text(time.time() - self.kept_s)
+        return age_text(time.time() - self.saved_s)
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,7 +197,7 @@ def find(folder: Path) -> Found:
             works.append(_unsaved_work(session_folder, copies))
         else:
             _remove_if_empty(session_folder)
-    works.sort(key=lambda work: work.kept_s, reverse=True)
+    works.sort(key=lambda work: work.saved_s, reverse=True)
     return Found(tuple(works), tuple(aside))
 
 

@@ -324,7 +324,7 @@ class Voice:
     location: int
     start: int
     amplitude: float
-    heard: bool
+    audible: bool
     chain: SignalPath
 
     @property

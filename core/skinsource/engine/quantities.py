@@ -42,7 +42,7 @@ def voices(
                 location=track.location,
                 start=start,
                 amplitude=track.amplitude,
-                heard=index in audible,
+                audible=index in audible,
                 chain=chain,
             )
         )

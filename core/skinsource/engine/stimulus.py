@@ -369,8 +369,8 @@ def stimulus_of(
     Examples
     --------
     >>> import skinsource as ss
-    >>> found = ss.stimulus_of(ss.Design(limb="synthetic-1", inputs=(ss.track(7),)), 48_000)
-    >>> found.channels[0].title, found.samples.shape
+    >>> stimulus = ss.stimulus_of(ss.Design(limb="synthetic-1", inputs=(ss.track(7),)), 48_000)
+    >>> stimulus.channels[0].title, stimulus.samples.shape
     ('Digit II, pad', (1, 9600))
     """
     tracks = _playing_tracks(design, inputs, clips)

@@ -19,12 +19,12 @@ from skinsource.limbs.limb import Limb
 
 def edited_voice(voices: tuple[Voice, ...], selected_input: int | None) -> Voice | None:
     """The voice that is being edited, if it is heard; ``selected_input`` is its id."""
-    return next((voice for voice in voices if voice.heard and voice.id == selected_input), None)
+    return next((voice for voice in voices if voice.audible and voice.id == selected_input), None)
 
 
 def other_voices(voices: tuple[Voice, ...], selected_input: int | None) -> tuple[Voice, ...]:
     """All voices that are heard but the edited one."""
-    return tuple(voice for voice in voices if voice.heard and voice.id != selected_input)
+    return tuple(voice for voice in voices if voice.audible and voice.id != selected_input)
 
 
 def unit_voices(voices: tuple[Voice, ...]) -> tuple[UnitVoice, ...]:
@@ -44,7 +44,7 @@ def edited_delay(edited_voice: Voice | None) -> int:
 
 def heard_voices(voices: tuple[Voice, ...]) -> tuple[bool, ...]:
     """Whether each voice is heard."""
-    return tuple(voice.heard for voice in voices)
+    return tuple(voice.audible for voice in voices)
 
 
 def unit_drives(

@@ -106,7 +106,9 @@ def extents_of_windows(
     rms_of_windows: Floats, limb_data: Limb, voices: tuple[Voice, ...]
 ) -> tuple[Extent | None, ...]:
     """How far each window reaches from the nearest audible input; None: it is silent."""
-    places = sorted({voice.location for voice in voices if voice.heard and voice.amplitude != 0.0})
+    places = sorted(
+        {voice.location for voice in voices if voice.audible and voice.amplitude != 0.0}
+    )
     placed = np.isfinite(limb_data.map.output_positions[:, 0])
     return tuple(
         extent(rms, limb_data, places) if places and rms[placed].any() else None

@@ -59,7 +59,7 @@ class Finding:
     sentence: str
     in_short: str = ""
     number: float | None = None
-    mend: str = ""
+    repair: str = ""
     factor: float = 1.0
     outputs: tuple[int, ...] = ()
     of_maps: bool = False
@@ -326,7 +326,7 @@ def noise_findings(above_noise_db: Floats | None, *, synthetic: bool, silent: bo
             f"{len(noisy)} of {few} of the measurement: {number_ranges(noisy)}. Their levels are "
             "mostly noise; they are hatched on the map."
         ),
-        mend="deselect",
+        repair="deselect",
         outputs=noisy,
     )
 
@@ -370,7 +370,7 @@ def setup_findings(*, synthetic: bool, scaling: Scaling, places: Sequence[int]) 
                 if hides
                 else "Places keep their differences in level."
             ),
-            mend="probe_scaling" if hides else "",
+            repair="probe_scaling" if hides else "",
         ),
     )
 
@@ -419,7 +419,7 @@ def _band(played: Sequence[_Drive], rate: float, band_hz: Band | None) -> Findin
         number=share if left else None,
         sentence=f"{share:.0%} of the energy of what plays lies outside of the measured {band}"
         + ("; what the skin does there is not known." if left else "."),
-        mend="band_limit" if left else "",
+        repair="band_limit" if left else "",
     )
 
 
@@ -434,7 +434,7 @@ def _velocity(
                 "How fast the probe moves is not known in this scaling, so neither is whether the "
                 f"skin answers in proportion, as it does up to {_LIMIT}."
             ),
-            mend="probe_scaling",
+            repair="probe_scaling",
         )
     if not probe:
         sentence = "Drives go through actuators here: the actuator panel tells how fast these move."
@@ -453,7 +453,7 @@ def _velocity(
             f"{moves.format(speed)}, from {lowest_hz:g} Hz on; "
             + (beyond if left else f"up to {_LIMIT} the skin answers in proportion.")
         ),
-        mend="quieter" if left else "",
+        repair="quieter" if left else "",
         factor=LARGEST_VELOCITY_M_PER_S / fastest if left else 1.0,
     )
 

@@ -60,7 +60,7 @@ class Spec(ABC):
 
     label: str
     hint: str = ""
-    asked: bool = True
+    editable: bool = True
 
     @abstractmethod
     def checked(self, value: Any) -> Any:

@@ -582,7 +582,7 @@ class Proportion:
 
     strengths: Floats
     divided: Floats
-    apart: float
+    largest_difference: float
     rms: Floats
     line: Floats
     frequency_hz: Floats
@@ -623,7 +623,7 @@ class Superposition:
 
     separate: Floats
     joint: Floats
-    apart: float
+    largest_difference: float
     correlation: Floats
 
 
@@ -684,7 +684,7 @@ def proportion(
     return Proportion(
         strengths=x,
         divided=divided,
-        apart=_largest_difference(divided),
+        largest_difference=_largest_difference(divided),
         rms=rms,
         line=offset + slope * x[:, None],
         frequency_hz=frequency_hz,
@@ -717,7 +717,7 @@ def superposition(parts: Sequence[Floats], joint: Floats) -> Superposition:
     return Superposition(
         separate=separate,
         joint=joint,
-        apart=_largest_difference(np.stack((separate, joint))),
+        largest_difference=_largest_difference(np.stack((separate, joint))),
         correlation=superposition_correlation(responses, joint),
     )
 

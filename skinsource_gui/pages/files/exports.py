@@ -433,7 +433,7 @@ class ExportActions(QObject):
                 return
             arguments[SIZED] = options
         if SEEN in spec.wants:
-            arguments[SEEN] = self._drawer_of("skin").seen
+            arguments[SEEN] = self._drawer_of("skin").visible
         if WIRED in spec.wants:
             rig = self._preferences.rig_path
             arguments[WIRED] = Path(rig) if rig else None

@@ -105,7 +105,7 @@ class HeldFile:
 
 def who_has(path: Path, other: Owner) -> str:
     """Return "tap.skinsource is open in another studio (ana on lab-3, since 10:15)"."""
-    return f"{path.name} is open in another studio ({other.words})"
+    return f"{path.name} is open in another studio ({other.description})"
 
 
 #: Number of recent files that are remembered.

@@ -330,12 +330,12 @@ class ImportPreview(QWidget):
     @property
     def text(self) -> str:
         """The text below the pictures, or in their place."""
-        return " ".join((self._waveform.words, self._numbers.text(), self._notes.text())).strip()
+        return " ".join((self._waveform.message, self._numbers.text(), self._notes.text())).strip()
 
     def sizeHint(self) -> QSize:
         return QSize(440, 420)
 
-    def show_taken(self, taken: Taken, choice: ImportChoice, band_hz: Band | None) -> None:
+    def show_part(self, taken: Taken, choice: ImportChoice, band_hz: Band | None) -> None:
         """Show what ``choice`` imports, and the band in which the limb was measured."""
         samples = taken.samples
         rate = samples.sample_rate_hz
@@ -354,7 +354,7 @@ class ImportPreview(QWidget):
 
     def show_message(self, message: str) -> None:
         """Show a message in place of the pictures."""
-        self._waveform.show_words(message)
+        self._waveform.show_message(message)
         self._spectrum.show_samples(None)
         self._numbers.clear()
         self._notes.clear()
@@ -463,7 +463,7 @@ class DraggedPart:
         self.start_s, self.end_s = max(start_s, 0.0), end_s
         return True
 
-    def let_go(self) -> None:
+    def release(self) -> None:
         """End the drag."""
         self._held = None
 
@@ -572,10 +572,10 @@ class OverviewStrip(QWidget):
             self._tell()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        self._part.let_go()
+        self._part.release()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        self._part.let_go()
+        self._part.release()
         self._part.take_all()
         self._tell()
 

@@ -60,11 +60,11 @@ class ReadingWorker(LatestWins):
     """
 
     #: `Found`.
-    looked = Signal(object)
+    inspected = Signal(object)
     #: `RawPart` that was read for the present choice.
     read = Signal(object)
     #: `ImportChoice`, and its `Taken`.
-    taken = Signal(object, object)
+    converted = Signal(object, object)
     #: Key of a series, and the least and largest of each stretch of it, (2, columns).
     surveyed = Signal(str, object)
     #: Samples read, and of how many.
@@ -95,11 +95,11 @@ class ReadingWorker(LatestWins):
 
     def _look(self) -> None:
         self._found = self._process.look(self._path, stop=lambda: self.closed)
-        self.tell(self.looked, self._found)
+        self.tell(self.inspected, self._found)
 
     def _import(self, choice: ImportChoice) -> None:
         job = Job(f"Importing {self._path.name}", partial(self._take, choice))
-        self.tell(self.taken, choice, job.run(self._progress(), self._stop()))
+        self.tell(self.converted, choice, job.run(self._progress(), self._stop()))
 
     def _read_overview(self, series: Series) -> None:
         try:
@@ -127,7 +127,7 @@ class ReadingWorker(LatestWins):
             )
         self.tell(self.read, self._raw)
         stop_if(stop)
-        return self._raw.taken(choice, self._to_hz)
+        return self._raw.converted(choice, self._to_hz)
 
     def _stop(self) -> Stop:
         until_s = monotonic() + _PATIENCE_S
@@ -275,9 +275,9 @@ class ImportPage(QDialog):
 
     def _connect(self) -> None:
         worker = self._worker
-        worker.looked.connect(self._show_contents)
+        worker.inspected.connect(self._show_contents)
         worker.read.connect(self._show_read)
-        worker.taken.connect(self._show_taken)
+        worker.converted.connect(self._show_taken)
         worker.surveyed.connect(self._show_overview)
         worker.failed.connect(self._show_failed)
         worker.progressed.connect(self._show_progress)
@@ -330,7 +330,7 @@ class ImportPage(QDialog):
             return
         self._taken = taken
         self._bar.hide()
-        self._preview.show_taken(taken, choice, self._band_hz)
+        self._preview.show_part(taken, choice, self._band_hz)
         self._import_button.setEnabled(True)
         self._import_button.setDefault(True)
 

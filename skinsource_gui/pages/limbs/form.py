@@ -525,7 +525,7 @@ class LimbReader(QObject):
     """Reads files of a limb one after another, in a thread and in child processes with limits."""
 
     #: Path, and content of the file: ``header`` and ``arrays``.
-    looked = Signal(object, object)
+    inspected = Signal(object, object)
     #: Path, what it is for ("outline", "inputs", "outputs"), and `Points`.
     read = Signal(object, str, object)
     #: Path of a photograph, and the picture, `QImage`.
@@ -549,7 +549,7 @@ class LimbReader(QObject):
 
     def look(self, path: Path) -> None:
         """Read header and shapes of a file of responses."""
-        self._do(lambda: (self.looked, (path, self._process.ask(path, {"do": "limb"})["limb"])))
+        self._do(lambda: (self.inspected, (path, self._process.ask(path, {"do": "limb"})["limb"])))
 
     def read_points(self, path: Path, what: str) -> None:
         """Read an outline, or places."""

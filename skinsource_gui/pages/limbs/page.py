@@ -311,7 +311,7 @@ class LimbPage(QDialog):
     def _connect(self) -> None:
         self.form.changed.connect(self._show)
         self.form.file_requested.connect(self._ask)
-        self.reader.looked.connect(self._take_responses)
+        self.reader.inspected.connect(self._take_responses)
         self.reader.read.connect(self._take_points)
         self.reader.pictured.connect(self._take_photograph)
         self.reader.failed.connect(self._complain)

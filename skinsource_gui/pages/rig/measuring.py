@@ -161,7 +161,7 @@ def measured_curves(measurement: ChannelMeasurement, channel: RigChannel) -> Cur
         y=np.stack([values for _, values in rows]),
         names=tuple(name for name, _ in rows),
         kind="level",
-        level_words="dB re 1 m/s² per V",
+        level_text="dB re 1 m/s² per V",
         columns=tuple(f"{name.short.lower()}_db" for name, _ in rows),
     )
 
@@ -339,7 +339,7 @@ class MeasurePage(QDialog):
         self._show_state()
 
     def _list_inputs(self) -> None:
-        if self._looking and self._settings.looked:
+        if self._looking and self._settings.searched:
             self._looking = False
             self._thread.do(input_devices, self._show_inputs)
 

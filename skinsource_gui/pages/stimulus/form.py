@@ -203,7 +203,7 @@ class RigFields(QObject):
         self.rig_field.setObjectName("stimulus_rig")
         self.actuator_field.setObjectName("stimulus_actuator")
         self.equaliser_field.setObjectName("stimulus_equaliser")
-        self.rig_field.wanted.connect(self.open_rig)
+        self.rig_field.rig_chosen.connect(self.open_rig)
         self.actuator_field.chosen.connect(self.changed)
         self.equaliser_field.chosen.connect(self.changed)
 

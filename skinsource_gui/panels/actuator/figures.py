@@ -113,17 +113,17 @@ def _alone_db(model: Actuator, band_hz: Band) -> Floats:
 def _drawn(
     x: Floats,
     rows: list[tuple[CurveName, Floats]],
-    level_words: str,
+    level_text: str,
     scaling: tuple[str, ...] = (),
 ) -> Curves:
-    """Return curves of rows: levels where ``level_words`` is given, else accelerations."""
-    unit = "db" if level_words else "m_per_s2"
+    """Return curves of rows: levels where ``level_text`` is given, else accelerations."""
+    unit = "db" if level_text else "m_per_s2"
     return Curves(
         x=x,
         y=np.stack([values for _, values in rows]),
         names=tuple(name for name, _ in rows),
-        kind="level" if level_words else "amplitude",
-        level_words=level_words,
+        kind="level" if level_text else "amplitude",
+        level_text=level_text,
         scaling=scaling,
         columns=tuple(f"{name.short.lower().replace(' ', '_')}_{unit}" for name, _ in rows),
     )
@@ -264,7 +264,7 @@ class FiguresView(QWidget):
     """
 
     #: The tap shall be replaced by one that leaves no velocity.
-    centred_wanted = Signal()
+    centred_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -279,7 +279,7 @@ class FiguresView(QWidget):
             label.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
         self.centred = QPushButton("Use a centred tap")
         self.centred.setToolTip("Let the selected clips play a tap that leaves nothing moving")
-        self.centred.clicked.connect(self.centred_wanted)
+        self.centred.clicked.connect(self.centred_requested)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(UNIT_PX // 4)

@@ -69,7 +69,7 @@ class ActuatorChoices(QObject):
     #: The new `ActuatorSettings`, number of the gesture or None.
     changed = Signal(object, object)
     #: A measured response shall be opened.
-    measured_wanted = Signal()
+    measured_requested = Signal()
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -94,7 +94,7 @@ class ActuatorChoices(QObject):
             "From a table with frequency_hz, gain and phase, or from sound with the voltage of a "
             "sweep and what the accelerometer said"
         )
-        self.open.clicked.connect(self.measured_wanted)
+        self.open.clicked.connect(self.measured_requested)
         column = QVBoxLayout(self.details)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(UNIT_PX // 2)
@@ -200,14 +200,14 @@ class ThroughSwitch(QWidget):
     """
 
     #: Whether predictions shall go through the actuator of the panel.
-    wanted = Signal(bool)
+    requested = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.box, self.text = QCheckBox(_TITLE), QLabel()
         self.box.setObjectName("actuator_through")
         self.box.setToolTip(_HINT)
-        self.box.clicked.connect(self.wanted)
+        self.box.clicked.connect(self.requested)
         self.text.setObjectName("actuator_through_words")
         set_tone(self.text, "dim")
         self.text.setWordWrap(True)
@@ -259,16 +259,18 @@ class ActuatorPanel(Panel):
         self._drawn: tuple[ActuatorSettings, bool, Band] | None = None
         self.choices = ActuatorChoices(self)
         self.choices.changed.connect(self._choose)
-        self.choices.measured_wanted.connect(partial(self.action_wanted.emit, "open_response"))
+        self.choices.measured_requested.connect(
+            partial(self.action_requested.emit, "open_response")
+        )
         self.plot = SignalView("actuator-plot", "Response of the actuator")
         self.plot.setMinimumHeight(_PLOT_PX)
         self._step = self.plot.toolbar.add_switch(
             "actuator-step", "Step", "What 1 V that comes on does, over time", self._show_step
         )
         self.through = ThroughSwitch()
-        self.through.wanted.connect(self._go_through)
+        self.through.requested.connect(self._go_through)
         self.figures = FiguresView()
-        self.figures.centred_wanted.connect(self._use_centred_tap)
+        self.figures.centred_requested.connect(self._use_centred_tap)
         self.computed = (self.figures.table,)
         outside = QVBoxLayout(self)
         outside.setContentsMargins(0, 0, 0, 0)

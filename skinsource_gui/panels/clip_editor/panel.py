@@ -106,7 +106,7 @@ class ToolEdits(QObject):
         self._clip: Clip | None = None
         self._rate_hz = facts_of("").sample_rate_hz
         self._start = DragStart()
-        tool.given_up.connect(self._give_up)
+        tool.cancelled.connect(self._give_up)
 
     def show_state(self, design: Design, view: View, clip: Clip | None, rate_hz: float) -> None:
         """Take over the clip in the editor, and the sample rate of what it plays."""
@@ -195,9 +195,9 @@ _TOOLS = (
 class EditorToolbar(QWidget):
     """Buttons of the tools, of the band and of the zoom, and a text about the clip."""
 
-    tool_wanted = Signal(str)
-    bound_wanted = Signal()
-    everything_wanted = Signal()
+    tool_requested = Signal(str)
+    bound_requested = Signal()
+    everything_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -212,15 +212,15 @@ class EditorToolbar(QWidget):
             button.setCheckable(True)
             self._group.addButton(button)
             self._tools[name] = button
-            button.clicked.connect(lambda _=False, name=name: self.tool_wanted.emit(name))
+            button.clicked.connect(lambda _=False, name=name: self.tool_requested.emit(name))
             row.addWidget(button)
         self._tools["look"].setChecked(True)
         row.addSpacing(8)
         self._bound, self._band_known = self._button("Bound to band", ""), False
-        self._bound.clicked.connect(lambda: self.bound_wanted.emit())
+        self._bound.clicked.connect(lambda: self.bound_requested.emit())
         row.addWidget(self._bound)
         self._fit = self._button("Fit", f"See all of the clip ({key_text(_PLACE, 'whole')})")
-        self._fit.clicked.connect(lambda: self.everything_wanted.emit())
+        self._fit.clicked.connect(lambda: self.everything_requested.emit())
         row.addWidget(self._fit)
         self._description = FittingLabel()
         self._description.setObjectName("clip_words")
@@ -486,8 +486,8 @@ class ClipEditorPanel(Panel):
         if self.clip is not None:
             self._show_text(self.clip)
 
-    def show_late(self, stale: bool) -> None:
-        self._canvas.item.show_late(stale)
+    def show_staleness(self, stale: bool) -> None:
+        self._canvas.item.show_staleness(stale)
 
     def show_problem(self, reason: str) -> None:
         self._waveforms = {}
@@ -515,11 +515,11 @@ class ClipEditorPanel(Panel):
             self._show_text(self.clip)
 
     def _connect(self) -> None:
-        self._toolbar.tool_wanted.connect(self.use)
-        self._toolbar.bound_wanted.connect(self._pen_edits.bound)
-        self._toolbar.everything_wanted.connect(self._canvas.visible_clip.show_everything)
+        self._toolbar.tool_requested.connect(self.use)
+        self._toolbar.bound_requested.connect(self._pen_edits.bound)
+        self._toolbar.everything_requested.connect(self._canvas.visible_clip.show_everything)
         self._canvas.key_pressed.connect(self._press)
-        self._view_tool.pan_wanted.connect(self._canvas.visible_clip.pan)
+        self._view_tool.pan_requested.connect(self._canvas.visible_clip.pan)
         for tool_edits in (self._pen_edits, self._envelope, self._glide):
             tool_edits.edited.connect(self.edited)
 

@@ -257,7 +257,7 @@ class ViewTool(Tool):
     """Shows time and value under the pointer; a drag pans."""
 
     #: The visible part moves by so many seconds.
-    pan_wanted = Signal(float)
+    pan_requested = Signal(float)
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -270,7 +270,7 @@ class ViewTool(Tool):
     def move(self, content: EditorContent, at: QPointF, held: Modifier) -> None:
         self._at = at
         if self._from is not None:
-            self.pan_wanted.emit((self._from.x() - at.x()) / content.scale.px_per_s)
+            self.pan_requested.emit((self._from.x() - at.x()) / content.scale.px_per_s)
             self._from = at
 
     def release(self, content: EditorContent) -> None:
@@ -316,7 +316,7 @@ class Pen(Tool):
     #: Samples in place of those before, and the number of the stroke.
     drawn = Signal(object, int)
     #: The stroke is given up: samples as they were, and its number.
-    given_up = Signal(int)
+    cancelled = Signal(int)
     #: Why nothing can be drawn.
     refused = Signal(str)
 
@@ -371,7 +371,7 @@ class Pen(Tool):
             return False
         self._first = None
         if self._changed:
-            self.given_up.emit(self._number)
+            self.cancelled.emit(self._number)
         return True
 
     def paint(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
@@ -415,7 +415,7 @@ class EnvelopeTool(Tool):
     #: The points, and the number of the gesture or None.
     changed = Signal(object, object)
     #: The drag of this number is given up: all is as it was before.
-    given_up = Signal(int)
+    cancelled = Signal(int)
 
     def __init__(
         self, points: Callable[[], Points], parent: QObject, style: CurveStyle = _ENVELOPE
@@ -529,7 +529,7 @@ class EnvelopeTool(Tool):
     def cancel(self) -> bool:
         drag, self._drag = self._drag, None
         if drag is not None and drag.moved and drag.box is None:
-            self.given_up.emit(drag.number)
+            self.cancelled.emit(drag.number)
         return drag is not None
 
     def nudge(self, by_s: float, by_value: float, gesture: int) -> None:
@@ -670,7 +670,7 @@ class GlideTool(Tool):
     #: Which curve, its points, and the number of the gesture or None.
     changed = Signal(str, object, object)
     #: The drag of this number is given up: all is as it was before.
-    given_up = Signal(int)
+    cancelled = Signal(int)
 
     def __init__(self, points: Callable[[Column], Points], parent: QObject) -> None:
         super().__init__(parent)
@@ -679,7 +679,7 @@ class GlideTool(Tool):
         for column, style in STYLES.items():
             tool = EnvelopeTool(partial(points, column), self, style)
             tool.changed.connect(partial(self.changed.emit, column))
-            tool.given_up.connect(self.given_up)
+            tool.cancelled.connect(self.cancelled)
             self.tools[column] = tool
 
     @property

@@ -190,7 +190,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
         self._font = font
         self.update()
 
-    def show_late(self, stale: bool) -> None:
+    def show_staleness(self, stale: bool) -> None:
         """Show whether the curve belongs to an older design."""
         if stale != self._stale:
             self._stale = stale

@@ -151,7 +151,7 @@ class Card(QAbstractButton):
     """
 
     #: What to do with this number: ``"show"``, ``"store"`` or ``"forget"``.
-    wanted = Signal(int, str)
+    requested = Signal(int, str)
 
     def __init__(self, number: int, parent: QWidget) -> None:
         super().__init__(parent)
@@ -205,7 +205,7 @@ class Card(QAbstractButton):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         means = meaning_of(_PLACE, event)
         if means == "forget" and self.compared is not None:
-            self.wanted.emit(self.number, "forget")
+            self.requested.emit(self.number, "forget")
         elif means == "act":
             self._act()
         else:
@@ -266,19 +266,19 @@ class Card(QAbstractButton):
             paint_small_map(painter, room, shown, design, theme, scale.range_db, table)
 
     def _act(self) -> None:
-        self.wanted.emit(self.number, "show" if self.compared else "store")
+        self.requested.emit(self.number, "show" if self.compared else "store")
 
     def _open_menu(self, at: QPoint) -> None:
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         if self.compared is not None:
-            menu.addAction("Show it", lambda: self.wanted.emit(self.number, "show"))
+            menu.addAction("Show it", lambda: self.requested.emit(self.number, "show"))
         if self.number:
             menu.addAction(
-                "Store the present design here", lambda: self.wanted.emit(self.number, "store")
+                "Store the present design here", lambda: self.requested.emit(self.number, "store")
             )
         if self.compared is not None and not (self.present and not self.number):
-            menu.addAction("Forget it", lambda: self.wanted.emit(self.number, "forget"))
+            menu.addAction("Forget it", lambda: self.requested.emit(self.number, "forget"))
         menu.popup(self.mapToGlobal(at))
 
 
@@ -382,7 +382,7 @@ class DifferenceMap(QWidget):
         end, reached = difference.end_db, difference.reached_db
         scale = ColourScale(
             range_db=(-end, end),
-            words=difference.text,
+            text_below=difference.text,
             colours=DIVERGING,
             signed=True,
             reached_db=reached,

@@ -94,21 +94,21 @@ class ComparePanel(Panel):
             "File…",
             "Keep the design of a file as a snapshot, to compare this one with it",
         )
-        self.file.clicked.connect(lambda: self.action_wanted.emit("take_snapshot"))
-        self.words = QLabel()
-        self.words.setObjectName("matching_words")
-        set_tone(self.words, "dim")
+        self.file.clicked.connect(lambda: self.action_requested.emit("take_snapshot"))
+        self.text_label = QLabel()
+        self.text_label.setObjectName("matching_words")
+        set_tone(self.text_label, "dim")
         # Wrapped, it would make the panel higher; where it is cut off, its tooltip is whole.
-        self.words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.text_label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.cards = [Card(number, self) for number in (EDITED, *NUMBERS)]
         self._row = FoldingRow(self.cards, UNIT_PX // 4, left=True, parent=self)
         self.map = DifferenceMap(self)
         self._lay_out()
         LayoutWatcher(self).changed.connect(self._fold)
         for card in self.cards:
-            card.wanted.connect(self._act)
+            card.requested.connect(self._act)
         self.setFocusProxy(self.cards[1])
-        self.guessed = self._row, self.words, self.map
+        self.guessed = self._row, self.text_label, self.map
         self.show_snapshots(())
 
     @property
@@ -129,8 +129,8 @@ class ComparePanel(Panel):
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
         matched = self._view.levels_matched
-        self.words.setText(matching_text(compared, matched=matched))
-        self.words.setToolTip(self.words.text())
+        self.text_label.setText(matching_text(compared, matched=matched))
+        self.text_label.setToolTip(self.text_label.text())
         present = self._present(compared)
         levels = [played_db(side) for side in compared]
         loudest = max((level for level in levels if level is not None), default=0.0)
@@ -158,7 +158,7 @@ class ComparePanel(Panel):
         upper.setSpacing(UNIT_PX // 2)
         upper.addWidget(ButtonRow((self.match, self.toggle, self.file), self))
         upper.addWidget(self._row, 1)
-        upper.addWidget(self.words)
+        upper.addWidget(self.text_label)
         upper.addStretch(0)
         # The map is beside the cards where the panel is wide enough, else below them.
         self._halves = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
@@ -232,14 +232,14 @@ class ComparePanel(Panel):
 
     def _act(self, number: int, what: str) -> None:
         if what == "store":
-            self.action_wanted.emit(f"store_snapshot_{number}")
+            self.action_requested.emit(f"store_snapshot_{number}")
         elif what == "show":
-            self.snapshot_wanted.emit(number)
+            self.snapshot_requested.emit(number)
         elif self._design is not None:
             self.edited.emit(edits.forget_snapshot(self._design, self._view, number), None)
 
     def _match(self) -> None:
-        self.action_wanted.emit("match_levels")
+        self.action_requested.emit("match_levels")
 
     def _toggle(self) -> None:
-        self.action_wanted.emit("toggle_snapshots")
+        self.action_requested.emit("toggle_snapshots")

@@ -200,4 +200,4 @@ class HistoryPanel(Panel):
 
     def _go(self, row: QModelIndex) -> None:
         if row.row() != self.model.history.present:
-            self.step_wanted.emit(row.row())
+            self.step_requested.emit(row.row())

@@ -129,9 +129,9 @@ class InputFields(QObject):
     #: Name of the field, its new value, number of the gesture or None.
     edited = Signal(str, object, object)
     #: The clip shall be drawn with the pen.
-    pen_wanted = Signal()
+    pen_requested = Signal()
     #: A file shall be imported as a recording.
-    file_wanted = Signal()
+    file_requested = Signal()
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -153,11 +153,11 @@ class InputFields(QObject):
         for cell in (self._amplitude, self._onset, self._gain, self._curve):
             cell.edited.connect(self.edited)
         self._peak = TextCell("Peak", "")
-        self._peak.words.setObjectName("peak")
-        self._peak.words.setToolTip("Of all that the track plays, with its gain")
+        self._peak.text_label.setObjectName("peak")
+        self._peak.text_label.setToolTip("Of all that the track plays, with its gain")
         self._played_length = TextCell("Lasts", "")
-        self._played_length.words.setObjectName("played_length")
-        self._played_length.words.setToolTip(
+        self._played_length.text_label.setObjectName("played_length")
+        self._played_length.text_label.setToolTip(
             "What is heard of the waveform, or how long it is drawn out"
         )
 
@@ -183,15 +183,15 @@ class InputFields(QObject):
         lasts = "" if clip is None else played_length_text(clip)
         others = (several, curved) != (self._several, self._curve_of)
         before = self._notes_shown
-        self._played_length.words.setText(lasts)
-        self._peak.words.setText(peak)
+        self._played_length.text_label.setText(lasts)
+        self._peak.text_label.setText(peak)
         if kind is not self._built_for or others:
             self._several, self._curve_of = several, curved
             self._build_own(None if clip is None else clip.waveform)
         elif self._notes_shown != before:
             self.grid.show_cells(self._cells())
         if self._length is not None and clip is not None:
-            self._length.words.setText(fixed_length_text(clip.waveform))
+            self._length.text_label.setText(fixed_length_text(clip.waveform))
         self._amplitude.set_spec(amplitude)
         self._gain.set_spec(replace(GAIN, label="Clip gain") if peak else GAIN)
         pairs = [(other, each) for other in batch for each in clips_of(other, view) or (None,)]
@@ -235,7 +235,7 @@ class InputFields(QObject):
     @property
     def _notes_shown(self) -> tuple[bool, bool]:
         """Whether the played duration and the resulting peak are shown."""
-        return bool(self._played_length.words.text()), bool(self._peak.words.text())
+        return bool(self._played_length.text_label.text()), bool(self._peak.text_label.text())
 
     def _cells(self) -> tuple[LabelledCell, ...]:
         of_clip = () if self._built_for is None else (self._onset,)
@@ -266,11 +266,11 @@ class InputFields(QObject):
             cells.append(self._length)
         if isinstance(waveform, Drawn):
             pen = pen_cell()
-            pen.clicked.connect(self.pen_wanted)
+            pen.clicked.connect(self.pen_requested)
             cells.append(pen)
         if isinstance(waveform, Recording):
             file = file_cell()
-            file.clicked.connect(self.file_wanted)
+            file.clicked.connect(self.file_requested)
             cells.append(file)
         self._own = tuple(cells)
         self._built_for = type(waveform) if waveform else None
@@ -454,8 +454,8 @@ class InspectorPanel(Panel):
         self._fields.kind.edited.connect(self._selection.change_kind)
         self._fields.place.edited.connect(self._selection.change_place)
         self._fields.edited.connect(self._selection.change_field)
-        self._fields.pen_wanted.connect(partial(self.action_wanted.emit, "draw_clip"))
-        self._fields.file_wanted.connect(partial(self.action_wanted.emit, "import_recording"))
+        self._fields.pen_requested.connect(partial(self.action_requested.emit, "draw_clip"))
+        self._fields.file_requested.connect(partial(self.action_requested.emit, "import_recording"))
         self._chain, self._chain_edits = EffectChain(), ChainEdits(self)
         self._connect_chain()
         self._heading = InputHeading()
@@ -525,15 +525,15 @@ class InspectorPanel(Panel):
         if track is not None and len(waveforms) == len(self._design.inputs):
             samples = waveforms[self._design.index_of(track.id)]
             if samples is None:
-                self._preview.show_words("Cannot be sampled at the rate of this limb")
+                self._preview.show_message("Cannot be sampled at the rate of this limb")
             else:
                 self._preview.show_samples(samples, results["sample_rate_hz"])
         else:
-            self._preview.show_words("")
+            self._preview.show_message("")
 
     def show_problem(self, reason: str) -> None:
         self._results = None
-        self._preview.show_words(reason)
+        self._preview.show_message(reason)
 
     def _lay_out(self) -> None:
         self._scrolled = inside = QWidget()

@@ -65,7 +65,7 @@ class PresetsModel(QAbstractListModel):
     """A model with a row for each preset; the user's own presets can be renamed."""
 
     #: An `Entry`, and its new name.
-    rename_wanted = Signal(object, str)
+    rename_requested = Signal(object, str)
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -102,7 +102,7 @@ class PresetsModel(QAbstractListModel):
         if role != _Role.EditRole or entry is None or value == entry.preset.name:
             return False
         # The list follows from the files, so that nothing is changed here.
-        self.rename_wanted.emit(entry, str(value))
+        self.rename_requested.emit(entry, str(value))
         return False
 
     def flags(self, index: _Index) -> Qt.ItemFlag:
@@ -222,9 +222,9 @@ class PresetList(QListView):
     """A list of presets that can be previewed, dragged and placed."""
 
     #: An `Entry`.
-    place_wanted = Signal(object)
-    delete_wanted = Signal(object)
-    search_wanted = Signal()
+    place_requested = Signal(object)
+    delete_requested = Signal(object)
+    search_requested = Signal()
     #: The `Entry` under the pointer, else the one at the keyboard's cursor, or None.
     preview_changed = Signal(object)
 
@@ -315,11 +315,11 @@ class PresetList(QListView):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         name, entry = meaning_of(_PLACE, event), self.current
         if name == "search":
-            self.search_wanted.emit()
+            self.search_requested.emit()
         elif name == "rename":
             self.rename()
         elif name in ("place", "remove"):
-            signal = self.place_wanted if name == "place" else self.delete_wanted
+            signal = self.place_requested if name == "place" else self.delete_requested
             if entry is not None and (name == "place" or self.current_is_own):
                 signal.emit(entry)
         else:
@@ -335,7 +335,7 @@ class PresetList(QListView):
             painter.drawText(room, flags, self._message)
 
     def _place(self, index: QModelIndex) -> None:
-        self.place_wanted.emit(index.data(ENTRY))
+        self.place_requested.emit(index.data(ENTRY))
 
     def _point_at(self, under: Entry | None) -> None:
         if under != self._under:
@@ -411,7 +411,7 @@ class PresetPreview(QWidget):
             self.strip.show_lanes(strip_lanes(preset.fragment, rate_hz))
             self.spectrum.show_samples(samples, rate_hz, limb.band_hz)
         except SkinSourceError as error:
-            self.strip.show_words(sentence(str(error)))
+            self.strip.show_message(sentence(str(error)))
             self.spectrum.show_samples(None)
         self._show_text(preset)
 

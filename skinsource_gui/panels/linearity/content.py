@@ -287,7 +287,8 @@ def part_text(
 
 def proportion_text(result: Proportion, all_outputs: Straightness | None = None) -> str:
     """Return the result in a sentence."""
-    text = f"{len(result.strengths)} strengths, divided by them: {_difference_text(result.apart)}"
+    difference = _difference_text(result.largest_difference)
+    text = f"{len(result.strengths)} strengths, divided by them: {difference}"
     r2 = (result if all_outputs is None else all_outputs).adjusted_r2
     known, whose = r2[np.isfinite(r2)], "" if all_outputs is None else f" of all {len(r2)} outputs"
     if not known.size:  # A short response may have no frequency in the band of its limb.
@@ -299,7 +300,7 @@ def superposition_text(result: Superposition) -> str:
     """Return the result in a sentence."""
     known = result.correlation[np.isfinite(result.correlation)]
     correlation = f" · r {known.min():.6f} at least" if known.size else ""
-    difference = _difference_text(result.apart)
+    difference = _difference_text(result.largest_difference)
     return f"Sum of separate and joint, wide and thin: {difference}{correlation}"
 
 

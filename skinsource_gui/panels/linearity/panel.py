@@ -340,14 +340,14 @@ class LinearityPanel(FigurePanel):
                 else self.all_outputs.adjusted_r2[:, axes.index(along)],
             )
             self.picture.show_diagrams(drawing, self._outputs)
-            self.show_found(proportion_text(shown, self.all_outputs))
+            self.show_result(proportion_text(shown, self.all_outputs))
         elif joint is not None:
             self.velocity.hide()
             parts = [channel for k, channel in enumerate(channels) if k != joint]
             self.result = added = superposition(parts, channels[joint])
             drawing = diagrams_of_superposition(added, rows, time_s, zoom)
             self.picture.show_diagrams(drawing, self._outputs)
-            self.show_found(superposition_text(added))
+            self.show_result(superposition_text(added))
         self.bands.setVisible(bool(strengths))
         self.every_output.setVisible(bool(strengths))
         self._drawn = drawn

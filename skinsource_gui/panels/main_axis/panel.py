@@ -229,7 +229,7 @@ class MainAxisPanel(FigurePanel):
             # How the sensors of an own limb lie is not known.
             notes = [_OWN_AXES] if limb.map.axes_shown else []
             notes += ["synthetic limb"] if limb.synthetic else []
-            self.show_found(" · ".join(notes))
+            self.show_result(" · ".join(notes))
 
     def table(self) -> str:
         """Return the numbers, with tabs between the columns."""

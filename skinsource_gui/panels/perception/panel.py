@@ -293,8 +293,8 @@ class PerceptionPanel(Panel):
         self.table.show()
         self.copy.offer(True)
 
-    def show_late(self, late: bool) -> None:
-        super().show_late(late)
+    def show_staleness(self, late: bool) -> None:
+        super().show_staleness(late)
         # The text is hidden: its single line has no room for the mark of stale results.
         self.contact.setHidden(late)
 

@@ -65,10 +65,10 @@ class DeviceFields(QObject):
     """Rows of a grid with the fields of the device: labels on the left, fields on the right."""
 
     #: The chosen `Output`.
-    output_wanted = Signal(object)
-    devices_wanted = Signal()
+    output_requested = Signal(object)
+    devices_requested = Signal()
     #: The chosen rig file, `Path`, or None.
-    rig_wanted = Signal(object)
+    rig_requested = Signal(object)
 
     def __init__(self, grid: QGridLayout) -> None:
         super().__init__()
@@ -80,7 +80,7 @@ class DeviceFields(QObject):
         self.rescan.setText("Look again")
         self.rescan.setObjectName("look_for_devices")
         self.rescan.setToolTip("Look for devices that were connected since; ends what is played")
-        self.rescan.clicked.connect(self.devices_wanted)
+        self.rescan.clicked.connect(self.devices_requested)
         self.rate = ChoiceField(ChoiceSpec(label="Sample rate", options=()))
         self.rate.chosen.connect(self._choose_rate)
         self.latency = NumberField(_LATENCY)
@@ -99,7 +99,7 @@ class DeviceFields(QObject):
         self.shift.setToolTip(_SHIFT.hint)
         self.shift.edited.connect(self._choose_shift)
         self.rig = RigField()
-        self.rig.wanted.connect(self.rig_wanted)
+        self.rig.rig_chosen.connect(self.rig_requested)
         for widget, name in (
             (self.device, "device"),
             (self.rig, "rig"),
@@ -159,7 +159,7 @@ class DeviceFields(QObject):
         self._want(shift_hz=shift_hz)
 
     def _want(self, **changes: Any) -> None:
-        self.output_wanted.emit(replace(self._output, **changes))
+        self.output_requested.emit(replace(self._output, **changes))
 
 
 def _row(*parts: QWidget) -> QWidget:
@@ -212,9 +212,9 @@ class OutputRow(QObject):
     """
 
     #: The place, and the output that shall drive it.
-    output_wanted = Signal(int, int)
+    output_requested = Signal(int, int)
     #: The output that shall play a tone.
-    tone_wanted = Signal(int)
+    tone_requested = Signal(int)
 
     def __init__(self, grid: QGridLayout, row: int, place: int, output: int, limb: str) -> None:
         super().__init__()
@@ -273,7 +273,7 @@ class OutputRow(QObject):
         )
 
     def _choose(self, output: float, _gesture: int | None) -> None:
-        self.output_wanted.emit(self.place, round(output))
+        self.output_requested.emit(self.place, round(output))
 
     def _show_level_text(self, text: str) -> None:
         # Without a text the bar is centred.
@@ -290,7 +290,7 @@ class OutputRow(QObject):
         )
 
     def _request_tone(self) -> None:
-        self.tone_wanted.emit(round(self.output.value_si))
+        self.tone_requested.emit(round(self.output.value_si))
 
 
 class _Title(FittingLabel):
@@ -340,13 +340,13 @@ class PlaybackPanel(Panel):
     reads_down = True
 
     #: The `Output` that shall be played on.
-    output_wanted = Signal(object)
+    output_requested = Signal(object)
     #: The rig file that shall be played for, `Path`, or None.
-    rig_wanted = Signal(object)
+    rig_requested = Signal(object)
     #: The devices shall be listed again.
-    devices_wanted = Signal()
+    devices_requested = Signal()
     #: The output that shall play a tone.
-    tone_wanted = Signal(int)
+    tone_requested = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -370,9 +370,9 @@ class PlaybackPanel(Panel):
         device.setColumnStretch(1, 1)
         device.setHorizontalSpacing(UNIT_PX)
         self.fields = DeviceFields(device)
-        self.fields.output_wanted.connect(self.output_wanted)
-        self.fields.devices_wanted.connect(self.devices_wanted)
-        self.fields.rig_wanted.connect(self.rig_wanted)
+        self.fields.output_requested.connect(self.output_requested)
+        self.fields.devices_requested.connect(self.devices_requested)
+        self.fields.rig_requested.connect(self.rig_requested)
         self._rows: list[OutputRow] = []
         self._table = QGridLayout()
         self._table.setColumnStretch(_METER_COLUMN, 1)
@@ -434,8 +434,8 @@ class PlaybackPanel(Panel):
             for number, (place, output) in enumerate(wired.items())
         ]
         for row in self._rows:
-            row.output_wanted.connect(self._wire)
-            row.tone_wanted.connect(self.tone_wanted)
+            row.output_requested.connect(self._wire)
+            row.tone_requested.connect(self.tone_requested)
 
     def _meaning(self, played: Played) -> str:
         """Return what a gain of 0 dB means, and whether it is calibrated."""
@@ -460,7 +460,7 @@ class PlaybackPanel(Panel):
             pairs[other] = pairs[place]
         pairs[place] = output
         outputs = tuple(sorted(pairs.items()))
-        self.output_wanted.emit(replace(self._played.output, outputs=outputs))
+        self.output_requested.emit(replace(self._played.output, outputs=outputs))
 
     def _show_text(self, played: Played) -> None:
         sentences = []
@@ -472,7 +472,7 @@ class PlaybackPanel(Panel):
             )
         sentences.append(self._meaning(played))
         if played.delay is not None:
-            sentences.append(f"{played.delay.words}.")
+            sentences.append(f"{played.delay.text}.")
         if played.levels is not None:
             sentences.append(
                 "The device never ran out of samples."

@@ -355,7 +355,7 @@ class RegionsPanel(Panel):
 
     def show_on_limbs(self, compared: Sequence[Compared]) -> None:
         self._on_limbs = compared
-        self.show_stale(any(person.late for person in compared))
+        self.show_stale(any(person.is_stale for person in compared))
         self._show_columns()
 
     def resizeEvent(self, event: QResizeEvent) -> None:

@@ -230,7 +230,11 @@ class Cells:
         drawn = [cell.values_db for cell in cells if cell.values_db is not None]
         end, reached = scale_end_db(*drawn), _reached_db(drawn)
         scale = ColourScale(
-            range_db=(-end, end), words="dB", colours=DIVERGING, signed=True, reached_db=reached
+            range_db=(-end, end),
+            text_below="dB",
+            colours=DIVERGING,
+            signed=True,
+            reached_db=reached,
         )
         return tuple(cell if cell.small is None else replace(cell, scale=scale) for cell in cells)
 
@@ -263,7 +267,7 @@ class Cells:
         mean, spread = mean_and_spread_over([_levels_db(side) for side in known])
         called = [name for _, name in audible]
         what = _of_all(called, len(compared))
-        stale = any(side.late for side in known)
+        stale = any(side.is_stale for side in known)
         noisy = _noisy(*known)
         common: dict[str, Any] = {
             "limb": limb,
@@ -273,7 +277,7 @@ class Cells:
         of_mean = scale_of_levels(mean, style)
         of_spread = ColourScale(
             range_db=(0.0, scale_end_db(spread)),
-            words="dB",
+            text_below="dB",
             colours=style.colours,
             reached_db=_reached_db([spread]),
         )
@@ -297,7 +301,7 @@ class Cells:
         )
 
     def _difference(self, side: Compared, headings: Names, base: Compared) -> Cell:
-        cell = Cell(headings=headings, limb=_limb(side), stale=side.late or base.late)
+        cell = Cell(headings=headings, limb=_limb(side), stale=side.is_stale or base.is_stale)
         if problem := side.problem or base.problem:
             return replace(cell, text=problem)
         if not same_outputs(_limb(side), _limb(base)):
@@ -314,7 +318,7 @@ class Cells:
     def _levels(
         self, side: Compared, names: Names, scale: ColourScale, *, own: bool = False
     ) -> Cell:
-        cell = Cell(headings=names, limb=_limb(side), text=side.problem, stale=side.late)
+        cell = Cell(headings=names, limb=_limb(side), text=side.problem, stale=side.is_stale)
         if side.values is None:
             return cell
         small, maximum_db = self._map(names[0], side, None, _noisy(side)), None
@@ -685,4 +689,4 @@ def tab_separated(content: SideBySideContent) -> str:
 def _unit(cell: Cell) -> str:
     if cell.maximum_db is not None:
         return f"dB re its maximum of {copied_level(cell.maximum_db)} dB re 1 m/s²"
-    return "" if cell.scale is None else cell.scale.words
+    return "" if cell.scale is None else cell.scale.text_below

@@ -118,7 +118,7 @@ class ChoicesBar(QWidget):
     #: The new `View`.
     view_changed = Signal(object)
     #: A design is to be chosen from a file.
-    file_wanted = Signal()
+    file_requested = Signal()
 
     def __init__(self, panel_name: str, parent: QWidget) -> None:
         super().__init__(parent)
@@ -139,7 +139,7 @@ class ChoicesBar(QWidget):
         self.limbs.limbs_chosen.connect(lambda limbs: self._change(limbs=" ".join(limbs)))
         hint = "Keep the design of a file as a snapshot, and show it here"
         self.file = tool_button(self, "side_by_side_file", "From file…", hint)
-        self.file.clicked.connect(self.file_wanted)
+        self.file.clicked.connect(self.file_requested)
         self._parts = self.of, self.shown, self.own_maximum, self.limbs, self.file
         self._row = FoldingRow(self._parts, UNIT_PX // 2)
         self._in_sight = VisibleHeight(parent)
@@ -225,16 +225,16 @@ class SideBySidePanel(Panel):
         self.bar = ChoicesBar(self.name, self)
         self.kind = KINDS[self.bar.settings.of]
         self.bar.view_changed.connect(self.view_changed)
-        self.bar.file_wanted.connect(partial(self.action_wanted.emit, "take_snapshot"))
+        self.bar.file_requested.connect(partial(self.action_requested.emit, "take_snapshot"))
         self.maps = MapsView(self)
         self.maps.outputs_chosen.connect(self._choose_outputs)
         self.maps.pointed_at.connect(self._read)
-        self._lateness.changed.connect(self.maps.show_stale)
-        self.words = NoteLabel("side_by_side_words", self)
+        self._staleness.changed.connect(self.maps.show_stale)
+        self.text_label = NoteLabel("side_by_side_words", self)
         self.copy = CopyButton(self.name, lambda: tab_separated(self.maps.content), self)
         foot = QHBoxLayout()
         foot.setContentsMargins(UNIT_PX, 1, UNIT_PX // 2, 1)
-        foot.addWidget(self.words)
+        foot.addWidget(self.text_label)
         foot.addWidget(self.copy)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -243,7 +243,7 @@ class SideBySidePanel(Panel):
         column.addWidget(self.maps, 1)
         column.addLayout(foot)
         self.setFocusProxy(self.maps)
-        self.guessed = self.maps, self.words
+        self.guessed = self.maps, self.text_label
 
     @property
     def needs(self) -> frozenset[str]:
@@ -341,7 +341,7 @@ class SideBySidePanel(Panel):
 
     def _read(self, output: int | None) -> None:
         # Maps that move under the pointer cannot be pointed at.
-        self.words.say(self.maps.content.readout(output), holding=True)
+        self.text_label.say(self.maps.content.readout(output), holding=True)
 
     def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
         if self._design is not None:

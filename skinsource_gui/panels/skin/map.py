@@ -351,7 +351,7 @@ class MapStage(QObject):
         return letters_for(self._widget.font(), self._room)
 
     @property
-    def seen(self) -> VisiblePart:
+    def visible(self) -> VisiblePart:
         """What part of the map is in sight."""
         return visible_part(self.pan_zoom, self._room)
 
@@ -414,7 +414,7 @@ class SkinMap(QWidget):
     input_pointed_at = Signal(object)
     inputs_chosen = Signal(object)
     #: Delete was pressed; whether what was selected last are outputs.
-    removal_wanted = Signal(bool)
+    removal_requested = Signal(bool)
     #: Point of the screen at which the menu shall open.
     menu_requested = Signal(QPoint)
 
@@ -576,7 +576,7 @@ class SkinMap(QWidget):
         elif meaning == "hand":
             self.stage.pan_zoom.show(HAND)
         elif meaning == "remove":
-            self.removal_wanted.emit(self._last == "outputs")
+            self.removal_requested.emit(self._last == "outputs")
         elif meaning == "select_none" and self._last == "input" and selected_inputs(self.content):
             if not self.picker.mouse.give_up():
                 self._choose_inputs(())

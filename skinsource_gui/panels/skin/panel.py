@@ -640,7 +640,7 @@ class SkinPanel(Panel):
         self._visible: tuple[object, ...] = ()
         # The Tab key goes through them in this order.
         self.toolbar, self.time = MapToolbar(self), TimeView(self)
-        self._display = MapDisplay(self, self._lateness)
+        self._display = MapDisplay(self, self._staleness)
         self.map, self.colour_bar = self._display.map, self._display.colour_bar
         self.note, self.readout = self._display.note, self._display.readout
         self.time.put_behind(self.colour_bar.auto_button)
@@ -720,7 +720,7 @@ class SkinPanel(Panel):
         content = replace(self._display.content, outdated=False)
         heading = heading_of(self._design, self._view, content.quantity)
         heading = replace(heading, note=content.drawn_note)
-        family, visible = self.font().family(), self.map.stage.seen
+        family, visible = self.font().family(), self.map.stage.visible
         paint_picture(painter, QSizeF(width, height), content, heading, theme, family, visible)
 
     def picture(self, width: int, height: int, theme: Theme = LIGHT) -> QImage:
@@ -755,15 +755,15 @@ class SkinPanel(Panel):
         self.toolbar.fit_chosen.connect(self.map.stage.pan_zoom.show)
         self.map.input_pointed_at.connect(self.input_pointed_at)
         self.map.inputs_chosen.connect(self._choices.choose_inputs)
-        self.map.removal_wanted.connect(self._choices.remove_inputs)
+        self.map.removal_requested.connect(self._choices.remove_inputs)
         self.map.outputs_chosen.connect(self._choices.choose_outputs)
         self.map.menu_requested.connect(self._open_menu)
-        self.time.scrub.time_wanted.connect(self.playhead_wanted)
-        self.time.scrub.play_wanted.connect(partial(self.action_wanted.emit, "play"))
-        self.time.part_wanted.connect(self.visibility_changed)
+        self.time.scrub.time_requested.connect(self.playhead_requested)
+        self.time.scrub.play_requested.connect(partial(self.action_requested.emit, "play"))
+        self.time.part_requested.connect(self.visibility_changed)
 
     def _open_menu(self, at: QPoint) -> None:
-        save = partial(self.action_wanted.emit, "export_picture")
-        export = partial(self.action_wanted.emit, "export_levels")
+        save = partial(self.action_requested.emit, "export_picture")
+        export = partial(self.action_requested.emit, "export_levels")
         colours = self._choices.settings.colours, self._choices.choose_colours
         open_map_menu(self.map, at, partial(self.picture, *PICTURE_PX), save, export, colours)

@@ -212,7 +212,7 @@ class PulledRange:
         low, high = change(self._held, by_db)
         return round(low, 1), round(high, 1)
 
-    def let_go(self) -> None:
+    def release(self) -> None:
         """End the drag, and fit the ends of the scale to the range."""
         self._held = None
         self.axis_db = _axis_of(self.range_db)
@@ -430,7 +430,7 @@ class ColourStrip(QWidget):
             self.range_chosen.emit(dragged_to)
 
     def _let_go(self) -> None:
-        self._pulled.let_go()
+        self._pulled.release()
         self._place_handles()
 
     def _mark_at(self, level_db: float) -> QPolygonF:

@@ -284,8 +284,8 @@ class ScrubBar(QWidget):
     """A play button, a slider for the playhead, and its time."""
 
     #: New time of the playhead, s.
-    time_wanted = Signal(float)
-    play_wanted = Signal()
+    time_requested = Signal(float)
+    play_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -300,7 +300,7 @@ class ScrubBar(QWidget):
                 f"{shortcut_text('pause')} stops where the playhead is, and goes on.",
             )
         )
-        self.play.clicked.connect(self.play_wanted)
+        self.play.clicked.connect(self.play_requested)
         self.slider = QSlider(Qt.Orientation.Horizontal, self)
         self.slider.setObjectName("skin_time")
         self.slider.setAccessibleName("Time")
@@ -338,7 +338,7 @@ class ScrubBar(QWidget):
 
     def _emit_time(self, tenths_ms: int) -> None:
         if self._emitting:
-            self.time_wanted.emit(tenths_ms / _PER_S)
+            self.time_requested.emit(tenths_ms / _PER_S)
 
 
 _LIMIT = NumberSpec(
@@ -456,7 +456,7 @@ class TimeView(QObject):
     """
 
     #: Signals of another part of the response are needed.
-    part_wanted = Signal()
+    part_requested = Signal()
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -509,7 +509,7 @@ class TimeView(QObject):
         block = block_of(view.playhead_s)
         if self.frames.runs_out(view) and block != self._requested_block:
             self._requested_block = block
-            self.part_wanted.emit()
+            self.part_requested.emit()
         if not self.frames.has(view):
             return None
         frame = self.frames.frame(view, settings)

@@ -140,7 +140,7 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         axes=axes,
         kind=_kind(settings),
         span=span_shown,
-        level_words=_RELATIVE_LEVEL_TEXT if settings.relative else LEVEL_TEXT,
+        level_text=_RELATIVE_LEVEL_TEXT if settings.relative else LEVEL_TEXT,
         scaling=_scaling(settings, span),
         columns=_columns(results["outputs"], axes) if columns else (),
         about=lazy_lines(results, *notes, each_axis=each_axis),

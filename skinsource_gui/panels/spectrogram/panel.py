@@ -81,7 +81,7 @@ class SpectrogramPicture(Figure):
 
     def reset_range(self) -> None:
         """Decide the range of the next picture without a look at the one before."""
-        self._steady_range.let_go()
+        self._steady_range.reset()
 
     def show_spectrogram(self, content: SpectrogramContent) -> None:
         """Take over what to show."""
@@ -345,7 +345,7 @@ class SpectrogramPanel(FigurePanel):
             parts.append("of a magnitude: rectified, doubled frequencies")
         if limb.synthetic:
             parts.append("synthetic limb")
-        self.show_found(" · ".join(parts))
+        self.show_result(" · ".join(parts))
 
     def _change(self, **changes: Any) -> None:
         settings = replace(self._settings, **changes)

@@ -192,14 +192,14 @@ class TableModel(QAbstractTableModel):
 class FigureTable(QTableView):
     """The table; the usual key copies all of it."""
 
-    copy_wanted = Signal()
+    copy_requested = Signal()
 
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, _is_copy) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if _is_copy(event):
-            self.copy_wanted.emit()
+            self.copy_requested.emit()
         else:
             super().keyPressEvent(event)
 
@@ -233,7 +233,7 @@ class StatisticsPanel(Panel):
         self._stack.addWidget(self.table)
         self.about = NoteLabel("statistics_about")
         self.copy = CopyButton(self.name, lambda: tab_separated(self.model.rows))
-        self.table.copy_wanted.connect(self.copy.click)
+        self.table.copy_requested.connect(self.copy.click)
         self.computed = (self.table,)
         bar = QHBoxLayout()
         bar.setContentsMargins(UNIT_PX, 1, UNIT_PX // 2, 1)

@@ -115,7 +115,7 @@ class ListKeys(QObject):
     mute_toggled = Signal()
     solo_toggled = Signal()
     duplicated = Signal()
-    typing_wanted = Signal()
+    typing_requested = Signal()
     gain_toggled = Signal()
 
     def claims(self, event: QKeyEvent) -> bool:
@@ -146,7 +146,7 @@ class ListKeys(QObject):
             "mute": self.mute_toggled,
             "solo": self.solo_toggled,
             "duplicate": self.duplicated,
-            "type": self.typing_wanted,
+            "type": self.typing_requested,
             "gain_curve": self.gain_toggled,
             "remove": self.removed,
         }[command].emit()
@@ -187,7 +187,7 @@ class ListMouse(QObject):
     #: The gap into which the selected ones are dropped.
     dropped = Signal(int)
     #: Id of the track whose menu opens, and where on the screen.
-    menu_wanted = Signal(int, QPoint)
+    menu_requested = Signal(int, QPoint)
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -279,7 +279,7 @@ class InputRows(QWidget):
         self.signals = RowSignals(self)
         self._cached = CachedRows(self, self.signals)
         self.keys, self.mouse = ListKeys(self), ListMouse(self)
-        self.keys.typing_wanted.connect(self._type_amplitude)
+        self.keys.typing_requested.connect(self._type_amplitude)
         self.keys.moved.connect(self._take_focus)
         self.mouse.held_over.connect(self._show_gap)
         self._gap = RowGap(self)
@@ -344,7 +344,7 @@ class InputRows(QWidget):
         row = self.last_row if by_key else self._cached.at(event.pos().y())
         if row is not None:
             at = row.mapToGlobal(row.rect().center()) if by_key else event.globalPos()
-            self.mouse.menu_wanted.emit(row.id, at)
+            self.mouse.menu_requested.emit(row.id, at)
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
@@ -600,7 +600,7 @@ class Heads(QObject):
         mouse.toggled.connect(selection.toggle)
         mouse.reached.connect(selection.select_through)
         mouse.dropped.connect(changes.put)
-        mouse.menu_wanted.connect(self._open_menu)
+        mouse.menu_requested.connect(self._open_menu)
         keys.moved.connect(selection.go)
         keys.all_selected.connect(selection.select_all)
         keys.shifted.connect(changes.shift)
@@ -622,7 +622,7 @@ class Heads(QObject):
         chosen = [row.state.track for row in self.list.rows.rows if row.id in ids]
         act = partial(self._edits.edit, ids)
         gain = Entry(
-            words="Gain curve",
+            text="Gain curve",
             key="gain_curve",
             edit=toggle_gain_curves,
             on=lambda track: track.id in self._gain_shown,

@@ -78,11 +78,11 @@ class LaneInput(QObject):
 
     edited = Signal(object, object)
     view_changed = Signal(object)
-    playhead_wanted = Signal(float)
+    playhead_requested = Signal(float)
     #: Id of a clip to open; track and time of a new clip; time of a new marker.
     opened = Signal(int)
-    clip_wanted = Signal(int, float)
-    marker_wanted = Signal(float)
+    clip_requested = Signal(int, float)
+    marker_requested = Signal(float)
 
     def __init__(
         self, content: Callable[[], TimelineContent], gain: GainPoints, parent: QObject
@@ -102,7 +102,7 @@ class LaneKeys(LaneInput):
     cut = Signal()
     pasted = Signal()
     zoomed = Signal(float)
-    everything_wanted = Signal()
+    everything_requested = Signal()
 
     def __init__(
         self, content: Callable[[], TimelineContent], gain: GainPoints, parent: QObject
@@ -149,7 +149,7 @@ class LaneKeys(LaneInput):
         if command in ("zoom_in", "zoom_out"):
             self.zoomed.emit(_ZOOM if command == "zoom_in" else 1 / _ZOOM)
         elif command == "whole":
-            self.everything_wanted.emit()
+            self.everything_requested.emit()
         elif command == "select_all":
             self.view_changed.emit(edits.select_all_clips(design, view).view)
         elif command == "open":
@@ -171,9 +171,9 @@ class LaneKeys(LaneInput):
         elif command == "paste":
             self.pasted.emit()
         elif command == "marker":
-            self.marker_wanted.emit(at_s)
+            self.marker_requested.emit(at_s)
         elif command == "add" and view.selected_input is not None:
-            self.clip_wanted.emit(view.selected_input, at_s)
+            self.clip_requested.emit(view.selected_input, at_s)
         outcome = {
             "split": lambda: edits.split_clips(design, view, chosen, at_s),
             "repeat": lambda: edits.repeat_clips(design, view, chosen, 2),
@@ -188,7 +188,7 @@ class LaneKeys(LaneInput):
     def _put_playhead(self, time_s: float) -> None:
         content = self._content()
         low, high = content.scale.shown_s
-        self.playhead_wanted.emit(time_s)
+        self.playhead_requested.emit(time_s)
         if not low <= time_s <= high:
             # Pan to the nearest edge, so that the playhead is visible.
             by_s = time_s - (low if time_s < low else high)
@@ -338,7 +338,7 @@ class LaneMouse(LaneInput):
         content = self._content()
         box, lane = content.box_at(at), content.lane_at(at.y())
         if at.y() < content.ruler_px:
-            self.marker_wanted.emit(max(content.scale.time(at.x()), 0.0))
+            self.marker_requested.emit(max(content.scale.time(at.x()), 0.0))
         elif self._gain.double_click(at):
             return
         elif box is not None:
@@ -348,7 +348,7 @@ class LaneMouse(LaneInput):
             self._select(clip_id)
             self.opened.emit(clip_id)
         elif lane is not None:
-            self.clip_wanted.emit(lane.track.id, self.time_at(at))
+            self.clip_requested.emit(lane.track.id, self.time_at(at))
 
     def time_at(self, at: QPointF) -> float:
         """Return the time to which something would snap here, s."""
@@ -377,7 +377,7 @@ class LaneMouse(LaneInput):
             content=self._content,
             apply=self.edited.emit,
             show_view=self.view_changed.emit,
-            put_playhead=self.playhead_wanted.emit,
+            put_playhead=self.playhead_requested.emit,
             elsewhere=lambda at: self.elsewhere(at),
             before=self._content(),
         )
@@ -439,7 +439,7 @@ class LaneMouse(LaneInput):
             time_s = snapped_time(context, at)[0]
             tracks = () if lane is None else (lane.track.id,)
             self.view_changed.emit(replace(content.view, selected_inputs=tracks, selected_clips=()))
-            self.playhead_wanted.emit(time_s)
+            self.playhead_requested.emit(time_s)
 
         return click
 
@@ -491,8 +491,8 @@ class LanesView(Canvas):
 
     view_changed = Signal(object)
     #: Lanes are to be scrolled by so many notches.
-    scroll_wanted = Signal(float)
-    menu_wanted = Signal(object, object)
+    scroll_requested = Signal(float)
+    menu_requested = Signal(object, object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -597,14 +597,14 @@ class LanesView(Canvas):
         if event.reason() == QContextMenuEvent.Reason.Keyboard:
             # The menu key opens the menu of the clip that was selected last, or of the playhead.
             place = self.content.keyboard_place
-        self.menu_wanted.emit(self.mapToGlobal(place).toPoint(), place)
+        self.menu_requested.emit(self.mapToGlobal(place).toPoint(), place)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         turns, held = event.angleDelta(), event.modifiers()
         if turns.x() or held & (_CTRL | Qt.KeyboardModifier.ShiftModifier):
             self.time_zoom.follow_wheel(event)
         else:
-            self.scroll_wanted.emit(turns.y() / NOTCH)
+            self.scroll_requested.emit(turns.y() / NOTCH)
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

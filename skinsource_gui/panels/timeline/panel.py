@@ -369,7 +369,7 @@ class TimeBar(QScrollBar):
     """A scroll bar over the time; it is hidden while all of the time is shown."""
 
     #: The part to see.
-    range_wanted = Signal(object)
+    range_requested = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(Qt.Orientation.Horizontal, parent)
@@ -394,7 +394,7 @@ class TimeBar(QScrollBar):
     def _emit(self, value: int) -> None:
         length = self._shown_s[1] - self._shown_s[0]
         start = value / _STEPS_PER_S
-        self.range_wanted.emit((start, start + length))
+        self.range_requested.emit((start, start + length))
 
 
 _ZOOM = 1.5
@@ -403,9 +403,9 @@ _ZOOM = 1.5
 class TimelineToolbar(QWidget):
     """Buttons for snapping and zoom."""
 
-    snaps_wanted = Signal(bool)
-    zoom_wanted = Signal(float)
-    everything_wanted = Signal()
+    snaps_requested = Signal(bool)
+    zoom_requested = Signal(float)
+    everything_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -417,13 +417,13 @@ class TimelineToolbar(QWidget):
             "Snap", "Edges snap to the grid, to ends of clips and to the playhead"
         )
         self._snap.setCheckable(True)
-        self._snap.clicked.connect(self.snaps_wanted)
+        self._snap.clicked.connect(self.snaps_requested)
         self._closer = self._button("+", _hint("zoom_in"))
-        self._closer.clicked.connect(lambda: self.zoom_wanted.emit(_ZOOM))
+        self._closer.clicked.connect(lambda: self.zoom_requested.emit(_ZOOM))
         self._wider = self._button("\u2212", _hint("zoom_out"))
-        self._wider.clicked.connect(lambda: self.zoom_wanted.emit(1 / _ZOOM))
+        self._wider.clicked.connect(lambda: self.zoom_requested.emit(1 / _ZOOM))
         self._all = self._button("Fit", _hint("whole"))
-        self._all.clicked.connect(lambda: self.everything_wanted.emit())
+        self._all.clicked.connect(lambda: self.everything_requested.emit())
         self._buttons = (self._snap, self._wider, self._closer, self._all)
         for button in self._buttons:
             row.addWidget(button)
@@ -495,8 +495,8 @@ class TrackTable(QWidget):
         bar.valueChanged.connect(self._follow_heads)
         bar.valueChanged.connect(self.place_lanes)
         self._bar.valueChanged.connect(bar.setValue)
-        self.lanes.scroll_wanted.connect(self._scroll)
-        self.time_bar.range_wanted.connect(self.lanes.time_zoom.show_range)
+        self.lanes.scroll_requested.connect(self._scroll)
+        self.time_bar.range_requested.connect(self.lanes.time_zoom.show_range)
 
     def show_state(self, design: Design, view: View) -> None:
         """Show the lanes of a design; its heads are there already."""
@@ -648,8 +648,8 @@ class TimelinePanel(Panel):
         self._clips.show_state(design, view)
         self._stack.setCurrentIndex(1 if design.inputs else 0)
         self._table.show_state(design, view)
-        if self.late:
-            self.show_late(True)
+        if self.is_stale:
+            self.show_staleness(True)
 
     def show_in_sight(self, names: frozenset[str]) -> None:
         super().show_in_sight(names)
@@ -666,12 +666,12 @@ class TimelinePanel(Panel):
         clips = (clip for track in results["inputs"] for clip in track.clips)
         self._computed_clips = {clip.id: clip for clip in clips}
         self._waveforms = waveforms_of(results)
-        self.show_late(self.late)
+        self.show_staleness(self.is_stale)
 
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
         self._table.show_problems({track.id: track.problem for track in unplayable})
 
-    def show_late(self, stale: bool) -> None:
+    def show_staleness(self, stale: bool) -> None:
         # What a clip that plays something else now played would be drawn as long as that.
         shown, awaited = self._waveforms, frozenset[int]()
         if stale:
@@ -687,7 +687,7 @@ class TimelinePanel(Panel):
 
     def show_problem(self, reason: str) -> None:
         self._computed_clips, self._waveforms = {}, {}
-        self.show_late(self.late)
+        self.show_staleness(self.is_stale)
         self._show_foot(reason)
 
     def drop_place(self, at: QPoint) -> DropPlace | None:
@@ -713,9 +713,9 @@ class TimelinePanel(Panel):
         clips.edited.connect(self.edited)
         for part in (lanes.mouse, lanes.keys):
             part.edited.connect(self.edited)
-            part.playhead_wanted.connect(self.playhead_wanted)
-            part.clip_wanted.connect(clips.add)
-            part.marker_wanted.connect(clips.add_marker)
+            part.playhead_requested.connect(self.playhead_requested)
+            part.clip_requested.connect(clips.add)
+            part.marker_requested.connect(clips.add_marker)
             part.opened.connect(self._open_clip_editor)
         lanes.mouse.elsewhere = self._drop_place_elsewhere
         lanes.gain.edited.connect(self.edited)
@@ -724,15 +724,15 @@ class TimelinePanel(Panel):
         menu.edited.connect(self.edited)
         menu.view_changed.connect(self._show_view)
         menu.opened.connect(self._open_clip_editor)
-        lanes.menu_wanted.connect(menu.open)
+        lanes.menu_requested.connect(menu.open)
         lanes.keys.copied.connect(clips.copy)
         lanes.keys.cut.connect(clips.cut)
         lanes.keys.pasted.connect(clips.paste)
         lanes.keys.zoomed.connect(lanes.time_zoom.zoom)
-        lanes.keys.everything_wanted.connect(lanes.time_zoom.show_everything)
-        toolbar.snaps_wanted.connect(lanes.set_snaps)
-        toolbar.zoom_wanted.connect(lanes.time_zoom.zoom)
-        toolbar.everything_wanted.connect(lanes.time_zoom.show_everything)
+        lanes.keys.everything_requested.connect(lanes.time_zoom.show_everything)
+        toolbar.snaps_requested.connect(lanes.set_snaps)
+        toolbar.zoom_requested.connect(lanes.time_zoom.zoom)
+        toolbar.everything_requested.connect(lanes.time_zoom.show_everything)
 
     def _show_view(self, view: View) -> None:
         if view != self._view:
@@ -746,7 +746,7 @@ class TimelinePanel(Panel):
         return self.held_over(lanes.mapToGlobal(at).toPoint())
 
     def _open_clip_editor(self, clip: int) -> None:
-        self.action_wanted.emit("show_clip_editor")
+        self.action_requested.emit("show_clip_editor")
 
     def _show_foot(self, text: str) -> None:
         self._foot.setText(text)

@@ -98,7 +98,7 @@ class TracesPanel(SignalPanel):
         self._results: Mapping[str, Any] | None = None
         self._plot.toolbar.layout_chosen.connect(lambda layout: self._change(layout=layout))
         self._plot.zoom_requested.connect(self._zoom)
-        self._plot.plot.playhead.wanted.connect(self.playhead_wanted)
+        self._plot.plot.playhead.dragged_to.connect(self.playhead_requested)
         self._plot.plot.playhead_key.connect(self._press)
         # Which delay the curves on screen have, and when they end.
         self._drawn_removed, self._end_s = False, 0.0
@@ -214,7 +214,7 @@ class TracesPanel(SignalPanel):
             return
         time_s = moved_playhead(event, self._design, self._view.playhead_s)
         if time_s is not None:
-            self.playhead_wanted.emit(time_s)
+            self.playhead_requested.emit(time_s)
             self._plot.plot.navigation.bring(time_s)
 
     def _zoom(self, shown: tuple[float, float] | None) -> None:

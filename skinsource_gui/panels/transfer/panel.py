@@ -51,7 +51,7 @@ class TransferPicture(Figure):
 
     def reset_range(self) -> None:
         """Decide the range of the next picture without a look at the one before."""
-        self._steady_range.let_go()
+        self._steady_range.reset()
 
     def show_transfer(self, content: TransferContent) -> None:
         """Take over what to show."""
@@ -265,7 +265,7 @@ class TransferPanel(FigurePanel):
             # Of a coherence nothing dotted is drawn.
             note = "" if self._settings.coherence else " · dotted: noise"
         self.place.say(f"From place {place}, {input_name(place, limb.name).name}{note}")
-        self.show_found(_usable_text(transfer, outputs))
+        self.show_result(_usable_text(transfer, outputs))
 
     def _show_coherence(self, coherence: bool) -> None:
         settings = replace(self._settings, coherence=coherence)

@@ -86,7 +86,7 @@ class WavePicture(Figure):
                 delay = f"{wave.delay_s[k] * 1e3:.2f} ms, " if np.isfinite(wave.delay_s[k]) else ""
                 return minus(
                     f"{outputs[k]}: {wave.distance_m[k] * 1e3:.0f} mm, {delay}"
-                    f"{wave.level_db[k]:z.1f} dB, alike {wave.alike[k]:.0%}{left_out}"
+                    f"{wave.level_db[k]:z.1f} dB, alike {wave.similarity[k]:.0%}{left_out}"
                 )
         return ""
 
@@ -177,7 +177,7 @@ class WavePanel(FigurePanel):
         if line is None:
             self.say_instead(self._too_few())
             return
-        if not line.wave.alike.any():
+        if not line.wave.similarity.any():
             self.say_instead(SILENT)
             return
         outputs = results["shown_outputs"]
@@ -189,7 +189,7 @@ class WavePanel(FigurePanel):
         note = f" · {left_out} not on the map" if left_out else ""
         synthetic = " · synthetic limb" if results["limb_data"].synthetic else ""
         several = f" · {_OVERLAP}" if _has_several_places(results["voices"]) else ""
-        self.show_found(f"{wave_text(line.wave)}{several}{note}{synthetic}")
+        self.show_result(f"{wave_text(line.wave)}{several}{note}{synthetic}")
 
     def show_in_sight(self, names: frozenset[str]) -> None:
         was_empty = self.figure.message == self._too_few()
@@ -208,7 +208,12 @@ class WavePanel(FigurePanel):
         distances = wave.distance_m * 1e3, wave.delay_s * 1e3
         for k, output in enumerate(content.outputs):
             distance, delay = (copied_number(values[k]) for values in distances)
-            numbers = distance, delay, copied_level(wave.level_db[k]), copied_number(wave.alike[k])
+            numbers = (
+                distance,
+                delay,
+                copied_level(wave.level_db[k]),
+                copied_number(wave.similarity[k]),
+            )
             used = ("yes" if flags[k] else "no" for flags in (wave.counted, wave.timed))
             lines.append("\t".join((str(output), *numbers, *used)))
         return "\n".join(lines) + "\n"
@@ -246,7 +251,7 @@ def wave_text(wave: TravellingWave) -> str:
 
 def _has_several_places(voices: Sequence[Voice]) -> bool:
     """Return whether waves come from several places: then none of them is seen alone."""
-    return len({voice.location for voice in voices if voice.heard and voice.amplitude != 0.0}) > 1
+    return len({voice.location for voice in voices if voice.audible and voice.amplitude != 0.0}) > 1
 
 
 def _spread(deviation: float, decimals: int) -> str:

@@ -63,7 +63,7 @@ class WindowedPanel(Panel):
         column.addWidget(self.strip, 1)
         self.setFocusProxy(self.strip)
         self.guessed = (self.strip,)
-        self.strip.time_chosen.connect(self.playhead_wanted)
+        self.strip.time_chosen.connect(self.playhead_requested)
         self._show_view()
 
     @property
@@ -126,7 +126,7 @@ class WindowedPanel(Panel):
         self.strip.show_content(content, message)
         self.strip.show_time(self._view.playhead_s)
 
-    def show_late(self, late: bool) -> None:
+    def show_staleness(self, late: bool) -> None:
         self.strip.show_outdated(late)
 
     def show_problem(self, reason: str) -> None:

@@ -125,7 +125,7 @@ def test_above_three_hundred_hertz_the_outputs_stand_too_far_apart():
     assert findings_of(design_of(tone(290.0)))["spacing"].state == "kept"
     high = findings_of(design_of(tone(350.0)))["spacing"]
     assert high.state == "left"
-    assert high.mend == ""
+    assert high.repair == ""
     assert isinstance(edits.mend(design_of(tone(350.0)), View(), high), Refusal)
 
 

@@ -109,7 +109,7 @@ def test_speed_and_loss_of_a_made_wave_are_found(speed, loss):
     assert wave.speed_m_per_s == pytest.approx(speed, rel=0.01)
     assert wave.attenuation_db_per_cm == pytest.approx(loss, abs=1e-3)
     assert wave.delay_s == pytest.approx(np.array(distance_mm) * 1e-3 / speed, abs=2e-5)
-    assert wave.alike == pytest.approx(np.ones(5), abs=1e-3)
+    assert wave.similarity == pytest.approx(np.ones(5), abs=1e-3)
     assert wave.speed_deviation_m_per_s < 0.02 * speed
 
 

@@ -54,7 +54,7 @@ def test_a_point_of_another_shape_has_a_level_and_no_delay_that_counts():
     first = rng.normal(size=1300)
     later = [np.roll(first, 5 * k) for k in range(3)]
     wave = travelling_wave([*later, rng.normal(size=1300)], [0.0, 50.0, 100.0, 150.0], RATE)
-    assert wave.alike[-1] < 0.5
+    assert wave.similarity[-1] < 0.5
     assert list(wave.timed) == [True, True, True, False]
     assert wave.counted.all()
     assert wave.speed_m_per_s == pytest.approx(0.05 / (5 / RATE), rel=0.02)
@@ -154,7 +154,7 @@ def test_of_a_probe_whose_drive_has_no_known_unit_nothing_is_told(user_data, ans
     values = ss.evaluate(design, *quantities)
     drive = next(finding for finding in values["validity"] if finding.name == "drive")
     if answers_drive:
-        assert (drive.state, drive.mend) == ("unknown", "")
+        assert (drive.state, drive.repair) == ("unknown", "")
         assert "a drive of unknown unit" in drive.sentence
         assert values["fastest_probe_m_per_s"] is None
         assert values["contact_weighted_rms"] is None

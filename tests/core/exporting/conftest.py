@@ -60,7 +60,7 @@ def predicted():
         values = ss.evaluate(design, "input_waveforms", "voices", "stimulus_samples")
         drives: dict[int, np.ndarray] = {}
         for voice, samples in zip(values["voices"], values["input_waveforms"], strict=True):
-            if voice.heard:
+            if voice.audible:
                 drive = drives.setdefault(voice.location, np.zeros(values["stimulus_samples"]))
                 drive[voice.start : voice.start + samples.size] += voice.amplitude * samples
         return drives

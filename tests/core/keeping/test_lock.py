@@ -58,7 +58,7 @@ def test_a_number_of_a_process_that_is_used_again_is_another_process(lock, ended
 def test_a_process_elsewhere_cannot_be_asked_and_keeps_its_file(lock, elsewhere):
     lock.path.write_bytes(to_bytes(elsewhere))
     assert lock.take() == elsewhere
-    assert "ana on lab-3, since" in elsewhere.words
+    assert "ana on lab-3, since" in elsewhere.description
     assert lock.take(from_other=True) is None
     assert read_owner(lock.path) == this_process()
 
@@ -79,7 +79,7 @@ def test_a_file_is_held_for_a_moment_and_not_while_another_process_has_it(lock, 
 )
 def test_a_lock_that_names_nobody_holds_only_while_it_may_be_being_written(lock, text):
     lock.path.write_bytes(text)
-    assert "an unknown computer" in lock.take().words
+    assert "an unknown computer" in lock.take().description
     os.utime(lock.path, (1000.0, 1000.0))
     assert lock.take() is None
 

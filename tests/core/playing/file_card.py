@@ -179,7 +179,7 @@ def live(folder: Path) -> dict:
     report = {
         "seen_at": seen_at,
         "total_s": stream.delay(0.0).total_s,
-        "gone": stream.gone,
+        "gone": stream.unresponsive,
         "peak_db": stream.queue.levels().peak_db.tolist(),
     }
     stream.queue.stop()

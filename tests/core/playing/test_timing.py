@@ -70,7 +70,7 @@ def test_a_clock_that_runs_away_is_followed():
 def test_a_delay_names_its_parts():
     delay = Delay(render_s=0.011, wait_s=0.003, device_s=0.02)
     assert delay.total_s == pytest.approx(0.034)
-    assert delay.words == (
+    assert delay.text == (
         "34 ms from an edit to the output: computing 11 ms, waiting for the device 3 ms, "
         "inside the device 20 ms"
     )

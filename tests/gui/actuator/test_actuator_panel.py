@@ -137,7 +137,7 @@ def test_a_shape_is_drawn_and_nothing_is_predicted_in_volts(window, panel, qtbot
     settle(window, qtbot)
     assert panel.figures.table.figures == ()
     assert "Too little is known" in panel.figures.refusal.text()
-    assert "shape" in panel.plot.plot.curves.level_words + panel.plot.plot.curves.scaling[0]
+    assert "shape" in panel.plot.plot.curves.level_text + panel.plot.plot.curves.scaling[0]
     choose(panel, "actuator", "kastor-2023-air")
     settle(window, qtbot)
     assert panel.figures.table.figures

@@ -150,12 +150,12 @@ def test_the_spectrogram_reads_what_is_under_the_cursor(show, window):
     place = picture.axes.to_screen(np.array([time_s]), np.array([frequency_hz]))[0]
     picture.move_cursor(QPointF(*place))
     level = 20 * np.log10(spectrogram.amplitude.max())
-    assert panel.words.text.startswith(f"{time_s * 1e3:.1f} ms")
-    assert f"{abs(level):.1f} dB" in panel.words.text
+    assert panel.note_label.text.startswith(f"{time_s * 1e3:.1f} ms")
+    assert f"{abs(level):.1f} dB" in panel.note_label.text
     # The tone of the start design.
     assert abs(frequency_hz - 100.0) < 10.0 or abs(frequency_hz - 200.0) < 10.0
     picture.move_cursor(QPointF(0, 0))
-    assert panel.words.text.startswith("Output 26")
+    assert panel.note_label.text.startswith("Output 26")
 
 
 def test_floor_and_ceiling_zoom_without_computing(show, window, settle):
@@ -181,7 +181,7 @@ def test_another_output_and_window_are_computed(show, window, settle):
     panel = show("spectrogram")
     panel.output.choose("22")
     settle()
-    assert panel.words.text.startswith("Output 22")
+    assert panel.note_label.text.startswith("Output 22")
     columns = panel.picture.content.spectrogram.time_s.size
     panel.window_length.choose("200")
     settle()
@@ -193,12 +193,12 @@ def test_the_cursor_of_a_figure_follows_the_keys(show):
     panel.grab()
     panel.figure.setFocus()
     QTest.keyClick(panel.figure, Qt.Key.Key_Home)
-    assert panel.words.text.startswith("0.0 Hz")
+    assert panel.note_label.text.startswith("0.0 Hz")
     QTest.keyClick(panel.figure, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
-    assert not panel.words.text.startswith("0.0 Hz")
-    assert "coherence" in panel.words.text
+    assert not panel.note_label.text.startswith("0.0 Hz")
+    assert "coherence" in panel.note_label.text
     QTest.keyClick(panel.figure, Qt.Key.Key_Escape)
-    assert panel.words.text.startswith("Coherence ≥ 0.75")
+    assert panel.note_label.text.startswith("Coherence ≥ 0.75")
 
 
 def test_transfer_functions_are_of_the_selected_input(show, window, settle):
@@ -226,7 +226,7 @@ def test_a_single_axis_has_no_main_axis_and_circles_say_so(show, window, settle)
     shown = panel.picture.content
     panel.grab()
     panel.picture.move_cursor(QPointF(30, 30))
-    assert panel.words.text.startswith("20 III nail rad.: x ")
+    assert panel.note_label.text.startswith("20 III nail rad.: x ")
     none = replace(shown.main_axes, none=np.ones(4, bool))
     panel.picture.show_axes(replace(shown, main_axes=none))
     assert panel.picture.content.text_of(0) == "20 III nail rad.: no main axis"
@@ -238,11 +238,11 @@ def test_the_wave_says_speed_and_attenuation_along_the_selection(show, window, s
     panel = show("wave", outputs=(29, 31, 33, 35))
     document = window.document
     wave = evaluate(document.design, "line_wave", view=document.view)["line_wave"].wave
-    assert f"attenuation {wave.attenuation_db_per_cm:.2f}" in panel.words.text
+    assert f"attenuation {wave.attenuation_db_per_cm:.2f}" in panel.note_label.text
     panel.grab()
     places = panel.picture._diagrams[1][1]
     panel.picture.move_cursor(QPointF(*places[2]))
-    assert panel.words.text.startswith("33: ")
+    assert panel.note_label.text.startswith("33: ")
     assert panel.table().splitlines()[3].startswith("33\t")
     window.document.look(replace(document.view, outputs=(20,)))
     settle()
@@ -262,7 +262,7 @@ def test_the_wave_cautions_where_inputs_at_several_places_sound(show, window, se
     ):
         window.document.edit("Add", replace(design, inputs=(*design.inputs, other)))
         settle()
-        assert ("waves of several inputs overlap" in panel.words.text) is overlap
+        assert ("waves of several inputs overlap" in panel.note_label.text) is overlap
 
 
 def test_with_no_output_selected_the_spectrogram_says_what_to_do(show, window):

@@ -15,8 +15,8 @@ from skinsource_gui.shell.validity_lamps import ValidityCard, ValidityLamps, _la
 from skinsource_gui.state.engine import FIRST_SLOT
 
 FINDINGS = (
-    Finding(name="band", state="left", sentence="Outside.", mend="band_limit"),
-    Finding(name="drive", state="unknown", sentence="Unknown.", mend="probe_scaling"),
+    Finding(name="band", state="left", sentence="Outside.", repair="band_limit"),
+    Finding(name="drive", state="unknown", sentence="Unknown.", repair="probe_scaling"),
     Finding(name="noise", state="kept", sentence="Fine."),
     Finding(name="limb", state="left", sentence="Synthetic."),
 )
@@ -73,7 +73,7 @@ def test_lamps_are_explained_and_mended_with_one_click(window, qtbot):
 
 def awaits(lamps):
     """Whether lamps are pale, or will be: they wait for what replaces them."""
-    return lamps._staleness.late or lamps._staleness._timer.isActive()
+    return lamps._staleness.is_stale or lamps._staleness._timer.isActive()
 
 
 def test_lamps_are_pale_only_until_what_they_depend_on_is_judged_anew(window, qtbot, settle):
@@ -168,6 +168,6 @@ def test_the_card_offers_a_button_only_where_something_can_be_done(qtbot):
     card.open_above(QPoint(50, 500))
     card.grab()
     repairs = []
-    card.repair_wanted.connect(repairs.append)
+    card.repair_requested.connect(repairs.append)
     card.findChild(QPushButton, "mend_drive").click()
     assert repairs == [FINDINGS[1]]

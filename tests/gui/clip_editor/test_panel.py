@@ -99,7 +99,7 @@ def test_curves_are_painted_again_only_when_they_look_different(tone, monkeypatc
     assert after != before
     # The waveform itself, and its axes, are as they were.
     assert [samples is other for samples in painted] == [True]
-    tone.canvas.item.show_late(True)
+    tone.canvas.item.show_staleness(True)
     assert tone.canvas.grab().toImage() != after
     use_theme(DARK)
     tone.canvas.grab()

@@ -103,14 +103,14 @@ def test_cards_show_each_snapshot_its_level_and_what_is_in_the_window(window, pa
     assert "nothing stored" in shown_cards[1].accessibleName()
     loudest = levels(window.document.design).max()
     assert f"loudest output {loudest:.1f} dB".replace("-", "−") in shown_cards[2].accessibleName()
-    assert "Alike at the loudest output" in panel.words.text()
-    assert f"{loudest:.1f} dB re 1 m/s²".replace("-", "−") in panel.words.text()
+    assert "Alike at the loudest output" in panel.text_label.text()
+    assert f"{loudest:.1f} dB re 1 m/s²".replace("-", "−") in panel.text_label.text()
     shown_cards[2].click()
     settle()
     assert cards(panel)[2].present
     assert len(window.document.design.inputs) == 1
     window.do("match_levels")
-    assert panel.words.text() == "As loud as they were stored"
+    assert panel.text_label.text() == "As loud as they were stored"
 
 
 def test_cards_are_used_with_the_keyboard(window, panel, settle, qtbot):

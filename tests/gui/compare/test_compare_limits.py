@@ -51,7 +51,9 @@ def test_what_cannot_be_predicted_is_not_said_to_be_as_loud(window, settle, pane
     window.document.edit("b", Design(limb="measured-2", inputs=(track(7),)))
     window.do("store_snapshot_1")
     settle()
-    assert panel.words.text() == "Snapshot 1 cannot be predicted: levels cannot be matched to it"
+    assert (
+        panel.text_label.text() == "Snapshot 1 cannot be predicted: levels cannot be matched to it"
+    )
 
 
 def test_what_is_silent_is_not_said_to_be_as_loud(window, settle, panel):
@@ -61,7 +63,7 @@ def test_what_is_silent_is_not_said_to_be_as_loud(window, settle, panel):
     window.document.edit("b", Design(limb="synthetic-1", inputs=(track(7),)))
     window.do("store_snapshot_2")
     settle()
-    text = panel.words.text()
+    text = panel.text_label.text()
     assert "sil " not in text
     assert text == "Snapshot 1 is silent: levels cannot be matched to it"
     # 60 dB below the other one, as if that were its level, would be said of it.

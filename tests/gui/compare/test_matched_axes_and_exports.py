@@ -51,7 +51,9 @@ def test_every_axis_says_by_how_much(window, settle, gain_text):
         # Whatever else gives way to a note.
         metrics = QFontMetrics(plot.font())
         assert gain_text in plot.places.header.fitted(metrics, 1.0)[0], name
-    assert brought_forward(window, settle, "windowed").strip.content.scale.words.endswith(gain_text)
+    assert brought_forward(window, settle, "windowed").strip.content.scale.text_below.endswith(
+        gain_text
+    )
     spectrogram = brought_forward(window, settle, "spectrogram").picture
     assert spectrogram.content.matched == gain_text
     wave = brought_forward(window, settle, "wave").picture
@@ -172,6 +174,6 @@ def test_what_is_played_stays_as_loud_while_something_is_taken_out(window, gain_
     document = window.document
     gain = document.view.match_gain(document.design)
     with document.as_stored():
-        assert document.seen.match_gain(document.design) == 1.0
+        assert document.shown_view.match_gain(document.design) == 1.0
         assert played_of(document) == louder(document.design, gain)
-    assert document.seen is document.view
+    assert document.shown_view is document.view

@@ -128,7 +128,7 @@ def test_a_thousand_steps_are_kept_and_older_ones_are_said_to_be_forgotten(qtbot
         document.edit("a", document.design.with_input(0, amplitude=k / 8))
     assert len(rows(panel)) == 1001
     assert rows(panel)[0] == "Before the last 1000 steps"
-    panel.step_wanted.emit(1)
+    panel.step_requested.emit(1)
     assert document.design.inputs[0].amplitude == 4 / 8
     document.undo_stack.clear()
 

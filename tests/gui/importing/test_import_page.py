@@ -234,7 +234,7 @@ def test_what_was_wanted_before_is_not_taken_for_what_is_wanted_now(page_at, qtb
     page = page_at(sound)
     before, worker = page.form.choice, page.findChild(ReadingWorker)
     page.form.findChild(QWidget, "import_scale").choose("keep")
-    worker.taken.emit(before, take(sound))
+    worker.converted.emit(before, take(sound))
     assert not page.ready
     qtbot.waitUntil(lambda: page.ready, timeout=60_000)
 

@@ -18,7 +18,7 @@ def dragged(part, *places_px):
     part.hold(places_px[0])
     for x_px in places_px[1:]:
         part.drag(x_px)
-    part.let_go()
+    part.release()
     return part.start_s, part.end_s
 
 

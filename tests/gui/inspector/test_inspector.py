@@ -45,7 +45,7 @@ def test_results_of_another_number_of_inputs_are_not_shown(bench):
 def test_a_problem_stands_in_place_of_the_preview(bench):
     bench.panel.show_results(bench.results())
     bench.panel.show_problem("No limb of that name")
-    assert bench.preview.words == "No limb of that name"
+    assert bench.preview.message == "No limb of that name"
     assert bench.preview.duration_s is None
 
 
@@ -62,7 +62,7 @@ def test_an_old_preview_turns_pale_only_after_a_while(bench, qtbot):
 
 def test_a_recording_has_a_button_that_asks_for_its_file(bench):
     actions = []
-    bench.panel.action_wanted.connect(actions.append)
+    bench.panel.action_requested.connect(actions.append)
     assert bench.panel.findChild(QPushButton, "recording_button") is None
     bench.show(bench.design.with_clip(1, waveform=Recording()))
     button = bench.panel.findChild(QPushButton, "recording_button")

@@ -13,7 +13,7 @@ def test_every_shipped_preset_is_listed_and_drawn(window, panel):
     assert set(names(panel)) == {preset.name for preset in SHIPPED}
     for row in range(panel.model.rowCount()):
         panel.rows.go_to(row)
-        assert panel.preview.strip.words == ""
+        assert panel.preview.strip.message == ""
         assert panel.preview.preset.name in panel.preview.text.text()
         assert panel.preview.preset.name == panel.model.index(row).data()
 

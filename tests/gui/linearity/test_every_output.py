@@ -26,7 +26,7 @@ def test_adjusted_r2_is_told_of_all_outputs(show, qtbot):
     straight = panel.picture.diagrams[2]
     assert [curve.label for curve in straight.curves] == ["median", "worst"]
     assert straight.y.title == "Adjusted R², all outputs"
-    assert "of all 72 outputs" in panel.words.text
+    assert "of all 72 outputs" in panel.note_label.text
     head, *rows = (line.split("\t") for line in panel.table().splitlines())
     assert head == ["frequency_hz", *(f"adjusted_r2_{k}_z" for k in range(1, 73))]
     assert len(rows) == panel.all_outputs.frequency_hz.size

@@ -60,8 +60,8 @@ def test_strengths_of_one_stimulus_lie_on_each_other_once_divided(show):
     assert panel.figure.message == ""
     assert isinstance(panel.result, Proportion)
     assert panel.result.strengths.tolist() == [1.0, 2.0, 4.0]
-    assert panel.result.apart < 1e-9
-    assert "3 strengths" in panel.words.text
+    assert panel.result.largest_difference < 1e-9
+    assert "3 strengths" in panel.note_label.text
     over, growth, straight = panel.picture.diagrams
     assert len(over.curves) == 3 * len(OUTPUTS)
     assert np.ptp([curve.y for curve in over.curves[:3]], axis=0).max() < 1e-9
@@ -79,8 +79,8 @@ def test_strengths_of_one_stimulus_lie_on_each_other_once_divided(show):
 def test_inputs_alone_add_up_to_all_of_them(show):
     _, panel = show(PARTS)
     assert isinstance(panel.result, Superposition)
-    assert panel.result.apart < 1e-9
-    assert "Sum of separate and joint" in panel.words.text
+    assert panel.result.largest_difference < 1e-9
+    assert "Sum of separate and joint" in panel.note_label.text
     panel.grab()
     head, *rows = panel.table().splitlines()
     assert head == "output\taxis\tpearson_r"
@@ -107,7 +107,7 @@ def test_snapshots_count_alone_where_the_design_in_the_window_is_something_else(
     window.document.edit("Elsewhere", played(3))
     qtbot.waitUntil(lambda: "snapshots alone" in panel.about.text)
     assert isinstance(panel.result, kind)
-    assert panel.result.apart == result.apart
+    assert panel.result.largest_difference == result.apart
     assert panel.figure.message == ""
     window.document.edit("Again", designs[0])
     qtbot.waitUntil(lambda: "alone" not in panel.about.text)
@@ -115,19 +115,19 @@ def test_snapshots_count_alone_where_the_design_in_the_window_is_something_else(
 
 def test_while_snapshots_are_computed_anew_what_is_drawn_is_told_to_be_of_others(show, qtbot):
     window, panel = show(STRENGTHS)
-    assert not panel.late
+    assert not panel.is_stale
     panel.show_snapshots([Compared(snapshot=snapshot) for snapshot in snapshots_of(*STRENGTHS)])
-    qtbot.waitUntil(lambda: panel.late)
+    qtbot.waitUntil(lambda: panel.is_stale)
     assert panel.result is not None
     assert not panel.copy.isEnabled()
     window.document.look(replace(window.document.view, outputs=(30,)))
-    qtbot.waitUntil(lambda: not panel.late)
+    qtbot.waitUntil(lambda: not panel.is_stale)
     assert panel.copy.isEnabled()
     panel.show_snapshots([Compared(snapshot=snapshot) for snapshot in snapshots_of(*STRENGTHS)])
-    qtbot.waitUntil(lambda: panel.late)
+    qtbot.waitUntil(lambda: panel.is_stale)
     panel.show_snapshots([])
     assert "with Ctrl+1 to Ctrl+4" in panel.figure.message
-    assert not panel.late
+    assert not panel.is_stale
 
 
 def test_words_above_the_diagrams_have_a_row_of_their_own(show):
@@ -251,7 +251,7 @@ def test_scenes_of_linearity_open_with_it(make_window, qtbot, name):
     qtbot.waitUntil(lambda: panel.result is not None, timeout=60_000)
     kind = Superposition if name == "5F" else Proportion
     assert isinstance(panel.result, kind)
-    assert panel.result.apart < 1e-9
+    assert panel.result.largest_difference < 1e-9
 
 
 def test_in_the_largest_letters_those_of_narrow_diagrams_are_smaller_but_can_be_read(qapp):

@@ -60,12 +60,12 @@ def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
     assert all(600.0 < row.values[3] < 800.0 or row.values[3] < 200.0 for row in rows)
     spectrogram = panels["spectrogram"]
     assert spectrogram.output.itemText(1) == "31 sensor 31"
-    assert "sensor 9" in spectrogram.words.text
+    assert "sensor 9" in spectrogram.note_label.text
     transfer = panels["transfer"]
     assert "From place 3, site 3" in transfer.place.text
     # A lab does not say in which band it measured: nothing is shaded, all frequencies count.
     assert transfer.picture.content.transfer.band_hz is None
-    assert "from 0 to 2000 Hz" in transfer.words.text
+    assert "from 0 to 2000 Hz" in transfer.note_label.text
     assert {finding.name: finding.state for finding in judged(window)}["band"] == "unknown"
     assert float(transfer.table().splitlines()[-1].split("\t")[0]) == pytest.approx(2000.0, abs=25)
     wave = panels["wave"]
@@ -76,7 +76,7 @@ def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
         assert "measured along one alone" in panels["main_axis"].figure.message
     else:
         assert "sensor 4" in panels["main_axis"].picture.content.text_of(0)
-        assert "point another way" not in panels["main_axis"].words.text
+        assert "point another way" not in panels["main_axis"].note_label.text
     windowed = panels["windowed"]
     assert windowed.strip.content.levels_db.shape[1] == N_OUTPUTS
     assert windowed.strip.message == ""

@@ -13,7 +13,7 @@ WAIT = {"timeout": 20_000}
 def panel(studio, player, qtbot):
     """The panel of playback, with what there is to choose from."""
     studio.do("show_playback")
-    qtbot.waitUntil(lambda: player.settings.looked, **WAIT)
+    qtbot.waitUntil(lambda: player.settings.searched, **WAIT)
     return studio.panel("playback")
 
 

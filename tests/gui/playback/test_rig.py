@@ -32,7 +32,7 @@ def panel(sound, studio, qtbot):
     panel = studio.panel("playback")
     assert isinstance(panel, PlaybackPanel)
     qtbot.waitUntil(panel.isVisible)
-    qtbot.waitUntil(lambda: studio.playback.player.settings.looked, **WAIT)
+    qtbot.waitUntil(lambda: studio.playback.player.settings.searched, **WAIT)
     return panel
 
 
@@ -48,7 +48,7 @@ def test_a_rig_wires_the_places_and_says_how_calibrated_it_is(panel, player, pat
     assert "Uncalibrated" not in panel.text.text()
     assert [(row.place, row.output.value_si) for row in panel._rows] == [(7, 2.0), (12, 1.0)]
     assert not panel._rows[0].output.isEnabled()
-    panel.fields.rig.wanted.emit(None)
+    panel.fields.rig.rig_chosen.emit(None)
     assert panel.fields.rig.currentText() == "None"
     assert panel._rows[0].output.isEnabled()
 

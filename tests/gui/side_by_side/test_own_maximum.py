@@ -32,12 +32,12 @@ def switch(panel):
 
 def test_all_share_a_scale_until_each_is_drawn_to_its_maximum(window, panel, qtbot):
     before = [cell.values_db for cell in shown(panel, qtbot, 4)]
-    assert panel.maps.content.common_scale.words == "dB re 1 m/s²"
+    assert panel.maps.content.common_scale.text_below == "dB re 1 m/s²"
     switch(panel)
     assert settings_of(window.document.view, "side_by_side", SideBySideSettings).own_maximum
     assert panel.bar.own_maximum.isChecked()
     cells = shown(panel, qtbot, 4)
-    assert panel.maps.content.common_scale.words == OWN
+    assert panel.maps.content.common_scale.text_below == OWN
     assert panel.maps.content.common_scale.range_db == (-MAP_RANGE_DB, 0.0)
     for cell, values in zip(cells, before, strict=True):
         assert cell.values_db == pytest.approx(values - values.max(), abs=1e-12)
@@ -66,7 +66,7 @@ def test_readings_and_copies_say_what_levels_are_relative_to(window, panel, qtbo
     before = [cell.values_db for cell in shown(panel, qtbot, 4)]
     switch(panel)
     point_at(panel.maps, 1, 23)
-    assert panel.words.text.endswith(" dB re each map's maximum")
+    assert panel.note_label.text.endswith(" dB re each map's maximum")
     panel.copy.click()
     head, *rows = QGuiApplication.clipboard().text().splitlines()
     for column, values in enumerate(before, 1):
@@ -130,5 +130,5 @@ def test_scenes_whose_figures_have_a_scale_for_each_map_open_so(window, qtbot, s
     settle()
     panel = window.panel("side_by_side")
     shown(panel, qtbot, n)
-    assert panel.maps.content.common_scale.words == OWN
+    assert panel.maps.content.common_scale.text_below == OWN
     assert "scale" not in window.document.design.notes

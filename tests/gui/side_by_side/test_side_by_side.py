@@ -64,8 +64,8 @@ def test_four_limbs_have_their_own_levels_one_scale_one_pointer_and_one_selectio
     assert maps.output == output
     assert all(ring(maps, k, output) != before[k] for k in range(4))
     for values in expected:
-        assert f"{values[output - 1]:.1f}".replace("-", "−") in panel.words.text
-    assert panel.words.text.startswith("Output 23")
+        assert f"{values[output - 1]:.1f}".replace("-", "−") in panel.note_label.text
+    assert panel.note_label.text.startswith("Output 23")
     QTest.mouseClick(maps, Qt.MouseButton.LeftButton, pos=at)
     assert window.document.view.outputs == (output,)
     QApplication.sendEvent(maps, QEvent(QEvent.Type.Leave))
@@ -148,7 +148,7 @@ def test_snapshots_stand_side_by_side_as_loud_as_they_are_shown(window, panel, q
     loudest = [float(cell.values_db.max()) for cell in cells]
     assert loudest[0] == pytest.approx(loudest[1], abs=1e-9)
     assert np.nanmax(cells[1].small.field_levels_db) <= loudest[1] + 1e-9
-    text = panel.maps.content.common_scale.words
+    text = panel.maps.content.common_scale.text_below
     assert text.startswith("dB re 1 m/s², 2: \N{MINUS SIGN}")
     assert text.endswith(" dB, matched")
     document.look(replace(document.view, levels_matched=False))
@@ -165,7 +165,7 @@ def test_all_of_it_is_seen_in_a_narrow_dock_whatever_it_reads(window, panel, qtb
     dock = window.docks["side_by_side"]
     point_at(panel.maps, 0, 23)
     QApplication.processEvents()
-    assert panel.words.shown == panel.words.text
+    assert panel.note_label.shown == panel.words.text
     room = dock.widget().height()
     assert panel.minimumSizeHint().height() < panel.height() <= room
 
@@ -191,10 +191,10 @@ def test_a_range_that_is_fixed_on_the_skin_map_holds_for_maps_in_the_same_unit(
         return {scale.range_db for scale in scales()} == {(-60.0, -20.0)}
 
     qtbot.waitUntil(all_fixed, timeout=60_000)
-    assert {scale.words for scale in scales()} == {"dB re 1 m/s² · range fixed"}
+    assert {scale.text_below for scale in scales()} == {"dB re 1 m/s² · range fixed"}
     choose(window, shown="mean")
     qtbot.waitUntil(lambda: len(scales()) == 2, timeout=60_000)
     mean, spread = scales()
     assert mean.range_db == (-60.0, -20.0)
     assert spread.range_db[0] == 0.0
-    assert spread.words == "dB"
+    assert spread.text_below == "dB"

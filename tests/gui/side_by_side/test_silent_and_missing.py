@@ -97,7 +97,7 @@ def test_a_design_that_is_shown_with_a_gain_has_it_on_every_limb_and_axis(choose
         np.testing.assert_allclose(cell.values_db, stored + gain_db, atol=1e-9)
     gain_text = f"{gain_db:.1f} dB, matched".replace("-", "\N{MINUS SIGN}")
     for content in (panel.maps.content, choose(of="axes").maps.content):
-        assert content.common_scale.words == f"dB re 1 m/s², {gain_text}"
+        assert content.common_scale.text_below == f"dB re 1 m/s², {gain_text}"
     window.docks["regions"].bring_forward()
     settle()
     assert f"people: {gain_text}" in window.panel("regions").about.text

@@ -169,7 +169,7 @@ def test_along_z_cannot_be_saved_of_a_limb_that_is_not_measured_so(monkeypatch):
     options = film_options(DESIGN, view, SIZES)
     remark = film_remark(DESIGN, view, options)
     assert remark.refuses
-    assert remark.words.startswith("This limb was measured along x and y, and not along z: ")
+    assert remark.text.startswith("This limb was measured along x and y, and not along z: ")
     assert not film_remark(DESIGN, view, replace(options, quantity="magnitude")).refuses
 
 
@@ -195,7 +195,7 @@ def test_what_was_chosen_is_filmed_and_not_what_the_screen_shows(tmp_path, monke
         width_px=120, height_px=160, quantity="rms", rms_window_s=0.04, part="hand", pace="50"
     )
     whole = VisiblePart(fit="whole")
-    export_animation(tmp_path / "a.gif", DESIGN, view, options=options, seen=whole)
+    export_animation(tmp_path / "a.gif", DESIGN, view, options=options, visible=whole)
     _content, heading, look = frames[0]
     assert heading.title == "Skin acceleration, RMS over 40 ms, at 60.0 ms"
     assert heading.details.endswith("1/50 of real time")
@@ -225,7 +225,7 @@ def test_more_pixels_are_never_told_as_a_smaller_file(kind):
 
 
 def predicted_bytes(view, options):
-    text = film_remark(DESIGN, view, options).words.replace("\N{NO-BREAK SPACE}", " ")
+    text = film_remark(DESIGN, view, options).text.replace("\N{NO-BREAK SPACE}", " ")
     least, most, unit = re.search(r"frames, ([\d.]+) to ([\d.]+) (kB|MB)\.", text).groups()
     known = {"kB": 1e3, "MB": 1e6}[unit]
     return float(least) * known, float(most) * known

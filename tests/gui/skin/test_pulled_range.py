@@ -19,7 +19,7 @@ def test_while_it_is_held_the_scale_stays_and_it_is_pulled_from_where_it_was():
         pulled_range.show(expected)
         assert pulled_range.axis_db == (-66.0, -4.0)
     pulled_range.show((-47.6, 2.4))
-    pulled_range.let_go()
+    pulled_range.release()
     assert pulled_range.axis_db == (-53.6, 8.4)
 
 

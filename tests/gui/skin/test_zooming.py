@@ -200,7 +200,7 @@ def menu_of(window, qtbot):
 
 def test_the_right_button_offers_fits_and_pictures(window, qtbot):
     view, requested = window.panel.map, []
-    window.panel.action_wanted.connect(requested.append)
+    window.panel.action_requested.connect(requested.append)
     menu, actions = menu_of(window, qtbot)
     assert [name for name in actions if name] == [
         "Fit hand",

@@ -30,7 +30,7 @@ class Bench:
         self.requests = []
         self.panel.edited.connect(self._edit)
         self.panel.view_changed.connect(self._look)
-        self.panel.playhead_wanted.connect(self._put_playhead)
+        self.panel.playhead_requested.connect(self._put_playhead)
         self.panel.resize(760, 300)
         self.panel.show_state(self.design, self.view)
         self.panel.show()

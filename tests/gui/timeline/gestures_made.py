@@ -123,7 +123,7 @@ def below(bench):
 
 def opened(bench):
     actions = []
-    bench.panel.action_wanted.connect(actions.append)
+    bench.panel.action_requested.connect(actions.append)
     double_click(bench, middle(bench, 2))
     assert actions == ["show_clip_editor"]
     assert bench.view.selected_clips == (2,)

@@ -99,7 +99,7 @@ def test_a_key_goes_through_clips_that_overlap(lanes):
 
 def test_the_menu_lists_the_clips_here(lanes):
     place = lanes.at(0.25)
-    lanes.lanes.menu_wanted.emit(QPoint(0, 0), place)
+    lanes.lanes.menu_requested.emit(QPoint(0, 0), place)
     menu = lanes.panel.findChild(QMenu, "clips_here")
     texts = [action.text() for action in menu.actions()]
     assert texts == ["Tone · 0 ms", "Tone · 200 ms"]
@@ -110,7 +110,7 @@ def test_the_menu_lists_the_clips_here(lanes):
 
 
 def test_where_one_clip_is_the_menu_lists_none(lanes):
-    lanes.lanes.menu_wanted.emit(QPoint(0, 0), lanes.at(0.05))
+    lanes.lanes.menu_requested.emit(QPoint(0, 0), lanes.at(0.05))
     assert lanes.panel.findChild(QMenu, "clips_here") is None
     for menu in lanes.panel.findChildren(QMenu, "lanes_menu"):
         menu.close()

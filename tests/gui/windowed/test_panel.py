@@ -213,10 +213,10 @@ def test_a_range_that_is_fixed_on_the_skin_map_holds_here_too(panel, studio, qtb
     settle(studio, qtbot)
     assert panel.strip.content.levels_db is not computed
     assert panel.strip.content.scale.range_db == (-60.0, -20.0)
-    assert panel.strip.content.scale.words == "dB re 1 m/s² · range fixed"
+    assert panel.strip.content.scale.text_below == "dB re 1 m/s² · range fixed"
 
     studio.document.edit("As before", TRAIN)
     studio.document.look(with_settings(studio.document.view, "skin", SkinSettings()))
     settle(studio, qtbot)
     assert panel.strip.content.scale.range_db == followed
-    assert panel.strip.content.scale.words == "dB re 1 m/s²"
+    assert panel.strip.content.scale.text_below == "dB re 1 m/s²"

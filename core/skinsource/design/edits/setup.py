@@ -111,13 +111,13 @@ _BELOW_LIMIT = 0.999
 
 def mend(design: Design, view: View, finding: Finding) -> Edit | Refusal:
     """Repair a finding of the validity check, see `Finding.mend`."""
-    if finding.mend == "probe_scaling":
+    if finding.repair == "probe_scaling":
         return change_scaling(design, view, "probe")
-    if finding.mend == "quieter":
+    if finding.repair == "quieter":
         return _quieter(design, view, finding.factor * _BELOW_LIMIT)
-    if finding.mend == "band_limit":
+    if finding.repair == "band_limit":
         return _band_limited(design, view)
-    if finding.mend == "deselect":
+    if finding.repair == "deselect":
         outputs = tuple(output for output in view.outputs if output not in finding.outputs)
         if outputs == view.outputs:
             return Refusal(sentence="None of the selected outputs is mostly noise.")

@@ -441,7 +441,7 @@ class Delay:
         return self.render_s + self.wait_s + self.device_s
 
     @property
-    def words(self) -> str:
+    def text(self) -> str:
         """The delay and its parts as text, in ms."""
         parts = ", ".join(
             f"{name} {seconds * 1e3:.0f} ms"

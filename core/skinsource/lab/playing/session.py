@@ -116,7 +116,7 @@ class Playing:
     reason: str = ""
     visible_s: float = 0.0
 
-    def seen_on(self, from_s: float) -> "Playing | None":
+    def visible_after(self, from_s: float) -> "Playing | None":
         """Return the rest of the response, in silence, from a time on; None after its end."""
         if from_s >= self.visible_s:
             return None
@@ -140,7 +140,7 @@ class Playing:
     def over(self) -> bool:
         """Whether it has ended unnoticed: in silence, or because the device is gone."""
         if self.stream is not None:
-            return self.stream.gone
+            return self.stream.unresponsive
         return self.silent is not None and self.silent.over
 
 
@@ -269,7 +269,7 @@ class Session:
             tone = replace(tone, most_gain=margin.factor, limit=margin.words)
         return Playing(stream=self._open(tone, device, output, 0.0, gain_db))
 
-    def let_go(self, stream: Stream) -> None:
+    def close_stream(self, stream: Stream) -> None:
         """Close ``stream``, if it is the present one."""
         if stream is self._stream:
             self.close()

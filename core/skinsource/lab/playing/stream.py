@@ -230,7 +230,7 @@ class Stream:
         self.queue, self.device = queue, device
         self.underruns, self.closed = 0, False
         self._silent, self._finished = Event(), finished
-        self._heard, self._clock = HeardPosition(queue.sample_rate_hz), DeviceClock()
+        self._position, self._clock = HeardPosition(queue.sample_rate_hz), DeviceClock()
         self._called_s = perf_counter()
         self._inside_s = 0.0
         self._changed_s = 0.0
@@ -277,13 +277,13 @@ class Stream:
         self._stream.close(ignore_errors=True)
 
     @property
-    def gone(self) -> bool:
+    def unresponsive(self) -> bool:
         """Whether the device has not requested a block for two seconds."""
         return perf_counter() - self._called_s > _GONE_AFTER_S
 
     def position_s(self) -> float | None:
         """Return the time in the design that is heard now; None where nothing is."""
-        return None if self.closed else self._heard.at(self._clock.at(perf_counter()))
+        return None if self.closed else self._position.at(self._clock.at(perf_counter()))
 
     def delay(self, render_s: float) -> Delay:
         """Return the delay from the last edit to the outputs, after rendering for ``render_s``."""
@@ -308,7 +308,7 @@ class Stream:
             inside_s = self._stream.latency
         next_block(queue, out)
         heard_s = times.currentTime + inside_s
-        self._heard.note(heard_s, queue.began_at, queue.began_in)
+        self._position.note(heard_s, queue.began_at, queue.began_in)
         if queue.changed_s != self._changed_s:
             self._changed_s, self._inside_s = queue.changed_s, inside_s
         if queue.silent:

@@ -68,7 +68,7 @@ class TravellingWave:
 
     distance_m: Floats
     delay_s: Floats
-    alike: Floats
+    similarity: Floats
     level_db: Floats
     counted: Booleans
     timed: Booleans
@@ -125,7 +125,7 @@ def travelling_wave(
     return TravellingWave(
         distance_m=distance,
         delay_s=delay_s,
-        alike=alike,
+        similarity=alike,
         level_db=level_db,
         counted=counted,
         timed=timed,
