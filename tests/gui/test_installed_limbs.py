@@ -79,6 +79,7 @@ def test_the_way_to_measured_limbs_is_told_until_they_are_there(window, syntheti
     assert "not installed" not in note.text()
 
 
-def test_coming_back_to_the_window_without_news_computes_nothing(window):
+def test_coming_back_to_the_window_without_news_computes_nothing(window, qtbot):
+    qtbot.waitUntil(lambda: not window.engine.busy)
     come_back_to(window)
     assert not window.engine.busy

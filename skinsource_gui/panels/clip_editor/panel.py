@@ -93,7 +93,7 @@ class ToolEdits(QObject):
     Parameters
     ----------
     tool
-        The tool, which emits ``given_up`` with the number of a drag.
+        The tool, which emits ``cancelled`` with the number of a drag.
     parent
         The panel.
     """

@@ -717,10 +717,10 @@ class GlideTool(Tool):
         self.tools[self.active].fill_menu(menu, of_column(content, self.active), at)
 
     def cancel(self) -> bool:
-        given_up = False
+        cancelled = False
         for tool in self.tools.values():
-            given_up = tool.cancel() or given_up
-        return given_up
+            cancelled = tool.cancel() or cancelled
+        return cancelled
 
     def forget(self) -> None:
         """Choose no point."""

@@ -502,10 +502,10 @@ class EditorView(Canvas):
 
     def cancel(self) -> bool:
         """Cancel what the tool has begun; return whether anything had."""
-        given_up = self.tool.cancel()
+        cancelled = self.tool.cancel()
         self.visible_clip.release()
         self.lay_out()
-        return given_up
+        return cancelled
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)

@@ -88,10 +88,10 @@ def test_stamps_give_the_rate_and_are_made_steady():
     steady = np.arange(2600) / 2600.0
     raw = np.sin(2.0 * np.pi * 100.0 * steady)
     choice = replace(KEEP, rate_hz=None)
-    values = values_of(choice, raw, timestamps_s=steady)
+    values = values_of(choice, raw, stamps_s=steady)
     np.testing.assert_array_equal(values.values, ss.resample(raw, 2600, 1300))
     uneven = steady + 0.2 / 2600.0 * np.sin(np.arange(2600) * 1.7)
-    values = taken(np.sin(2 * np.pi * 100.0 * uneven), choice, 1300.0, timestamps_s=uneven)
+    values = taken(np.sin(2 * np.pi * 100.0 * uneven), choice, 1300.0, stamps_s=uneven)
     assert "not steady" in values.notes[0]
     expected = np.sin(2.0 * np.pi * 100.0 * (uneven[0] + np.arange(1300) / 1300.0))
     assert np.abs(values.samples.values[100:1200] - expected[100:1200]).max() < 1e-3

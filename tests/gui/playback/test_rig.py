@@ -131,6 +131,6 @@ def test_a_device_that_goes_while_a_tone_is_played_is_told(
     sound.is_stuck = True
     player.play_tone(1)
     qtbot.waitUntil(lambda: player.now is not None, **WAIT)
-    monkeypatch.setattr(type(player.now.stream), "gone", property(lambda stream: True))
+    monkeypatch.setattr(type(player.now.stream), "unresponsive", property(lambda stream: True))
     qtbot.waitUntil(lambda: not player.playing, **WAIT)
     assert "may have been unplugged" in studio.notice.text

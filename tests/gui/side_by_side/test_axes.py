@@ -55,7 +55,7 @@ def test_pointer_selection_and_copy_are_those_of_all_maps(window, panel, qtbot):
     at = point_at(panel.maps, 1, 23)
     assert panel.maps.output == 23
     for cell in cells:
-        assert f"{cell.values_db[22]:.1f}".replace("-", "−") in panel.note_label.text
+        assert f"{cell.values_db[22]:.1f}".replace("-", "−") in panel.text_label.text
     QTest.mouseClick(panel.maps, Qt.MouseButton.LeftButton, pos=at)
     assert window.document.view.outputs == (23,)
     assert panel.maps.content.outputs == (23,)

@@ -66,7 +66,7 @@ def test_readings_and_copies_say_what_levels_are_relative_to(window, panel, qtbo
     before = [cell.values_db for cell in shown(panel, qtbot, 4)]
     switch(panel)
     point_at(panel.maps, 1, 23)
-    assert panel.note_label.text.endswith(" dB re each map's maximum")
+    assert panel.text_label.text.endswith(" dB re each map's maximum")
     panel.copy.click()
     head, *rows = QGuiApplication.clipboard().text().splitlines()
     for column, values in enumerate(before, 1):

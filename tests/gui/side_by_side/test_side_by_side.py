@@ -64,8 +64,8 @@ def test_four_limbs_have_their_own_levels_one_scale_one_pointer_and_one_selectio
     assert maps.output == output
     assert all(ring(maps, k, output) != before[k] for k in range(4))
     for values in expected:
-        assert f"{values[output - 1]:.1f}".replace("-", "−") in panel.note_label.text
-    assert panel.note_label.text.startswith("Output 23")
+        assert f"{values[output - 1]:.1f}".replace("-", "−") in panel.text_label.text
+    assert panel.text_label.text.startswith("Output 23")
     QTest.mouseClick(maps, Qt.MouseButton.LeftButton, pos=at)
     assert window.document.view.outputs == (output,)
     QApplication.sendEvent(maps, QEvent(QEvent.Type.Leave))
@@ -165,7 +165,7 @@ def test_all_of_it_is_seen_in_a_narrow_dock_whatever_it_reads(window, panel, qtb
     dock = window.docks["side_by_side"]
     point_at(panel.maps, 0, 23)
     QApplication.processEvents()
-    assert panel.note_label.shown == panel.words.text
+    assert panel.text_label.shown == panel.text_label.text
     room = dock.widget().height()
     assert panel.minimumSizeHint().height() < panel.height() <= room
 

@@ -188,7 +188,7 @@ def test_the_settings_of_the_panel_are_those_of_the_film(tmp_path, small, monkey
     )
     settings = SkinSettings(quantity=RMS, rms_window_s=0.05, moving_range_db=(-60.0, -10.0))
     view = with_settings(replace(VIEW, slow_motion=10.0), "skin", settings)
-    export_animation(tmp_path / "a.gif", DESIGN, view, visible=VisiblePart(fit="hand"))
+    export_animation(tmp_path / "a.gif", DESIGN, view, seen=VisiblePart(fit="hand"))
     content, heading, look = frames[0]
     assert look[-1] == VisiblePart(fit="hand")
     assert content.value_range == (-60.0, -10.0)

@@ -195,7 +195,7 @@ def test_what_was_chosen_is_filmed_and_not_what_the_screen_shows(tmp_path, monke
         width_px=120, height_px=160, quantity="rms", rms_window_s=0.04, part="hand", pace="50"
     )
     whole = VisiblePart(fit="whole")
-    export_animation(tmp_path / "a.gif", DESIGN, view, options=options, visible=whole)
+    export_animation(tmp_path / "a.gif", DESIGN, view, options=options, seen=whole)
     _content, heading, look = frames[0]
     assert heading.title == "Skin acceleration, RMS over 40 ms, at 60.0 ms"
     assert heading.details.endswith("1/50 of real time")
