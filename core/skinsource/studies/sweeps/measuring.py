@@ -5,14 +5,15 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped
 from skinsource.base.job import Stop, never, stop_if
 from skinsource.base.quoting import sentence
 from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
+from skinsource.engine.streaming import projected_signals
 from skinsource.engine.trace_rules import shown_outputs
+from skinsource.engine.transforms import inverse
 from skinsource.signals.loudest_window import loudest_energy, window_samples
 from skinsource.studies.sweeps.metrics import (
     DriveMetrics,
@@ -29,9 +30,11 @@ _QUANTITIES = (
     "placed",
     "driven_limb",
     "stimulus_samples",
+    "response_samples",
     "record_rms",
     "projection",
-    "vibration",
+    "total_spectrum",
+    "streamed_vibration",
 )
 
 
@@ -116,19 +119,22 @@ class Measurer:
 
     def _level(self, values: dict[str, Any], scaling: str, stop: Stop) -> float | None:
         """Return what is brought to the level of the plan: m/s², or a ratio; None: nothing is."""
-        limb, vibration = values["driven_limb"], values["vibration"]
         if self.plan.level == "loudest_100ms":
             return float(values["loudest_rms"].max())
         if self.plan.level != "above_threshold":
             return None
-        if vibration.streamed is not None:
-            duration_s = vibration.n_times / limb.sample_rate_hz
+        limb, total, n_times = (
+            values[name] for name in ("driven_limb", "total_spectrum", "response_samples")
+        )
+        if total is None:
+            duration_s = n_times / limb.sample_rate_hz
             raise InvalidInputError(
                 f"the response lasts {duration_s:.4g} s, which is too long to be brought to a "
                 "level above threshold. Shorten the stimulus, or choose the level loudest_100ms."
             )
-        outputs = tuple(range(1, limb.n_outputs + 1))
-        acceleration = vibration.traces(outputs, tuple(range(limb.n_axes)), stop)
+        stop_if(stop)
+        spectra = total.rows(np.arange(limb.n_outputs), tuple(range(limb.n_axes)))
+        acceleration = inverse(spectra, total.n_fft)[..., :n_times]
         return above_threshold(acceleration, limb.sample_rate_hz, scaling)
 
 
@@ -136,9 +142,15 @@ def _windows_of(
     values: dict[str, Any], outputs: tuple[int, ...], stop: Stop
 ) -> list[tuple[float, float]]:
     """Return the RMS of the loudest 100 ms and the largest sample at some outputs."""
-    projection = values["projection"]
-    traces = values["vibration"].traces(outputs, projection.axis_numbers, stop)
-    signals: Floats = projection.at(np.array(outputs) - 1).signals(traces)
+    projection, streamed = values["projection"], values["streamed_vibration"]
+    rows = np.array(outputs) - 1
+    if streamed is None:
+        signals = projected_signals(values["total_spectrum"], projection, rows)
+    else:
+        signals = projection.at(rows).signals(
+            streamed.traces(outputs, projection.axis_numbers, stop)
+        )
+    signals = signals[:, : values["response_samples"]]
     n_window = window_samples(values["driven_limb"].sample_rate_hz)
     loudest = np.sqrt(loudest_energy(signals, n_window) / n_window)
     peaks = np.abs(signals).max(axis=-1, initial=0.0)

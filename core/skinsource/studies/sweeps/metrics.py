@@ -1,7 +1,6 @@
 """Names of the metrics of a stimulus, and those of its drives, actuators and extent."""
 
 from collections.abc import Sequence
-from dataclasses import asdict
 
 import numpy as np
 
@@ -69,7 +68,8 @@ def extent_metrics(rms: Floats, limb: Limb, placed: Sequence[Placed]) -> Metrics
     """Return the metrics of `skinsource.extent` for the RMS of all outputs; NaN for silence."""
     locations = moving_locations(placed)
     if locations and rms[np.isfinite(limb.map.output_positions[:, 0])].any():
-        return asdict(extent(rms, limb, locations))
+        reach = extent(rms, limb, locations)
+        return {name: getattr(reach, name) for name in EXTENT_COLUMNS}
     return dict.fromkeys(EXTENT_COLUMNS, np.nan)
 
 
