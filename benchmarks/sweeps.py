@@ -25,7 +25,7 @@ from skinsource.studies.sweeps.workers import measured
 
 RATE_HZ = 1300
 PLACES = (3, 7, 12, 18)
-PROMISED = {"all new": 6.0, "one varies": 20.0, "two processes": 1.7}
+PROMISED = {"all new": 2.5, "one varies": 5.0, "two processes": 1.7}
 _AT_A_TIME = 2 * BATCH_SIZE
 _WARM = 2 * BATCH_SIZE
 

@@ -100,7 +100,10 @@ def test_one_input_alone_is_the_convolution_however_it_is_cut_into_parts(limb, n
 
 def test_one_input_alone_asks_for_no_second_thread(limb, monkeypatch):
     asked = []
-    monkeypatch.setattr(prediction, "start_new_thread", lambda *_: asked.append("one"))
+    submit = ThreadPoolExecutor.submit
+    monkeypatch.setattr(
+        ThreadPoolExecutor, "submit", lambda *task: (asked.append("one"), submit(*task))[1]
+    )
     for _ in range(3):
         ss.predict(limb, DRIVES[:1], [7])
     assert not asked

@@ -5,19 +5,14 @@ paper).  Spectra of responses and gains of drives are remembered for all threads
 """
 
 import math
-from _thread import start_new_thread
-from collections import OrderedDict, deque
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import suppress
+from collections import OrderedDict
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cache, partial
 from hashlib import sha256
 from itertools import islice
-from math import inf, prod
-from queue import Empty, SimpleQueue
+from math import prod
 from sys import getsizeof
 from threading import Lock
-from time import perf_counter
-from typing import TypeVar
 from weakref import WeakKeyDictionary, ref
 
 import numpy as np
@@ -53,55 +48,10 @@ from skinsource.engine.transforms import (
     inverse_here,
     length_at_once,
     parts_of,
+    run_on_two_threads,
 )
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling, check_scaling
-
-Result = TypeVar("Result")
-
-
-def run_with_helper(tasks: Sequence[Callable[[], Result]]) -> list[Result]:
-    """Run ``tasks`` and return their results, in order; a second thread helps where it can.
-
-    A task that the second thread has begun, and does not finish within the shortest time that a
-    task took, is run by this thread too: nobody waits where no processor is free.  So a task may
-    run twice, even after this function has returned.  It may write only what it would write each
-    time, and must not count work, which belongs to a thread.  What a task raises is raised here.
-    """
-    waiting = deque(range(len(tasks)))
-    done: SimpleQueue[tuple[int, Result]] = SimpleQueue()
-
-    def help_out() -> None:
-        try:
-            while waiting:
-                number = waiting.pop()
-                done.put((number, tasks[number]()))
-        except Exception:  # noqa: BLE001, S110  no task is left, or the other thread fails too
-            pass
-
-    results: dict[int, Result] = {}
-    if len(tasks) > 1:
-        with suppress(RuntimeError):  # the system has no more threads
-            # The threading module would wait until the thread runs.
-            start_new_thread(help_out, ())
-    shortest_s = inf
-    while waiting:
-        try:
-            number = waiting.popleft()
-        except IndexError:
-            break
-        begin = perf_counter()
-        results[number] = tasks[number]()
-        shortest_s = min(shortest_s, perf_counter() - begin)
-    # The shortest time counts: other tasks took longer where other programs had the processor.
-    deadline = perf_counter() + (shortest_s if results else 0.0)
-    while len(results) < len(tasks):
-        try:
-            number, result = done.get(timeout=max(deadline - perf_counter(), 0.0))
-        except Empty:
-            break
-        results[number] = result
-    return [results[k] if k in results else tasks[k]() for k in range(len(tasks))]
 
 
 class _Places:
@@ -122,10 +72,15 @@ class _Places:
         first = len(self.known)
         rooms = list(self._values[first : first + len(taps)])
         rooms += [np.empty(self._shape, np.complex128) for _ in range(len(taps) - len(rooms))]
-        pairs = zip(taps.values(), rooms, strict=True)
-        spectra = run_with_helper([partial(_response, *pair, self.n_fft) for pair in pairs])
+        spectra: dict[int, ResponseSpectrum] = {}
+
+        def transform(location: int, values: Complexes) -> None:
+            spectra[location] = _response(taps[location], values, self.n_fft)
+
+        pairs = zip(taps, rooms, strict=True)
+        run_on_two_threads(partial(transform, *pair) for pair in pairs)
+        added = {location: spectra[location] for location in taps}
         tally(forward_transforms=len(taps) * prod(self._shape[:2]))
-        added = dict(zip(taps, spectra, strict=True))
         self.known |= dict(list(added.items())[: len(self._values) - first])
         return added
 
@@ -242,19 +197,16 @@ def superposed(
     shape
         Outputs, axes and samples of the vibration.
     """
+    vibration = np.empty(shape)
 
-    def samples_of(part: slice) -> Floats:
+    def compute(part: slice) -> None:
         spectra = [response.values[part] for response in responses]
         total = np.empty_like(spectra[0])
         add_up(spectra, drives, total)
-        return inverse_here(total, n_fft)[..., : shape[-1]]
+        vibration[part] = inverse_here(total, n_fft)[..., : shape[-1]]
 
-    parts = parts_of(shape[0])
-    pieces = run_with_helper([partial(samples_of, part) for part in parts])
+    run_on_two_threads(partial(compute, part) for part in parts_of(shape[0]))
     tally(inverse_transforms=shape[0] * shape[1])
-    vibration = np.empty(shape)
-    for part, piece in zip(parts, pieces, strict=True):
-        vibration[part] = piece
     return vibration
 
 

@@ -1,9 +1,10 @@
 """Counted Fourier transforms and their lengths, sums of spectra, and blocks of long drives."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from dataclasses import dataclass
-from functools import partial
-from threading import Thread
+from functools import cache, partial
 
 import numpy as np
 import scipy
@@ -197,8 +198,10 @@ def run_on_two_threads(tasks: Iterable[Callable[[], None]]) -> None:
     second one waiting.  No task may count work, which belongs to a thread.  What a task raises is
     raised here.
     """
-    waiting = iter(tuple(tasks))
+    tasks = tuple(tasks)
+    waiting = iter(tasks)
     failures: list[BaseException] = []
+    helper = None
 
     def work() -> None:
         while not failures and (task := next(waiting, None)) is not None:
@@ -207,12 +210,19 @@ def run_on_two_threads(tasks: Iterable[Callable[[], None]]) -> None:
             except BaseException as error:  # noqa: BLE001  either thread may fail
                 failures.append(error)
 
-    helper = Thread(target=work)
-    helper.start()
+    if len(tasks) > 1:
+        with suppress(RuntimeError):  # the system has no more threads, or the program ends
+            helper = _second_thread().submit(work)
     work()
-    helper.join()
+    if helper is not None and not helper.cancel():
+        helper.result()
     if failures:
         raise failures[0]
+
+
+@cache
+def _second_thread() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(1)
 
 
 #: Outputs whose spectra, for stimuli of a second, stay in the cache of a core.

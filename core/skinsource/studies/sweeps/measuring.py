@@ -1,240 +1,45 @@
-"""Measurement of stimuli: the metrics of one stimulus after another.
+"""Measurement of stimuli: the metrics of one stimulus after another, by the graph of the engine."""
 
-Stimuli of a batch are computed together where they have inputs in common; otherwise each is
-computed by itself, and long ones in blocks.
-"""
-
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator
+from typing import Any
 
 import numpy as np
 
-from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped
 from skinsource.base.job import Stop, never, stop_if
-from skinsource.base.measurement_conditions import axis_numbers
 from skinsource.base.quoting import sentence
-from skinsource.design.design import Design
 from skinsource.design.view import View
-from skinsource.engine.level_rules import record_rms
-from skinsource.engine.moments import (
-    Projection,
-    covariance_of,
-    directions_of,
-    energies,
-    energies_of,
-    needs_products,
-)
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.engine.shared import Shared
+from skinsource.engine.streaming import projected_signals
 from skinsource.engine.trace_rules import shown_outputs
-from skinsource.engine.transforms import inverse_here
-from skinsource.limbs.limb import Limb
+from skinsource.engine.transforms import inverse
 from skinsource.signals.loudest_window import loudest_energy, window_samples
 from skinsource.studies.sweeps.metrics import (
     DriveMetrics,
-    Extents,
     Metrics,
-    PreparedStimulus,
-    Preparing,
     actuator_metrics,
-    main_axes,
+    extent_metrics,
 )
-from skinsource.studies.sweeps.neighbours import Batch, Field, Fields, Vibrations
 from skinsource.studies.sweeps.plan import Plan, above_threshold
 
-# Outputs whose signals are computed together in the search for the loudest one.
-_OUTPUTS_PER_PIECE = 6
-#: A window holds no more energy than its record, but for the rounding of both.
-_ROUNDING = 1.0 + 1e-9
-
-#: Spectra, (n, n_axes, n_bins), of some outputs, from 0, and axes.
-_Rows = Callable[[np.ndarray, tuple[int, ...]], Complexes]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class StimulusResult:
-    """Results of the response to a stimulus, in m/s².
-
-    Attributes
-    ----------
-    rms : (n_outputs,)
-        RMS of each output over the whole record.
-    windows
-        RMS of the loudest 100 ms, and the largest sample, by number of the output: first of the
-        loudest one, then of the selected ones.
-    level
-        Level for the plan: the highest RMS of any 100 ms at any output, or the ratio of the
-        loudest output to threshold.  None: the plan has no level.
-    extent
-        How far it reaches, by the names in `skinsource.export.tables.EXTENT_COLUMNS`.
-    """
-
-    rms: Floats
-    windows: dict[int, tuple[float, float]]
-    level: float | None
-    extent: dict[str, float]
-
-    @property
-    def loudest(self) -> int:
-        """The output whose RMS of the whole record is highest, from 1."""
-        return next(iter(self.windows))
-
-
-def outputs_of_interest(rms: Floats, plan: Plan) -> tuple[int, ...]:
-    """Return the outputs whose signals are measured, each once; the loudest first."""
-    return tuple(dict.fromkeys((int(np.argmax(rms)) + 1, *plan.outputs)))
-
-
-def windows_of(traces: Floats, rate_hz: float) -> list[tuple[float, float]]:
-    """Return the RMS of the loudest 100 ms and the largest sample of signals, (n, n_times)."""
-    n_window = window_samples(rate_hz)
-    loudest = np.sqrt(loudest_energy(traces, n_window) / n_window)
-    peaks = np.abs(traces).max(axis=-1, initial=0.0)
-    return list(zip(loudest.tolist(), peaks.tolist(), strict=True))
-
-
-def evaluate_stimulus(
-    plan: Plan, field: Field, stimulus: PreparedStimulus, extents: Extents, stop: Stop
-) -> StimulusResult:
-    """Return the results of one stimulus."""
-    limb, n_times = stimulus.limb, stimulus.response_samples
-    axes = axis_numbers(plan.axes, limb.axes)
-    projection = Projection(axes, directions_of(field.moments, axes, plan.method, n_times))
-    spectrum = field.spectrum
-    rms = record_rms(field.moments, projection, spectrum, stimulus.record_samples)
-    outputs = outputs_of_interest(rms, plan)
-    rows = np.array(outputs) - 1
-    spectra = spectrum.rows(rows, projection.axis_numbers)
-    signals = _signals(projection.at(rows), spectra, spectrum.n_fft)
-    windows = windows_of(signals[..., :n_times], limb.sample_rate_hz)
-    level = None
-    if plan.level_db is not None:
-        level = _level(plan, stimulus, spectrum.rows, projection, rms, spectrum.n_fft, stop)
-    (extent,) = extents.of([rms], [stimulus])
-    return StimulusResult(rms, dict(zip(outputs, windows, strict=True)), level, extent)
-
-
-def evaluate_batch(
-    plan: Plan,
-    vibrations: Vibrations,
-    stimuli: Sequence[PreparedStimulus | None],
-    extents: Extents,
-    stop: Stop,
-) -> list[StimulusResult]:
-    """Return the results of several stimuli; those of an invalid one mean nothing."""
-    limb = next(stimulus.limb for stimulus in stimuli if stimulus is not None)
-    # An invalid stimulus has any length.
-    n_times = [1 if stimulus is None else stimulus.response_samples for stimulus in stimuli]
-    n_stimuli, n_outputs = len(stimuli), limb.n_outputs
-    lengths = np.repeat(np.array(n_times, np.float64), n_outputs)
-    projection, energy = _projected(plan, vibrations, limb, lengths)
-    records = [1 if stimulus is None else stimulus.record_samples for stimulus in stimuli]
-    over = np.repeat(np.array(records, np.float64), n_outputs)
-    rms = np.sqrt(energy / over).reshape(n_stimuli, n_outputs)
-    selected = [outputs_of_interest(of_stimulus, plan) for of_stimulus in rms]
-    rows = np.repeat(np.arange(n_stimuli), [len(numbers) for numbers in selected])
-    outputs = np.array([number - 1 for numbers in selected for number in numbers])
-    spectra = vibrations.rows(rows, outputs, projection.axis_numbers)
-    signals = _signals(projection.at(rows * n_outputs + outputs), spectra, vibrations.n_fft)
-    windows = iter(windows_of(signals[..., : max(n_times)], limb.sample_rate_hz))
-    reach = extents.of(list(rms), stimuli)
-    results = []
-    for which, (stimulus, numbers) in enumerate(zip(stimuli, selected, strict=True)):
-        level = None
-        if plan.level_db is not None and stimulus is not None:
-            here = projection.at(slice(which * n_outputs, (which + 1) * n_outputs))
-            rows_of_one = _rows_of(vibrations, which)
-            level = _level(plan, stimulus, rows_of_one, here, rms[which], vibrations.n_fft, stop)
-        of_outputs = {number: next(windows) for number in numbers}
-        results.append(StimulusResult(rms[which], of_outputs, level, reach[which]))
-    return results
-
-
-def _signals(projection: Projection, spectra: Complexes, n_fft: int) -> Floats:
-    """Return projected signals, (n, n_fft), from spectra of axes, (n, n_axes, n_bins)."""
-    if projection.directions is None:
-        return projection.signals(inverse_here(spectra, n_fft))
-    # One transform each, not one for each axis.
-    return inverse_here(projection.spectra(spectra), n_fft)
-
-
-def _projected(
-    plan: Plan, vibrations: Vibrations, limb: Limb, lengths: Floats
-) -> tuple[Projection, Floats]:
-    """Return the projection of the axes of each output, and its energy, (n_stimuli n_outputs,)."""
-    axes, n_outputs = axis_numbers(plan.axes, limb.axes), limb.n_outputs
-    if len(axes) == 3 and plan.method == "pca":
-        directions: Floats | None = main_axes(
-            covariance_of(vibrations.moments, axes, lengths[:, None, None])
-        )
-    else:
-        directions = directions_of(vibrations.moments, axes, plan.method, lengths[:, None, None])
-    projection = Projection(axes, directions)
-    energy, cancelled = energies(vibrations.moments, directions, axes)
-    which = np.flatnonzero(cancelled)
-    if which.size:
-        spectra = vibrations.rows(which // n_outputs, which % n_outputs, projection.axis_numbers)
-        energy[which] = energies_of(projection.at(which).spectra(spectra), vibrations.n_fft)
-    return projection, energy
-
-
-def _rows_of(vibrations: Vibrations, which: int) -> _Rows:
-    def rows(outputs: np.ndarray, axes: tuple[int, ...]) -> Complexes:
-        return vibrations.rows(np.full(len(outputs), which), outputs, axes)
-
-    return rows
-
-
-def _level(
-    plan: Plan,
-    stimulus: PreparedStimulus,
-    rows: _Rows,
-    projection: Projection,
-    rms: Floats,
-    n_fft: int,
-    stop: Stop,
-) -> float:
-    """Return the number that is brought to the level of the plan: a ratio, or m/s²."""
-    limb, n_times = stimulus.limb, stimulus.response_samples
-    if plan.level == "above_threshold":
-        spectra = rows(np.arange(limb.n_outputs), tuple(range(limb.n_axes)))
-        acceleration = inverse_here(spectra, n_fft)[..., :n_times]
-        return above_threshold(acceleration, limb.sample_rate_hz, stimulus.design.scaling)
-    energy = np.square(rms) * stimulus.record_samples
-    return _loudest_window(rows, projection, energy, n_fft, limb, stop)
-
-
-def _loudest_window(
-    rows: _Rows,
-    projection: Projection,
-    energy: Floats,
-    n_fft: int,
-    limb: Limb,
-    stop: Stop,
-) -> float:
-    """Return the highest RMS of any 100 ms at any output, m/s².
-
-    Outputs are searched in the order of their energies, (n_outputs,), until no window of the next
-    one can have more energy than the highest so far.
-    """
-    n_window = window_samples(limb.sample_rate_hz)
-    order = np.argsort(-energy, kind="stable")
-    highest = 0.0
-    for first in range(0, len(order), _OUTPUTS_PER_PIECE):
-        stop_if(stop)
-        outputs = order[first : first + _OUTPUTS_PER_PIECE]
-        if energy[outputs[0]] * _ROUNDING < highest:
-            break
-        spectra = rows(outputs, projection.axis_numbers)
-        signals = _signals(projection.at(outputs), spectra, n_fft)
-        highest = max(highest, float(loudest_energy(signals, n_window).max()))
-    return float(np.sqrt(highest / n_window))
+# Outputs whose RMS differ by less are equally loud: the first of them is the loudest.
+_TIE = 1e-12
+#: What metrics are computed from; levels need more.
+_QUANTITIES = (
+    "placed",
+    "driven_limb",
+    "stimulus_samples",
+    "response_samples",
+    "record_rms",
+    "projection",
+    "total_spectrum",
+    "streamed_vibration",
+)
 
 
 class Measurer:
-    """Measures stimuli of a plan, for one thread; caches what those of a batch have in common.
+    """Measures stimuli of a plan, for one thread; computes again only what the next one changes.
 
     Parameters
     ----------
@@ -244,19 +49,18 @@ class Measurer:
 
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
-        shared = Shared()
-        self._graph = new_graph(shared)
-        self._preparing = Preparing(shared)
-        self._fields = Fields(plan.varying)
-        self._batch = Batch(self._preparing)
-        # Numbers and results of the latest batch; None: each stimulus is computed by itself.
-        self._latest = range(0)
-        self._prepared: dict[int, PreparedStimulus] = {}
-        self._results: dict[int, StimulusResult] | None = None
-        # No input is selected: `Fields` caches those that do not vary.
-        self._view = View(axes=plan.axes, method=plan.method, outputs=(), selected_inputs=())
+        self._graph = new_graph()
+        # The sum of all inputs but the selected one is computed once.  Which input is selected
+        # follows from the plan, so that the last bit does not depend on earlier stimuli.
+        varying = tuple(plan.varying)
+        self._view = View(
+            axes=plan.axes,
+            method=plan.method,
+            span="loudest" if plan.level == "loudest_100ms" else "record",
+            outputs=(),
+            selected_inputs=varying if len(varying) == 1 else (),
+        )
         self._drives = DriveMetrics()
-        self._extents = Extents()
 
     def measure(self, number: int, stop: Stop = never) -> Metrics:
         """Return the metrics of stimulus ``number``, by name.
@@ -286,105 +90,71 @@ class Measurer:
         DatasetMissingError
             Its limb is a measured one, and the measured dataset is not installed.
         """
-        prepared, result = self._evaluated(number, stop)
-        factor = 1.0 if result.level is None else _factor(self.plan.level_db, result.level)
-        loudest, rms = result.loudest, result.rms
+        plan = self.plan
+        design = plan.design_of(number)
+        values = self._graph.evaluate(
+            (*_QUANTITIES, "loudest_rms"), sources(design, self._view), stop
+        )
+        placed, limb, rms = values["placed"], values["driven_limb"], values["record_rms"]
+        n_times = values["stimulus_samples"]
+        level = self._level(values, design.scaling, stop)
+        factor = 1.0 if level is None else _factor(plan.level_db, level)
+        loudest = int(np.argmax(rms >= (1.0 - _TIE) * rms.max())) + 1
+        outputs = (loudest, *shown_outputs(plan.outputs, limb))
+        windows = _windows_of(values, outputs, stop)
         metrics = {
             "factor": factor,
-            "duration_s": prepared.stimulus_samples / prepared.limb.sample_rate_hz,
-            **self._drives.of(prepared, factor),
+            "duration_s": n_times / limb.sample_rate_hz,
+            **self._drives.of(placed, n_times, limb, factor),
             "loudest_output": loudest if rms[loudest - 1] > 0.0 else np.nan,
-            **_of_output("", rms[loudest - 1], result.windows[loudest], factor),
-            **_levels_db(self.plan.level, result.level, factor),
-            **result.extent,
+            **_of_output("", rms[loudest - 1], windows[0], factor),
+            **_levels_db(plan.level, level, factor),
+            **extent_metrics(rms, limb, placed),
         }
-        for output in self.plan.outputs:
-            metrics |= _of_output(
-                f"output_{output}_", rms[output - 1], result.windows[output], factor
-            )
-        if self.plan.drives_actuators:
-            metrics |= actuator_metrics(prepared, factor, self.plan.limits)
+        for output, window in zip(outputs[1:], windows[1:], strict=True):
+            metrics |= _of_output(f"output_{output}_", rms[output - 1], window, factor)
+        if plan.drives_actuators:
+            metrics |= actuator_metrics(placed, n_times, limb, design.actuated, factor, plan.limits)
         return {name: float(value) for name, value in metrics.items()}
 
-    def _evaluated(self, number: int, stop: Stop) -> tuple[PreparedStimulus, StimulusResult]:
-        """Return a stimulus and its results."""
-        if number not in self._latest:
-            batch = self.plan.neighbours(number)
-            self._latest, self._prepared, self._results = range(0), {}, None
-            self._results = self._batch_results(batch, stop)
-            self._latest = batch
-        prepared = self._prepared.pop(number, None) or self._prepare(number, stop)
-        result = (self._results or {}).get(number)
-        return prepared, result or self._single_result(prepared, stop)
-
-    def _prepare(self, number: int, stop: Stop) -> PreparedStimulus:
-        prepared = self._preparing.of(self.plan.design_of(number), stop)
-        shown_outputs(self.plan.outputs, prepared.limb)
-        return prepared
-
-    def _batch_results(self, batch: range, stop: Stop) -> dict[int, StimulusResult] | None:
-        """Return the results of a batch by number; None: its stimuli have little in common."""
-        stimuli: list[PreparedStimulus | None] = []
-        for number in batch:
-            try:
-                stimulus = self._prepared[number] = self._prepare(number, stop)
-            except Stopped:
-                raise
-            except (SkinSourceError, MemoryError):
-                # It is raised again in the turn of that stimulus.
-                stimuli.append(None)
-                continue
-            if stimulus.n_fft() is None:
-                return None
-            stimuli.append(stimulus)
-        vibrations = self._batch.of(stimuli, stop, products=self._products(stimuli))
-        if vibrations is None:
+    def _level(self, values: dict[str, Any], scaling: str, stop: Stop) -> float | None:
+        """Return what is brought to the level of the plan: m/s², or a ratio; None: nothing is."""
+        if self.plan.level == "loudest_100ms":
+            return float(values["loudest_rms"].max())
+        if self.plan.level != "above_threshold":
             return None
-        results = evaluate_batch(self.plan, vibrations, stimuli, self._extents, stop)
-        return dict(zip(batch, results, strict=True))
-
-    def _products(self, stimuli: Iterable[PreparedStimulus | None]) -> bool:
-        """Return whether any stimulus needs products of different axes."""
-        plan = self.plan
-        return any(
-            needs_products(axis_numbers(plan.axes, stimulus.limb.axes), plan.method)
-            for stimulus in stimuli
-            if stimulus is not None
+        limb, total, n_times = (
+            values[name] for name in ("driven_limb", "total_spectrum", "response_samples")
         )
-
-    def _single_result(self, stimulus: PreparedStimulus, stop: Stop) -> StimulusResult:
-        responses = self._preparing.responses(stimulus, stimulus.n_fft())
-        field = self._fields.of(
-            responses, stimulus.placed, stop, products=self._products([stimulus])
-        )
-        if field is None:
-            return self._streamed_result(stimulus, stop)
-        return evaluate_stimulus(self.plan, field, stimulus, self._extents, stop)
-
-    def _streamed_result(self, stimulus: PreparedStimulus, stop: Stop) -> StimulusResult:
-        """Return the results of a long design, by the rules that stream it."""
-        design, plan = stimulus.design, self.plan
-        rms = self._evaluate(design, self._view, "output_rms", stop)
-        level = None
-        if plan.level == "above_threshold":
-            duration_s = stimulus.response_samples / stimulus.limb.sample_rate_hz
+        if total is None:
+            duration_s = n_times / limb.sample_rate_hz
             raise InvalidInputError(
                 f"the response lasts {duration_s:.4g} s, which is too long to be brought to a "
                 "level above threshold. Shorten the stimulus, or choose the level loudest_100ms."
             )
-        if plan.level_db is not None:
-            view = replace(self._view, span="loudest")
-            level = float(self._evaluate(design, view, "output_rms", stop).max())
-        outputs = outputs_of_interest(rms, plan)
-        view = replace(self._view, outputs=outputs)
-        traces = self._evaluate(design, view, "selected_traces", stop)
-        windows = windows_of(traces, stimulus.limb.sample_rate_hz)
-        (extent,) = self._extents.of([rms], [stimulus])
-        return StimulusResult(rms, dict(zip(outputs, windows, strict=True)), level, extent)
+        stop_if(stop)
+        spectra = total.rows(np.arange(limb.n_outputs), tuple(range(limb.n_axes)))
+        acceleration = inverse(spectra, total.n_fft)[..., :n_times]
+        return above_threshold(acceleration, limb.sample_rate_hz, scaling)
 
-    def _evaluate(self, design: Design, view: View, name: str, stop: Stop) -> Floats:
-        value: Floats = self._graph.evaluate((name,), sources(design, view), stop)[name]
-        return value
+
+def _windows_of(
+    values: dict[str, Any], outputs: tuple[int, ...], stop: Stop
+) -> list[tuple[float, float]]:
+    """Return the RMS of the loudest 100 ms and the largest sample at some outputs."""
+    projection, streamed = values["projection"], values["streamed_vibration"]
+    rows = np.array(outputs) - 1
+    if streamed is None:
+        signals = projected_signals(values["total_spectrum"], projection, rows)
+    else:
+        signals = projection.at(rows).signals(
+            streamed.traces(outputs, projection.axis_numbers, stop)
+        )
+    signals = signals[:, : values["response_samples"]]
+    n_window = window_samples(values["driven_limb"].sample_rate_hz)
+    loudest = np.sqrt(loudest_energy(signals, n_window) / n_window)
+    peaks = np.abs(signals).max(axis=-1, initial=0.0)
+    return list(zip(loudest.tolist(), peaks.tolist(), strict=True))
 
 
 def _levels_db(kind: str | None, level: float | None, factor: float) -> Metrics:
