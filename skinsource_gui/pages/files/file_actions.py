@@ -18,7 +18,13 @@ from skinsource.base.lock import Lock, Owner, still_runs
 from skinsource.base.quoting import printable
 from skinsource.design import edits
 from skinsource.design.design import Design
-from skinsource.design.design_file import SUFFIX, open_design, save_design
+from skinsource.design.design_file import (
+    SUFFIX,
+    DesignFile,
+    open_design,
+    read_design,
+    save_design,
+)
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.view import View
 from skinsource.limbs.catalog import available_limbs, default_limb
@@ -43,6 +49,13 @@ class FileOnDisk:
         self._path = path
         self._stamp = _stamp(path) if path else None
         self._digest = _digest(path) if path else b""
+
+    def open(self, path: Path) -> DesignFile:
+        """Read a design file, and remember what it holds."""
+        self._path, self._stamp = path, _stamp(path)
+        stored, content = read_design(path)
+        self._digest = sha256(stored).digest()
+        return content
 
     def state(self) -> State:
         """Return whether the file still holds what it held."""
@@ -256,9 +269,8 @@ class FileActions(QObject):
         """Open ``path``; on a failure report it, and keep what is open."""
         self.risk_ahead.emit()
         on_disk = FileOnDisk()
-        on_disk.note(path)
         try:
-            content = open_design(path)
+            content = on_disk.open(path)
         except SkinSourceError as error:
             self.recent.forget(path)
             self.recent_changed.emit()
