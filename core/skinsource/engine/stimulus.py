@@ -373,6 +373,39 @@ def stimulus_of(
     >>> stimulus.channels[0].title, stimulus.samples.shape
     ('Digit II, pad', (1, 9600))
     """
+    _, stimulus = stimuli_of(
+        design,
+        sample_rate_hz,
+        per=per,
+        inputs=inputs,
+        clips=clips,
+        limb=limb,
+        lead_in_s=lead_in_s,
+        progress=progress,
+        stop=stop,
+    )
+    for stage in stages:
+        stop_if(stop)
+        stimulus = stage(stimulus)
+    return stimulus
+
+
+def stimuli_of(
+    design: Design,
+    sample_rate_hz: int | None,
+    *,
+    per: Literal["place", "input"],
+    inputs: Iterable[int] | None,
+    clips: Iterable[int] | None,
+    limb: Limb | None = None,
+    lead_in_s: float,
+    progress: Progress,
+    stop: Stop,
+) -> tuple[Stimulus, Stimulus]:
+    """Return the stimulus at the rate of the limb from time 0 on, and the one of `stimulus_of`.
+
+    Waveforms are sampled once.  Parameters and errors are those of `stimulus_of`.
+    """
     tracks = _playing_tracks(design, inputs, clips)
     one_of("per", per, ("place", "input"))
     if sample_rate_hz is not None:
@@ -384,21 +417,19 @@ def stimulus_of(
     rate_hz = own_rate_hz if sample_rate_hz is None else float(sample_rate_hz)
     channels = _channels(tracks, per, design.limb)
     lead = lead_in_samples(lead_in_s, rate_hz)
-    stimulus = Stimulus(
+    own_samples, samples = _samples_of(tracks, channels, own_rate_hz, rate_hz, lead, progress, stop)
+    own = Stimulus(
         channels=channels,
-        samples=_samples_of(tracks, channels, own_rate_hz, rate_hz, lead, progress, stop),
-        sample_rate_hz=rate_hz,
-        start_s=-lead / rate_hz if lead else 0.0,
+        samples=own_samples,
+        sample_rate_hz=own_rate_hz,
         limb=design.limb,
         scaling=design.scaling,
         own_rate_hz=own_rate_hz,
         limb_band_hz=limb.band_hz,
         unit=drive_unit(design, limb),
     )
-    for stage in stages:
-        stop_if(stop)
-        stimulus = stage(stimulus)
-    return stimulus
+    start_s = -lead / rate_hz if lead else 0.0
+    return own, replace(own, samples=samples, sample_rate_hz=rate_hz, start_s=start_s)
 
 
 def _playing_tracks(
@@ -444,8 +475,8 @@ def _samples_of(
     lead: int,
     progress: Progress,
     stop: Stop,
-) -> Floats:
-    """Return samples at ``rate_hz`` from ``lead`` samples before time 0, (n_channels, n_times)."""
+) -> tuple[Floats, Floats]:
+    """Return samples at the own rate from time 0 on, and at ``rate_hz`` from ``lead`` before it."""
     ratio = Fraction(rate_hz) / Fraction(own_rate_hz)
     rows = {id: row for row, channel in enumerate(channels) for id in channel.inputs}
     pieces: list[tuple[int, int, float, Floats]] = []
@@ -469,15 +500,16 @@ def _samples_of(
         begin = before + start
         total[row, begin : begin + samples.size] += factor * samples
     stop_if(stop)
+    own = total[:, before:]
     if ratio == 1:
-        return total
+        return own, total
     converted = np.empty((len(channels), -(-n * ratio.numerator // ratio.denominator)))
     for row, samples in enumerate(total):
         # Converting a minute to the rate of a sound card takes a while.
         stop_if(stop)
         progress(row, len(channels), "Computing")
         converted[row] = by_ratio(samples, ratio, min(own_rate_hz, rate_hz))
-    return converted[:, surplus:]
+    return own, converted[:, surplus:]
 
 
 def _check_length(n_channels: int, n_times: int, rate_hz: float) -> None:

@@ -22,8 +22,9 @@ from skinsource.design.design import Design, audible_inputs
 from skinsource.design.design_file import save_design
 from skinsource.design.labels import limb_label
 from skinsource.design.view import View
-from skinsource.export.map_files import export_map, export_map_picture
-from skinsource.export.tables import export_levels, export_traces
+from skinsource.export.exported_design import ExportedDesign
+from skinsource.export.map_files import write_map, write_map_picture
+from skinsource.export.tables import write_levels, write_traces
 from skinsource.limbs.dataset.store import describe
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.version import __version__
@@ -169,22 +170,22 @@ def pack(
 def _writers(
     design: Design, view: View, rig: Rig | None, stop: Stop
 ) -> dict[str, Callable[[Path], object]]:
+    exported = ExportedDesign(design, view, stop=stop)
+    tables = {"levels.csv": write_levels, "map.csv": write_map, "map.png": write_map_picture}
+    if view.outputs:
+        tables["traces.csv"] = write_traces
     writers: dict[str, Callable[[Path], object]] = {
         "design.skinsource": lambda path: save_design(path, design, view),
-        "levels.csv": lambda path: export_levels(path, design, view, stop=stop),
-        "map.csv": lambda path: export_map(path, design, view, stop=stop),
-        "map.png": lambda path: export_map_picture(path, design, view, stop=stop),
         "citation.txt": lambda path: path.write_text(citation(design), "utf-8"),
         "README.txt": lambda path: path.write_text(_READ_ME, "utf-8"),
+        **{name: partial(write, exported=exported) for name, write in tables.items()},
     }
-    if view.outputs:
-        writers["traces.csv"] = lambda path: export_traces(path, design, view, stop=stop)
     if _can_draw():
         for kind in _FIGURES:
             writers[f"figure.{kind}"] = partial(_write_figure, design=design, view=view, kind=kind)
     if audible_inputs(design.inputs):
         # Imported when something is packed: the studio starts without it.
-        stimuli = importlib.import_module("skinsource.export.stimulus_export")
+        stimuli = importlib.import_module("skinsource.export.stimulus_export.export")
         # Full scale is the largest sample: nothing clips. The sidecar says what the rate loses.
         options = stimuli.StimulusOptions(accept_loss=True)
         writers["stimulus.wav"] = lambda path: stimuli.export_stimulus(
