@@ -6,6 +6,7 @@ import json
 import platform
 import zipfile
 from collections.abc import Callable
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -76,19 +77,13 @@ def data_of(design: Design) -> dict[str, str]:
         "source_sha256": "",
         "limb_sha256": design.limb_digest or facts_of(design.limb).digest,
     }
-    if not design.limb.startswith("measured"):
-        return data
-    data["dataset_doi"] = DATASET_DOI
-    try:
-        store = describe()
-    except SkinSourceError:
-        return data
-    return {
-        **data,
-        "source_name": store.source_name,
-        "source_note": f"not verified as published: {store.note}" if store.note else "",
-        "source_sha256": store.source_sha256,
-    }
+    if design.limb.startswith("measured"):
+        data["dataset_doi"] = DATASET_DOI
+        with suppress(SkinSourceError):
+            store = describe()
+            data["source_name"], data["source_sha256"] = store.source_name, store.source_sha256
+            data["source_note"] = f"not verified as published: {store.note}" if store.note else ""
+    return data
 
 
 def _kind_of(limb: str) -> str:
@@ -180,7 +175,8 @@ def _writers(
         "README.txt": lambda path: path.write_text(_READ_ME, "utf-8"),
         **{name: partial(write, exported=exported) for name, write in tables.items()},
     }
-    if _can_draw():
+    with suppress(MissingExtraError):
+        package_of_extra("matplotlib", "plot")
         for kind in _FIGURES:
             writers[f"figure.{kind}"] = partial(_write_figure, design=design, view=view, kind=kind)
     if audible_inputs(design.inputs):
@@ -194,14 +190,6 @@ def _writers(
     if rig is not None:
         writers["rig.skinrig"] = lambda path: save_rig(path, rig)
     return writers
-
-
-def _can_draw() -> bool:
-    try:
-        package_of_extra("matplotlib", "plot")
-    except MissingExtraError:
-        return False
-    return True
 
 
 def _write_figure(path: Path, *, design: Design, view: View, kind: str) -> None:

@@ -195,17 +195,30 @@ def write_windows(path: Path, exported: ExportedDesign) -> None:
         "extent: over the outputs with a place on the map, from the nearest input that is heard",
         *_about_noise(results["windows_in_noise"]),
     )
-    header = ["from_s", "to_s", *EXTENT_COLUMNS]
-    header += [f"output_{number}_rms_m_per_s2" for number in exported.all_outputs]
-    bounds = windows.bounds_s(exported.sample_rate_hz)
+    bounds_s = windows.bounds_s(exported.sample_rate_hz)
+    header, rows = windows_table(bounds_s, results["extents_of_windows"], rms)
+    write_table(path, exported, [*lines, error_line], header, rows)
+
+
+def windows_table(
+    bounds_s: Iterable[tuple[float, float]], extents: Iterable[Extent | None], rms: Floats
+) -> tuple[list[str], Floats]:
+    """Return names of columns and a row for each window: its times, its extent, all RMS.
+
+    Parameters
+    ----------
+    bounds_s, extents
+        Begin and end of each window; how far it reaches, None where nothing moves.
+    rms : (n_windows, n_outputs)
+        In m/s².
+    """
+    outputs = [f"output_{number}_rms_m_per_s2" for number in range(1, rms.shape[1] + 1)]
+    header = ["from_s", "to_s", *EXTENT_COLUMNS, *outputs]
     rows = [
         [*span, *extent_values(extent), *values]
-        for span, extent, values in zip(
-            bounds, results["extents_of_windows"], rms.tolist(), strict=True
-        )
+        for span, extent, values in zip(bounds_s, extents, rms.tolist(), strict=True)
     ]
-    table = np.array(rows).reshape(-1, len(header))
-    write_table(path, exported, [*lines, error_line], header, table)
+    return header, np.array(rows).reshape(-1, len(header))
 
 
 def _about_noise(in_noise: Sequence[bool]) -> list[str]:

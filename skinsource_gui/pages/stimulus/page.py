@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from functools import partial
 
 import numpy as np
-from PySide6.QtCore import QLineF, QObject, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QLineF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -215,37 +215,6 @@ class PreparingRow(QWidget):
         self._label.setText(f"Computing\u2026{percent}")
 
 
-class PreparingWorker(LatestWins):
-    """Prepares the stimulus of the latest order, for one design."""
-
-    #: The `Order` and its `PreparedStimulus`.
-    ready = Signal(object, object)
-    #: The `Order`, and how much of its work is done and how much there is.
-    progressed = Signal(object, int, int)
-
-    def __init__(self, design: Design, parent: QObject | None = None) -> None:
-        super().__init__("skinsource-stimulus", parent)
-        self._design = design
-
-    def prepare(self, order: Order) -> None:
-        """Prepare ``order`` in place of the order before."""
-        self.want(order, partial(self._prepare, order))
-
-    def _prepare(self, order: Order) -> None:
-        prepared = prepare_stimulus(
-            self._design,
-            order.format,
-            order.rate_hz,
-            order.options,
-            actuation=order.actuation,
-            rig=order.rig,
-            equaliser=order.equaliser,
-            progress=lambda done, total, _: self.tell(self.progressed, order, done, total),
-            stop=lambda: self.outdated,
-        )
-        self.tell(self.ready, order, prepared)
-
-
 _LEFT_PX = 300
 
 
@@ -264,6 +233,9 @@ class StimulusPage(QDialog):
 
     #: The `PreparedStimulus`; whether clipping was confirmed; settings to remember.
     chosen = Signal(object, bool, str)
+    # From the worker: the `Order`, and its `PreparedStimulus`, or how much of its work is done.
+    _ready = Signal(object, object)
+    _progressed = Signal(object, int, int)
 
     def __init__(
         self,
@@ -292,7 +264,7 @@ class StimulusPage(QDialog):
         )
         self._name_parts()
         self._lay_out()
-        self._worker = PreparingWorker(design, self)
+        self._design, self._worker = design, LatestWins("skinsource-stimulus", self)
         self._connect()
         recall(self.form, last_settings, machine_rig)
         self._machine_rig = machine_rig
@@ -360,23 +332,38 @@ class StimulusPage(QDialog):
         rows.addLayout(foot)
 
     def _connect(self) -> None:
-        self.form.changed.connect(self._prepare)
+        self.form.changed.connect(self._order)
         self.form.refused.connect(self._show_refused)
-        self._worker.ready.connect(self._show_ready)
-        self._worker.progressed.connect(self._show_progress)
+        self._ready.connect(self._show_ready)
+        self._progressed.connect(self._show_progress)
         self._worker.failed.connect(self._show_failed)
         self._confirm.toggled.connect(self._show_button)
         self._buttons.accepted.connect(self.accept)
         self._buttons.rejected.connect(self.reject)
 
-    def _prepare(self, order: Order) -> None:
+    def _order(self, order: Order) -> None:
         self._ordered, self.prepared = order, None
         # Clipping was confirmed for another order.
         self._confirm.setChecked(False)
         self._set_pale(True)
         self._preparing.begin()
         self._export_button.setEnabled(False)
-        self._worker.prepare(order)
+        self._worker.want(order, partial(self._prepare, order))
+
+    def _prepare(self, order: Order) -> None:
+        """Prepare the stimulus, in the thread of the worker."""
+        prepared = prepare_stimulus(
+            self._design,
+            order.format,
+            order.rate_hz,
+            order.options,
+            actuation=order.actuation,
+            rig=order.rig,
+            equaliser=order.equaliser,
+            progress=lambda done, total, _: self._worker.tell(self._progressed, order, done, total),
+            stop=lambda: self._worker.outdated,
+        )
+        self._worker.tell(self._ready, order, prepared)
 
     def _show_ready(self, order: Order, prepared: PreparedStimulus) -> None:
         if order is not self._ordered:
