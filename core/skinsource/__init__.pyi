@@ -28,7 +28,7 @@ from .engine.prediction import predict as predict
 from .engine.stimulus import Stimulus as Stimulus
 from .engine.stimulus import stimulus_of as stimulus_of
 from .export import plot as plot
-from .export.formats.formats import export_formats as export_formats
+from .export.formats import export_formats as export_formats
 from .export.stimulus_export.export import export_stimulus as export_stimulus
 from .export.stimulus_export.options import StimulusOptions as StimulusOptions
 from .lab import matching as matching

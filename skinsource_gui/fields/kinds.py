@@ -24,7 +24,7 @@ from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
 from skinsource.design.waveform import Waveform
-from skinsource.design.waveforms.catalog import COMMON, kinds
+from skinsource.design.waveforms import COMMON, kinds
 from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle
 from skinsource.design.waveforms.pulses import DampedSine, Noise
 from skinsource.design.waveforms.samples import Drawn, Formula, Layers, Recording

@@ -6,7 +6,6 @@ Each class of actions opens one page, and carries out what is chosen there.
 import importlib
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -41,6 +40,7 @@ from skinsource_gui.state.preferences import InstalledLimbs, Preferences
 
 if TYPE_CHECKING:
     from skinsource.design.presets.presets import Preset
+    from skinsource.export.stimulus_export.preparing import PreparedStimulus
     from skinsource_gui.pages.library import SavePage
     from skinsource_gui.pages.scenes import ScenesPage
 
@@ -446,7 +446,7 @@ class StimulusActions(QObject):
         page = pages.StimulusPage(
             design, view, self._window, self._preferences.export_text, self._preferences.rig_path
         )
-        page.chosen.connect(partial(self._export, design))
+        page.chosen.connect(self._export)
         page.finished.connect(self._forget_page)
         self.page = page
         page.open()
@@ -459,37 +459,24 @@ class StimulusActions(QObject):
     def _forget_page(self) -> None:
         self.page = None
 
-    def _export(
-        self, design: Design, order: Any, overview: Any, confirmed: bool, settings: str
-    ) -> None:
+    def _export(self, prepared: "PreparedStimulus", confirmed: bool, settings: str) -> None:
         # The next export mostly has the same settings.
         self._preferences.export_text = settings
-        kind = order.format
-        own = self._document.path
+        kind, own = prepared.format, self._document.path
         name = "stimulus" if own is None else own.stem
         start = self._preferences.folder / f"{name}{kind.suffix}"
         title = "Folder" if kind.folder else kind.title
         filter_text = f"{title} (*{kind.suffix})" if kind.suffix else "All files (*)"
         path = self._files.ask_where("Export stimulus", start, filter_text, ending=kind.suffix)
-        # The page has imported it already; the start of the studio does not wait for it.
-        stimulus_export = importlib.import_module("skinsource.export.stimulus_export")
-        if path is None or not self._may_write(
-            path, stimulus_export.written_files(path, kind, overview.marks)
-        ):
-            return
-        work = partial(
-            stimulus_export.export_stimulus,
-            design,
-            path,
-            kind.name,
-            order.rate_hz,
-            options=replace(order.options, accept_loss=confirmed),
-            actuation=order.actuation,
-            rig=order.rig,
-            equaliser=order.equaliser,
-            confirmed=confirmed,
-        )
-        self._jobs.add(path, work, written=lambda result: result.files[0])
+        # Imported when something is exported: the start of the studio does not wait for it.
+        export = importlib.import_module("skinsource.export.stimulus_export.export")
+        if path is not None and self._may_write(path, export.written_files(prepared, path)):
+            self._jobs.add(
+                path,
+                lambda **job: export.write_prepared(
+                    prepared, path, confirmed=confirmed, **job
+                ).files[0],
+            )
 
     def _may_write(self, path: Path, written: Iterable[tuple[Path, ...]]) -> bool:
         """Return whether files other than ``path``, on which the dialog asked, may be replaced."""

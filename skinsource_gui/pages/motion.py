@@ -31,7 +31,7 @@ from skinsource.design.design import MAX_INPUTS, Design
 from skinsource.design.edits.edit import Refusal, as_kind, kind_spec
 from skinsource.design.motions import MOTIONS, Motion, path_of, with_motion_field, with_path_of
 from skinsource.design.waveform import Waveform
-from skinsource.design.waveforms.catalog import kinds
+from skinsource.design.waveforms import kinds
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import ModelSpec, NumberSpec

@@ -7,7 +7,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design import edits
-from skinsource.design.waveforms.catalog import kinds
+from skinsource.design.waveforms import kinds
 from skinsource_gui.panels.timeline.panel import TimelineEdits
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.state.document import Document

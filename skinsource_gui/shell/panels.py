@@ -15,7 +15,7 @@ from skinsource_gui.panels.spectra.panel import SpectraSettings
 from skinsource_gui.panels.timeline.content import TimelineSettings
 from skinsource_gui.panels.traces.panel import TracesSettings
 from skinsource_gui.panels.transfer.settings import TransferSettings
-from skinsource_gui.shell.arrangement_spec import Behind, Place
+from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS, Behind, Place
 from skinsource_gui.state.panel import LazyPanel, Panel
 
 
@@ -54,86 +54,86 @@ class PanelSpec:
                 )
 
 
-def _places(
-    design: Place | Behind | None = None,
-    drawing: Place | Behind | None = None,
-    analysis: Place | Behind | None = None,
-    presentation: Place | Behind | None = None,
-) -> Mapping[str, Place | Behind | None]:
-    return {
-        "design": design,
-        "drawing": drawing,
-        "analysis": analysis,
-        "presentation": presentation,
-    }
-
+# No arrangement shows it: View > Panels brings it, as a tab.
+_HIDDEN: Mapping[str, Place | Behind | None] = dict.fromkeys(spec.name for spec in ARRANGEMENTS)
 
 #: In the order in which the keyboard reaches them.
 PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(
         panel=LazyPanel("hand", "Hand"),
-        places=_places(design=Place(0), presentation=Place(0, 82)),
+        places={**_HIDDEN, "design": Place(0), "presentation": Place(0, 82)},
     ),
     PanelSpec(
         panel=LazyPanel("timeline", "Timeline"),
         settings=TimelineSettings,
-        places=_places(
-            design=Place(0, 38, at_foot=True),
-            drawing=Place(0, 30, at_foot=True),
-            analysis=Behind("spectra"),
-        ),
+        places={
+            **_HIDDEN,
+            "design": Place(0, 38, at_foot=True),
+            "drawing": Place(0, 30, at_foot=True),
+            "analysis": Behind("spectra"),
+        },
     ),
-    PanelSpec(panel=LazyPanel("inspector", "Inspector"), places=_places(design=Place(2))),
+    PanelSpec(panel=LazyPanel("inspector", "Inspector"), places={**_HIDDEN, "design": Place(2)}),
     PanelSpec(
         panel=LazyPanel("frequency_and_amplitude", "Frequency and amplitude"),
         settings=ControlSettings,
-        places=_places(presentation=Place(0, 18)),
+        places={**_HIDDEN, "presentation": Place(0, 18)},
     ),
     PanelSpec(
         panel=LazyPanel("skin", "Skin"),
         settings=SkinSettings,
-        places=_places(design=Place(1), drawing=Place(0), analysis=Place(0), presentation=Place(1)),
+        places={
+            **_HIDDEN,
+            "design": Place(1),
+            "drawing": Place(0),
+            "analysis": Place(0),
+            "presentation": Place(1),
+        },
     ),
     PanelSpec(
         panel=LazyPanel("traces", "Traces"),
         settings=TracesSettings,
-        places=_places(design=Place(3, 50), analysis=Place(1)),
+        places={**_HIDDEN, "design": Place(3, 50), "analysis": Place(1)},
     ),
     PanelSpec(
         panel=LazyPanel("spectra", "Spectra"),
         settings=SpectraSettings,
-        places=_places(design=Place(3, 50), analysis=Place(1)),
+        places={**_HIDDEN, "design": Place(3, 50), "analysis": Place(1)},
     ),
     PanelSpec(
         panel=LazyPanel("clip_editor", "Clip"),
-        places=_places(design=Behind("timeline"), drawing=Place(1), analysis=Behind("spectra")),
+        places={
+            **_HIDDEN,
+            "design": Behind("timeline"),
+            "drawing": Place(1),
+            "analysis": Behind("spectra"),
+        },
     ),
-    # No arrangement shows these: View > Panels brings them, as tabs.
-    PanelSpec(panel=LazyPanel("compare", "Compare"), places=_places()),
-    PanelSpec(panel=LazyPanel("history", "History"), places=_places()),
-    PanelSpec(panel=LazyPanel("library", "Library"), places=_places()),
-    PanelSpec(panel=LazyPanel("actuator", "Actuator"), settings=ActuatorSettings, places=_places()),
-    PanelSpec(panel=LazyPanel("playback", "Playback"), places=_places()),
-    PanelSpec(panel=LazyPanel("statistics", "Statistics"), places=_places()),
+    PanelSpec(panel=LazyPanel("compare", "Compare"), places=_HIDDEN),
+    PanelSpec(panel=LazyPanel("history", "History"), places=_HIDDEN),
+    PanelSpec(panel=LazyPanel("library", "Library"), places=_HIDDEN),
+    PanelSpec(panel=LazyPanel("actuator", "Actuator"), settings=ActuatorSettings, places=_HIDDEN),
+    PanelSpec(panel=LazyPanel("playback", "Playback"), places=_HIDDEN),
+    PanelSpec(panel=LazyPanel("statistics", "Statistics"), places=_HIDDEN),
     PanelSpec(
         panel=LazyPanel("spectrogram", "Spectrogram"),
         settings=SpectrogramSettings,
-        places=_places(),
+        places=_HIDDEN,
     ),
-    PanelSpec(panel=LazyPanel("transfer", "Transfer"), settings=TransferSettings, places=_places()),
-    PanelSpec(panel=LazyPanel("main_axis", "Main axis"), places=_places()),
-    PanelSpec(panel=LazyPanel("wave", "Wave"), places=_places()),
-    PanelSpec(panel=LazyPanel("windowed", "Windows"), places=_places()),
-    PanelSpec(panel=LazyPanel("regions", "Regions"), places=_places()),
+    PanelSpec(panel=LazyPanel("transfer", "Transfer"), settings=TransferSettings, places=_HIDDEN),
+    PanelSpec(panel=LazyPanel("main_axis", "Main axis"), places=_HIDDEN),
+    PanelSpec(panel=LazyPanel("wave", "Wave"), places=_HIDDEN),
+    PanelSpec(panel=LazyPanel("windowed", "Windows"), places=_HIDDEN),
+    PanelSpec(panel=LazyPanel("regions", "Regions"), places=_HIDDEN),
     PanelSpec(
         panel=LazyPanel("side_by_side", "Side by side"),
         settings=SideBySideSettings,
-        places=_places(),
+        places=_HIDDEN,
     ),
     PanelSpec(
-        panel=LazyPanel("linearity", "Linearity"), settings=LinearitySettings, places=_places()
+        panel=LazyPanel("linearity", "Linearity"), settings=LinearitySettings, places=_HIDDEN
     ),
     PanelSpec(
-        panel=LazyPanel("perception", "Perception"), settings=PerceptionSettings, places=_places()
+        panel=LazyPanel("perception", "Perception"), settings=PerceptionSettings, places=_HIDDEN
     ),
 )

@@ -21,7 +21,7 @@ from skinsource.design.effects import EFFECTS
 from skinsource.design.effects.level import Fade
 from skinsource.design.effects.time import Reverse
 from skinsource.design.view import View
-from skinsource.design.waveforms.catalog import KINDS
+from skinsource.design.waveforms import KINDS
 from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.samples import Layers
 from skinsource.design.waveforms.tones import Tone

@@ -10,7 +10,7 @@ import pytest
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.waveform import Waveform
-from skinsource.design.waveforms.catalog import KINDS
+from skinsource.design.waveforms import KINDS
 from skinsource.signals.generators import sample_count
 from skinsource.signals.sampling import band_limited_delay
 from skinsource.specs import image

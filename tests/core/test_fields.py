@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.waveforms.catalog import KINDS
+from skinsource.design.waveforms import KINDS
 from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.tones import Tone
 from skinsource.specs import fields

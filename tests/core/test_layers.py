@@ -16,7 +16,7 @@ from skinsource.design.effects.playing import played
 from skinsource.design.effects.time import Trim
 from skinsource.design.signal_path import placed_signal_path
 from skinsource.design.view import View
-from skinsource.design.waveforms.catalog import KINDS
+from skinsource.design.waveforms import KINDS
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.samples import Layers
 from skinsource.design.waveforms.tones import Tone

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.waveforms.catalog import KINDS
+from skinsource.design.waveforms import KINDS
 from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square
 from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
 from skinsource.design.waveforms.tones import Tone

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.waveforms.catalog import KINDS
+from skinsource.design.waveforms import KINDS
 from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.signals.generators import sinusoid, tap, white_noise

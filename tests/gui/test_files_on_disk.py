@@ -9,8 +9,11 @@ from PySide6.QtCore import QEvent, QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
+from skinsource.base import files
+from skinsource.design import design_file
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
+from skinsource_gui.pages.files import file_actions
 from skinsource_gui.state.preferences import Preferences
 
 YES, CANCEL = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
@@ -50,6 +53,22 @@ def place(window, location=3):
 
 def activate(window):
     QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
+
+
+def test_opening_a_design_reads_its_file_once(window, tmp_path, monkeypatch):
+    path, reads = tmp_path / "once.skinsource", []
+    save_design(path, OTHER)
+
+    def count(file, *, most):
+        reads.append(file)
+        return files.read_bytes(file, most=most)
+
+    for module in (design_file, file_actions):
+        monkeypatch.setattr(module, "read_bytes", count)
+    window.files.open(path)
+    assert window.document.design == OTHER
+    window.files.look_at_disk()
+    assert reads == [path]
 
 
 def test_a_file_that_another_program_changed_is_not_replaced_unasked(window, opened, asked):

@@ -28,7 +28,7 @@ UNNEEDED = (
     "skinsource_gui.pages.scenes",
     # Modules that nothing of the start calls, and large packages.
     "skinsource.export.stimulus_export",
-    "skinsource.export.formats.formats",
+    "skinsource.export.formats",
     "sounddevice",
     "scipy.signal",
     "matplotlib",

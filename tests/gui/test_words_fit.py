@@ -5,7 +5,8 @@ import pytest
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QStyleOptionViewItem, QToolButton
 
-from skinsource.export.stimulus_export.preparing import ChannelOverview
+from skinsource.engine.stimulus import Channel
+from skinsource.export.formats.format import ChannelOverview
 from skinsource_gui.pages.stimulus.page import channel_lines
 from skinsource_gui.panels.compare.card import fitted_level
 from skinsource_gui.panels.history.panel import StepDelegate, StepsModel
@@ -85,11 +86,7 @@ def test_a_long_step_of_the_history_is_cut_beside_its_time_and_goes_before_it_in
 
 def test_the_sheet_of_an_export_writes_a_minus(qapp):
     overview = ChannelOverview(
-        file="",
-        number=1,
-        title="Palm",
-        place=20,
-        inputs=(1,),
+        channel=Channel(number=1, place=20, title="Palm", inputs=(1,)),
         extremes=np.zeros((2, 4)),
         peak=0.5,
         rms=0.25,

@@ -2,7 +2,6 @@
 
 import argparse
 import sys
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -17,8 +16,9 @@ from skinsource.design.design_file import open_design
 from skinsource.design.labels import SCALINGS, label_of, level_label, limb_label, signal_label
 from skinsource.design.view import View, view_on
 from skinsource.engine.evaluation import evaluate
-from skinsource.export.map_files import export_map, export_map_picture
-from skinsource.export.tables import export_levels, export_traces
+from skinsource.export.exported_design import ExportedDesign
+from skinsource.export.map_files import write_map, write_map_picture
+from skinsource.export.tables import write_levels, write_traces
 from skinsource.limbs.locations import input_name, output_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.perception.validity import Judged, in_short
@@ -71,15 +71,13 @@ def _render(arguments: argparse.Namespace) -> int:
     content = open_design(arguments.design)
     folder: Path = arguments.out
     make_folder(folder)
-    writers: dict[str, Callable[[Path, Design, View], None]] = {
-        "levels.csv": export_levels,
-        "map.csv": export_map,
-        "map.png": export_map_picture,
-    }
+    view = view_on(content.design.limb, content.view)
+    exported = ExportedDesign(content.design, view)
+    writers = {"levels.csv": write_levels, "map.csv": write_map, "map.png": write_map_picture}
     if content.view.outputs:
-        writers["traces.csv"] = export_traces
+        writers["traces.csv"] = write_traces
     for name, write in writers.items():
-        write(folder / name, content.design, view_on(content.design.limb, content.view))
+        write(folder / name, exported)
         sys.stdout.write(f"{folder / name}\n")
     return 0
 

@@ -8,7 +8,7 @@ from typing import Any
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.rigs import open_rig
 from skinsource.design.design_file import open_design
-from skinsource.export.formats.formats import FORMATS, export_formats
+from skinsource.export.formats import FORMATS, export_formats
 from skinsource.export.stimulus_export.export import export_stimulus
 from skinsource.export.stimulus_export.options import StimulusOptions
 

@@ -92,10 +92,15 @@ def open_design(path: str | os.PathLike[str]) -> DesignFile:
     DesignFileError
         It is not a design file, it is damaged, or it holds something this version does not know.
     """
-    file = Path(path)
-    name = path_text(Path(file.name))
+    return read_design(Path(path))[1]
+
+
+def read_design(path: Path) -> tuple[bytes, DesignFile]:
+    """Return the bytes of a design file and its content; errors are those of `open_design`."""
+    name = path_text(Path(path.name))
     try:
-        return _content(read_bytes(file, most=image.MAX_IMAGE_BYTES))
+        stored = read_bytes(path, most=image.MAX_IMAGE_BYTES)
+        return stored, _content(stored)
     except FileFormatError as error:
         problem = str(error).removeprefix(f"{name}: ")
         raise DesignFileError(f"{name}: {sentence(problem)}") from error

@@ -19,7 +19,7 @@ from skinsource.design.design import AMPLITUDE, Input
 from skinsource.design.effects.level import Fade
 from skinsource.design.effects.time import Trim
 from skinsource.design.waveform import Waveform
-from skinsource.design.waveforms.catalog import kinds
+from skinsource.design.waveforms import kinds
 from skinsource.design.waveforms.periodic import Saw, Square, Triangle
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone

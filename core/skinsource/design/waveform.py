@@ -1,10 +1,10 @@
 """The protocol of waveforms, and field specifications and checks that several of them share.
 
-Clips hold waveforms, and `Layers` is a waveform that holds clips.  So the catalog of waveforms
-imports the clips, and registers itself here with `register_kinds` for `known_kinds`.
+Clips hold waveforms, and `Layers` is a waveform that holds clips.  So the table of waveforms
+imports the clips, and `known_kinds` imports the table when it is called.
 """
 
-from collections.abc import Callable
+import importlib
 from typing import Any, ClassVar, Protocol, runtime_checkable
 
 import numpy as np
@@ -47,17 +47,11 @@ class Waveform(Protocol):
 
 Kinds = tuple[type[Waveform], ...]
 
-_catalogs: list[Callable[[], Kinds]] = []
-
-
-def register_kinds(catalog: Callable[[], Kinds]) -> None:
-    """Set the function that returns every kind of waveform."""
-    _catalogs[:] = [catalog]
-
 
 def known_kinds() -> Kinds:
     """Return every kind of waveform."""
-    return _catalogs[0]() if _catalogs else ()
+    kinds: Kinds = importlib.import_module("skinsource.design.waveforms").kinds()
+    return kinds
 
 
 def first_kind() -> Waveform:

@@ -373,6 +373,39 @@ def stimulus_of(
     >>> stimulus.channels[0].title, stimulus.samples.shape
     ('Digit II, pad', (1, 9600))
     """
+    _, stimulus = stimuli_of(
+        design,
+        sample_rate_hz,
+        per=per,
+        inputs=inputs,
+        clips=clips,
+        limb=limb,
+        lead_in_s=lead_in_s,
+        progress=progress,
+        stop=stop,
+    )
+    for stage in stages:
+        stop_if(stop)
+        stimulus = stage(stimulus)
+    return stimulus
+
+
+def stimuli_of(
+    design: Design,
+    sample_rate_hz: int | None,
+    *,
+    per: Literal["place", "input"],
+    inputs: Iterable[int] | None,
+    clips: Iterable[int] | None,
+    limb: Limb | None = None,
+    lead_in_s: float,
+    progress: Progress,
+    stop: Stop,
+) -> tuple[Stimulus, Stimulus]:
+    """Return the stimulus at the rate of the limb from time 0 on, and the one of `stimulus_of`.
+
+    Waveforms are sampled once.  Parameters and errors are those of `stimulus_of`.
+    """
     tracks = _playing_tracks(design, inputs, clips)
     one_of("per", per, ("place", "input"))
     if sample_rate_hz is not None:
@@ -384,21 +417,19 @@ def stimulus_of(
     rate_hz = own_rate_hz if sample_rate_hz is None else float(sample_rate_hz)
     channels = _channels(tracks, per, design.limb)
     lead = lead_in_samples(lead_in_s, rate_hz)
-    stimulus = Stimulus(
+    own_samples, samples = _samples_of(tracks, channels, own_rate_hz, rate_hz, lead, progress, stop)
+    own = Stimulus(
         channels=channels,
-        samples=_samples_of(tracks, channels, own_rate_hz, rate_hz, lead, progress, stop),
-        sample_rate_hz=rate_hz,
-        start_s=-lead / rate_hz if lead else 0.0,
+        samples=own_samples,
+        sample_rate_hz=own_rate_hz,
         limb=design.limb,
         scaling=design.scaling,
         own_rate_hz=own_rate_hz,
         limb_band_hz=limb.band_hz,
         unit=drive_unit(design, limb),
     )
-    for stage in stages:
-        stop_if(stop)
-        stimulus = stage(stimulus)
-    return stimulus
+    start_s = -lead / rate_hz if lead else 0.0
+    return own, replace(own, samples=samples, sample_rate_hz=rate_hz, start_s=start_s)
 
 
 def _playing_tracks(
@@ -444,8 +475,8 @@ def _samples_of(
     lead: int,
     progress: Progress,
     stop: Stop,
-) -> Floats:
-    """Return samples at ``rate_hz`` from ``lead`` samples before time 0, (n_channels, n_times)."""
+) -> tuple[Floats, Floats]:
+    """Return samples at the own rate from time 0 on, and at ``rate_hz`` from ``lead`` before it."""
     ratio = Fraction(rate_hz) / Fraction(own_rate_hz)
     rows = {id: row for row, channel in enumerate(channels) for id in channel.inputs}
     pieces: list[tuple[int, int, float, Floats]] = []
@@ -469,15 +500,16 @@ def _samples_of(
         begin = before + start
         total[row, begin : begin + samples.size] += factor * samples
     stop_if(stop)
+    own = total[:, before:]
     if ratio == 1:
-        return total
+        return own, total
     converted = np.empty((len(channels), -(-n * ratio.numerator // ratio.denominator)))
     for row, samples in enumerate(total):
         # Converting a minute to the rate of a sound card takes a while.
         stop_if(stop)
         progress(row, len(channels), "Computing")
         converted[row] = by_ratio(samples, ratio, min(own_rate_hz, rate_hz))
-    return converted[:, surplus:]
+    return own, converted[:, surplus:]
 
 
 def _check_length(n_channels: int, n_times: int, rate_hz: float) -> None:
@@ -546,13 +578,20 @@ def for_rig(
         A location is not wired, drives are not accelerations, a drive leaves a velocity, or the rig
         does not know the volts at full scale or how an actuator moves.
     """
+    samples, unit = np.array(stimulus.samples), stimulus.unit
     if equaliser is not None:
-        played = _equalised_for(stimulus, rig, equaliser)
-    elif stimulus.unit == "V" and not scaled:
-        played = _volts_for(stimulus, rig)
+        samples = _equalised(
+            stimulus, equaliser, lambda row: _actuator_of(channel_of(stimulus, row, rig))
+        )
+    channels = {row: channel_of(stimulus, row, rig) for row in stimulus.driving}
+    if equaliser is not None or (unit == "V" and not scaled):
+        unit = FULL_SCALE_UNIT
+        for row, channel in channels.items():
+            samples[row] /= _full_scale_v(channel)
     else:
-        played = _wired(stimulus, rig)
-    return _aligned(played, rig)
+        inverted = [row for row, channel in channels.items() if channel.polarity == "inverted"]
+        samples[inverted] *= -1.0
+    return _aligned(stimulus.with_samples(samples, unit=unit), rig)
 
 
 def through_actuators(stimulus: Stimulus, actuation: Actuation, equaliser: Equaliser) -> Stimulus:
@@ -563,16 +602,24 @@ def through_actuators(stimulus: Stimulus, actuation: Actuation, equaliser: Equal
     InvalidInputError
         Drives are not accelerations, a drive leaves a velocity, or a location has no actuator.
     """
-    _check_accelerations(stimulus)
-    samples, band = np.array(stimulus.samples), _band_of(stimulus)
-    for row in stimulus.driving:
-        place = stimulus.channels[row].place
-        if place is not None:
-            model = actuation.at(place).model
-            samples[row] = equalised(
-                samples[row], stimulus.sample_rate_hz, model, equaliser, band_hz=band
-            )
+    places = {
+        row: place
+        for row, channel in enumerate(stimulus.channels)
+        if (place := channel.place) is not None
+    }
+    samples = _equalised(stimulus, equaliser, lambda row: actuation.at(places[row]).model)
     return stimulus.with_samples(samples, unit="V")
+
+
+def _equalised(stimulus: Stimulus, equaliser: Equaliser, model_of: Callable[[int], Any]) -> Floats:
+    """Return samples with the volts for the actuators, by their rows."""
+    _check_accelerations(stimulus)
+    rate_hz, samples = stimulus.sample_rate_hz, np.array(stimulus.samples)
+    # The frequencies at which actuators follow the drives.
+    band = followed_band(stimulus.limb_band_hz, min(rate_hz, stimulus.own_rate_hz))
+    for row in stimulus.driving:
+        samples[row] = equalised(samples[row], rate_hz, model_of(row), equaliser, band_hz=band)
+    return samples
 
 
 def channel_of(stimulus: Stimulus, row: int, rig: Rig) -> RigChannel:
@@ -591,43 +638,6 @@ def added_delays_s(stimulus: Stimulus, rig: Rig) -> dict[int, float]:
     delays_s = {row: channel_of(stimulus, row, rig).delay_s for row in stimulus.driving}
     longest = max(delays_s.values(), default=0.0)
     return {row: longest - delay_s for row, delay_s in delays_s.items()}
-
-
-def _wired(stimulus: Stimulus, rig: Rig) -> Stimulus:
-    sign = np.ones((len(stimulus.channels), 1))
-    for row in stimulus.driving:
-        if channel_of(stimulus, row, rig).polarity == "inverted":
-            sign[row] = -1.0
-    return stimulus if (sign > 0).all() else stimulus.with_samples(stimulus.samples * sign)
-
-
-def _equalised_for(stimulus: Stimulus, rig: Rig, equaliser: Equaliser) -> Stimulus:
-    _check_accelerations(stimulus)
-    samples, band = np.array(stimulus.samples), _band_of(stimulus)
-    for row in stimulus.driving:
-        channel = channel_of(stimulus, row, rig)
-        volts = equalised(
-            stimulus.samples[row],
-            stimulus.sample_rate_hz,
-            _actuator_of(channel),
-            equaliser,
-            band_hz=band,
-        )
-        samples[row] = volts / _full_scale_v(channel)
-    return stimulus.with_samples(samples, unit=FULL_SCALE_UNIT)
-
-
-def _band_of(stimulus: Stimulus) -> Band:
-    """Return the frequencies at which actuators follow the drives."""
-    lower_hz = min(stimulus.sample_rate_hz, stimulus.own_rate_hz)
-    return followed_band(stimulus.limb_band_hz, lower_hz)
-
-
-def _volts_for(stimulus: Stimulus, rig: Rig) -> Stimulus:
-    samples = np.array(stimulus.samples)
-    for row in stimulus.driving:
-        samples[row] /= _full_scale_v(channel_of(stimulus, row, rig))
-    return stimulus.with_samples(samples, unit=FULL_SCALE_UNIT)
 
 
 def _aligned(stimulus: Stimulus, rig: Rig) -> Stimulus:

@@ -7,7 +7,7 @@ wrong it can be.
 import hashlib
 import math
 import os
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from io import BufferedRandom, FileIO
 from pathlib import Path
@@ -20,7 +20,7 @@ from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import TooInaccurateError
 from skinsource.base.files import replacing
-from skinsource.base.job import Progress, Stop, stop_if
+from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.measurement_conditions import ALL_AXES, Axes, axes_of
 from skinsource.base.work import counted
 from skinsource.design.amplitudes import amplitude_note
@@ -33,7 +33,7 @@ from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.streaming import StreamedVibration
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling
-from skinsource.perception.validity import findings_lines as finding_words_of
+from skinsource.perception.validity import findings_lines
 from skinsource.version import __version__
 
 if TYPE_CHECKING:
@@ -58,6 +58,8 @@ class ExportedDesign:
         Called with (done, total, what is being done); a total of 0 while that is not known.
     stop
         Asked now and then; once true, `skinsource.base.errors.Stopped` is raised.
+    largest_error
+        Estimated error, relative to the largest sample, above which nothing is written.
 
     Attributes
     ----------
@@ -69,9 +71,16 @@ class ExportedDesign:
         The vibration of a response that is too long to be computed at once, else None.
     """
 
-    def __init__(self, design: Design, view: View, progress: Progress, stop: Stop) -> None:
+    def __init__(
+        self,
+        design: Design,
+        view: View,
+        progress: Progress = silent,
+        stop: Stop = never,
+        largest_error: float = math.inf,
+    ) -> None:
         self.design, self.view = design, view
-        self.progress, self.stop = progress, stop
+        self.progress, self.stop, self._largest_error = progress, stop, largest_error
         self._graph = new_graph()
         progress(0, 0, "Computing")
         basis = self.values(
@@ -98,17 +107,45 @@ class ExportedDesign:
         bytes_each = n_axes * self.n_times * np.dtype(np.float64).itemsize
         return outputs if self.streamed is None else outputs[: _MOST_HELD_BYTES // bytes_each]
 
-    def error(self, outputs: tuple[int, ...], axes: Axes) -> TraceError | None:
-        """Return the error of the vibration at some outputs; None where nothing moves."""
-        error: TraceError | None = self.value("trace_error", outputs=outputs, axes=axes)
-        return error
+    def error_line(
+        self, what: str, outputs: tuple[int, ...], axes: Axes | None = None, **changed: Any
+    ) -> str:
+        """Return a line on the error of the vibration at some outputs, as far as it is known.
 
-    def error_of(self, field: Floats, outputs: tuple[int, ...]) -> TraceError | None:
-        """Return the error of ``field``, (n_outputs, n_axes, n_times), at some outputs."""
-        error: TraceError | None = self.value(
-            "trace_error", outputs=outputs, axes=ALL_AXES, axis_traces=field
+        Parameters
+        ----------
+        what
+            What the line is about.
+        outputs, axes
+            Outputs, and axes; None: those of the view.
+        changed
+            Sources that replace those of the design.
+
+        Raises
+        ------
+        TooInaccurateError
+            The error is larger than it may be.
+        """
+        axes = self.view.axes if axes is None else axes
+        error: TraceError | None = self.value("trace_error", outputs=outputs, axes=axes, **changed)
+        if error is None:
+            return f"error of {what}: there is nothing to check"
+        if not error.estimate <= self._largest_error and self._largest_error < math.inf:
+            raise TooInaccurateError(
+                f"The result may be wrong by {error.estimate:.1e} of its largest sample, more than "
+                f"{self._largest_error:g}. Nothing was written. Look for inputs that cancel each "
+                "other."
+            )
+        return (
+            f"error of {what}, relative to the largest sample: about {error.estimate!r} "
+            f"({ESTIMATE_FACTOR:g} x the worst of {N_SAMPLES} samples computed again exactly), at "
+            f"most {error.bound!r} (theory)"
         )
-        return error
+
+    def loudest_error_line(self, rms: Floats) -> str:
+        """Return the line on the error at the loudest output, by the RMS of each, (n_outputs,)."""
+        loudest = int(np.argmax(rms)) + 1
+        return self.error_line(f"the traces of output {loudest}, the loudest", (loudest,))
 
     def field_blocks(self) -> Iterator[Floats]:
         """Yield the field piece by piece, (n_outputs, n_axes, n) in m/s², silence included."""
@@ -190,92 +227,87 @@ def describe_levels(span: str) -> str:
     return f"levels: RMS over the {label_of(SPANS, span).both.lower()}"
 
 
-def about_design(exported: ExportedDesign) -> list[str]:
-    """Return lines on limb, scaling, inputs and validity."""
-    design = exported.design
-    lines = ["SkinSource studio"]
-    if exported.limb.synthetic:
-        lines.append("SYNTHETIC LIMB: computed responses, not measured ones")
-    lines += describe_played(
-        design.limb, exported.limb.note, design.scaling, design.inputs, design.actuated
-    )
-    return [*lines, *finding_words_of(exported.value("validity"))]
-
-
 def about_axes(exported: ExportedDesign) -> str:
     """Return a line on the axes and how they become one signal."""
     axes = axes_of(exported.limb.axes, exported.view.axes)
     return describe_projection(axes, exported.view.method)
 
 
-def about_levels(exported: ExportedDesign) -> str:
-    """Return a line on the span that levels are the RMS over."""
-    return describe_levels(exported.view.span)
-
-
-def about_method(exported: ExportedDesign) -> list[str]:
-    """Return lines on versions, method, and the responses that were used."""
-    audible = audible_inputs(exported.design.inputs)
-    how = (
-        "cached spectra"
-        if exported.streamed is None
-        else f"overlap-save {exported.streamed.cut.n_fft}"
-    )
+def about(exported: ExportedDesign, *lines: str) -> list[str]:
+    """Return ``lines`` between those on limb, scaling, inputs and validity, and on the method."""
+    design, limb, streamed = exported.design, exported.limb, exported.streamed
+    audible = audible_inputs(design.inputs)
+    how = "cached spectra" if streamed is None else f"overlap-save {streamed.cut.n_fft}"
     return [
+        "SkinSource studio",
+        *(["SYNTHETIC LIMB: computed responses, not measured ones"] if limb.synthetic else []),
+        *describe_played(design.limb, limb.note, design.scaling, design.inputs, design.actuated),
+        *findings_lines(exported.value("validity")),
+        *lines,
         f"computed by: skinsource {__version__}, numpy {np.__version__}, scipy {scipy.__version__}",
         f"precision and method: float64, {how}",
-        f"inputs heard: {len(audible)} of {len(exported.design.inputs)}",
-        *_about_data(exported, sorted({track.location for track in audible})),
+        f"inputs heard: {len(audible)} of {len(design.inputs)}",
+        *_about_data(limb, sorted({track.location for track in audible})),
     ]
 
 
-def about_error(error: TraceError | None, what: str) -> str:
-    """Return a line on the error of ``what``, as far as it is known."""
-    if error is None:
-        return f"error of {what}: there is nothing to check"
-    return (
-        f"error of {what}, relative to the largest sample: about {error.estimate!r} "
-        f"({ESTIMATE_FACTOR:g} x the worst of {N_SAMPLES} samples computed again exactly), at most "
-        f"{error.bound!r} (theory)"
-    )
-
-
-def checked_error_line(exported: ExportedDesign, rms: Floats, largest_error: float) -> str:
-    """Return the line on the error at the loudest output, by the RMS of each, (n_outputs,).
-
-    Raises
-    ------
-    TooInaccurateError
-        The error is larger than ``largest_error``.
-    """
-    loudest = int(np.argmax(rms)) + 1
-    error = exported.error((loudest,), exported.view.axes)
-    check_accuracy(error, largest_error)
-    return about_error(error, f"the traces of output {loudest}, the loudest")
-
-
-def listed(outputs: tuple[int, ...]) -> str:
-    """Return some outputs as text."""
-    return f"outputs {', '.join(map(str, outputs))}"
-
-
-def check_accuracy(error: TraceError | None, largest_error: float) -> None:
-    """Raise `TooInaccurateError` where the estimate is not at most ``largest_error``."""
-    if error is not None and not error.estimate <= largest_error and largest_error < math.inf:
-        raise TooInaccurateError(
-            f"The result may be wrong by {error.estimate:.1e} of its largest sample, more than "
-            f"{largest_error:g}. Nothing was written. Look for inputs that cancel each other."
-        )
-
-
-def _about_data(exported: ExportedDesign, places: list[int]) -> list[str]:
+def _about_data(limb: Limb, places: list[int]) -> list[str]:
     if not places:
         return []
     digest = hashlib.sha256()
     for place in places:
-        digest.update(np.ascontiguousarray(exported.limb.response_to(place), "<f8").data)
+        digest.update(np.ascontiguousarray(limb.response_to(place), "<f8").data)
     numbers = ", ".join(map(str, places))
     return [f"responses to places {numbers}: SHA-256 {digest.hexdigest()}"]
+
+
+class Export:
+    """A file that holds quantities of a design: computed, and written whole or not at all.
+
+    Parameters
+    ----------
+    write
+        Writes the file from a design that is being exported.
+    """
+
+    def __init__(self, write: Callable[[Path, ExportedDesign], None]) -> None:
+        self.write, self.__doc__ = write, write.__doc__
+
+    def __call__(
+        self,
+        path: Path,
+        design: Design,
+        view: View,
+        *,
+        progress: Progress = silent,
+        stop: Stop = never,
+        largest_error: float = math.inf,
+    ) -> None:
+        """Compute and write the file.
+
+        Parameters
+        ----------
+        path
+            The file.
+        design, view
+            The design, and what of it is written: axes, method, outputs, span.
+        progress
+            Called with (done, total, what is being done); a total of 0 while that is not known.
+        stop
+            Asked now and then; once true, nothing is written.
+        largest_error
+            Estimated error, relative to the largest sample, above which nothing is written.
+
+        Raises
+        ------
+        StorageError
+            The folder cannot be written, or the disk is full.
+        TooInaccurateError
+            The error is larger than ``largest_error``.
+        Stopped
+            ``stop`` said so.
+        """
+        self.write(path, ExportedDesign(design, view, progress, stop, largest_error))
 
 
 _BYTES_BETWEEN_SYNCS = 8 * 2**20

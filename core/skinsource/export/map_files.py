@@ -1,30 +1,24 @@
 """The map of levels as a table and as a PNG picture, written without a window and matplotlib."""
 
-import math
 import struct
 import zlib
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import levels_for_tables
-from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.design.design import Design
-from skinsource.design.view import View
 from skinsource.export.exported_design import (
+    Export,
     ExportedDesign,
+    about,
     about_axes,
-    about_design,
-    about_levels,
-    about_method,
-    checked_error_line,
+    describe_levels,
     output_file,
 )
-from skinsource.export.tables import CsvTable
-from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource.export.tables import write_table
 from skinsource.signals.map_range import MAP_RANGE_DB
 
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
@@ -72,51 +66,41 @@ _OUTSIDE_VALUE = 255
 _MAGNIFICATION = 3
 
 
-def export_map(
-    path: Path,
-    design: Design,
-    view: View,
-    *,
-    progress: Progress = silent,
-    stop: Stop = never,
-    largest_error: float = math.inf,
-) -> None:
-    """Compute and write the map as a table: a row for each y, from the lowest, in mm; dB re 1 m/s².
+def write_map(path: Path, exported: ExportedDesign) -> None:
+    """Write the map as a table: a row for each y, from the lowest, in mm; dB re 1 m/s².
 
-    Values outside the outline of the limb, and those of silence, are ``nan``.  Parameters and
-    errors are those of `export_traces`.
+    Values outside the outline of the limb, and those of silence, are ``nan``.
     """
-    surface, levels_db, about = _map_content(design, view, progress, stop, largest_error)
+    results, lines = _map_content(exported)
+    surface = results["surface"]
     header = ["y_mm", *(f"x_{x:g}_mm" for x in surface.x_mm)]
-    with output_file(path, stop) as file:
-        table = CsvTable(file, about, header, stop)
-        table.add(np.column_stack((surface.y_mm, levels_for_tables(levels_db))))
-        progress(1, 1, "Writing")
+    levels_db = levels_for_tables(results["surface_levels_db"])
+    write_table(path, exported, lines, header, np.column_stack((surface.y_mm, levels_db)))
 
 
-def export_map_picture(
-    path: Path,
-    design: Design,
-    view: View,
-    *,
-    progress: Progress = silent,
-    stop: Stop = never,
-    largest_error: float = math.inf,
-) -> None:
-    """Compute and write the map as a picture (PNG), with the meaning of its colours as a text.
+def write_map_picture(path: Path, exported: ExportedDesign) -> None:
+    """Write the map as a picture (PNG), with the meaning of its colours as a text.
 
-    Colours go from the loudest output to `MAP_RANGE_DB` below it.  Parameters and errors are those
-    of `export_traces`.
+    Colours go from the loudest output to `MAP_RANGE_DB` below it.
     """
-    _, levels_db, about = _map_content(design, view, progress, stop, largest_error)
+    results, lines = _map_content(exported)
+    levels_db = results["surface_levels_db"]
     top_db = float(np.nanmax(levels_db))
     colours = (
         f"colours: {top_db - MAP_RANGE_DB:.1f} (darkest) to {top_db:.1f} (lightest) dB re 1 m/s²"
     )
     pixels = picture_of(levels_db, top_db)
-    with output_file(path, stop) as file:
-        write_png(file, pixels, {"Description": "\n".join([*about, colours])})
-        progress(1, 1, "Writing")
+    with output_file(path, exported.stop) as file:
+        write_png(file, pixels, {"Description": "\n".join([*lines, colours])})
+        exported.progress(1, 1, "Writing")
+
+
+def _map_content(exported: ExportedDesign) -> tuple[dict[str, Any], list[str]]:
+    """Return the quantities of the map, and the lines about them."""
+    results = exported.values({"surface", "surface_levels_db", "output_rms"})
+    error_line = exported.loudest_error_line(results["output_rms"])
+    levels = f"{describe_levels(exported.view.span)}, in dB re 1 m/s²"
+    return results, [*about(exported, about_axes(exported), levels), error_line]
 
 
 def picture_of(levels_db: Floats, top_db: float) -> NDArray[np.uint8]:
@@ -137,18 +121,4 @@ def picture_of(levels_db: Floats, top_db: float) -> NDArray[np.uint8]:
     return pixels[::-1].repeat(_MAGNIFICATION, axis=0).repeat(_MAGNIFICATION, axis=1)
 
 
-def _map_content(
-    design: Design, view: View, progress: Progress, stop: Stop, largest_error: float
-) -> tuple[SurfaceOperator, Floats, list[str]]:
-    """Return the pixels of the map, their levels, and the lines about them."""
-    exported = ExportedDesign(design, view, progress, stop)
-    results = exported.values({"surface", "surface_levels_db", "output_rms"})
-    error_line = checked_error_line(exported, results["output_rms"], largest_error)
-    about = [
-        *about_design(exported),
-        about_axes(exported),
-        f"{about_levels(exported)}, in dB re 1 m/s²",
-        *about_method(exported),
-        error_line,
-    ]
-    return results["surface"], results["surface_levels_db"], about
+export_map, export_map_picture = Export(write_map), Export(write_map_picture)

@@ -6,6 +6,7 @@ import json
 import platform
 import zipfile
 from collections.abc import Callable
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -22,8 +23,9 @@ from skinsource.design.design import Design, audible_inputs
 from skinsource.design.design_file import save_design
 from skinsource.design.labels import limb_label
 from skinsource.design.view import View
-from skinsource.export.map_files import export_map, export_map_picture
-from skinsource.export.tables import export_levels, export_traces
+from skinsource.export.exported_design import ExportedDesign
+from skinsource.export.map_files import write_map, write_map_picture
+from skinsource.export.tables import write_levels, write_traces
 from skinsource.limbs.dataset.store import describe
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.version import __version__
@@ -75,19 +77,13 @@ def data_of(design: Design) -> dict[str, str]:
         "source_sha256": "",
         "limb_sha256": design.limb_digest or facts_of(design.limb).digest,
     }
-    if not design.limb.startswith("measured"):
-        return data
-    data["dataset_doi"] = DATASET_DOI
-    try:
-        store = describe()
-    except SkinSourceError:
-        return data
-    return {
-        **data,
-        "source_name": store.source_name,
-        "source_note": f"not verified as published: {store.note}" if store.note else "",
-        "source_sha256": store.source_sha256,
-    }
+    if design.limb.startswith("measured"):
+        data["dataset_doi"] = DATASET_DOI
+        with suppress(SkinSourceError):
+            store = describe()
+            data["source_name"], data["source_sha256"] = store.source_name, store.source_sha256
+            data["source_note"] = f"not verified as published: {store.note}" if store.note else ""
+    return data
 
 
 def _kind_of(limb: str) -> str:
@@ -169,22 +165,23 @@ def pack(
 def _writers(
     design: Design, view: View, rig: Rig | None, stop: Stop
 ) -> dict[str, Callable[[Path], object]]:
+    exported = ExportedDesign(design, view, stop=stop)
+    tables = {"levels.csv": write_levels, "map.csv": write_map, "map.png": write_map_picture}
+    if view.outputs:
+        tables["traces.csv"] = write_traces
     writers: dict[str, Callable[[Path], object]] = {
         "design.skinsource": lambda path: save_design(path, design, view),
-        "levels.csv": lambda path: export_levels(path, design, view, stop=stop),
-        "map.csv": lambda path: export_map(path, design, view, stop=stop),
-        "map.png": lambda path: export_map_picture(path, design, view, stop=stop),
         "citation.txt": lambda path: path.write_text(citation(design), "utf-8"),
         "README.txt": lambda path: path.write_text(_READ_ME, "utf-8"),
+        **{name: partial(write, exported=exported) for name, write in tables.items()},
     }
-    if view.outputs:
-        writers["traces.csv"] = lambda path: export_traces(path, design, view, stop=stop)
-    if _can_draw():
+    with suppress(MissingExtraError):
+        package_of_extra("matplotlib", "plot")
         for kind in _FIGURES:
             writers[f"figure.{kind}"] = partial(_write_figure, design=design, view=view, kind=kind)
     if audible_inputs(design.inputs):
         # Imported when something is packed: the studio starts without it.
-        stimuli = importlib.import_module("skinsource.export.stimulus_export")
+        stimuli = importlib.import_module("skinsource.export.stimulus_export.export")
         # Full scale is the largest sample: nothing clips. The sidecar says what the rate loses.
         options = stimuli.StimulusOptions(accept_loss=True)
         writers["stimulus.wav"] = lambda path: stimuli.export_stimulus(
@@ -193,14 +190,6 @@ def _writers(
     if rig is not None:
         writers["rig.skinrig"] = lambda path: save_rig(path, rig)
     return writers
-
-
-def _can_draw() -> bool:
-    try:
-        package_of_extra("matplotlib", "plot")
-    except MissingExtraError:
-        return False
-    return True
 
 
 def _write_figure(path: Path, *, design: Design, view: View, kind: str) -> None:

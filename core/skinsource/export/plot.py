@@ -13,7 +13,7 @@ need the extra ``plot``.
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cache
 from io import BytesIO
 from typing import Any, Literal
@@ -764,16 +764,6 @@ def _finish(figure: Any, designs: Sequence[Design]) -> None:
 _DEFAULT_COUNT = 5
 _MAP_MM, _LEFT_MM, _RIGHT_MM, _HEIGHT_MM = 28.0, 17.0, 20.0, 95.0
 _STRIPS_AROUND_MM = _LEFT_MM + _RIGHT_MM
-_WINDOW_QUANTITIES = (
-    "limb_data",
-    "surface",
-    "windows",
-    "sample_rate_hz",
-    "rms_of_windows",
-    "extents_of_windows",
-    "noisy_outputs_of_windows",
-    "windows_in_noise",
-)
 #: More maps side by side are too small to read.
 MOST_MAPS = 12
 
@@ -784,31 +774,31 @@ class WindowedLevels:
 
     Attributes
     ----------
-    limb, surface
-        Places of the outputs, and how levels are interpolated between them.
     places
         Input places that play.
+    limb_data, surface
+        Places of the outputs, and how levels are interpolated between them.
     windows
         Samples of the windows.
     sample_rate_hz
         Rate of the response.
-    rms : (n_windows, n_outputs)
+    rms_of_windows : (n_windows, n_outputs)
         In m/s².
-    extents
+    extents_of_windows
         How far each window reaches; None where nothing moves in it.
-    noisy, in_noise
+    noisy_outputs_of_windows, windows_in_noise
         Outputs of each window that are mostly noise, and whether all of it is.
     """
 
-    limb: Limb
-    surface: Any
     places: tuple[int, ...]
+    limb_data: Limb
+    surface: SurfaceOperator
     windows: Windows
     sample_rate_hz: float
-    rms: Floats
-    extents: tuple[Extent | None, ...]
-    noisy: tuple[tuple[int, ...], ...]
-    in_noise: tuple[bool, ...]
+    rms_of_windows: Floats
+    extents_of_windows: tuple[Extent | None, ...]
+    noisy_outputs_of_windows: tuple[tuple[int, ...], ...]
+    windows_in_noise: tuple[bool, ...]
 
 
 def windowed_levels(
@@ -826,18 +816,10 @@ def windowed_levels(
         view = replace(view, windows_cut="length", window_s=window_s)
     elif count is not None:
         view = replace(view, windows_cut="count", window_count=count)
-    results = evaluate(design, *_WINDOW_QUANTITIES, view=view)
-    return WindowedLevels(
-        limb=results["limb_data"],
-        surface=results["surface"],
-        places=tuple(sorted({track.location for track in audible_inputs(design.inputs)})),
-        windows=results["windows"],
-        sample_rate_hz=results["sample_rate_hz"],
-        rms=results["rms_of_windows"],
-        extents=results["extents_of_windows"],
-        noisy=results["noisy_outputs_of_windows"],
-        in_noise=results["windows_in_noise"],
-    )
+    places = sorted({track.location for track in audible_inputs(design.inputs)})
+    quantities = [field.name for field in fields(WindowedLevels) if field.name != "places"]
+    results = evaluate(design, *quantities, view=view)
+    return WindowedLevels(places=tuple(places), **results)
 
 
 def strip(
@@ -917,7 +899,7 @@ def _strip_figure(windowed: WindowedLevels, n: int, range_db: Range | None, titl
         draw_extent(figure.add_subplot(grid[1, :]), windowed, n)
         if title:
             figure.suptitle(title, fontsize=9)
-        note = _map_note(windowed.limb, any(windowed.noisy[:n]))
+        note = _map_note(windowed.limb_data, any(windowed.noisy_outputs_of_windows[:n]))
         if note:
             figure.text(0.99, 0.01, note, ha="right", color=DIM, fontsize=6)
     return figure
@@ -927,17 +909,17 @@ def draw_strip(
     figure: Any, maps: list[Any], windowed: WindowedLevels, range_db: Range | None
 ) -> None:
     """Draw the first windows into ``maps``, and a colour bar beside the last one."""
-    levels_db = decibels(windowed.rms)
+    levels_db = decibels(windowed.rms_of_windows)
     colours = common_range(levels_db) if range_db is None else range_db
     bounds = windowed.windows.bounds_s(windowed.sample_rate_hz)
     image = None
     for k, ax in enumerate(maps):
         levels = Levels(
-            limb=windowed.limb,
+            limb=windowed.limb_data,
             surface=windowed.surface,
             values=levels_db[k],
             places=windowed.places,
-            noisy=windowed.noisy[k],
+            noisy=windowed.noisy_outputs_of_windows[k],
         )
         begin, end = (1e3 * bound for bound in bounds[k])
         title = f"{begin:.0f} to {end:.0f} ms"
@@ -953,7 +935,7 @@ def draw_strip(
 def draw_extent(ax: Any, windowed: WindowedLevels, n: int) -> None:
     """Draw mean distance and the distance of 90 % of the energy over the first ``n`` windows."""
     # How noise is spread says nothing of what is played.
-    pairs = zip(windowed.extents[:n], windowed.in_noise, strict=False)
+    pairs = zip(windowed.extents_of_windows[:n], windowed.windows_in_noise, strict=False)
     distances_mm = np.array(
         [
             (np.nan, np.nan)

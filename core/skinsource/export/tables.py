@@ -6,8 +6,7 @@ written piece by piece: the field of a long design does not fit into memory.
 
 import math
 import shutil
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import zip_longest
 from pathlib import Path
 from typing import IO, BinaryIO
@@ -20,22 +19,16 @@ from numpy.typing import NDArray
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import levels_for_tables
 from skinsource.base.errors import StorageError
-from skinsource.base.job import Progress, Stop, never, silent, stop_if
+from skinsource.base.job import Stop, stop_if
 from skinsource.base.measurement_conditions import ALL_AXES
 from skinsource.base.work import counted
-from skinsource.design.design import Design
-from skinsource.design.view import View
 from skinsource.export.exported_design import (
     PIECE_SAMPLES,
+    Export,
     ExportedDesign,
+    about,
     about_axes,
-    about_design,
-    about_error,
-    about_levels,
-    about_method,
-    check_accuracy,
-    checked_error_line,
-    listed,
+    describe_levels,
     output_file,
 )
 from skinsource.limbs.extent import Extent
@@ -94,98 +87,63 @@ def _exact(value: float) -> str:
     return str(int(value)) if value.is_integer() and abs(value) < 2**53 else repr(value)
 
 
-def export_traces(
-    path: Path,
-    design: Design,
-    view: View,
-    *,
-    progress: Progress = silent,
-    stop: Stop = never,
-    largest_error: float = math.inf,
-) -> None:
-    """Compute and write the traces of the selected outputs: times in s, then m/s².
-
-    Parameters
-    ----------
-    path
-        The table.
-    design, view
-        The design, and axes, method and outputs of the traces.
-    progress
-        Called with (done, total, what is being done); a total of 0 while that is not known.
-    stop
-        Asked now and then; once true, nothing is written.
-    largest_error
-        Estimated error, relative to the largest sample, above which nothing is written.
-
-    Raises
-    ------
-    StorageError
-        The folder cannot be written, or the disk is full.
-    TooInaccurateError
-        The error is larger than ``largest_error``.
-    Stopped
-        ``stop`` said so.
-    """
-    exported = ExportedDesign(design, view, progress, stop)
+def write_traces(path: Path, exported: ExportedDesign) -> None:
+    """Write the traces of the selected outputs: times in s, then m/s²."""
+    view = exported.view
     checked = exported.holdable(view.outputs, view.axes)
-    error = exported.error(checked, view.axes)
-    check_accuracy(error, largest_error)
     shift = "removed from" if view.delay_removed else "contained in"
-    what = "the traces" if checked == view.outputs else f"the traces of {listed(checked)}"
-    about = [
-        *about_design(exported),
-        about_axes(exported),
-        f"pre-trigger delay of {exported.limb.pre_trigger_delay_s * 1e3:g} ms: {shift} the times",
-        about_levels(exported),
-        *about_method(exported),
-        about_error(error, what),
+    what = "the traces" if checked == view.outputs else f"the traces of {_listed(checked)}"
+    error_line = exported.error_line(what, checked)
+    lines = [
+        *about(
+            exported,
+            about_axes(exported),
+            f"pre-trigger delay of {exported.limb.pre_trigger_delay_s * 1e3:g} ms: {shift} the "
+            "times",
+            describe_levels(view.span),
+        ),
+        error_line,
     ]
     header = ["time_s", *(f"output_{output}_m_per_s2" for output in view.outputs)]
     time_s = exported.value("response_time_s")
-    with output_file(path, stop) as file:
-        table = CsvTable(file, about, header, stop)
+    with output_file(path, exported.stop) as file:
+        table = CsvTable(file, lines, header, exported.stop)
         done = 0
         for block in _trace_blocks(exported):
             end = done + block.shape[-1]
             table.add(np.vstack((time_s[done:end], block)).T)
             done = end
-            progress(done, exported.n_times, "Writing")
+            exported.progress(done, exported.n_times, "Writing")
 
 
-def export_levels(
-    path: Path,
-    design: Design,
-    view: View,
-    *,
-    progress: Progress = silent,
-    stop: Stop = never,
-    largest_error: float = math.inf,
-) -> None:
-    """Compute and write the RMS of each output, in m/s² and in dB re 1 m/s², side and place.
+def write_levels(path: Path, exported: ExportedDesign) -> None:
+    """Write the RMS of each output, in m/s² and in dB re 1 m/s², side and place.
 
-    An output that is silent has an RMS of 0 and no level: ``nan``.  Parameters and errors are those
-    of `export_traces`.
+    An output that is silent has an RMS of 0 and no level: ``nan``.
     """
-    exported = ExportedDesign(design, view, progress, stop)
     results = exported.values({"output_rms", "output_levels_db"})
-    error_line = checked_error_line(exported, results["output_rms"], largest_error)
-    about = [
-        *about_design(exported),
-        about_axes(exported),
-        about_levels(exported),
-        *about_method(exported),
-        error_line,
-    ]
+    error_line = exported.loudest_error_line(results["output_rms"])
+    levels = describe_levels(exported.view.span)
+    lines = [*about(exported, about_axes(exported), levels), error_line]
     header = ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2", "side", "place"]
-    with output_file(path, stop) as file:
-        table = CsvTable(file, about, header, stop)
-        levels_db = levels_for_tables(results["output_levels_db"])
-        table.add(
-            np.vstack((exported.all_outputs, results["output_rms"], levels_db)).T,
-            [_side_and_place(output, exported.design.limb) for output in exported.all_outputs],
-        )
-        progress(1, 1, "Writing")
+    levels_db = levels_for_tables(results["output_levels_db"])
+    rows = np.vstack((exported.all_outputs, results["output_rms"], levels_db)).T
+    texts = [_side_and_place(output, exported.design.limb) for output in exported.all_outputs]
+    write_table(path, exported, lines, header, rows, texts)
+
+
+def write_table(
+    path: Path,
+    exported: ExportedDesign,
+    about: Sequence[str],
+    header: Sequence[str],
+    rows: Floats,
+    texts: Sequence[Sequence[str]] = (),
+) -> None:
+    """Write a whole table, see `CsvTable`."""
+    with output_file(path, exported.stop) as file:
+        CsvTable(file, about, header, exported.stop).add(rows, texts)
+        exported.progress(1, 1, "Writing")
 
 
 def _side_and_place(output: int, limb: str) -> tuple[str, str]:
@@ -218,50 +176,49 @@ EXTENT_COLUMNS = (
 )
 
 
-def export_windows(
-    path: Path,
-    design: Design,
-    view: View,
-    *,
-    progress: Progress = silent,
-    stop: Stop = never,
-    largest_error: float = math.inf,
-) -> None:
-    """Compute and write a row for each window: its times, its extent, the RMS of all outputs.
+def write_windows(path: Path, exported: ExportedDesign) -> None:
+    """Write a row for each window: its times, its extent, the RMS of all outputs.
 
     Times are those of the stimulus, from its begin on; a window begins as much later in the
-    response as the pre-trigger delay is long.  The extent of silence is ``nan``.  Parameters and
-    errors are those of `export_traces`.
+    response as the pre-trigger delay is long.  The extent of silence is ``nan``.
     """
-    exported = ExportedDesign(design, view, progress, stop)
     results = exported.values(
         {"windows", "rms_of_windows", "extents_of_windows", "windows_in_noise"}
     )
     windows, rms = results["windows"], results["rms_of_windows"]
-    error_line = checked_error_line(exported, rms.max(axis=0, initial=0.0), largest_error)
-    about = [
-        *about_design(exported),
+    error_line = exported.loudest_error_line(rms.max(axis=0, initial=0.0))
+    lines = about(
+        exported,
         about_axes(exported),
         f"windows: {windows.window_samples} samples each, the first from sample "
         f"{windows.first_sample} of the response on",
         "extent: over the outputs with a place on the map, from the nearest input that is heard",
         *_about_noise(results["windows_in_noise"]),
-        *about_method(exported),
-        error_line,
-    ]
-    header = ["from_s", "to_s", *EXTENT_COLUMNS]
-    header += [f"output_{number}_rms_m_per_s2" for number in exported.all_outputs]
-    bounds = windows.bounds_s(exported.sample_rate_hz)
+    )
+    bounds_s = windows.bounds_s(exported.sample_rate_hz)
+    header, rows = windows_table(bounds_s, results["extents_of_windows"], rms)
+    write_table(path, exported, [*lines, error_line], header, rows)
+
+
+def windows_table(
+    bounds_s: Iterable[tuple[float, float]], extents: Iterable[Extent | None], rms: Floats
+) -> tuple[list[str], Floats]:
+    """Return names of columns and a row for each window: its times, its extent, all RMS.
+
+    Parameters
+    ----------
+    bounds_s, extents
+        Begin and end of each window; how far it reaches, None where nothing moves.
+    rms : (n_windows, n_outputs)
+        In m/s².
+    """
+    outputs = [f"output_{number}_rms_m_per_s2" for number in range(1, rms.shape[1] + 1)]
+    header = ["from_s", "to_s", *EXTENT_COLUMNS, *outputs]
     rows = [
         [*span, *extent_values(extent), *values]
-        for span, extent, values in zip(
-            bounds, results["extents_of_windows"], rms.tolist(), strict=True
-        )
+        for span, extent, values in zip(bounds_s, extents, rms.tolist(), strict=True)
     ]
-    with output_file(path, stop) as file:
-        table = CsvTable(file, about, header, stop)
-        table.add(np.array(rows).reshape(-1, len(header)))
-        progress(1, 1, "Writing")
+    return header, np.array(rows).reshape(-1, len(header))
 
 
 def _about_noise(in_noise: Sequence[bool]) -> list[str]:
@@ -281,29 +238,6 @@ def extent_values(extent: Extent | None) -> list[float]:
 
 # A fixed date: the same content gives the same bytes, whenever it is written.
 _NO_DATE = (1980, 1, 1, 0, 0, 0)
-
-
-class GrowingArray:
-    """A float64 array that grows along time, its last axis.
-
-    It is stored column by column ("Fortran order"): samples of one time follow each other in the
-    file, so that it can be written time by time, and is read as (..., n_times).
-    """
-
-    def __init__(self, member: IO[bytes], shape: tuple[int, ...]) -> None:
-        self._member, self._shape = member, shape
-        self.n_times = 0
-        npy.write_array_header_2_0(member, {"descr": "<f8", "fortran_order": True, "shape": shape})
-
-    def add(self, block: Floats) -> None:
-        """Write the samples that follow, (..., n)."""
-        self._member.write(np.ascontiguousarray(block.T, dtype="<f8").data)
-        self.n_times += block.shape[-1]
-
-    def finish(self) -> None:
-        """Raise `ValueError` unless all times were written."""
-        if self.n_times != self._shape[-1]:
-            raise ValueError(f"{self.n_times} times were written, expected {self._shape[-1]}")
 
 
 class NpzArchive:
@@ -329,13 +263,17 @@ class NpzArchive:
         with self._member(name) as member:
             npy.write_array(member, array, version=(2, 0), allow_pickle=False)
 
-    @contextmanager
-    def growing(self, name: str, shape: tuple[int, ...]) -> Iterator[GrowingArray]:
-        """Give an array of ``shape`` to write time by time."""
+    def put_blocks(self, name: str, shape: tuple[int, ...], blocks: Iterable[Floats]) -> None:
+        """Write an array of float64 time by time, from blocks (..., n) that follow each other.
+
+        It is stored column by column ("Fortran order"), so that samples of one time follow each
+        other in the file, and is read as ``shape``, (..., n_times).
+        """
+        head = {"descr": "<f8", "fortran_order": True, "shape": shape}
         with self._member(name) as member:
-            array = GrowingArray(member, shape)
-            yield array
-            array.finish()
+            npy.write_array_header_2_0(member, head)
+            for block in blocks:
+                member.write(np.ascontiguousarray(block.T, dtype="<f8").data)
 
     def _member(self, name: str) -> IO[bytes]:
         return self._zip.open(ZipInfo(f"{name}.npy", _NO_DATE), "w", force_zip64=True)
@@ -345,67 +283,57 @@ class NpzArchive:
 _HEADER_BYTES = 2**20
 
 
-def export_field(
-    path: Path,
-    design: Design,
-    view: View,
-    *,
-    progress: Progress = silent,
-    stop: Stop = never,
-    largest_error: float = math.inf,
-) -> None:
-    """Compute and write the acceleration of all outputs on all axes, block by block.
+def write_field(path: Path, exported: ExportedDesign) -> None:
+    """Write the acceleration of all outputs on all axes, block by block.
 
     ``numpy.load`` reads the file.  It holds ``acceleration_m_per_s2`` (n_outputs, n_axes, n_times;
     float64, time 0 first, the pre-trigger delay contained), ``sample_rate_hz``, and ``about``, a
     text.  Silence is exactly 0.
 
-    Parameters and further errors are those of `export_traces`.
-
     Raises
     ------
     StorageError
-        The disk has too little room, or what `export_traces` says.
+        The disk has too little room.
     """
-    exported = ExportedDesign(design, view, progress, stop)
-    shape = exported.limb.n_outputs, exported.limb.n_axes, exported.n_times
+    limb = exported.limb
+    shape = limb.n_outputs, limb.n_axes, exported.n_times
     # The written samples themselves are checked, of a long field those of some outputs.
-    selected = view.outputs if exported.streamed is not None else ()
+    selected = exported.view.outputs if exported.streamed is not None else ()
     checked = exported.holdable(selected or exported.all_outputs, ALL_AXES)
     rows = [output - 1 for output in checked]
     written = np.empty((len(checked), *shape[1:]))
-    with output_file(path, stop) as file:
+
+    def blocks() -> Iterator[Floats]:
+        done = 0
+        for block in exported.field_blocks():
+            stop_if(exported.stop)
+            written[..., done : done + block.shape[-1]] = block[rows]
+            done += block.shape[-1]
+            yield block
+
+    with output_file(path, exported.stop) as file:
         _check_free_space(path, math.prod(shape) * np.dtype(np.float64).itemsize)
         with NpzArchive(file) as archive:
             archive.put("sample_rate_hz", np.array(exported.sample_rate_hz))
-            with archive.growing("acceleration_m_per_s2", shape) as array:
-                for block in exported.field_blocks():
-                    stop_if(stop)
-                    written[..., array.n_times : array.n_times + block.shape[-1]] = block[rows]
-                    array.add(block)
-            error = exported.error_of(written, checked)
-            check_accuracy(error, largest_error)
-            what = (
-                "the field"
-                if checked == exported.all_outputs
-                else f"the field at {listed(checked)}"
+            archive.put_blocks("acceleration_m_per_s2", shape, blocks())
+            whole = checked == exported.all_outputs
+            error_line = exported.error_line(
+                "the field" if whole else f"the field at {_listed(checked)}",
+                checked,
+                ALL_AXES,
+                axis_traces=written,
             )
-            about = [*_about_field(exported), about_error(error, what)]
-            archive.put("about", np.array("\n".join(about)))
-
-
-def _about_field(exported: ExportedDesign) -> list[str]:
-    return [
-        *about_design(exported),
-        f"acceleration_m_per_s2: {counted(exported.limb.n_outputs, 'output')}, "
-        f"{counted(exported.limb.n_axes, 'axis', 'axes')} ({', '.join(exported.limb.axes)}), "
-        f"{counted(exported.n_times, 'time')}, in m/s²",
-        f"times: sample k at {_first_sample_text(exported)}k / {exported.sample_rate_hz:g} s; "
-        f"pre-trigger delay of {exported.limb.pre_trigger_delay_s * 1e3:g} ms: contained in the "
-        "times",
-        about_levels(exported),
-        *about_method(exported),
-    ]
+            lines = about(
+                exported,
+                f"acceleration_m_per_s2: {counted(limb.n_outputs, 'output')}, "
+                f"{counted(limb.n_axes, 'axis', 'axes')} ({', '.join(limb.axes)}), "
+                f"{counted(exported.n_times, 'time')}, in m/s²",
+                f"times: sample k at {_first_sample_text(exported)}k / "
+                f"{exported.sample_rate_hz:g} s; pre-trigger delay of "
+                f"{limb.pre_trigger_delay_s * 1e3:g} ms: contained in the times",
+                describe_levels(exported.view.span),
+            )
+            archive.put("about", np.array("\n".join([*lines, error_line])))
 
 
 def _first_sample_text(exported: ExportedDesign) -> str:
@@ -421,3 +349,11 @@ def _check_free_space(path: Path, n_bytes: int) -> None:
             f"{path}: the whole field takes {n_bytes / 1e9:.2f} GB, and {free_bytes / 1e9:.2f} GB "
             "are free there. Free some space, choose another disk, or shorten the design."
         )
+
+
+def _listed(outputs: tuple[int, ...]) -> str:
+    return f"outputs {', '.join(map(str, outputs))}"
+
+
+export_traces, export_levels = Export(write_traces), Export(write_levels)
+export_windows, export_field = Export(write_windows), Export(write_field)

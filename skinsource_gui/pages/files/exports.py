@@ -5,8 +5,8 @@ Menus, shortcuts and the palette are made from the table `EXPORTS`.
 
 import logging
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -115,11 +115,6 @@ class ExportSpec:
     enabled: Callable[[Design, View], bool] | None = None
     keys: tuple[str, ...] = ()
     keywords: str = ""
-
-    @property
-    def filter(self) -> str:
-        """The filter of the file dialog."""
-        return self.filter_for(self.kinds[0][1])
 
     def filter_for(self, ending: str) -> str:
         """Return the filter with one of the endings first, which the dialog starts with."""
@@ -282,16 +277,6 @@ EXPORTS: tuple[ExportSpec, ...] = (
 _log = logging.getLogger(__name__)
 
 
-@dataclass(frozen=True, slots=True)
-class _Running:
-    """A running export, as `ExportJobs.add` got it."""
-
-    path: Path
-    written: Callable[[Any], Path]
-    handled: Callable[[Exception], bool]
-    note: str
-
-
 class ExportJobs(QObject):
     """Runs exports as jobs, and reports how each ended."""
 
@@ -301,7 +286,7 @@ class ExportJobs(QObject):
     def __init__(self, runner: JobRunner, files: FileActions, parent: QObject) -> None:
         super().__init__(parent)
         self._runner, self._files = runner, files
-        self._running: dict[Job[Any], _Running] = {}
+        self._running: dict[Job[Any], tuple[Path, Callable[[Exception], bool], str]] = {}
         runner.done.connect(self._note_written)
         runner.cancelled.connect(self._note_cancelled)
         runner.failed.connect(self._note_failed)
@@ -311,7 +296,6 @@ class ExportJobs(QObject):
         path: Path,
         work: Callable[..., Any],
         *,
-        written: Callable[[Any], Path] | None = None,
         handled: Callable[[Exception], bool] = lambda error: False,
         note: str = "",
     ) -> None:
@@ -322,70 +306,44 @@ class ExportJobs(QObject):
         path
             File or folder, which names the job.
         work
-            Work of the job.
-        written
-            Returns the file that is reported, given the result; ``path`` unless given.
+            Work of the job; where it returns a path, that is reported instead.
         handled
             Returns whether it has handled an error, which is then not reported.
         note
             Text that follows the name of the written file.
         """
         job = Job(f"Exporting {path.name}", work)
-        self._running[job] = _Running(path, written or (lambda result: path), handled, note)
+        self._running[job] = path, handled, note
         self._runner.add(job)
 
     def _note_written(self, job: Job[Any], result: Any) -> None:
-        export = self._running.pop(job, None)
-        if export is not None:
-            self._files.note_written(export.written(result), export.note)
+        if job in self._running:
+            path, _, note = self._running.pop(job)
+            self._files.note_written(result if isinstance(result, Path) else path, note)
 
     def _note_cancelled(self, job: Job[Any]) -> None:
-        export = self._running.pop(job, None)
-        if export is not None:
-            self._files.done.emit(f"Export of {export.path.name} cancelled; nothing was written")
+        if job in self._running:
+            path, *_ = self._running.pop(job)
+            self._files.done.emit(f"Export of {path.name} cancelled; nothing was written")
 
     def _note_failed(self, job: Job[Any], error: Exception) -> None:
-        export = self._running.pop(job, None)
-        if export is None or export.handled(error):
+        if job not in self._running:
+            return
+        path, handled, _ = self._running.pop(job)
+        if handled(error):
             return
         if isinstance(error, SkinSourceError):
             self.failed.emit(str(error))
             return
         _log.error("an export failed", exc_info=error)
         self.failed.emit(
-            f"{export.path.name} was not exported: the studio made a mistake "
+            f"{path.name} was not exported: the studio made a mistake "
             f"({type(error).__name__}: {error}). Please report this."
         )
 
 
 #: Returns the picture of a panel with the present results, given the name of the panel.
 DrawerOf = Callable[[str], Picture]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Order:
-    """An export, with design and view as they were when the user asked for it."""
-
-    spec: ExportSpec
-    path: Path
-    design: Design
-    view: View
-    largest_error: float = VISIBLE
-    arguments: Mapping[str, Any] = field(default_factory=dict)
-
-    @property
-    def work(self) -> Callable[..., Any]:
-        """The work of the job that writes the file."""
-        if self.spec.write is None:
-            raise TypeError(f"{self.spec.name} is a picture of a panel: nothing writes it")
-        return partial(
-            self.spec.write,
-            self.path,
-            self.design,
-            self.view,
-            largest_error=self.largest_error,
-            **self.arguments,
-        )
 
 
 class ExportActions(QObject):
@@ -421,7 +379,7 @@ class ExportActions(QObject):
             except MissingExtraError as error:
                 self.failed.emit(str(error))
                 return
-        if spec.panel:
+        if spec.write is None:
             self._export_picture(spec)
             return
         arguments: dict[str, Any] = {}
@@ -439,8 +397,10 @@ class ExportActions(QObject):
             arguments[WIRED] = Path(rig) if rig else None
         path = self._ask_where(spec, options)
         if path is not None:
-            order = _Order(spec=spec, path=path, design=design, view=view, arguments=arguments)
-            self._add(order)
+            # Tables and films hold the design without the gain that matches its level to another's.
+            matched = view.match_gain(design) != 1.0
+            note = "amplitudes are as stored, levels are not matched" if matched else ""
+            self._add(path, partial(spec.write, path, design, view, **arguments), note)
 
     def copy_citation(self) -> None:
         """Put what to cite for the open design on the clipboard."""
@@ -492,17 +452,15 @@ class ExportActions(QObject):
             self._picture_options[spec.name] = options
         return options
 
-    def _add(self, order: _Order) -> None:
-        # Tables and films hold the design without the gain that matches its level to another's.
-        matched = order.view.match_gain(order.design) != 1.0
-        note = "amplitudes are as stored, levels are not matched" if matched else ""
-        handled = partial(self._export_inaccurate, order)
-        self._jobs.add(order.path, order.work, handled=handled, note=note)
+    def _add(
+        self, path: Path, write: Callable[..., Any], note: str, largest_error: float = VISIBLE
+    ) -> None:
+        def ask(error: Exception) -> bool:
+            if not isinstance(error, TooInaccurateError):
+                return False
+            question = f"{path.name}: {error} Export it all the same?"
+            if ask_yes(self._window, "Inaccurate numbers", question):
+                self._add(path, write, note, math.inf)
+            return True
 
-    def _export_inaccurate(self, order: _Order, error: Exception) -> bool:
-        if not isinstance(error, TooInaccurateError):
-            return False
-        question = f"{order.path.name}: {error} Export it all the same?"
-        if ask_yes(self._window, "Inaccurate numbers", question):
-            self._add(replace(order, largest_error=math.inf))
-        return True
+        self._jobs.add(path, partial(write, largest_error=largest_error), handled=ask, note=note)

@@ -18,7 +18,13 @@ from skinsource.base.lock import Lock, Owner, still_runs
 from skinsource.base.quoting import printable
 from skinsource.design import edits
 from skinsource.design.design import Design
-from skinsource.design.design_file import SUFFIX, open_design, save_design
+from skinsource.design.design_file import (
+    SUFFIX,
+    DesignFile,
+    open_design,
+    read_design,
+    save_design,
+)
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.view import View
 from skinsource.limbs.catalog import available_limbs, default_limb
@@ -43,6 +49,13 @@ class FileOnDisk:
         self._path = path
         self._stamp = _stamp(path) if path else None
         self._digest = _digest(path) if path else b""
+
+    def open(self, path: Path) -> DesignFile:
+        """Read a design file, and remember what it holds."""
+        self._path, self._stamp = path, _stamp(path)
+        stored, content = read_design(path)
+        self._digest = sha256(stored).digest()
+        return content
 
     def state(self) -> State:
         """Return whether the file still holds what it held."""
@@ -135,60 +148,8 @@ class RecentFiles:
         self._preferences.recent_names = [str(path) for path in paths[:MOST_RECENT]]
 
 
+#: Longest title of a design that is named after its file.
 _LONGEST = 60
-
-
-class SnapshotFiles:
-    """Adds designs of files to the document as snapshots, to be compared with the open design.
-
-    Parameters
-    ----------
-    document, preferences, window
-        The document, the folder of the last file, and the parent of the dialog.
-    kinds
-        Filter of the dialog.
-    fail, tell
-        Called with the reason of a failure, and with a text on a new snapshot.
-    """
-
-    def __init__(
-        self,
-        document: Document,
-        preferences: Preferences,
-        window: QWidget,
-        kinds: str,
-        fail: Callable[[str], object],
-        tell: Callable[[str], object],
-    ) -> None:
-        self._document, self._preferences, self._window = document, preferences, window
-        self._kinds, self._fail, self._tell = kinds, fail, tell
-
-    def ask(self) -> None:
-        """Ask for a file and add its design."""
-        folder = self._document.path.parent if self._document.path else self._preferences.folder
-        name, _ = QFileDialog.getOpenFileName(
-            self._window, "Compare with a design", str(folder), self._kinds
-        )
-        if name:
-            self.take(Path(name))
-
-    def take(self, path: Path) -> None:
-        """Add the design of ``path`` as the snapshot of the first free number."""
-        try:
-            design = open_design(path).design
-        except SkinSourceError as error:
-            self._fail(str(error))
-            return
-        if not design.title.strip():
-            design = replace(design, title=printable(path.stem)[:_LONGEST])
-        document = self._document
-        outcome = edits.take_snapshot(document.design, document.view, design)
-        document.apply(outcome)
-        if not isinstance(outcome, Refusal):
-            number = outcome.view.snapshots[-1].number
-            self._tell(f"{path.name} is snapshot {number}; X shows it, and this again")
-
-
 _FILTER = f"SkinSource designs (*{SUFFIX})"
 _READ_ONLY = "It is read-only here: saving asks for another name."
 _MAYBE_ENDED = "Nobody can say here whether that has ended. Replace the file, and have it here?"
@@ -224,10 +185,6 @@ class FileActions(QObject):
         self._arrangement = arrangement
         self._on_disk, self._reported = FileOnDisk(), "same"
         self.held = HeldFile()
-        #: Asks for a file whose design becomes a snapshot.
-        self.take_snapshot = SnapshotFiles(
-            document, preferences, window, _FILTER, self.failed.emit, self.done.emit
-        ).ask
         #: Suggested path for a design without a file; None: a usual one.
         self.suggested: Path | None = None
         window.installEventFilter(self)
@@ -247,18 +204,39 @@ class FileActions(QObject):
 
     def ask_and_open(self) -> None:
         """Ask for a file and open it."""
+        path = self._ask_which("Open a design")
+        if path is not None:
+            self.open(path)
+
+    def _ask_which(self, title: str) -> Path | None:
         folder = self._document.path.parent if self._document.path else self._preferences.folder
-        name, _ = QFileDialog.getOpenFileName(self._window, "Open a design", str(folder), _FILTER)
-        if name:
-            self.open(Path(name))
+        name, _ = QFileDialog.getOpenFileName(self._window, title, str(folder), _FILTER)
+        return Path(name) if name else None
+
+    def take_snapshot(self) -> None:
+        """Ask for a file whose design becomes the snapshot of the first free number."""
+        path = self._ask_which("Compare with a design")
+        if path is None:
+            return
+        try:
+            design = open_design(path).design
+        except SkinSourceError as error:
+            self.failed.emit(str(error))
+            return
+        if not design.title.strip():
+            design = replace(design, title=printable(path.stem)[:_LONGEST])
+        outcome = edits.take_snapshot(self._document.design, self._document.view, design)
+        self._document.apply(outcome)
+        if not isinstance(outcome, Refusal):
+            number = outcome.view.snapshots[-1].number
+            self.done.emit(f"{path.name} is snapshot {number}; X shows it, and this again")
 
     def open(self, path: Path) -> None:
         """Open ``path``; on a failure report it, and keep what is open."""
         self.risk_ahead.emit()
         on_disk = FileOnDisk()
-        on_disk.note(path)
         try:
-            content = open_design(path)
+            content = on_disk.open(path)
         except SkinSourceError as error:
             self.recent.forget(path)
             self.recent_changed.emit()

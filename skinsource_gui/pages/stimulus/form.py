@@ -3,12 +3,10 @@
 Rows that do not apply to the chosen format, rig or actuator are hidden.
 """
 
-import dataclasses
 import json
-from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 from PySide6.QtCore import QObject, QSignalBlocker, Signal
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QLineEdit, QWidget
@@ -31,8 +29,8 @@ from skinsource.design.panel_settings import settings_of
 from skinsource.design.view import View
 from skinsource.engine.actuator_demand import ActuatorSettings, actuation_of
 from skinsource.engine.stimulus import LONGEST_LEAD_IN_S
+from skinsource.export.formats import FORMATS, format_named
 from skinsource.export.formats.format import StimulusFormat
-from skinsource.export.formats.formats import FORMATS, format_named
 from skinsource.export.stimulus_export.options import StimulusOptions
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
@@ -49,8 +47,8 @@ class Order:
 
     Attributes
     ----------
-    rate_hz
-        Sample rate; None: the usual rate of the format.
+    format, rate_hz, options
+        Format and options of the files, and their rate.
     actuation
         Actuators, where no rig states them.
     rig
@@ -59,12 +57,12 @@ class Order:
         Makes volts of accelerations; None: nothing does.
     """
 
-    format: StimulusFormat = FORMATS[0]
-    rate_hz: int | None = None
-    options: StimulusOptions = dataclasses.field(default_factory=StimulusOptions)
-    actuation: Actuation | None = None
-    rig: Rig | None = None
-    equaliser: Equaliser | None = None
+    format: StimulusFormat
+    rate_hz: int
+    options: StimulusOptions
+    actuation: Actuation | None
+    rig: Rig | None
+    equaliser: Equaliser | None
 
 
 #: Rates that devices know; any other can be typed.
@@ -98,7 +96,6 @@ CHANNELS = ChoiceSpec(
     ),
     hint="Tracks at one place add up, unless each has a channel or file of its own",
 )
-FADE = NumberSpec(label="Fade", unit="s", minimum=0.0, maximum=10.0, step=0.005)
 LEAD_IN = NumberSpec(
     label="Lead-in",
     unit="s",
@@ -129,7 +126,11 @@ EQUALISER = ChoiceSpec(
 )
 
 
-def part_spec(design: Design, view: View) -> ChoiceSpec:
+#: Longest fade.
+LONGEST_FADE_S = 10.0
+
+
+def part_spec(view: View) -> ChoiceSpec:
     """Return the choice of tracks and clips."""
     options = [("all", "All that is heard")]
     if view.selected_inputs:
@@ -153,9 +154,9 @@ def end_s(design: Design) -> float:
     return max((clip.end_s for clip in design.clips), default=1.0)
 
 
-def time_number(label: str, design: Design) -> NumberSpec:
-    """Return the specification of a time within the design."""
-    return NumberSpec(label=label, unit="s", minimum=0.0, maximum=end_s(design), step=0.005)
+def time_number(label: str, longest_s: float) -> NumberSpec:
+    """Return the specification of a time of at most ``longest_s``."""
+    return NumberSpec(label=label, unit="s", minimum=0.0, maximum=longest_s, step=0.005)
 
 
 def scale_number(unit: str) -> NumberSpec:
@@ -200,9 +201,6 @@ class RigFields(QObject):
         self.equaliser_field = ChoiceField(EQUALISER)
         if self.chosen is not None:
             self._offer(self.chosen, design)
-        self.rig_field.setObjectName("stimulus_rig")
-        self.actuator_field.setObjectName("stimulus_actuator")
-        self.equaliser_field.setObjectName("stimulus_equaliser")
         self.rig_field.rig_chosen.connect(self.open_rig)
         self.actuator_field.chosen.connect(self.changed)
         self.equaliser_field.chosen.connect(self.changed)
@@ -278,6 +276,37 @@ def _chosen_in_panel(view: View) -> Actuation | None:
 
 #: Seed of dither; the sidecar names it.
 _SEED = 1
+_MAP_HINT = (
+    "For each output of the device, from the first on, the channel that it gets: 2, 1, 0, 3; "
+    "0 leaves an output silent"
+)
+_BOX_HINTS = {
+    "sync": "A last channel with a pulse at full scale where the design begins",
+    "dither": "Noise of one step before rounding, so that the error does not follow the signal",
+}
+#: Labels of the rows, by the names of their fields; choices of a format follow what it is about.
+_ROWS = {
+    "format": "Format",
+    "about": "",
+    "rate": "Rate",
+    "other_rate": "",
+    "plays": "Plays",
+    "channels": "Channels",
+    "map": "Map",
+    "time": "Time",
+    "from": "From",
+    "to": "To",
+    "fade_in": "Fade in",
+    "fade_out": "Fade out",
+    "lead_in": "Lead-in",
+    "rig": "Rig",
+    "actuator": "Actuator",
+    "equaliser": "Equaliser",
+    "scale": "Full scale",
+    "full_scale": "",
+    "sync": "",
+    "dither": "",
+}
 
 
 class StimulusForm(QWidget):
@@ -299,44 +328,56 @@ class StimulusForm(QWidget):
         self._design, self._view = design, view
         self._about = page_label("stimulus_format_hint", tone="dim")
         self._choices: dict[str, ChoiceField] = {}
-        self._fields: dict[str, ChoiceField] = {
+        self._fields = {
             "format": ChoiceField(FORMAT),
             "rate": ChoiceField(RATE),
-            "plays": ChoiceField(part_spec(design, view)),
+            "plays": ChoiceField(part_spec(view)),
             "channels": ChoiceField(CHANNELS),
             "time": ChoiceField(time_spec(design)),
             "scale": ChoiceField(SCALE),
         }
-        self._numbers: dict[str, NumberField] = {
+        longest_s = end_s(design)
+        self._numbers = {
             "other_rate": NumberField(OTHER_RATE),
-            "from": NumberField(time_number("From", design)),
-            "to": NumberField(time_number("To", design)),
-            "fade_in": NumberField(FADE),
-            "fade_out": NumberField(FADE),
+            "from": NumberField(time_number("From", longest_s)),
+            "to": NumberField(time_number("To", longest_s)),
+            "fade_in": NumberField(time_number("Fade in", LONGEST_FADE_S)),
+            "fade_out": NumberField(time_number("Fade out", LONGEST_FADE_S)),
             "lead_in": NumberField(LEAD_IN),
             "full_scale": NumberField(scale_number(drive_unit(design))),
         }
-        self._map = QLineEdit()
+        for name, value in (("to", longest_s), ("other_rate", 48_000), ("full_scale", 1.0)):
+            self._numbers[name].set_value(value)
         self.rigs = RigFields(design, view, self)
-        self._sync = QCheckBox("Sync channel")
-        self._dither = QCheckBox("Dither")
-        self._name_parts()
-        self._lay_out()
+        self._map = QLineEdit()
+        self._map.setAccessibleName("Channel map")
+        self._map.setPlaceholderText("as they are")
+        self._map.setToolTip(tooltip("Channel map", _MAP_HINT))
+        self._boxes = {"sync": QCheckBox("Sync channel"), "dither": QCheckBox("Dither")}
+        for name, box in self._boxes.items():
+            box.setToolTip(_BOX_HINTS[name])
+        self._form = QFormLayout(self)
+        self._form.setContentsMargins(0, 0, 0, 0)
+        self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        for name, label in _ROWS.items():
+            widget = self._about if name == "about" else self.field(name)
+            if widget is not self._about:
+                widget.setObjectName(f"stimulus_{name}")
+            self._form.addRow(label, widget)
         self._connect()
         self.show_format()
 
     @property
     def format(self) -> StimulusFormat:
         """The chosen format."""
-        return format_named(self._fields["format"].value, Path())
+        return format_named(self._fields["format"].value)
 
     def field(self, name: str) -> QWidget:
         """Return the widget of a row."""
-        rows: dict[str, QWidget] = {**self._fields, **self._numbers, **self._choices}
-        rows |= {"map": self._map, "sync": self._sync, "dither": self._dither}
-        rows |= {"rig": self.rigs.rig_field, "actuator": self.rigs.actuator_field}
-        rows |= {"equaliser": self.rigs.equaliser_field}
-        return rows[name]
+        rigs = self.rigs
+        rows: dict[str, QWidget] = {"map": self._map, "rig": rigs.rig_field}
+        rows |= {"actuator": rigs.actuator_field, "equaliser": rigs.equaliser_field}
+        return {**rows, **self._fields, **self._numbers, **self._choices, **self._boxes}[name]
 
     def emit_order(self) -> None:
         """Emit the order that the fields make, or why they make none."""
@@ -347,68 +388,6 @@ class StimulusForm(QWidget):
             self.refused.emit(str(error))
         else:
             self.changed.emit(order)
-
-    def _name_parts(self) -> None:
-        for name, widget in (*self._fields.items(), *self._numbers.items()):
-            widget.setObjectName(f"stimulus_{name}")
-        for name, label in (
-            ("from", "From"),
-            ("to", "To"),
-            ("fade_in", "Fade in"),
-            ("fade_out", "Fade out"),
-            ("lead_in", "Lead-in"),
-            ("other_rate", "Other rate"),
-            ("full_scale", "Drive at full scale"),
-        ):
-            self._numbers[name].setAccessibleName(label)
-        self._numbers["to"].set_value(end_s(self._design))
-        self._numbers["other_rate"].set_value(48_000)
-        self._numbers["full_scale"].set_value(1.0)
-        self._map.setObjectName("stimulus_map")
-        self._map.setAccessibleName("Channel map")
-        self._map.setPlaceholderText("as they are")
-        self._map.setToolTip(
-            tooltip(
-                "Channel map",
-                "For each output of the device, from the first on, the channel that it gets: "
-                "2, 1, 0, 3; 0 leaves an output silent",
-            )
-        )
-        self._sync.setObjectName("stimulus_sync")
-        self._sync.setToolTip("A last channel with a pulse at full scale where the design begins")
-        self._dither.setObjectName("stimulus_dither")
-        self._dither.setToolTip(
-            "Noise of one step before rounding, so that the error does not follow the signal"
-        )
-
-    def _lay_out(self) -> None:
-        self._form = QFormLayout(self)
-        self._form.setContentsMargins(0, 0, 0, 0)
-        self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        fields, numbers = self._fields, self._numbers
-        for label, widget in (
-            ("Format", fields["format"]),
-            ("", self._about),
-            ("Rate", fields["rate"]),
-            ("", numbers["other_rate"]),
-            ("Plays", fields["plays"]),
-            ("Channels", fields["channels"]),
-            ("Map", self._map),
-            ("Time", fields["time"]),
-            ("From", numbers["from"]),
-            ("To", numbers["to"]),
-            ("Fade in", numbers["fade_in"]),
-            ("Fade out", numbers["fade_out"]),
-            ("Lead-in", numbers["lead_in"]),
-            ("Rig", self.rigs.rig_field),
-            ("Actuator", self.rigs.actuator_field),
-            ("Equaliser", self.rigs.equaliser_field),
-            ("Full scale", fields["scale"]),
-            ("", numbers["full_scale"]),
-            ("", self._sync),
-            ("", self._dither),
-        ):
-            self._form.addRow(label, widget)
 
     def _connect(self) -> None:
         for name, field in self._fields.items():
@@ -421,7 +400,7 @@ class StimulusForm(QWidget):
         self.rigs.changed.connect(self.emit_order)
         self.rigs.refused.connect(self.refused)
         self._map.textChanged.connect(self.emit_order)
-        for box in (self._sync, self._dither):
+        for box in self._boxes.values():
             box.toggled.connect(self.emit_order)
 
     def show_format(self) -> None:
@@ -438,7 +417,6 @@ class StimulusForm(QWidget):
             self._form.insertRow(row, spec.label, field)
             self._choices[name] = field
         self._fields["rate"].set_value(str(format.rate_hz or RATES_HZ[0]))
-        self.setTabOrder(self._fields["format"], self._fields["rate"])
         before: QWidget = self._fields["format"]
         for field in self._choices.values():
             self.setTabOrder(before, field)
@@ -448,23 +426,22 @@ class StimulusForm(QWidget):
         self.emit_order()
 
     def _show_rows(self) -> None:
-        format, chosen = self.format, self.chosen
-        shown: Mapping[QWidget, bool] = {
-            self._fields["rate"]: not format.fixed_rate,
-            self._numbers["other_rate"]: not format.fixed_rate
-            and self._fields["rate"].value == OTHER,
-            self._fields["plays"]: self._fields["plays"].count() > 1,
-            self._map: self._fields["channels"].value != "files",
-            self._numbers["from"]: self._fields["time"].value == "part",
-            self._numbers["to"]: self._fields["time"].value == "part",
-            self.rigs.actuator_field: self.rigs.can_choose_actuator,
-            self.rigs.equaliser_field: self.rigs.can_equalise,
-            self._fields["scale"]: not self._scale_is_known,
-            self._numbers["full_scale"]: self._own_scale,
-            self._dither: format.rounds(chosen),
-        }
-        for widget, visible in shown.items():
-            self._form.setRowVisible(widget, visible)
+        format, fields, rigs = self.format, self._fields, self.rigs
+        own_part = fields["time"].value == "part"
+        for name, visible in {
+            "rate": not format.fixed_rate,
+            "other_rate": not format.fixed_rate and fields["rate"].value == OTHER,
+            "plays": fields["plays"].count() > 1,
+            "map": fields["channels"].value != "files",
+            "from": own_part,
+            "to": own_part,
+            "actuator": rigs.can_choose_actuator,
+            "equaliser": rigs.can_equalise,
+            "scale": not self._scale_is_known,
+            "full_scale": self._own_scale,
+            "dither": format.rounds(self.chosen),
+        }.items():
+            self._form.setRowVisible(self.field(name), visible)
         unit = drive_unit(self._design) if self.rigs.equaliser is None else "V"
         self._numbers["full_scale"].set_spec(scale_number(unit))
 
@@ -474,30 +451,36 @@ class StimulusForm(QWidget):
         return {name: field.value for name, field in self._choices.items()}
 
     def _order(self) -> Order:
-        chosen, format = self.chosen, self.format
+        chosen, format, numbers = self.chosen, self.format, self._numbers
         plays, channels = self._fields["plays"].value, self._fields["channels"].value
-        from_s, to_s = self._part()
-        rounds = format.rounds(chosen) and self._dither.isChecked()
-        per: Literal["place", "input"] = "place" if channels == "place" else "input"
+        rate, time = self._fields["rate"].value, self._fields["time"].value
+        from_s: float | None = None
+        to_s: float | None = None
+        if time == "part":
+            from_s, to_s = numbers["from"].value_si, numbers["to"].value_si
+        elif time == "loop" and self._design.loop_s is not None:
+            from_s, to_s = self._design.loop_s
         options = StimulusOptions(
-            per=per,
+            per="place" if channels == "place" else "input",
             one_file_per_input=channels == "files",
             inputs=self._view.selected_inputs if plays == "tracks" else None,
             clips=self._view.selected_clips if plays == "clips" else None,
             from_s=from_s,
             to_s=to_s,
-            fade_in_s=self._numbers["fade_in"].value_si,
-            fade_out_s=self._numbers["fade_out"].value_si,
-            lead_in_s=self._numbers["lead_in"].value_si,
-            sync=self._sync.isChecked(),
+            fade_in_s=numbers["fade_in"].value_si,
+            fade_out_s=numbers["fade_out"].value_si,
+            lead_in_s=numbers["lead_in"].value_si,
+            sync=self._boxes["sync"].isChecked(),
             channel_map=() if channels == "files" else channel_map_of(self._map.text()),
-            full_scale=self._numbers["full_scale"].value_si if self._own_scale else None,
-            dither_seed=_SEED if rounds else None,
+            full_scale=numbers["full_scale"].value_si if self._own_scale else None,
+            dither_seed=(
+                _SEED if format.rounds(chosen) and self._boxes["dither"].isChecked() else None
+            ),
             choices=chosen,
         )
         return Order(
             format=format,
-            rate_hz=self._rate_hz(),
+            rate_hz=round(numbers["other_rate"].value_si) if rate == OTHER else int(rate),
             options=options,
             actuation=self.rigs.actuation,
             rig=self.rigs.rig,
@@ -512,18 +495,6 @@ class StimulusForm(QWidget):
     def _scale_is_known(self) -> bool:
         """Whether the rig states what full scale is."""
         return self.rigs.equaliser is not None and self.rigs.rig is not None
-
-    def _rate_hz(self) -> int:
-        rate = self._fields["rate"].value
-        return round(self._numbers["other_rate"].value_si) if rate == OTHER else int(rate)
-
-    def _part(self) -> tuple[float | None, float | None]:
-        time = self._fields["time"].value
-        if time == "loop":
-            return self._design.loop_s or (None, None)
-        if time == "part":
-            return self._numbers["from"].value_si, self._numbers["to"].value_si
-        return None, None
 
 
 def channel_map_of(text: str) -> tuple[int, ...]:

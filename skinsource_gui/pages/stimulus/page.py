@@ -6,10 +6,9 @@ and the samples that would clip, and what the export loses.
 
 from collections.abc import Mapping
 from functools import partial
-from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QLineF, QObject, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QLineF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -27,15 +26,12 @@ from PySide6.QtWidgets import (
 from skinsource.actuators.rigs import UNCALIBRATED
 from skinsource.base.arrays import Floats
 from skinsource.base.quoting import sentence
+from skinsource.base.work import counted
 from skinsource.design.design import Design
 from skinsource.design.motions import ms_text
 from skinsource.design.view import View
-from skinsource.export.stimulus_export.preparing import (
-    ChannelOverview,
-    Overview,
-    overview_of,
-    prepare_stimulus,
-)
+from skinsource.export.formats.format import ChannelOverview
+from skinsource.export.stimulus_export.preparing import PreparedStimulus, prepare_stimulus
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
 from skinsource_gui.qt.buttons import scrolled
 from skinsource_gui.qt.overlays import PALE, Staleness
@@ -53,28 +49,28 @@ class ChannelsView(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("stimulus_channels")
-        self._overview: Overview | None = None
+        self._channels: tuple[ChannelOverview, ...] = ()
         self._colours: Mapping[int, int] = {}
         self._pale = False
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setAccessibleName("Channels as they will be written")
 
     @property
-    def overview(self) -> Overview | None:
-        """The overview that is painted."""
-        return self._overview
+    def channels(self) -> tuple[ChannelOverview, ...]:
+        """The channels that are painted."""
+        return self._channels
 
     def sizeHint(self) -> QSize:
-        n = len(self._overview.channels) if self._overview else 0
-        return QSize(_TEXT_PX + 2 * _LEAST_PX, n * (_ROW_PX + _GAP_PX))
+        return QSize(_TEXT_PX + 2 * _LEAST_PX, len(self._channels) * (_ROW_PX + _GAP_PX))
 
     def minimumSizeHint(self) -> QSize:
         return QSize(_TEXT_PX + _LEAST_PX, self.sizeHint().height())
 
-    def show_overview(self, overview: Overview | None, colours: Mapping[int, int]) -> None:
-        """Paint ``overview``; ``colours`` has the number of the colour of each input."""
-        self._overview, self._colours, self._pale = overview, colours, False
-        channels = overview.channels if overview else ()
+    def show_channels(
+        self, channels: tuple[ChannelOverview, ...], colours: Mapping[int, int]
+    ) -> None:
+        """Paint ``channels``; ``colours`` has the number of the colour of each input."""
+        self._channels, self._colours, self._pale = channels, colours, False
         lines = [line for channel in channels for line in channel_lines(channel)]
         self.setAccessibleDescription("; ".join(lines))
         self.updateGeometry()
@@ -86,11 +82,9 @@ class ChannelsView(QWidget):
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        if self._overview is None:
-            return
         painter = QPainter(self)
         painter.setOpacity(PALE if self._pale else 1.0)
-        for row, channel in enumerate(self._overview.channels):
+        for row, channel in enumerate(self._channels):
             top = row * (_ROW_PX + _GAP_PX)
             if event.rect().intersects(QRectF(0, top, self.width(), _ROW_PX).toRect()):
                 self._paint_text(painter, channel, top)
@@ -113,19 +107,18 @@ class ChannelsView(QWidget):
             elided = metrics.elidedText(text, Qt.TextElideMode.ElideRight, int(room.width()))
             painter.drawText(room.translated(0, number * _ROW_PX / 3), left, elided)
 
-    def _paint_picture(self, painter: QPainter, channel: ChannelOverview, area: QRectF) -> None:
+    def _paint_picture(self, painter: QPainter, overview: ChannelOverview, area: QRectF) -> None:
         painter.fillRect(area, QColor(current_theme().base))
         middle, reach = area.center().y(), area.height() / 2.0 - 3.0
         painter.setPen(QPen(QColor(current_theme().grid), 1))
         for level in (-1.0, 0.0, 1.0):
             y = middle - reach * level
             painter.drawLine(QLineF(area.left(), y, area.right(), y))
-        colour = (
-            current_theme().input_colour(self._colours.get(channel.inputs[0], 0))
-            if channel.inputs
-            else (QColor(current_theme().dim))
-        )
-        low, high = joined(np.clip(channel.extremes, -1.0, 1.0))
+        inputs = overview.channel.inputs
+        colour = QColor(current_theme().dim)
+        if inputs:
+            colour = current_theme().input_colour(self._colours.get(inputs[0], 0))
+        low, high = joined(np.clip(overview.extremes, -1.0, 1.0))
         x = area.left() + (np.arange(low.size) + 0.5) * area.width() / low.size
         width = max(area.width() / low.size, 1.0)
         painter.setPen(QPen(colour, width, c=Qt.PenCapStyle.FlatCap))
@@ -136,8 +129,8 @@ class ChannelsView(QWidget):
                 for at, y, bottom in zip(x.tolist(), tops.tolist(), bottoms.tolist(), strict=True)
             ]
         )
-        beyond = np.flatnonzero((channel.extremes[0] < -1.0) | (channel.extremes[1] > 1.0))
-        if channel.clipped and beyond.size:
+        beyond = np.flatnonzero((abs(overview.extremes) > 1.0).any(axis=0))
+        if overview.clipped and beyond.size:
             painter.setPen(QPen(QColor(current_theme().error), max(width, 2.0)))
             painter.drawLines(
                 [QLineF(at, area.top(), at, area.top() + 5.0) for at in x[beyond].tolist()]
@@ -156,14 +149,15 @@ def joined(extremes: Floats) -> Floats:
     return extended
 
 
-def channel_lines(channel: ChannelOverview) -> list[str]:
+def channel_lines(overview: ChannelOverview) -> list[str]:
     """Return lines on a channel: its title, its strength, and how many samples would clip."""
+    channel = overview.channel
     title = channel.title if channel.place is None else f"Place {channel.place}, {channel.title}"
-    peak = "silent" if channel.peak == 0.0 else f"peak {20.0 * np.log10(channel.peak):z.1f} dB"
-    rms = "" if channel.rms == 0.0 else f", RMS {20.0 * np.log10(channel.rms):z.1f} dB"
+    peak = "silent" if overview.peak == 0.0 else f"peak {20.0 * np.log10(overview.peak):z.1f} dB"
+    rms = "" if overview.rms == 0.0 else f", RMS {20.0 * np.log10(overview.rms):z.1f} dB"
     lines = [f"{channel.number}  {title}", f"{peak}{rms}".replace("-", "\u2212")]
-    if channel.clipped:
-        lines.append(f"{channel.clipped} sample{'' if channel.clipped == 1 else 's'} would clip")
+    if overview.clipped:
+        lines.append(f"{counted(overview.clipped, 'sample')} would clip")
     return lines
 
 
@@ -221,46 +215,6 @@ class PreparingRow(QWidget):
         self._label.setText(f"Computing\u2026{percent}")
 
 
-class PreparingWorker(LatestWins):
-    """Prepares the stimulus of the latest order, for one design."""
-
-    #: The `Order` and its `skinsource.export.stimulus_export.preparing.Overview`.
-    ready = Signal(object, object)
-    #: The `Order`, and how much of its work is done and how much there is.
-    progressed = Signal(object, int, int)
-
-    def __init__(self, design: Design, parent: QObject | None = None) -> None:
-        super().__init__("skinsource-stimulus", parent)
-        self._design = design
-
-    def prepare(self, order: Order) -> None:
-        """Prepare ``order`` in place of the order before."""
-        self.want(order, partial(self._prepare, order))
-
-    def _prepare(self, order: Order) -> None:
-        def stop() -> bool:
-            return self.outdated
-
-        stimulus = prepare_stimulus(
-            self._design,
-            Path(f"stimulus{order.format.suffix}"),
-            order.format,
-            order.rate_hz,
-            order.options,
-            actuation=order.actuation,
-            rig=order.rig,
-            equaliser=order.equaliser,
-            progress=partial(self._tell_progress, order, 0),
-            stop=stop,
-        )
-        overview = overview_of(stimulus, progress=partial(self._tell_progress, order, 1), stop=stop)
-        self.tell(self.ready, order, overview)
-
-    def _tell_progress(self, order: Order, half: int, done: int, total: int, _text: str) -> None:
-        """Emit progress: the first half prepares channels, the second makes the overview."""
-        self.tell(self.progressed, order, half * total + done, 2 * total)
-
-
 _LEFT_PX = 300
 
 
@@ -277,8 +231,11 @@ class StimulusPage(QDialog):
         Rig file that this machine plays for; empty: none.
     """
 
-    #: The `Order` and its `Overview`; whether clipping was confirmed; settings to remember.
-    chosen = Signal(object, object, bool, str)
+    #: The `PreparedStimulus`; whether clipping was confirmed; settings to remember.
+    chosen = Signal(object, bool, str)
+    # From the worker: the `Order`, and its `PreparedStimulus`, or how much of its work is done.
+    _ready = Signal(object, object)
+    _progressed = Signal(object, int, int)
 
     def __init__(
         self,
@@ -295,7 +252,8 @@ class StimulusPage(QDialog):
         self.resize(960, 680)
         self._colours = {track.id: track.colour for track in design.inputs}
         self._ordered: Order | None = None
-        self._shown: tuple[Order, Overview] | None = None
+        #: What is shown, and would be written; None while it is prepared.
+        self.prepared: PreparedStimulus | None = None
         self.form = StimulusForm(design, view)
         self.channels = ChannelsView()
         self._summary, self._loses, self._problem = QLabel(), QLabel(), QLabel()
@@ -306,7 +264,7 @@ class StimulusPage(QDialog):
         )
         self._name_parts()
         self._lay_out()
-        self._worker = PreparingWorker(design, self)
+        self._design, self._worker = design, LatestWins("skinsource-stimulus", self)
         self._connect()
         recall(self.form, last_settings, machine_rig)
         self._machine_rig = machine_rig
@@ -315,7 +273,7 @@ class StimulusPage(QDialog):
     @property
     def busy(self) -> bool:
         """Whether the order that is prepared is not shown yet."""
-        return self._ordered is not None and self._shown is None
+        return self._ordered is not None and self.prepared is None
 
     @property
     def ready(self) -> bool:
@@ -324,13 +282,13 @@ class StimulusPage(QDialog):
 
     def done(self, result: int) -> None:
         """Close the page, with or without an export."""
-        shown, confirmed = self._shown, self._confirm.isChecked()
+        prepared, confirmed = self.prepared, self._confirm.isChecked()
         settings = remembered(self.form, self._machine_rig)
         # The page closes before the worker, which may take time to stop.
         super().done(result)
         self._worker.close()
-        if result == QDialog.DialogCode.Accepted and shown is not None:
-            self.chosen.emit(*shown, confirmed, settings)
+        if result == QDialog.DialogCode.Accepted and prepared is not None:
+            self.chosen.emit(prepared, confirmed, settings)
 
     def _name_parts(self) -> None:
         self._export_button = self._buttons.button(QDialogButtonBox.StandardButton.Ok)
@@ -374,36 +332,51 @@ class StimulusPage(QDialog):
         rows.addLayout(foot)
 
     def _connect(self) -> None:
-        self.form.changed.connect(self._prepare)
+        self.form.changed.connect(self._order)
         self.form.refused.connect(self._show_refused)
-        self._worker.ready.connect(self._show_ready)
-        self._worker.progressed.connect(self._show_progress)
+        self._ready.connect(self._show_ready)
+        self._progressed.connect(self._show_progress)
         self._worker.failed.connect(self._show_failed)
         self._confirm.toggled.connect(self._show_button)
         self._buttons.accepted.connect(self.accept)
         self._buttons.rejected.connect(self.reject)
 
-    def _prepare(self, order: Order) -> None:
-        self._ordered, self._shown = order, None
+    def _order(self, order: Order) -> None:
+        self._ordered, self.prepared = order, None
         # Clipping was confirmed for another order.
         self._confirm.setChecked(False)
         self._set_pale(True)
         self._preparing.begin()
         self._export_button.setEnabled(False)
-        self._worker.prepare(order)
+        self._worker.want(order, partial(self._prepare, order))
 
-    def _show_ready(self, order: Order, overview: Overview) -> None:
+    def _prepare(self, order: Order) -> None:
+        """Prepare the stimulus, in the thread of the worker."""
+        prepared = prepare_stimulus(
+            self._design,
+            order.format,
+            order.rate_hz,
+            order.options,
+            actuation=order.actuation,
+            rig=order.rig,
+            equaliser=order.equaliser,
+            progress=lambda done, total, _: self._worker.tell(self._progressed, order, done, total),
+            stop=lambda: self._worker.outdated,
+        )
+        self._worker.tell(self._ready, order, prepared)
+
+    def _show_ready(self, order: Order, prepared: PreparedStimulus) -> None:
         if order is not self._ordered:
             return
-        self._shown = order, overview
+        self.prepared = prepared
         self._preparing.end()
         self._set_pale(False)
-        self.channels.show_overview(overview, self._colours)
-        self._summary.setText(summary_of(overview))
-        self._loses.setText(
-            " ".join(filter(None, (overview.edges, overview.loses, calibration_of(overview))))
-        )
-        self._show_problem(" ".join(overview.objections), ask=bool(overview.objections))
+        self.channels.show_channels(prepared.channels, self._colours)
+        self._summary.setText(summary_of(prepared))
+        notes = prepared.edges, prepared.loses, calibration_of(prepared)
+        self._loses.setText(" ".join(filter(None, notes)))
+        objections = " ".join(filter(None, (prepared.advice_on_loss, *prepared.objections)))
+        self._show_problem(objections, ask=bool(objections))
 
     def _show_progress(self, order: Order, done: int, total: int) -> None:
         if order is self._ordered:
@@ -424,10 +397,10 @@ class StimulusPage(QDialog):
             self._show_refused(reason)
 
     def _show_refused(self, reason: str) -> None:
-        self._ordered = self._shown = None
+        self._ordered = self.prepared = None
         self._preparing.end()
         self._set_pale(False)
-        self.channels.show_overview(None, {})
+        self.channels.show_channels((), {})
         self._summary.setText("")
         self._loses.setText("")
         self._show_problem(sentence(reason), ask=False)
@@ -440,39 +413,39 @@ class StimulusPage(QDialog):
 
     def _show_button(self) -> None:
         may_export = self._confirm.isHidden() or self._confirm.isChecked()
-        self._export_button.setEnabled(self._shown is not None and may_export)
+        self._export_button.setEnabled(self.prepared is not None and may_export)
         self._export_button.setDefault(self._export_button.isEnabled())
 
 
-def summary_of(overview: Overview) -> str:
+def summary_of(prepared: PreparedStimulus) -> str:
     """Return how much will be written, what full scale means, and how it is equalised."""
-    n = len(overview.channels)
-    many = "" if overview.n_files == 1 else f" in {overview.n_files} files"
-    rate = f"{overview.rate_hz:,g}".replace(",", " ")
-    unit = "" if overview.unit == "1" else f" {overview.unit}"
+    file, n_files = prepared.files[0], len(prepared.files)
+    many = "" if n_files == 1 else f" in {n_files} files"
+    rate = f"{file.stimulus.sample_rate_hz:,g}".replace(",", " ")
+    unit = "" if file.stimulus.unit == "1" else f" {file.stimulus.unit}"
     # Without a rig, it is not known that the device gives the volts that the actuators need.
-    verb = "shall be" if _lacks_rig(overview) else "is"
+    verb = "shall be" if _lacks_rig(prepared) else "is"
     size = sentence(
-        f"{n} channel{'' if n == 1 else 's'}{many}, {duration_text(overview.duration_s)} at "
-        f"{rate} Hz, about {size_text(overview.n_bytes)}. Full scale {verb} "
-        f"{overview.full_scale:.4g}{unit}"
+        f"{counted(len(prepared.channels), 'channel')}{many}, "
+        f"{duration_text(file.stimulus.duration_s)} at {rate} Hz, about "
+        f"{size_text(prepared.n_bytes)}. Full scale {verb} {file.full_scale:.4g}{unit}"
     )
-    return f"{size} {sentence(overview.equalised)}"
+    return f"{size} {sentence(prepared.equalised)}"
 
 
-def calibration_of(overview: Overview) -> str:
+def calibration_of(prepared: PreparedStimulus) -> str:
     """Return a sentence on whether accelerations follow from the samples."""
-    if _lacks_rig(overview):
+    if _lacks_rig(prepared):
         return (
             "Uncalibrated: no rig says how many volts output and amplifier give. Choose one, or "
             "set the amplifier so that full scale is as many."
         )
-    return sentence(f"{overview.calibration[:1].upper()}{overview.calibration[1:]}")
+    return sentence(f"{prepared.calibration[:1].upper()}{prepared.calibration[1:]}")
 
 
-def _lacks_rig(overview: Overview) -> bool:
+def _lacks_rig(prepared: PreparedStimulus) -> bool:
     """Return whether the actuators need known volts, and no rig states those of the device."""
-    return overview.unit == "V" and overview.calibration == UNCALIBRATED
+    return prepared.files[0].stimulus.unit == "V" and prepared.calibration == UNCALIBRATED
 
 
 def duration_text(time_s: float) -> str:

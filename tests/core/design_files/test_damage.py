@@ -12,7 +12,7 @@ import pytest
 from skinsource.base.errors import DesignFileError, StorageError
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
-from skinsource.design.waveforms.catalog import KINDS
+from skinsource.design.waveforms import KINDS
 
 
 def test_every_flipped_bit_is_refused(tmp_path):

@@ -15,7 +15,7 @@ from skinsource.design.clips import Clip, Marker
 from skinsource.design.design import MAX_INPUTS, Design, Input, track
 from skinsource.design.design_file import DesignFile, open_design, save_design
 from skinsource.design.view import View
-from skinsource.design.waveforms.catalog import KINDS
+from skinsource.design.waveforms import KINDS
 from skinsource.design.waveforms.tones import Tone
 from skinsource.specs import image
 from skinsource.specs.models import specs_of

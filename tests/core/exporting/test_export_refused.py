@@ -1,14 +1,11 @@
 """What an export of a stimulus refuses, and what it then leaves behind."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError, NotConfirmedError, Stopped, StorageError
-from skinsource.export.formats import formats
-from skinsource.export.formats.formats import FORMATS
+from skinsource.export.formats import FORMATS
 from tests.core.exporting.export_bench import read, sidecar
 
 
@@ -97,16 +94,16 @@ def test_where_nothing_can_be_written_one_sentence_says_so(design, tmp_path, nam
 def test_nothing_stands_under_the_final_name_until_all_of_it_is_written(
     design, tmp_path, monkeypatch, form
 ):
-    path, listings = tmp_path / "a", []
+    path, listings, real = tmp_path / "a", [], form.write
 
-    def write(outgoing, place):
-        facts = form.write(outgoing, place)
+    def write(file, place):
+        facts = real(file, place)
         listings.append(
             sorted(there.name for there in tmp_path.iterdir() if there.suffix != ".part")
         )
         return facts
 
-    monkeypatch.setattr(formats, "FORMATS", (replace(form, write=write),))
+    monkeypatch.setattr(form, "write", write)
     ss.export_stimulus(design, path, format=form.name)
     assert path.exists()
     assert listings

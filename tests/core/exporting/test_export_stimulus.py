@@ -9,7 +9,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
-from skinsource.export.formats.formats import FORMATS
+from skinsource.export.formats import FORMATS
 from tests.core.exporting.export_bench import exported, read, sidecar
 
 

@@ -3,9 +3,9 @@
 import pytest
 
 import skinsource as ss
-from skinsource.export.formats.formats import format_named
-from skinsource.export.stimulus_export.options import written_files
-from skinsource.export.stimulus_export.preparing import overview_of, prepare_stimulus
+from skinsource.export.formats import format_named
+from skinsource.export.stimulus_export.export import written_files
+from skinsource.export.stimulus_export.preparing import prepare_stimulus
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(8, TONE), ss.track(13, TONE)))
@@ -14,9 +14,9 @@ DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(8, TONE), ss.track(13, T
 @pytest.mark.parametrize("several", [False, True])
 @pytest.mark.parametrize("name", ss.export_formats())
 def test_the_files_that_are_told_are_those_that_are_written(tmp_path, name, several):
-    kind, options = format_named(name, tmp_path), ss.StimulusOptions(one_file_per_input=several)
+    kind, options = format_named(name), ss.StimulusOptions(one_file_per_input=several)
     path = tmp_path / f"a.b{kind.suffix}"
-    overview = overview_of(prepare_stimulus(DESIGN, path, kind, None, options))
+    prepared = prepare_stimulus(DESIGN, kind, None, options)
     ss.export_stimulus(DESIGN, path, name, options=options, confirmed=True)
-    promised = [file for files in written_files(path, kind, overview.marks) for file in files]
+    promised = [file for files in written_files(prepared, path) for file in files]
     assert sorted(promised) == sorted(tmp_path.iterdir())

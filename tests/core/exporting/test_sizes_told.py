@@ -3,10 +3,8 @@
 import pytest
 
 import skinsource as ss
-from skinsource.export.formats import arrays
-from skinsource.export.formats.arrays import HDF5
-from skinsource.export.formats.text import CSV
-from skinsource.export.stimulus_export.preparing import overview_of, prepare_stimulus
+from skinsource.export.formats import arrays, format_named
+from skinsource.export.stimulus_export.preparing import prepare_stimulus
 
 DESIGN = ss.Design(
     limb="synthetic-1",
@@ -19,7 +17,7 @@ DESIGN = ss.Design(
 def test_a_table_is_about_as_large_as_told_in_each_layout(tmp_path, layout, rate_hz):
     options = ss.StimulusOptions(choices={"layout": layout})
     path = tmp_path / "drive.csv"
-    predicted_bytes = overview_of(prepare_stimulus(DESIGN, path, CSV, rate_hz, options)).n_bytes
+    predicted_bytes = prepare_stimulus(DESIGN, format_named("csv"), rate_hz, options).n_bytes
     ss.export_stimulus(DESIGN, path, "csv", rate_hz, options=options)
     assert predicted_bytes == pytest.approx(path.stat().st_size, rel=0.15)
 
@@ -27,9 +25,8 @@ def test_a_table_is_about_as_large_as_told_in_each_layout(tmp_path, layout, rate
 def test_what_is_predicted_does_not_count_where_it_is_too_much_to_be_written(tmp_path, monkeypatch):
     monkeypatch.setattr(arrays, "_MOST_RESPONSE_BYTES", 1e5)
     path = tmp_path / "drive.h5"
-    predicted_bytes = overview_of(
-        prepare_stimulus(DESIGN, path, HDF5, None, ss.StimulusOptions())
-    ).n_bytes
+    hdf5 = format_named("hdf5")
+    predicted_bytes = prepare_stimulus(DESIGN, hdf5, None, ss.StimulusOptions()).n_bytes
     ss.export_stimulus(DESIGN, path)
     assert predicted_bytes < 20_000
     assert path.stat().st_size < 20_000
@@ -37,8 +34,7 @@ def test_what_is_predicted_does_not_count_where_it_is_too_much_to_be_written(tmp
 
 def test_what_is_predicted_counts_where_it_is_written_too(tmp_path):
     path = tmp_path / "drive.h5"
-    predicted_bytes = overview_of(
-        prepare_stimulus(DESIGN, path, HDF5, None, ss.StimulusOptions())
-    ).n_bytes
+    hdf5 = format_named("hdf5")
+    predicted_bytes = prepare_stimulus(DESIGN, hdf5, None, ss.StimulusOptions()).n_bytes
     ss.export_stimulus(DESIGN, path)
     assert predicted_bytes == pytest.approx(path.stat().st_size, rel=0.05)

@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import as_kind
 from skinsource.design.effects.time import Stretch, Trim
-from skinsource.design.waveforms.catalog import KINDS
+from skinsource.design.waveforms import KINDS
 from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.samples import Recording
 from skinsource.design.waveforms.tones import Tone

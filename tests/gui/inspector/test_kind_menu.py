@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from skinsource.design import waveforms
 from skinsource.design.edits.edit import kind_spec
-from skinsource.design.waveforms.catalog import COMMON, KINDS, MORE
+from skinsource.design.waveforms import COMMON, KINDS, MORE
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields import kinds
 from skinsource_gui.fields.kinds import PICTURE_PX, KindField, fill_kind_menu, waveform_icon
@@ -155,7 +155,7 @@ def test_the_present_kind_and_the_way_to_it_are_bold(menu, kind):
 
 
 def test_a_new_kind_stands_under_more_with_a_picture(menu, monkeypatch):
-    monkeypatch.setattr(waveforms.catalog, "KINDS", (*KINDS, Click))
+    monkeypatch.setattr(waveforms, "KINDS", (*KINDS, Click))
     fill_kind_menu(menu, str)
     action = more_of(menu).actions()[-1]
     assert action.text() == "Click"

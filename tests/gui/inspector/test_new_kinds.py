@@ -53,11 +53,11 @@ class Sweep:
 @pytest.fixture(autouse=True)
 def _it_is_named_where_kinds_are_named(monkeypatch):
     """As CONTRIBUTING says, and nothing else."""
-    monkeypatch.setattr(waveforms.catalog, "KINDS", (*waveforms.KINDS, Sweep))
+    monkeypatch.setattr(waveforms, "KINDS", (*waveforms.KINDS, Sweep))
 
 
 def test_a_kind_that_is_not_named_there_is_refused_by_a_design(monkeypatch):
-    monkeypatch.setattr(waveforms.catalog, "KINDS", waveforms.KINDS[:-1])
+    monkeypatch.setattr(waveforms, "KINDS", waveforms.KINDS[:-1])
     with pytest.raises(InvalidInputError, match="Sweep"):
         track(location=7, waveform=Sweep())
 

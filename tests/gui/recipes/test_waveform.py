@@ -97,7 +97,7 @@ def test_a_new_waveform_is_a_file_and_a_name_and_a_new_field_is_a_line(
     copy = make_copy()
     # A file in waveforms and a name in MORE.
     copy.write(copy.library / "design" / "waveforms" / "clicks.py", CLICKS)
-    kinds = copy.library / "design" / "waveforms" / "catalog.py"
+    kinds = copy.library / "design" / "waveforms" / "__init__.py"
     line = "from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle\n"
     copy.insert(kinds, line, "from skinsource.design.waveforms.clicks import Clicks\n")
     copy.insert(kinds, "    Impulse,\n", "    Clicks,\n")

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QMessageBox
 
-from tests.gui.stimulus.stimulus_bench import choose, export
+from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export
 
 _Answer = QMessageBox.StandardButton
 
@@ -38,7 +38,7 @@ def test_the_file_of_another_channel_is_replaced_only_if_the_user_says_so(
     assert (mine.read_text(), path.exists()) == ("mine", False)
     answers.append(_Answer.Yes)
     desk.stimuli.show()
-    qtbot.waitUntil(lambda: desk.stimuli.page.ready)
+    qtbot.waitUntil(lambda: desk.stimuli.page.ready, timeout=WAIT_MS)
     export(desk, desk.stimuli.page, qtbot)
     assert path.exists()
     assert mine.read_text() != "mine"

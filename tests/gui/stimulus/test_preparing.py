@@ -46,12 +46,12 @@ def test_the_page_says_that_it_computes_and_how_far_it_is(desk, qtbot, gate):
     qtbot.waitExposed(page)
     qtbot.waitUntil(
         lambda: (
-            computing_label(page).isVisible() and computing_label(page).text() == "Computing… 12 %"
+            computing_label(page).isVisible() and computing_label(page).text() == "Computing… 25 %"
         )
     )
     bar = page.findChild(QProgressBar, "stimulus_progress")
     assert bar.isVisible()
-    assert (bar.value(), bar.maximum()) == (1, 8)
+    assert (bar.value(), bar.maximum()) == (1, 4)
     gate.set()
     qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
     assert not computing_label(page).isVisible()

@@ -1,13 +1,14 @@
 """The page of stimuli remembers how the last one was exported."""
 
-from types import SimpleNamespace
-
+import numpy as np
 import pytest
 from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.design.view import View
+from skinsource.engine.stimulus import Channel
+from skinsource.export.formats.format import ChannelOverview
 from skinsource_gui.pages.stimulus.form import StimulusForm, recall, remembered
 from skinsource_gui.pages.stimulus.page import (
     StimulusPage,
@@ -116,16 +117,17 @@ def test_full_scale_in_volts_without_a_rig_is_what_shall_be(qtbot):
     page = StimulusPage(design, View())
     qtbot.addWidget(page)
     qtbot.waitUntil(lambda: page.ready and not page.busy, **WAIT)
-    overview = page.channels.overview
-    assert overview.unit == "V"
-    assert "Full scale shall be" in summary_of(overview)
-    assert "no rig says how many volts output and amplifier give" in calibration_of(overview)
+    prepared = page.prepared
+    assert prepared.drives.unit == "V"
+    assert "Full scale shall be" in summary_of(prepared)
+    assert "no rig says how many volts output and amplifier give" in calibration_of(prepared)
     page.reject()
 
 
 def test_levels_of_full_scale_have_no_minus_before_nothing():
-    full = SimpleNamespace(
-        number=1, place=7, title="Digit II", peak=1.0 - 1e-9, rms=1.0 - 1e-9, clipped=0
+    channel = Channel(number=1, place=7, title="Digit II")
+    full = ChannelOverview(
+        channel=channel, extremes=np.zeros((2, 4)), peak=1.0 - 1e-9, rms=1.0 - 1e-9, clipped=0
     )
     assert channel_lines(full)[1] == "peak 0.0 dB, RMS 0.0 dB"
 

@@ -9,25 +9,25 @@ from PySide6.QtWidgets import QFileDialog
 import skinsource as ss
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
-from skinsource.export.formats.formats import FORMATS
+from skinsource.export.formats import FORMATS
 from skinsource_gui.pages.stimulus.page import duration_text, joined, size_text
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
 
 def test_it_shows_the_channels_as_they_will_be(page, design):
-    overview = page.channels.overview
-    assert [(channel.place, channel.inputs) for channel in overview.channels] == [
+    channels = page.channels.channels
+    assert [(each.channel.place, each.channel.inputs) for each in channels] == [
         (7, (1, 3)),
         (12, (2,)),
     ]
-    assert max(channel.peak for channel in overview.channels) == pytest.approx(1.0)
-    assert overview.channels[1].extremes.max() == pytest.approx(1.0)
-    assert overview.channels[0].extremes.shape == (2, 600)
+    assert max(channel.peak for channel in channels) == pytest.approx(1.0)
+    assert channels[1].extremes.max() == pytest.approx(1.0)
+    assert channels[0].extremes.shape == (2, 600)
     assert "1  Place 7, Digit II, pad; peak" in page.channels.accessibleDescription()
     text = label(page, "summary")
     n_times = ss.stimulus_of(design, 48_000).n_times
     assert text.startswith(f"2 channels, {1e3 * n_times / 48_000:.4g} ms at 48 000 Hz, about ")
-    assert size_text(overview.n_bytes) in text
+    assert size_text(page.prepared.n_bytes) in text
     assert "Uncalibrated" in label(page, "loses")
 
 
@@ -51,7 +51,7 @@ def test_only_rows_that_mean_something_are_shown(page, qtbot):
 
 def test_options_reach_what_is_shown(page, qtbot):
     def shown():
-        return [channel.title for channel in page.channels.overview.channels]
+        return [overview.channel.title for overview in page.channels.channels]
 
     choose(page, qtbot, "plays", "tracks")
     assert shown() == ["Digit II, base"]
@@ -63,9 +63,9 @@ def test_options_reach_what_is_shown(page, qtbot):
     assert shown()[-1] == "Sync"
     page.form.field("sync").click()
     choose(page, qtbot, "time", "loop")
-    assert page.channels.overview.duration_s == pytest.approx(0.1)
+    assert page.prepared.files[0].stimulus.duration_s == pytest.approx(0.1)
     choose(page, qtbot, "channels", "files")
-    assert page.channels.overview.n_files == 3
+    assert len(page.prepared.files) == 3
     assert "in 3 files" in label(page, "summary")
 
 
@@ -80,7 +80,7 @@ def test_what_cannot_be_says_why_and_cannot_be_exported(page, qtbot):
     assert not page.ready
     page.form.field("map").setText("2, 0, 1")
     qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
-    assert [channel.place for channel in page.channels.overview.channels] == [12, None, 7]
+    assert [overview.channel.place for overview in page.channels.channels] == [12, None, 7]
     assert label(page, "problem") == ""
 
 
@@ -108,7 +108,7 @@ def test_a_rig_says_what_is_wired_and_an_equaliser_makes_volts(
     choose(page, qtbot, "equaliser", "linear")
     assert not form.field("scale").isVisible()
     # 1 m/s² needs a fiftieth of a volt.
-    assert page.channels.overview.channels[0].peak == pytest.approx(0.02, rel=0.05)
+    assert page.channels.channels[0].peak == pytest.approx(0.02, rel=0.05)
     path = save_as("volts.wav")
     export(desk, page, qtbot)
     metadata = json.loads((path.parent / "volts.wav.json").read_text())

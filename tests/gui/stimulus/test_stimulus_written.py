@@ -7,11 +7,14 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QCheckBox, QFileDialog, QPushButton
 
+from skinsource.engine import stimulus
+from skinsource.export.stimulus_export import sidecar
+from tests.gui.stimulus.conftest import opened
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
 
 def test_the_bytes_that_are_told_are_those_of_the_file(page, desk, qtbot, save_as):
-    n_bytes = page.channels.overview.n_bytes
+    n_bytes = page.prepared.n_bytes
     path = save_as("drive.wav")
     export(desk, page, qtbot)
     assert abs(path.stat().st_size - n_bytes) < 300
@@ -31,6 +34,32 @@ def test_what_was_looked_at_is_written_with_its_sidecar(
     assert "Saved" in window.statusBar().currentMessage()
     assert window.document.design is design or window.document.design == design
     assert window.document.undo_stack.count() == 0
+
+
+def test_from_the_page_to_the_file_each_clip_is_sampled_once(
+    desk, qtbot, save_as, monkeypatch, design
+):
+    sampled, sample, predictions, predict = [], stimulus.played, [], sidecar.about_validity
+
+    def count_sampled(waveform, *arguments):
+        sampled.append(waveform)
+        return sample(waveform, *arguments)
+
+    def count_predictions(design):
+        predictions.append(design)
+        return predict(design)
+
+    monkeypatch.setattr(stimulus, "played", count_sampled)
+    monkeypatch.setattr(sidecar, "about_validity", count_predictions)
+    desk.stimuli.show()
+    page = opened(desk.stimuli, qtbot)
+    # Its losses to 48 kHz are told already.
+    assert page.prepared.drives.sample_rate_hz == 48_000
+    path = save_as("drive.wav")
+    export(desk, page, qtbot)
+    assert path.stat().st_size > 1000
+    assert sampled == [clip.waveform for clip in design.clips]
+    assert len(predictions) == 1
 
 
 def test_it_can_be_done_with_keys_alone(page, desk, qtbot, save_as):
@@ -63,7 +92,7 @@ def test_what_would_clip_is_shown_and_must_be_confirmed(page, desk, qtbot, save_
     QTest.keyClicks(field, "0.5")
     QTest.keyClick(field, Qt.Key.Key_Tab)
     qtbot.waitUntil(lambda: not page.busy, timeout=WAIT_MS)
-    clipped = page.channels.overview.channels[1].clipped
+    clipped = page.channels.channels[1].clipped
     assert clipped > 100
     assert f"channel 2 (Digit II, base) {clipped}" in label(page, "problem")
     assert f"{clipped} samples would clip" in page.channels.accessibleDescription()

@@ -16,7 +16,7 @@ from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
-from skinsource.design.waveforms.catalog import kinds
+from skinsource.design.waveforms import kinds
 from skinsource.design.waveforms.tones import Glide
 from skinsource.limbs.locations import input_name
 from skinsource.specs.models import specs_of

@@ -39,7 +39,7 @@ from skinsource.design.effects.level import Envelope, Fade
 from skinsource.design.effects.time import Trim
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
-from skinsource.design.waveforms.catalog import kinds as waveform_kinds
+from skinsource.design.waveforms import kinds as waveform_kinds
 from skinsource.design.waveforms.samples import Drawn
 from skinsource.design.waveforms.tones import Glide
 from skinsource.design.waveforms.wavelet_train import SOFTEST_DB, WaveletTrain

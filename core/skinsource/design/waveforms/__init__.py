@@ -2,11 +2,10 @@
 
 A waveform is a frozen dataclass with fields from `skinsource.specs.fields`, and everything that
 `Waveform` names.  To add one, write its class in a module of this package and name it in `COMMON`
-or `MORE` of `skinsource.design.waveforms.catalog`.
+or `MORE`.
 """
 
 from skinsource.design.waveform import Waveform
-from skinsource.design.waveforms.catalog import COMMON, KINDS, MORE, kinds
 from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle
 from skinsource.design.waveforms.pulses import CentredTap, DampedSine, Impulse, Noise, Tap
 from skinsource.design.waveforms.samples import Drawn, Formula, Layers, Recording
@@ -19,6 +18,44 @@ from skinsource.design.waveforms.tones import (
 )
 from skinsource.design.waveforms.wavelet_train import WaveletTrain, frequency_sweep
 from skinsource.design.waveforms.wavelets import Chirplet, Gabor, Morlet, Ricker
+
+#: The eight kinds that a menu of waveforms shows at once, in its order.
+COMMON: tuple[type[Waveform], ...] = (
+    Tone,
+    Chirp,
+    Noise,
+    Tap,
+    Impulse,
+    Gabor,
+    WaveletTrain,
+    Formula,
+)
+#: All other kinds, which the menu shows under "More".
+MORE: tuple[type[Waveform], ...] = (
+    Ricker,
+    Morlet,
+    Chirplet,
+    CentredTap,
+    Glide,
+    DampedSine,
+    Square,
+    Saw,
+    Triangle,
+    PulseTrain,
+    AmplitudeModulated,
+    FrequencyModulated,
+    Drawn,
+    Recording,
+    Layers,
+)
+#: Every kind of waveform.
+KINDS: tuple[type[Waveform], ...] = (*COMMON, *MORE)
+
+
+def kinds() -> tuple[type[Waveform], ...]:
+    """Return every kind of waveform; a function, so that tests can add kinds."""
+    return KINDS
+
 
 __all__ = [
     "COMMON",

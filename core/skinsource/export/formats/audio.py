@@ -7,15 +7,20 @@ them down.  The plain header has none, the extensible one gets the mask 0.
 import io
 import struct
 from pathlib import Path
-from typing import BinaryIO
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.job import stop_if
 from skinsource.export.exported_design import steadily_written
-from skinsource.export.formats.format import SAMPLES, Facts, Outgoing, StimulusFormat
+from skinsource.export.formats.format import (
+    SAMPLES,
+    Choices,
+    Facts,
+    StimulusFile,
+    StimulusFormat,
+)
 from skinsource.specs.spec import ChoiceSpec
 from skinsource.version import __version__
 
@@ -28,91 +33,14 @@ _GUID_END = bytes.fromhex("000000001000800000aa00389b71")
 _BLOCK = 2**16
 
 
-def write_wav(outgoing: Outgoing, path: Path) -> Facts:
-    """Write the file."""
-    sample_bytes, integer_kind = _KINDS[outgoing.choices[SAMPLES]]
-    stimulus = outgoing.stimulus
-    n_channels, n_times = stimulus.samples.shape
-    if n_channels * n_times * sample_bytes > _MOST_BYTES or n_channels * sample_bytes > 0xFFFF:
-        raise InvalidInputError(
-            f"{n_times} samples in {n_channels} channels do not fit into a WAV file, expected at "
-            "most 4 GB. Take a part of the time, or the format hdf5."
-        )
-    facts: Facts = {"samples": "float32"}
-    values: NDArray[np.generic] = stimulus.samples
-    if integer_kind:
-        quantised, facts = outgoing.integers(integer_kind)
-        values = quantised.values
-    with steadily_written(path) as file:
-        _write_head(file, outgoing, sample_bytes, n_times)
-        for start in range(0, n_times, _BLOCK):
-            stop_if(outgoing.stop)
-            file.write(_packed(values[:, start : start + _BLOCK], sample_bytes, integer_kind))
-            outgoing.progress(min(start + _BLOCK, n_times), n_times, "Writing")
-        if n_channels * n_times * sample_bytes % 2:
-            file.write(b"\0")
-    return {**facts, "container": outgoing.choices["container"]}
+class Wav(StimulusFormat):
+    """WAV: floating point, or whole numbers."""
 
-
-def _packed(values: NDArray[np.generic], sample_bytes: int, integer_kind: str) -> bytes:
-    """Return samples as bytes: all channels of one time, then those of the next."""
-    if not integer_kind:
-        return values.T.astype("<f4").tobytes()
-    wide = np.ascontiguousarray(values.T.astype("<i4"))
-    return wide.view(np.uint8).reshape(-1, 4)[:, :sample_bytes].tobytes()
-
-
-def _write_head(file: BinaryIO, outgoing: Outgoing, sample_bytes: int, n_times: int) -> None:
-    n_channels = len(outgoing.stimulus.channels)
-    rate_hz, block = round(outgoing.stimulus.sample_rate_hz), n_channels * sample_bytes
-    kind = _FLOAT if sample_bytes == 4 else _PCM
-    extensible = outgoing.choices["container"] == "extensible"
-    form = struct.pack(
-        "<HHIIHH",
-        _EXTENSIBLE if extensible else kind,
-        n_channels,
-        rate_hz,
-        rate_hz * block,
-        block,
-        8 * sample_bytes,
-    )
-    if extensible:
-        # Size of what follows, valid bits, mask 0, and the kind as an identifier.
-        form += struct.pack("<HHIH", 22, 8 * sample_bytes, 0, kind) + _GUID_END
-    chunks = _chunk(b"fmt ", form)
-    if kind == _FLOAT:
-        chunks += _chunk(b"fact", struct.pack("<I", n_times))
-    chunks += _chunk(b"LIST", b"INFO" + _info(outgoing))
-    n_data = n_times * block
-    size = 4 + len(chunks) + 8 + n_data + n_data % 2
-    file.write(b"RIFF" + struct.pack("<I", size) + b"WAVE" + chunks)
-    file.write(b"data" + struct.pack("<I", n_data))
-
-
-def _info(outgoing: Outgoing) -> bytes:
-    """Return title, name of this program, and digest of the design, as chunks."""
-    texts = (
-        (b"INAM", outgoing.design.title),
-        (b"ISFT", f"SkinSource studio {__version__}"),
-        (b"ICMT", f"design SHA-256 {outgoing.digest}"),
-    )
-    return b"".join(_chunk(name, text.encode() + b"\0") for name, text in texts if text)
-
-
-def _chunk(name: bytes, content: bytes) -> bytes:
-    return name + struct.pack("<I", len(content)) + content + b"\0" * (len(content) % 2)
-
-
-WAV = StimulusFormat(
-    name="wav",
-    title="WAV",
-    suffix=".wav",
-    hint="Sound cards and players: one channel per actuator, no loudspeakers named",
-    write=write_wav,
-    bytes_of=lambda n_channels, n_times, choices: (
-        200 + n_channels * n_times * _KINDS[choices[SAMPLES]][0]
-    ),
-    choices={
+    name = "wav"
+    title = "WAV"
+    suffix = ".wav"
+    hint = "Sound cards and players: one channel per actuator, no loudspeakers named"
+    choices: ClassVar = {
         SAMPLES: ChoiceSpec(
             label="Samples",
             options=(
@@ -128,52 +56,123 @@ WAV = StimulusFormat(
             hint="Plain is read everywhere; some programs want the extensible form above 2 "
             "channels",
         ),
-    },
-    rounds=lambda choices: choices[SAMPLES] != "float32",
-    loses=lambda choices: (
-        "16 bits: rounding adds noise 98 dB below full scale, 93 dB with dither."
-        if choices[SAMPLES] == "pcm16"
-        else ""
-    ),
-)
+    }
+
+    def write(self, file: StimulusFile, path: Path) -> Facts:
+        """Write the file."""
+        sample_bytes, integer_kind = _KINDS[file.choices[SAMPLES]]
+        n_channels, n_times = file.stimulus.samples.shape
+        n_bytes = n_channels * n_times * sample_bytes
+        if n_bytes > _MOST_BYTES or n_channels * sample_bytes > 0xFFFF:
+            raise InvalidInputError(
+                f"{n_times} samples in {n_channels} channels do not fit into a WAV file, expected "
+                "at most 4 GB. Take a part of the time, or the format hdf5."
+            )
+        facts: Facts = {"samples": "float32"}
+        values: NDArray[np.generic] = file.stimulus.samples
+        if integer_kind:
+            quantised, facts = file.integers(integer_kind)
+            values = quantised.values
+        with steadily_written(path) as output:
+            output.write(_head(file, sample_bytes, n_bytes))
+            for times in file.blocks(_BLOCK):
+                output.write(_packed(values[:, times], sample_bytes, integer_kind))
+            output.write(b"\0" * (n_bytes % 2))
+        return {**facts, "container": file.choices["container"]}
+
+    def n_bytes(self, n_channels: int, n_times: int, choices: Choices) -> int:
+        """Return about how many bytes it takes."""
+        return 200 + n_channels * n_times * _KINDS[choices[SAMPLES]][0]
+
+    def rounds(self, choices: Choices) -> bool:
+        """Return whether whole numbers are written."""
+        return choices[SAMPLES] != "float32"
+
+    def loses(self, choices: Choices) -> str:
+        """Return a sentence on what is not in the file."""
+        if choices[SAMPLES] != "pcm16":
+            return ""
+        return "16 bits: rounding adds noise 98 dB below full scale, 93 dB with dither."
+
+
+def _packed(values: NDArray[np.generic], sample_bytes: int, integer_kind: str) -> bytes:
+    """Return samples as bytes: all channels of one time, then those of the next."""
+    if not integer_kind:
+        return values.T.astype("<f4").tobytes()
+    wide = np.ascontiguousarray(values.T.astype("<i4"))
+    return wide.view(np.uint8).reshape(-1, 4)[:, :sample_bytes].tobytes()
+
+
+def _head(file: StimulusFile, sample_bytes: int, n_data: int) -> bytes:
+    """Return all that stands before the samples."""
+    n_channels = len(file.stimulus.channels)
+    rate_hz, block = round(file.stimulus.sample_rate_hz), n_channels * sample_bytes
+    kind = _FLOAT if sample_bytes == 4 else _PCM
+    extensible = file.choices["container"] == "extensible"
+    tag = _EXTENSIBLE if extensible else kind
+    bits = 8 * sample_bytes
+    form = struct.pack("<HHIIHH", tag, n_channels, rate_hz, rate_hz * block, block, bits)
+    if extensible:
+        # Size of what follows, valid bits, mask 0, and the kind as an identifier.
+        form += struct.pack("<HHIH", 22, bits, 0, kind) + _GUID_END
+    chunks = _chunk(b"fmt ", form)
+    if kind == _FLOAT:
+        chunks += _chunk(b"fact", struct.pack("<I", file.stimulus.n_times))
+    texts = (
+        (b"INAM", file.design.title),
+        (b"ISFT", f"SkinSource studio {__version__}"),
+        (b"ICMT", f"design SHA-256 {file.digest}"),
+    )
+    info = b"".join(_chunk(name, text.encode() + b"\0") for name, text in texts if text)
+    chunks += _chunk(b"LIST", b"INFO" + info) + b"data" + struct.pack("<I", n_data)
+    size = 4 + len(chunks) + n_data + n_data % 2
+    return b"RIFF" + struct.pack("<I", size) + b"WAVE" + chunks
+
+
+def _chunk(name: bytes, content: bytes) -> bytes:
+    return name + struct.pack("<I", len(content)) + content + b"\0" * (len(content) % 2)
 
 
 #: Largest rate of libsndfile.
 _MOST_RATE_HZ = 655_350
 
 
-def write_flac(outgoing: Outgoing, path: Path) -> Facts:
-    """Write the file."""
-    # Imported here: it takes as long as all the rest of the library.
-    import soundfile  # noqa: PLC0415
+class Flac(StimulusFormat):
+    """FLAC: whole numbers of 24 bits."""
 
-    rate_hz = round(outgoing.stimulus.sample_rate_hz)
-    if rate_hz > _MOST_RATE_HZ:
-        raise InvalidInputError(
-            f"FLAC knows no rate of {rate_hz} Hz, expected at most {_MOST_RATE_HZ} Hz. Choose a "
-            "lower one, or WAV."
-        )
-    quantised, facts = outgoing.integers("int24")
-    n_channels, n_times = quantised.values.shape
-    # In memory: the library's own files report no full disk.
-    content = io.BytesIO()
-    with soundfile.SoundFile(content, "w", rate_hz, n_channels, "PCM_24", format="FLAC") as file:
-        for start in range(0, n_times, _BLOCK):
-            stop_if(outgoing.stop)
-            part = quantised.values[:, start : start + _BLOCK].T
-            file.write(np.ascontiguousarray(part.astype(np.int32) << 8))
-            outgoing.progress(min(start + _BLOCK, n_times), n_times, "Writing")
-    path.write_bytes(content.getbuffer())
-    return facts
+    name = "flac"
+    title = "FLAC, 24 bit"
+    suffix = ".flac"
+    hint = "As WAV of 24 bits, packed without loss; up to 8 channels"
+    most_channels = 8
 
+    def write(self, file: StimulusFile, path: Path) -> Facts:
+        """Write the file."""
+        # Imported here: it takes as long as all the rest of the library.
+        import soundfile  # noqa: PLC0415
 
-FLAC = StimulusFormat(
-    name="flac",
-    title="FLAC, 24 bit",
-    suffix=".flac",
-    hint="As WAV of 24 bits, packed without loss; up to 8 channels",
-    write=write_flac,
-    bytes_of=lambda n_channels, n_times, _: 200 + 3 * n_channels * n_times,
-    rounds=lambda _: True,
-    most_channels=8,
-)
+        rate_hz = round(file.stimulus.sample_rate_hz)
+        if rate_hz > _MOST_RATE_HZ:
+            raise InvalidInputError(
+                f"FLAC knows no rate of {rate_hz} Hz, expected at most {_MOST_RATE_HZ} Hz. Choose "
+                "a lower one, or WAV."
+            )
+        quantised, facts = file.integers("int24")
+        # In memory: the library's own files report no full disk.
+        content = io.BytesIO()
+        with soundfile.SoundFile(
+            content, "w", rate_hz, len(quantised.values), "PCM_24", format="FLAC"
+        ) as sound:
+            for times in file.blocks(_BLOCK):
+                part = quantised.values[:, times].T.astype(np.int32)
+                sound.write(np.ascontiguousarray(part << 8))
+        path.write_bytes(content.getbuffer())
+        return facts
+
+    def n_bytes(self, n_channels: int, n_times: int, choices: Choices) -> int:
+        """Return about how many bytes it takes."""
+        return 200 + 3 * n_channels * n_times
+
+    def rounds(self, choices: Choices) -> bool:
+        """Return whether whole numbers are written."""
+        return True

@@ -4,17 +4,16 @@ Sources: Texas Instruments, DRV2605L data sheet (real-time playback) and DRV2665
 Boréas Technologies, BOS1901 data sheet and help pages (FIFO, waveforms near 0 V).
 """
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import ClassVar
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
 from skinsource.base.arrays import Floats
-from skinsource.export.formats.format import Facts, Outgoing, StimulusFormat, channel_names
-from skinsource.export.formats.text import write_header
+from skinsource.export.formats.format import Choices, Facts, StimulusFile, StimulusFormat
+from skinsource.export.formats.text import BYTES, write_header
 from skinsource.signals.quantising import quantised
 from skinsource.specs.spec import ChoiceSpec
 
@@ -83,167 +82,141 @@ _UPDATES = "updates"
 _BOS_VOLTS = 95
 
 
-def write_drv2605l(outgoing: Outgoing, path: Path) -> Facts:
-    """Write amplitudes for real-time playback, with sign: 0x00 is off, 0x7F full."""
-    step_hz = int(outgoing.choices[_UPDATES])
-    stimulus = outgoing.stimulus
-    amplitudes = np.stack(
-        [
-            envelope_of(row, stimulus.sample_rate_hz, 1.0 / step_hz).amplitude
-            for row in stimulus.samples
-        ]
-    )
-    # The last value holds until another comes.
-    amplitudes[:, -1] = 0.0
-    amplitude_steps = quantised(np.clip(amplitudes, 0.0, 1.0), "int8")
-    return _write_arrays(
-        outgoing,
-        path,
-        amplitude_steps.values,
-        kind="int8_t",
-        comment=(
-            "DRV2605L, real-time playback: write 0x05 to register 0x01, clear bit 3 of 0x1D (data",
-            "with sign), then one value to 0x02 at each update. Amplitude only: the chip chooses",
-            "the frequency, the resonance of the actuator. I2C address 0x5A.",
-        ),
-        defines={
-            "STIM_FS_HZ": f"{step_hz}UL",
-            "STIM_FULL_SCALE": "127",
-            "STIM_ZERO": "0",
-            "STIM_MODE_REGISTER": "0x01",
-            "STIM_MODE_RTP": "0x05",
-            "STIM_DATA_REGISTER": "0x02",
-        },
-    ) | {"samples": "int8", "updates_hz": step_hz}
+class Drv2605l(StimulusFormat):
+    """Amplitudes for real-time playback, with sign: 0x00 is off, 0x7F full."""
 
-
-def write_bos1901(outgoing: Outgoing, path: Path) -> Facts:
-    """Write words for the FIFO: 12 bits, two's complement, in register 0."""
-    quantised_drives, facts = outgoing.integers("int12")
-    fifo_words = _silent_ends(quantised_drives.values.astype(np.int32)) & 0x0FFF
-    return {
-        **facts,
-        **_write_arrays(
-            outgoing,
-            path,
-            fifo_words,
-            kind="uint16_t",
-            comment=(
-                "BOS1901: words for register 0x0, the FIFO of 64; PLAY of CONFIG: 8 kHz.",
-                f"Full scale is {_BOS_VOLTS} V on the evaluation kit. First and last word are 0 V;",
-                "a wave that stays within about 3 V of 0 without reaching it may stop it.",
-            ),
-            defines={
-                "STIM_FS_HZ": f"{_FIFO_HZ}UL",
-                "STIM_FULL_SCALE": f"{quantised_drives.full_scale}",
-                "STIM_ZERO": "0",
-            },
-        ),
-    }
-
-
-def write_drv2665(outgoing: Outgoing, path: Path) -> Facts:
-    """Write bytes for the FIFO: 8 bits, two's complement."""
-    quantised_drives, facts = outgoing.integers("int8")
-    return {
-        **facts,
-        **_write_arrays(
-            outgoing,
-            path,
-            _silent_ends(quantised_drives.values),
-            kind="int8_t",
-            comment=(
-                "DRV2665: bytes for the FIFO of 100, which plays 8000 of them a second. First and",
-                "last byte are 0.",
-            ),
-            defines={
-                "STIM_FS_HZ": f"{_FIFO_HZ}UL",
-                "STIM_FULL_SCALE": f"{quantised_drives.full_scale}",
-                "STIM_ZERO": "0",
-            },
-        ),
-    }
-
-
-def _silent_ends(values: NDArray[np.integer]) -> NDArray[np.integer]:
-    """Return the values with a 0 before and after them."""
-    return np.pad(values, ((0, 0), (1, 1)))
-
-
-def _write_arrays(
-    outgoing: Outgoing,
-    path: Path,
-    values: NDArray[np.integer],
-    *,
-    kind: str,
-    comment: tuple[str, ...],
-    defines: dict[str, str],
-) -> dict[str, object]:
-    names = [f"stim_{name}" for name in channel_names(outgoing.stimulus)]
-    n_bytes = write_header(
-        path,
-        outgoing,
-        comment=comment,
-        defines=defines,
-        kind=kind,
-        arrays=dict(zip(names, values, strict=True)),
-        stop=outgoing.stop,
-    )
-    return {"array_bytes": n_bytes, "arrays": names, "device_rate_hz": defines["STIM_FS_HZ"][:-2]}
-
-
-def _bytes_per_update(n_channels: int, n_times: int, choices: Mapping[str, str]) -> int:
-    return n_channels * (n_times * int(choices[_UPDATES]) // _FIFO_HZ + 2)
-
-
-DRV2605L = StimulusFormat(
-    name="drv2605l",
-    title="DRV2605L, real-time playback",
-    suffix=".h",
-    hint="Amplitudes for the chip that drives an LRA at its own resonance",
-    write=write_drv2605l,
-    bytes_of=_bytes_per_update,
-    rate_hz=_FIFO_HZ,
-    fixed_rate=True,
-    choices={
+    name = "drv2605l"
+    title = "DRV2605L, real-time playback"
+    suffix = ".h"
+    hint = "Amplitudes for the chip that drives an LRA at its own resonance"
+    rate_hz = _FIFO_HZ
+    fixed_rate = True
+    choices: ClassVar = {
         _UPDATES: ChoiceSpec(
             label="Updates",
             options=(("200", "200 a second"), ("100", "100 a second"), ("500", "500 a second")),
             hint="How often the amplitude changes; an LRA follows some hundred a second",
         )
-    },
-    loses=lambda _: (
-        "The waveform: only how strong it is, in 128 steps, reaches the actuator; "
-        "frequency and phase are the chip's."
-    ),
-)
-BOS1901 = StimulusFormat(
-    name="bos1901",
-    title="BOS1901, FIFO",
-    suffix=".h",
-    hint="12-bit words for the piezo driver, at 8 kHz",
-    write=write_bos1901,
-    bytes_of=lambda n_channels, n_times, _: 2 * n_channels * (n_times + 2),
-    rounds=lambda _: True,
-    rate_hz=_FIFO_HZ,
-    fixed_rate=True,
-    loses=lambda _: (
-        "12 bits: each sample is rounded, by at most 72 dB below full scale. What lies "
-        "above 3.7 kHz is left out."
-    ),
-)
-DRV2665 = StimulusFormat(
-    name="drv2665",
-    title="DRV2665, FIFO",
-    suffix=".h",
-    hint="Bytes for the piezo driver, at 8 kHz",
-    write=write_drv2665,
-    bytes_of=lambda n_channels, n_times, _: n_channels * (n_times + 2),
-    rounds=lambda _: True,
-    rate_hz=_FIFO_HZ,
-    fixed_rate=True,
-    loses=lambda _: (
-        "8 bits: each sample is rounded, by at most 48 dB below full scale. What lies "
-        "above 3.7 kHz is left out."
-    ),
-)
+    }
+
+    def write(self, file: StimulusFile, path: Path) -> Facts:
+        """Write the file."""
+        step_hz, stimulus = int(file.choices[_UPDATES]), file.stimulus
+        envelopes = (
+            envelope_of(row, stimulus.sample_rate_hz, 1.0 / step_hz) for row in stimulus.samples
+        )
+        amplitudes = np.stack([envelope.amplitude for envelope in envelopes])
+        # The last value holds until another comes.
+        amplitudes[:, -1] = 0.0
+        header = write_header(
+            path,
+            file,
+            quantised(np.clip(amplitudes, 0.0, 1.0), "int8").values,
+            "int8_t",
+            (
+                "DRV2605L, real-time playback: write 0x05 to register 0x01, clear bit 3 of 0x1D "
+                "(data",
+                "with sign), then one value to 0x02 at each update. Amplitude only: the chip "
+                "chooses",
+                "the frequency, the resonance of the actuator. I2C address 0x5A.",
+            ),
+            {
+                "STIM_FS_HZ": f"{step_hz}UL",
+                "STIM_FULL_SCALE": 127,
+                "STIM_ZERO": 0,
+                "STIM_MODE_REGISTER": "0x01",
+                "STIM_MODE_RTP": "0x05",
+                "STIM_DATA_REGISTER": "0x02",
+            },
+        )
+        about = {"device_rate_hz": str(step_hz), "samples": "int8", "updates_hz": step_hz}
+        return {**header, **about}
+
+    def n_bytes(self, n_channels: int, n_times: int, choices: Choices) -> int:
+        """Return about how many bytes it takes."""
+        return n_channels * (n_times * int(choices[_UPDATES]) // _FIFO_HZ + 2)
+
+    def loses(self, choices: Choices) -> str:
+        """Return a sentence on what is not in the file."""
+        return (
+            "The waveform: only how strong it is, in 128 steps, reaches the actuator; "
+            "frequency and phase are the chip's."
+        )
+
+
+class _Fifo(StimulusFormat):
+    """Samples for the FIFO of a piezo driver, with a 0 before and after them.
+
+    Attributes
+    ----------
+    integers, kind
+        Kind of whole numbers, and the type in C that holds them.
+    comment
+        Lines at the top of the file.
+    rounding
+        Bits and error of a sample, as part of a sentence.
+    """
+
+    suffix = ".h"
+    rate_hz = _FIFO_HZ
+    fixed_rate = True
+    integers: str
+    kind: str
+    comment: tuple[str, ...]
+    rounding: str
+
+    def write(self, file: StimulusFile, path: Path) -> Facts:
+        """Write the file."""
+        quantised_drives, facts = file.integers(self.integers)
+        # What is wider than its integers holds only their lower bits.
+        values = np.pad(quantised_drives.values.astype(np.int32), ((0, 0), (1, 1)))
+        if self.kind == "uint16_t":
+            values &= 2**quantised_drives.kind.bits - 1
+        defines = {
+            "STIM_FS_HZ": f"{_FIFO_HZ}UL",
+            "STIM_FULL_SCALE": quantised_drives.full_scale,
+            "STIM_ZERO": 0,
+        }
+        header = write_header(path, file, values, self.kind, self.comment, defines)
+        return {**facts, **header, "device_rate_hz": str(_FIFO_HZ)}
+
+    def n_bytes(self, n_channels: int, n_times: int, choices: Choices) -> int:
+        """Return about how many bytes it takes."""
+        return BYTES[self.kind] * n_channels * (n_times + 2)
+
+    def rounds(self, choices: Choices) -> bool:
+        """Return whether whole numbers are written."""
+        return True
+
+    def loses(self, choices: Choices) -> str:
+        """Return a sentence on what is not in the file."""
+        return f"{self.rounding} below full scale. What lies above 3.7 kHz is left out."
+
+
+class Bos1901(_Fifo):
+    """Words for the FIFO: 12 bits, two's complement, in register 0."""
+
+    name = "bos1901"
+    title = "BOS1901, FIFO"
+    hint = "12-bit words for the piezo driver, at 8 kHz"
+    integers, kind = "int12", "uint16_t"
+    comment = (
+        "BOS1901: words for register 0x0, the FIFO of 64; PLAY of CONFIG: 8 kHz.",
+        f"Full scale is {_BOS_VOLTS} V on the evaluation kit. First and last word are 0 V;",
+        "a wave that stays within about 3 V of 0 without reaching it may stop it.",
+    )
+    rounding = "12 bits: each sample is rounded, by at most 72 dB"
+
+
+class Drv2665(_Fifo):
+    """Bytes for the FIFO: 8 bits, two's complement."""
+
+    name = "drv2665"
+    title = "DRV2665, FIFO"
+    hint = "Bytes for the piezo driver, at 8 kHz"
+    integers, kind = "int8", "int8_t"
+    comment = (
+        "DRV2665: bytes for the FIFO of 100, which plays 8000 of them a second. First and",
+        "last byte are 0.",
+    )
+    rounding = "8 bits: each sample is rounded, by at most 48 dB"

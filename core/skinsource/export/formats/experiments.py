@@ -6,69 +6,69 @@ import io
 import json
 from dataclasses import replace
 from pathlib import Path
+from typing import ClassVar
 
 from skinsource.base.assets import data_folder
-from skinsource.base.job import stop_if
-from skinsource.export.formats.audio import WAV, write_wav
-from skinsource.export.formats.format import SAMPLES, Facts, Outgoing, StimulusFormat, channel_names
-from skinsource.export.formats.text import number
+from skinsource.export.formats.audio import Wav
+from skinsource.export.formats.format import (
+    SAMPLES,
+    Choices,
+    Facts,
+    StimulusFile,
+    StimulusFormat,
+)
+from skinsource.export.formats.text import rows_text
 
 _BLOCK = 4096
 _TABLE_SUFFIX = ".tsv.gz"
 
 
-def write_bids(outgoing: Outgoing, path: Path) -> Facts:
-    """Write the table, packed and without a header; the names are in the sidecar."""
-    stimulus = outgoing.stimulus
-    names = channel_names(stimulus)
-    # Without name and time of the file the same stimulus gives the same bytes.
-    with path.open("wb") as raw, gzip.GzipFile("", "wb", 6, raw, mtime=0) as file:
-        for start in range(0, stimulus.n_times, _BLOCK):
-            stop_if(outgoing.stop)
-            rows = stimulus.samples[:, start : start + _BLOCK].T.tolist()
-            file.write(("\n".join("\t".join(map(number, row)) for row in rows) + "\n").encode())
-            outgoing.progress(min(start + _BLOCK, stimulus.n_times), stimulus.n_times, "Writing")
-    return {
-        "samples": "float64",
-        "SamplingFrequency": outgoing.rate_hz,
-        "StartTime": stimulus.start_s,
-        "Columns": names,
-        **{
-            name: {
-                "Description": f"Drive at {channel.title}" if channel.place else channel.title,
-                "Units": "parts of full scale",
-            }
-            for name, channel in zip(names, stimulus.channels, strict=True)
-        },
-    }
+class Bids(StimulusFormat):
+    """A packed table without a header; the names are in the sidecar and the description."""
 
+    name = "bids"
+    title = "BIDS stimulus table"
+    suffix = "_stim.tsv.gz"
+    hint = "For data of EEG, MEG and fMRI: a packed table, and what BIDS wants to know of it"
+    rate_hz = None
+    to_device = False
 
-def _description_path(path: Path) -> Path | None:
-    """Return the path of the description that BIDS requires; None: ``path`` is no BIDS name."""
-    if not path.name.endswith(_TABLE_SUFFIX):
-        return None
-    return path.with_name(f"{path.name.removesuffix(_TABLE_SUFFIX)}.json")
+    def write(self, file: StimulusFile, path: Path) -> Facts:
+        """Write the file."""
+        stimulus, names = file.stimulus, file.channel_names
+        # Without name and time of the file the same stimulus gives the same bytes.
+        with path.open("wb") as raw, gzip.GzipFile("", "wb", 6, raw, mtime=0) as output:
+            for times in file.blocks(_BLOCK):
+                output.write(rows_text(stimulus.samples[:, times], "\t"))
+        return {
+            "samples": "float64",
+            "SamplingFrequency": file.rate_hz,
+            "StartTime": stimulus.start_s,
+            "Columns": names,
+            **{
+                name: {
+                    "Description": f"Drive at {channel.title}" if channel.place else channel.title,
+                    "Units": "parts of full scale",
+                }
+                for name, channel in zip(names, stimulus.channels, strict=True)
+            },
+        }
 
+    def n_bytes(self, n_channels: int, n_times: int, choices: Choices) -> int:
+        """Return about how many bytes it takes."""
+        return 10 * n_channels * n_times
 
-def _description(facts: Facts) -> bytes:
-    """Return the facts that BIDS requires, as JSON."""
-    keys = ("SamplingFrequency", "StartTime", "Columns", *facts["Columns"])
-    content = json.dumps({key: facts[key] for key in keys}, ensure_ascii=False, indent=2)
-    return f"{content}\n".encode()
+    def companion_path(self, path: Path) -> Path | None:
+        """Return the path of the description that BIDS requires; None: it has no BIDS name."""
+        if not path.name.endswith(_TABLE_SUFFIX):
+            return None
+        return path.with_name(f"{path.name.removesuffix(_TABLE_SUFFIX)}.json")
 
-
-BIDS = StimulusFormat(
-    name="bids",
-    title="BIDS stimulus table",
-    suffix="_stim.tsv.gz",
-    hint="For data of EEG, MEG and fMRI: a packed table, and what BIDS wants to know of it",
-    write=write_bids,
-    bytes_of=lambda n_channels, n_times, _: 10 * n_channels * n_times,
-    rate_hz=None,
-    to_device=False,
-    companion_path=_description_path,
-    companion_content=_description,
-)
+    def companion_content(self, facts: Facts) -> bytes:
+        """Return the facts that BIDS requires, as JSON."""
+        keys = ("SamplingFrequency", "StartTime", "Columns", *facts["Columns"])
+        content = json.dumps({key: facts[key] for key in keys}, ensure_ascii=False, indent=2)
+        return f"{content}\n".encode()
 
 
 _SOUNDS = "stimuli"
@@ -76,40 +76,36 @@ _COLUMNS = ("stimulus", "trigger_code", "title", "channels", "rate_hz", "duratio
 _PLAYER_BYTES = 12_000
 
 
-def write_psychopy(outgoing: Outgoing, folder: Path) -> Facts:
-    """Fill the folder: ``stimuli``, ``conditions.csv`` and ``play.py``."""
-    (folder / _SOUNDS).mkdir()
-    sound = f"{_SOUNDS}/{Path(outgoing.name).stem or 'stimulus'}.wav"
-    as_sound = replace(outgoing, choices=WAV.chosen({SAMPLES: outgoing.choices[SAMPLES]}))
-    facts = write_wav(as_sound, folder / sound)
-    stimulus = outgoing.stimulus
-    table = io.StringIO()
-    writer = csv.writer(table, lineterminator="\n")
-    writer.writerow(_COLUMNS)
-    title = outgoing.design.title
-    # A spreadsheet would read a title that begins like this as a formula.
-    title = f"'{title}" if title[:1] in ("=", "+", "-", "@", "\t") else title
-    writer.writerow(
-        (sound, 1, title, len(stimulus.channels), outgoing.rate_hz, f"{stimulus.duration_s:.17g}")
+class PsychoPy(Wav):
+    """A folder with ``stimuli``, ``conditions.csv`` and ``play.py``."""
+
+    name = "psychopy"
+    title = "PsychoPy folder"
+    suffix = ""
+    hint = (
+        "A folder that runs: sound file, conditions, and a player for all channels with triggers, "
+        "a log and a loopback test"
     )
-    (folder / "conditions.csv").write_text(table.getvalue(), encoding="utf-8")
-    player = data_folder() / "player" / "play.py"
-    (folder / "play.py").write_bytes(player.read_bytes())
-    return {**facts, "player": "play.py", "conditions": "conditions.csv", "sounds": [sound]}
+    choices: ClassVar = {SAMPLES: Wav.choices[SAMPLES]}
+    folder = True
 
+    def write(self, file: StimulusFile, path: Path) -> Facts:
+        """Write the file."""
+        (path / _SOUNDS).mkdir()
+        sound = f"{_SOUNDS}/{Path(file.name).stem or 'stimulus'}.wav"
+        facts = super().write(replace(file, choices=Wav().chosen(file.choices)), path / sound)
+        stimulus, title = file.stimulus, file.design.title
+        # A spreadsheet would read a title that begins like this as a formula.
+        title = f"'{title}" if title[:1] in ("=", "+", "-", "@", "\t") else title
+        duration_s = f"{stimulus.duration_s:.17g}"
+        table = io.StringIO()
+        csv.writer(table, lineterminator="\n").writerows(
+            (_COLUMNS, (sound, 1, title, len(stimulus.channels), file.rate_hz, duration_s))
+        )
+        (path / "conditions.csv").write_text(table.getvalue(), encoding="utf-8")
+        (path / "play.py").write_bytes((data_folder() / "player" / "play.py").read_bytes())
+        return {**facts, "player": "play.py", "conditions": "conditions.csv", "sounds": [sound]}
 
-PSYCHOPY = StimulusFormat(
-    name="psychopy",
-    title="PsychoPy folder",
-    suffix="",
-    hint="A folder that runs: sound file, conditions, and a player for all channels with triggers, "
-    "a log and a loopback test",
-    write=write_psychopy,
-    bytes_of=lambda n_channels, n_times, choices: (
-        _PLAYER_BYTES + WAV.bytes_of(n_channels, n_times, choices)
-    ),
-    choices={SAMPLES: WAV.choices[SAMPLES]},
-    folder=True,
-    rounds=WAV.rounds,
-    loses=WAV.loses,
-)
+    def n_bytes(self, n_channels: int, n_times: int, choices: Choices) -> int:
+        """Return about how many bytes it takes."""
+        return _PLAYER_BYTES + super().n_bytes(n_channels, n_times, choices)

@@ -1,13 +1,15 @@
-"""What a format of stimulus files is, and the stimulus that it is given to write."""
+"""What a format of stimulus files is, and the content that it is given to write."""
 
+from abc import ABC, abstractmethod
 from collections import Counter
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
+from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.job import Progress, Stop, never, silent
+from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.quoting import quoted
 from skinsource.design.design import Design
 from skinsource.engine.stimulus import Channel, Stimulus
@@ -17,26 +19,55 @@ from skinsource.version import __version__
 
 #: Facts of one file that its sidecar holds too.
 Facts = Mapping[str, Any]
+#: Chosen options of a format, by name.
+Choices = Mapping[str, str]
 
 SAMPLES = "samples"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Outgoing:
-    """A stimulus on its way to a file.
+class ChannelOverview:
+    """What a channel of a file holds, in parts of full scale.
 
     Attributes
     ----------
+    channel
+        Its number, place and inputs.
+    extremes : (2, n_columns)
+        Least and largest sample of each stretch.
+    peak, rms
+        Of all samples.
+    clipped
+        Samples that would be cut off.
+    """
+
+    channel: Channel
+    extremes: Floats
+    peak: float
+    rms: float
+    clipped: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class StimulusFile:
+    """The content of one file.
+
+    Attributes
+    ----------
+    mark
+        Text before the ending in the name of the file.
+    name
+        Name of the file, without its folder.
     stimulus
         Samples in parts of full scale, (n_channels, n_times).
+    channels
+        Overviews of its channels.
     full_scale
         Drive that a sample of 1 stands for, in the unit of the stimulus.
     design
         The design with those inputs and clips that take part.
-    name
-        Name of the file, without its folder.
     digest
-        SHA-256 of the design.
+        SHA-256 of the whole design.
     choices
         Options of the format, all of them.
     calibration
@@ -47,12 +78,14 @@ class Outgoing:
         As those of a job.
     """
 
+    mark: str
+    name: str
     stimulus: Stimulus
+    channels: tuple[ChannelOverview, ...]
     full_scale: float
     design: Design
-    name: str
     digest: str
-    choices: Mapping[str, str]
+    choices: Choices
     calibration: str
     dither_seed: int | None = None
     progress: Progress = silent
@@ -63,6 +96,42 @@ class Outgoing:
         """Sample rate, as a whole number where it is one."""
         rate_hz = self.stimulus.sample_rate_hz
         return int(rate_hz) if rate_hz.is_integer() else rate_hz
+
+    @property
+    def channel_names(self) -> list[str]:
+        """A name for each channel, of letters, digits and underscores: ``place_7``.
+
+        Where several channels have one place, the input is named too; a channel that drives no
+        actuator has its number.
+        """
+        counts = Counter(channel.place for channel in self.stimulus.channels)
+        return [
+            f"{channel.title.lower()}_{channel.number}"
+            if channel.place is None
+            else f"place_{channel.place}"
+            if counts[channel.place] == 1
+            else f"place_{channel.place}_input_{'_'.join(map(str, channel.inputs))}"
+            for channel in self.stimulus.channels
+        ]
+
+    @property
+    def about(self) -> dict[str, Any]:
+        """Title, unit, full scale and more facts; the sidecar holds all, arrays hold these."""
+        stimulus = self.stimulus
+        return {
+            "title": self.design.title,
+            "channels": [channel.title for channel in stimulus.channels],
+            "places": [channel.place for channel in stimulus.channels],
+            "unit": stimulus.unit,
+            "full_scale": self.full_scale,
+            "rate_hz": self.rate_hz,
+            "start_s": stimulus.start_s,
+            "scaling": stimulus.scaling,
+            "limb": stimulus.limb,
+            "calibration": self.calibration,
+            "software": f"SkinSource studio {__version__}",
+            "design_digest": self.digest,
+        }
 
     def integers(self, kind: str) -> tuple[Quantised, Facts]:
         """Return the samples as whole numbers, and the facts about them for the sidecar."""
@@ -76,9 +145,16 @@ class Outgoing:
             "dither_seed": self.dither_seed,
         }
 
+    def blocks(self, n_times: int) -> Iterator[slice]:
+        """Yield consecutive stretches of times; tell the progress after each, and heed ``stop``."""
+        for start in range(0, self.stimulus.n_times, n_times):
+            stop_if(self.stop)
+            end = min(start + n_times, self.stimulus.n_times)
+            yield slice(start, end)
+            self.progress(end, self.stimulus.n_times, "Writing")
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class StimulusFormat:
+
+class StimulusFormat(ABC):
     """One kind of file that a stimulus is exported as.
 
     Attributes
@@ -87,12 +163,6 @@ class StimulusFormat:
         Name for scripts, name for people, and usual ending of files (of a folder: none).
     hint
         Sentence on its use.
-    write
-        Writes a file, or fills an existing folder; returns facts for the sidecar.
-    bytes_of
-        Estimates the bytes that ``n_channels`` of ``n_times`` take, with such choices.
-    response_bytes
-        Estimates the bytes of the predicted response, where that is written too.
     rate_hz
         Usual rate; None: that of the limb.
     fixed_rate
@@ -107,35 +177,63 @@ class StimulusFormat:
         Whether it is a folder.
     to_device
         Whether full scale is the limit of a device, so that larger samples would be cut off.
-    rounds
-        Whether whole numbers are written, with such choices, so that dither is possible.
-    companion_path, companion_content
-        Path of another small file that belongs to it besides the sidecar, None: there is none;
-        and its content.
-    loses
-        Sentence on the part of the drive that is not in the file, for such choices; "": all is.
     """
 
     name: str
     title: str
     suffix: str
     hint: str
-    write: Callable[[Outgoing, Path], Facts]
-    bytes_of: Callable[[int, int, Mapping[str, str]], int]
-    response_bytes: Callable[[Design], int] = lambda _: 0
     rate_hz: int | None = 48_000
     fixed_rate: bool = False
-    choices: Mapping[str, ChoiceSpec] = field(default_factory=dict)
+    choices: ClassVar[Mapping[str, ChoiceSpec]] = {}
     most_channels: int | None = None
     one_channel_each: bool = False
     folder: bool = False
     to_device: bool = True
-    rounds: Callable[[Mapping[str, str]], bool] = lambda _: False
-    companion_path: Callable[[Path], Path | None] = lambda _: None
-    companion_content: Callable[[Facts], bytes] = lambda _: b""
-    loses: Callable[[Mapping[str, str]], str] = lambda _: ""
 
-    def chosen(self, choices: Mapping[str, str]) -> dict[str, str]:
+    @abstractmethod
+    def write(self, file: StimulusFile, path: Path) -> Facts:
+        """Write a file, or fill an existing folder; return facts for the sidecar."""
+
+    @abstractmethod
+    def n_bytes(self, n_channels: int, n_times: int, choices: Choices) -> int:
+        """Return about how many bytes ``n_channels`` of ``n_times`` take."""
+
+    def response_bytes(self, design: Design) -> int:
+        """Return how many bytes the predicted response takes, where that is written too."""
+        del design
+        return 0
+
+    def rounds(self, choices: Choices) -> bool:
+        """Return whether whole numbers are written, so that dither is possible."""
+        del choices
+        return False
+
+    def loses(self, choices: Choices) -> str:
+        """Return a sentence on the part of the drive that is not in the file; "": all is."""
+        del choices
+        return ""
+
+    def companion_path(self, path: Path) -> Path | None:
+        """Return the path of a small file that belongs to it besides the sidecar; None: none."""
+        del path
+        return None
+
+    def companion_content(self, facts: Facts) -> bytes:
+        """Return the content of that file."""
+        del facts
+        return b""
+
+    def file_rate_hz(self, rate_hz: int | None) -> int | None:
+        """Return the rate of files where ``rate_hz`` is asked for; None: that of the limb."""
+        return self.rate_hz if self.fixed_rate or rate_hz is None else rate_hz
+
+    def marked(self, path: Path, mark: str) -> Path:
+        """Return ``path`` with ``mark`` before its ending."""
+        suffix = self.suffix if path.name.endswith(self.suffix) else path.suffix
+        return path.with_name(f"{path.name[: len(path.name) - len(suffix)]}{mark}{suffix}")
+
+    def chosen(self, choices: Choices) -> dict[str, str]:
         """Return ``choices``, completed by the usual ones.
 
         Raises
@@ -159,41 +257,3 @@ class StimulusFormat:
                 )
         usual = {name: spec.options[0][0] for name, spec in self.choices.items()}
         return {**usual, **choices}
-
-
-def about(outgoing: Outgoing) -> dict[str, Any]:
-    """Return title, unit, full scale and more facts for a file; the sidecar holds all."""
-    stimulus = outgoing.stimulus
-    return {
-        "title": outgoing.design.title,
-        "channels": [channel.title for channel in stimulus.channels],
-        "places": [channel.place for channel in stimulus.channels],
-        "unit": stimulus.unit,
-        "full_scale": outgoing.full_scale,
-        "rate_hz": outgoing.rate_hz,
-        "start_s": stimulus.start_s,
-        "scaling": stimulus.scaling,
-        "limb": stimulus.limb,
-        "calibration": outgoing.calibration,
-        "software": f"SkinSource studio {__version__}",
-        "design_digest": outgoing.digest,
-    }
-
-
-def channel_names(stimulus: Stimulus) -> list[str]:
-    """Return a name for each channel, of letters, digits and underscores: ``place_7``.
-
-    Where several channels have one place, the input is named too; a channel that drives no
-    actuator has its number.
-    """
-    places = Counter(channel.place for channel in stimulus.channels)
-    return [
-        _channel_name(channel, alone=places[channel.place] == 1) for channel in stimulus.channels
-    ]
-
-
-def _channel_name(channel: Channel, *, alone: bool) -> str:
-    if channel.place is None:
-        return f"{channel.title.lower()}_{channel.number}"
-    inputs = "_".join(str(id) for id in channel.inputs)
-    return f"place_{channel.place}" if alone else f"place_{channel.place}_input_{inputs}"

@@ -1,86 +1,53 @@
 """Text formats: CSV as a table or as waveform generators read it, and headers in C."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.job import Stop, stop_if
+from skinsource.base.job import stop_if
 from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
 from skinsource.export.exported_design import steadily_written
-from skinsource.export.formats.format import SAMPLES, Facts, Outgoing, StimulusFormat, channel_names
+from skinsource.export.formats.format import (
+    SAMPLES,
+    Choices,
+    Facts,
+    StimulusFile,
+    StimulusFormat,
+)
 from skinsource.specs.spec import ChoiceSpec
 from skinsource.version import __version__
 
 LAYOUT = "layout"
 _BLOCK = 4096
-_MOST_KEYSIGHT = 4
+# Most channels of a layout.
+_MOST_CHANNELS = {"keysight": 4, "pwl": 1}
 # Layouts that begin with the times.
 _TIMED_LAYOUTS = ("table", "pwl")
 # Seventeen digits, most numbers below 1, and a separator; a zero has two bytes.
 _BYTES_OF_NUMBER = 21
 
 
-def number(value: float) -> str:
-    """Return seventeen significant digits, which read back as the same number."""
-    return f"{value:.17g}"
+def rows_text(values: NDArray[np.float64], separator: str) -> bytes:
+    """Return (n_columns, n_rows) as lines; seventeen digits read back as the same number."""
+    rows = (separator.join(f"{value:.17g}" for value in row) for row in values.T.tolist())
+    return ("\n".join(rows) + "\n").encode()
 
 
-def write_csv(outgoing: Outgoing, path: Path) -> Facts:
-    """Write the file."""
-    layout = outgoing.choices[LAYOUT]
-    n_channels = len(outgoing.stimulus.channels)
-    most = {"keysight": _MOST_KEYSIGHT, "pwl": 1}.get(layout)
-    if most is not None and n_channels > most:
-        raise InvalidInputError(
-            f"The layout {layout} holds at most {counted(most, 'channel')}, found "
-            f"{n_channels}. Choose the layout table, or one file per input."
-        )
-    names = [f"{name}_of_full_scale" for name in channel_names(outgoing.stimulus)]
-    columns = {
-        "table": ["time_s", *names],
-        "keysight": [f"Y{number}" for number in range(1, n_channels + 1)],
-    }.get(layout, [])
-    timed = layout in _TIMED_LAYOUTS
-    with steadily_written(path) as file:
-        if layout == "keysight":
-            file.write(f"SampleRate = {outgoing.rate_hz}\n".encode())
-        if columns:
-            file.write((",".join(columns) + "\n").encode())
-        for rows in _rows(outgoing, timed=timed):
-            file.write(("\n".join(",".join(map(number, row)) for row in rows) + "\n").encode())
-    return {"samples": "float64", "columns": columns}
+class Csv(StimulusFormat):
+    """CSV, as a table or as what waveform generators read."""
 
-
-def _rows(outgoing: Outgoing, *, timed: bool) -> Iterator[list[list[float]]]:
-    """Yield rows, some thousand at a time: the time, if ``timed``, and a value for each channel."""
-    stimulus = outgoing.stimulus
-    for start in range(0, stimulus.n_times, _BLOCK):
-        stop_if(outgoing.stop)
-        part: Floats = stimulus.samples[:, start : start + _BLOCK]
-        if timed:
-            time_s = np.arange(start, start + part.shape[1]) / stimulus.sample_rate_hz
-            part = np.vstack((time_s, part))
-        yield part.T.tolist()
-        outgoing.progress(start + part.shape[1], stimulus.n_times, "Writing")
-
-
-CSV = StimulusFormat(
-    name="csv",
-    title="CSV",
-    suffix=".csv",
-    hint="A table of times and channels, or what waveform generators read",
-    write=write_csv,
-    bytes_of=lambda n_channels, n_times, choices: (
-        _BYTES_OF_NUMBER * (n_channels + (choices[LAYOUT] in _TIMED_LAYOUTS)) * n_times
-    ),
-    rate_hz=None,
-    to_device=False,
-    choices={
+    name = "csv"
+    title = "CSV"
+    suffix = ".csv"
+    hint = "A table of times and channels, or what waveform generators read"
+    rate_hz = None
+    to_device = False
+    choices: ClassVar = {
         LAYOUT: ChoiceSpec(
             label="Layout",
             options=(
@@ -91,96 +58,124 @@ CSV = StimulusFormat(
             ),
             hint="A table says what its columns are; generators and simulators want less",
         )
-    },
-)
+    }
+
+    def write(self, file: StimulusFile, path: Path) -> Facts:
+        """Write the file."""
+        layout, stimulus = file.choices[LAYOUT], file.stimulus
+        n_channels = len(stimulus.channels)
+        most = _MOST_CHANNELS.get(layout, n_channels)
+        if n_channels > most:
+            raise InvalidInputError(
+                f"The layout {layout} holds at most {counted(most, 'channel')}, found "
+                f"{n_channels}. Choose the layout table, or one file per input."
+            )
+        columns = []
+        if layout == "table":
+            columns = ["time_s", *(f"{name}_of_full_scale" for name in file.channel_names)]
+        elif layout == "keysight":
+            columns = [f"Y{number}" for number in range(1, n_channels + 1)]
+        with steadily_written(path) as output:
+            if layout == "keysight":
+                output.write(f"SampleRate = {file.rate_hz}\n".encode())
+            if columns:
+                output.write((",".join(columns) + "\n").encode())
+            for times in file.blocks(_BLOCK):
+                values = stimulus.samples[:, times]
+                if layout in _TIMED_LAYOUTS:
+                    time_s = np.arange(times.start, times.stop) / stimulus.sample_rate_hz
+                    values = np.vstack((time_s, values))
+                output.write(rows_text(values, ","))
+        return {"samples": "float64", "columns": columns}
+
+    def n_bytes(self, n_channels: int, n_times: int, choices: Choices) -> int:
+        """Return about how many bytes it takes."""
+        return _BYTES_OF_NUMBER * (n_channels + (choices[LAYOUT] in _TIMED_LAYOUTS)) * n_times
 
 
 #: Bytes of one value.
 BYTES = {"int8_t": 1, "uint8_t": 1, "int16_t": 2, "uint16_t": 2}
 _PER_LINE = 12
 _C_TEXT_BLOCK = _PER_LINE * 1024
-_MACROS = (
-    "#include <stdint.h>",
-    "",
-    "#ifdef __AVR__",
-    "#include <avr/pgmspace.h>",
-    "#endif",
-    "#ifndef PROGMEM",
-    "#define PROGMEM",
-    "#endif",
-    "#ifdef __GNUC__",
-    "#define STIM_UNUSED __attribute__((unused))",
-    "#else",
-    "#define STIM_UNUSED",
-    "#endif",
-    "",
-)
+_MACROS = """#include <stdint.h>
+
+#ifdef __AVR__
+#include <avr/pgmspace.h>
+#endif
+#ifndef PROGMEM
+#define PROGMEM
+#endif
+#ifdef __GNUC__
+#define STIM_UNUSED __attribute__((unused))
+#else
+#define STIM_UNUSED
+#endif
+"""
 
 
 def write_header(
     path: Path,
-    outgoing: Outgoing,
-    *,
-    comment: Sequence[str],
-    defines: Mapping[str, str],
+    file: StimulusFile,
+    values: NDArray[np.integer],
     kind: str,
-    arrays: Mapping[str, NDArray[np.integer]],
-    stop: Stop,
-) -> int:
-    """Write a header that compiles as C99 and as C++; return the bytes of its arrays.
+    comment: Sequence[str],
+    defines: Mapping[str, object],
+) -> Facts:
+    """Write a header that compiles as C99 and as C++; return its arrays, and their bytes.
 
     Parameters
     ----------
-    path, outgoing
-        The file; the stimulus that it is made from.
+    path, file
+        The path; the content that it is made from.
+    values : (n_channels, n_times)
+        Values of each channel.
+    kind
+        Type of the values: ``"int16_t"``.
     comment
         Lines of the comment at its top.
     defines
         Constants, by name.
-    kind
-        Type of the values: ``"int16_t"``.
-    arrays
-        Values, (n_times,) each, by name; equal lengths.
-    stop
-        Asked now and then.
     """
-    n_bytes = sum(values.size for values in arrays.values()) * BYTES[kind]
-    n_times = max(values.size for values in arrays.values())
-    guard = f"STIM_{outgoing.digest[:16].upper()}_H"
+    n_bytes, (n_channels, n_times) = values.size * BYTES[kind], values.shape
+    names = [f"stim_{name}" for name in file.channel_names]
+    guard = f"STIM_{file.digest[:16].upper()}_H"
     lines = [
-        f"/* {n_bytes} bytes: {len(arrays)} x {n_times} values of {kind}.",
-        f"   SkinSource studio {__version__}; design SHA-256 {outgoing.digest}.",
+        f"/* {n_bytes} bytes: {n_channels} x {n_times} values of {kind}.",
+        f"   SkinSource studio {__version__}; design SHA-256 {file.digest}.",
         *(f"   {ascii_of(line)}" for line in comment),
-        f"   {ascii_of(outgoing.calibration)} */",
+        f"   {ascii_of(file.calibration)} */",
         f"#ifndef {guard}",
         f"#define {guard}",
         "",
-        *_MACROS,
+        _MACROS,
         *(f"#define {name} {value}" for name, value in defines.items()),
         f"#define STIM_N {n_times}UL",
-        f"#define STIM_CH {len(arrays)}",
+        f"#define STIM_CH {n_channels}",
         *(
             f"/* channel {channel.number}: {ascii_of(channel.title)} */"
-            for channel in outgoing.stimulus.channels
+            for channel in file.stimulus.channels
         ),
     ]
-    with steadily_written(path) as file:
-        file.write(("\n".join(lines) + "\n").encode("ascii"))
-        for name, values in arrays.items():
-            line = f"\nstatic const {kind} {name}[STIM_N] PROGMEM STIM_UNUSED = {{\n"
-            file.write(line.encode("ascii"))
-            for start in range(0, values.size, _C_TEXT_BLOCK):
-                stop_if(stop)
-                text = "\n".join(_lines(values[start : start + _C_TEXT_BLOCK].tolist()))
-                file.write((text + "\n").encode("ascii"))
-            file.write(b"};\n")
-        file.write(b"\n#endif\n")
-    return n_bytes
+    with steadily_written(path) as output:
+        output.write(("\n".join(lines) + "\n").encode("ascii"))
+        for name, row in zip(names, values, strict=True):
+            output.write(
+                f"\nstatic const {kind} {name}[STIM_N] PROGMEM STIM_UNUSED = {{\n".encode("ascii")
+            )
+            for start in range(0, n_times, _C_TEXT_BLOCK):
+                stop_if(file.stop)
+                output.write(_array_text(row[start : start + _C_TEXT_BLOCK].tolist()))
+            output.write(b"};\n")
+        output.write(b"\n#endif\n")
+    return {"array_bytes": n_bytes, "arrays": names}
 
 
-def _lines(values: list[int]) -> Iterator[str]:
-    for start in range(0, len(values), _PER_LINE):
-        yield " ".join(f"{value}," for value in values[start : start + _PER_LINE])
+def _array_text(values: list[int]) -> bytes:
+    lines = (
+        " ".join(f"{value}," for value in values[start : start + _PER_LINE])
+        for start in range(0, len(values), _PER_LINE)
+    )
+    return ("\n".join(lines) + "\n").encode("ascii")
 
 
 def ascii_of(text: str) -> str:
@@ -188,54 +183,15 @@ def ascii_of(text: str) -> str:
     return text.replace("²", "^2").encode("ascii", "replace").decode().replace("*/", "* /")
 
 
-def write_c_header(outgoing: Outgoing, path: Path) -> Facts:
-    """Write the file."""
-    kind = outgoing.choices[SAMPLES]
-    quantised, facts = outgoing.integers(kind)
-    stimulus, rate_hz = outgoing.stimulus, outgoing.rate_hz
-    names = [f"stim_{name}" for name in channel_names(stimulus)]
-    n_bytes = write_header(
-        path,
-        outgoing,
-        comment=[
-            sentence(
-                f"1.0 of full scale is {quantised.full_scale} above {quantised.kind.zero}; it "
-                f"stands for {outgoing.full_scale!r} {stimulus.unit}"
-            )
-        ],
-        defines={
-            "STIM_FS_HZ": f"{rate_hz}UL" if isinstance(rate_hz, int) else f"{rate_hz}",
-            "STIM_FULL_SCALE": f"{quantised.full_scale}",
-            "STIM_ZERO": f"{quantised.kind.zero}",
-        },
-        kind=f"{kind}_t",
-        arrays=dict(zip(names, quantised.values, strict=True)),
-        stop=outgoing.stop,
-    )
-    return {**facts, "array_bytes": n_bytes, "arrays": names}
+class CHeader(StimulusFormat):
+    """Arrays in C."""
 
-
-def _loses(choices: Mapping[str, str]) -> str:
-    bits = 8 * BYTES[f"{choices[SAMPLES]}_t"]
-    rounding_db = 20.0 * np.log10(2.0**bits - 2.0)
-    return (
-        f"{bits} bits: each sample is rounded, by at most {rounding_db:.0f} dB below full scale. "
-        "What lies above 0.46 of the rate is left out."
-    )
-
-
-C_HEADER = StimulusFormat(
-    name="c-header",
-    title="C header",
-    suffix=".h",
-    hint="Arrays for a microcontroller; the bytes are those of the arrays in its memory",
-    write=write_c_header,
-    bytes_of=lambda n_channels, n_times, choices: (
-        n_channels * n_times * BYTES[f"{choices[SAMPLES]}_t"]
-    ),
-    rounds=lambda _: True,
-    rate_hz=8000,
-    choices={
+    name = "c-header"
+    title = "C header"
+    suffix = ".h"
+    hint = "Arrays for a microcontroller; the bytes are those of the arrays in its memory"
+    rate_hz = 8000
+    choices: ClassVar = {
         SAMPLES: ChoiceSpec(
             label="Samples",
             options=(
@@ -245,6 +201,37 @@ C_HEADER = StimulusFormat(
             ),
             hint="What the converter takes; without a sign, 128 is silence",
         )
-    },
-    loses=_loses,
-)
+    }
+
+    def write(self, file: StimulusFile, path: Path) -> Facts:
+        """Write the file."""
+        kind, rate_hz = file.choices[SAMPLES], file.rate_hz
+        quantised, facts = file.integers(kind)
+        meaning = sentence(
+            f"1.0 of full scale is {quantised.full_scale} above {quantised.kind.zero}; it "
+            f"stands for {file.full_scale!r} {file.stimulus.unit}"
+        )
+        defines = {
+            "STIM_FS_HZ": f"{rate_hz}UL" if isinstance(rate_hz, int) else rate_hz,
+            "STIM_FULL_SCALE": quantised.full_scale,
+            "STIM_ZERO": quantised.kind.zero,
+        }
+        header = write_header(path, file, quantised.values, f"{kind}_t", [meaning], defines)
+        return {**facts, **header}
+
+    def n_bytes(self, n_channels: int, n_times: int, choices: Choices) -> int:
+        """Return about how many bytes it takes."""
+        return n_channels * n_times * BYTES[f"{choices[SAMPLES]}_t"]
+
+    def rounds(self, choices: Choices) -> bool:
+        """Return whether whole numbers are written."""
+        return True
+
+    def loses(self, choices: Choices) -> str:
+        """Return a sentence on what is not in the file."""
+        bits = 8 * BYTES[f"{choices[SAMPLES]}_t"]
+        rounding_db = 20.0 * np.log10(2.0**bits - 2.0)
+        return (
+            f"{bits} bits: each sample is rounded, by at most {rounding_db:.0f} dB below full "
+            "scale. What lies above 0.46 of the rate is left out."
+        )

@@ -15,22 +15,10 @@ from skinsource.base.files import path_text, replacing, replacing_folder
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.design.design import Design
 from skinsource.engine.stimulus import Stage
-from skinsource.export.formats.format import Outgoing
-from skinsource.export.formats.formats import format_named
-from skinsource.export.stimulus_export.options import StimulusOptions, sidecar_path
-from skinsource.export.stimulus_export.preparing import (
-    Limit,
-    PreparedStimulus,
-    advice_on_loss,
-    calibration_of,
-    edges_of,
-    equalised_of,
-    loses_of,
-    lost_at_rate,
-    objections,
-    prepare_stimulus,
-)
-from skinsource.export.stimulus_export.sidecar import sidecar_of
+from skinsource.export.formats import format_named, format_of
+from skinsource.export.stimulus_export.options import StimulusOptions
+from skinsource.export.stimulus_export.preparing import Limit, PreparedStimulus, prepare_stimulus
+from skinsource.export.stimulus_export.sidecar import sidecar_of, sidecar_path
 
 #: The file that shows that a folder is an exported stimulus.
 MARK = "stimulus.json"
@@ -123,87 +111,96 @@ def export_stimulus(
     progress(0, 0, "Computing")
     ready = prepare_stimulus(
         design,
-        target,
-        format_named(format, target),
+        format_of(target) if format is None else format_named(format),
         rate_hz,
         options,
         stages=stages,
+        limits=limits,
         actuation=actuation,
         rig=rig,
         equaliser=equaliser,
         stop=stop,
+    ).named(target)
+    if not options.accept_loss and (advice := ready.advice_on_loss):
+        raise NotConfirmedError(
+            f"{ready.lost_at_rate} {advice[:-1]}, or accept the loss (--accept-loss)."
+        )
+    return write_prepared(ready, target, confirmed=confirmed, progress=progress, stop=stop)
+
+
+def written_files(ready: PreparedStimulus, path: Path) -> tuple[tuple[Path, ...], ...]:
+    """Return each file that an export to ``path`` writes, with its sidecar and its companion."""
+    paths = (path.with_name(file.name) for file in ready.named(path).files)
+    return tuple(
+        (path, sidecar_path(path), *filter(None, (ready.format.companion_path(path),)))
+        for path in paths
     )
-    if not options.accept_loss and (advice := advice_on_loss(ready)):
-        loss = lost_at_rate([outgoing for _, outgoing in ready.files])
-        raise NotConfirmedError(f"{loss} {advice[:-1]}, or accept the loss (--accept-loss).")
-    return write_prepared(ready, confirmed=confirmed, limits=limits, progress=progress, stop=stop)
 
 
 def write_prepared(
     ready: PreparedStimulus,
+    path: Path,
     *,
     confirmed: bool = False,
-    limits: Sequence[Limit] = (),
     progress: Progress = silent,
     stop: Stop = never,
 ) -> Exported:
-    """Write a prepared stimulus; parameters and errors are those of `export_stimulus`."""
-    sentences = objections(ready, limits)
-    if sentences and not confirmed:
+    """Write a prepared stimulus to ``path``; parameters and errors are those of `export_stimulus`.
+
+    A loss to the rate counts as accepted.
+    """
+    ready = ready.named(path)
+    objections = ready.objections
+    if objections and not confirmed:
         raise NotConfirmedError(
-            f"{' '.join(sentences)} Nothing was written. Lower the amplitudes, choose a larger "
+            f"{' '.join(objections)} Nothing was written. Lower the amplitudes, choose a larger "
             "full scale, or confirm that it shall be written all the same (--confirm)."
         )
+    paths = tuple(path.with_name(file.name) for file in ready.files)
     with ExitStack() as stack:
         # All are written before the first takes its place.
-        for path, outgoing in ready.files:
-            reporting = replace(outgoing, progress=progress, stop=stop)
-            _write_outgoing(ready, path, reporting, sentences, stack)
+        for path, file in zip(paths, ready.files, strict=True):
+            reporting = replace(file, progress=progress, stop=stop)
+            _write_file(replace(ready, files=(reporting,)), path, objections, stack)
         stop_if(stop)
     return Exported(
-        files=tuple(path for path, _ in ready.files),
+        files=paths,
         gain=ready.gain,
-        clip_count=ready.clipped,
-        objections=sentences,
-        edges=edges_of(ready),
-        loses=loses_of(ready),
-        calibration=calibration_of(ready),
-        equalised=equalised_of(ready),
+        clip_count=sum(channel.clipped for channel in ready.channels),
+        objections=objections,
+        edges=ready.edges,
+        loses=ready.loses,
+        calibration=ready.calibration,
+        equalised=ready.equalised,
     )
 
 
-def _write_outgoing(
-    ready: PreparedStimulus,
-    path: Path,
-    outgoing: Outgoing,
-    confirmed: tuple[str, ...],
-    stack: ExitStack,
+def _write_file(
+    ready: PreparedStimulus, path: Path, confirmed: tuple[str, ...], stack: ExitStack
 ) -> None:
     """Write a file, or fill a folder, with its sidecar; it gets its name as ``stack`` closes."""
-    is_folder = ready.format.folder
-    if path.is_dir() and not is_folder:
+    (file,), format = ready.files, ready.format
+    if path.is_dir() and not format.folder:
         raise StorageError(f"{path_text(path)}: a folder stands there. Choose another name.")
     temporary = stack.enter_context(
-        replacing_folder(path, MARK, kept=LOGS) if is_folder else replacing(path)
+        replacing_folder(path, MARK, kept=LOGS) if format.folder else replacing(path)
     )
-    facts = ready.format.write(outgoing, temporary)
-    stop_if(outgoing.stop)
-    files = [file for file in temporary.rglob("*") if file.is_file()] if is_folder else [temporary]
+    facts = format.write(file, temporary)
+    stop_if(file.stop)
+    written = [temporary, *temporary.rglob("*")]
     content = sidecar_of(
         ready,
-        outgoing,
         facts,
-        sha256=None if is_folder else _sha256(temporary),
-        n_bytes=sum(file.stat().st_size for file in files),
+        sha256=None if format.folder else _sha256(temporary),
+        n_bytes=sum(part.stat().st_size for part in written if part.is_file()),
         confirmed=confirmed,
     )
-    if is_folder:
+    if format.folder:
         (temporary / MARK).write_bytes(content)
     # What is entered last is moved first: whoever finds the file finds its description.
-    companion = ready.format.companion_path(path)
+    companion = format.companion_path(path)
     if companion is not None:
-        companion_content = ready.format.companion_content(facts)
-        stack.enter_context(replacing(companion)).write_bytes(companion_content)
+        stack.enter_context(replacing(companion)).write_bytes(format.companion_content(facts))
     stack.enter_context(replacing(sidecar_path(path))).write_bytes(content)
 
 

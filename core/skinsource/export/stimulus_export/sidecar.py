@@ -1,30 +1,105 @@
-"""The sidecar of an exported file: JSON that says what its numbers mean."""
+"""The sidecar of an exported file: JSON that says what its numbers mean, and nothing else does."""
 
 import json
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import scipy
 
 from skinsource.actuators.actuation import Actuation
+from skinsource.actuators.equalising import Equaliser
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import SkinSourceError
 from skinsource.design.design import Design, Input
 from skinsource.design.labels import label_of, scalings_on
 from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.engine.stimulus import Stimulus
-from skinsource.export.formats.format import Facts, Outgoing, about
-from skinsource.export.stimulus_export.options import about_channels, about_equaliser, edges_text
-from skinsource.export.stimulus_export.preparing import (
-    PreparedStimulus,
-    clipped_samples,
-    equalised_of,
-    loses_of,
-)
+from skinsource.engine.stimulus import Stimulus, added_delays_s, channel_of
+from skinsource.export.formats.format import ChannelOverview, Facts
+from skinsource.export.stimulus_export.preparing import PreparedStimulus
 from skinsource.limbs.own_limbs import drive_unit_known
+from skinsource.specs.models import specs_of
 from skinsource.version import __version__
+
+
+def sidecar_path(path: Path) -> Path:
+    """Return the path of the sidecar of a file or folder."""
+    return path.with_name(f"{path.name}.json")
+
+
+#: Errors of `skinsource.resample` within the band are at most these.
+_RESAMPLING = {"gain_db": 0.001, "phase_rad": 1e-6, "aliases_db": -115.0}
+_MEANING = (
+    "samples times full_scale are the drive: amplitude times gain times waveform, in the unit"
+)
+_UPSTREAM = (
+    "Under this scaling an amplitude is a peak on the skin, computed for each input by itself: the "
+    "drives have no unit, and strong and weak channels do not keep the ratio that was predicted."
+)
+
+
+def sidecar_of(
+    ready: PreparedStimulus,
+    facts: Facts,
+    *,
+    sha256: str | None,
+    n_bytes: int,
+    confirmed: Sequence[str],
+) -> bytes:
+    """Return the sidecar of one file, as JSON.
+
+    Parameters
+    ----------
+    ready
+        The export, with this file alone.
+    facts
+        Facts that the format returned.
+    sha256, n_bytes
+        Digest of the file, None for a folder; bytes of the file or folder.
+    confirmed
+        Objections that were confirmed.
+    """
+    (file,) = ready.files
+    stimulus, design = file.stimulus, file.design
+    counts = facts.get("clipped_samples", [channel.clipped for channel in file.channels])
+    content: dict[str, Any] = {
+        "what": "SkinSource stimulus",
+        "file": file.name,
+        "format": ready.format.name,
+        "choices": dict(file.choices),
+        "sha256": sha256,
+        "bytes": n_bytes,
+        **file.about,
+        "n_channels": len(stimulus.channels),
+        "n_times": stimulus.n_times,
+        "duration_s": stimulus.duration_s,
+        "channels": [
+            {**_about_channel(stimulus, channel, count), **_wiring(ready, stimulus, row)}
+            for row, (channel, count) in enumerate(zip(file.channels, counts, strict=True))
+        ],
+        "rig": None if ready.rig is None else ready.rig.title,
+        "actuator": _actuators(ready, stimulus),
+        "equaliser": _about_equaliser(ready.equaliser),
+        "equalised": ready.equalised,
+        "inputs": [_about_input(track) for track in design.inputs],
+        "gain": ready.gain,
+        "meaning": _MEANING,
+        "scaling_means": _scaling_sentence(design),
+        "predicted_through": _about_prediction(design.actuated),
+        **about_validity(design),
+        "clip_count": int(sum(counts)),
+        "confirmed": list(confirmed),
+        "edges": ready.edges,
+        "errors": _errors(stimulus, facts),
+        "loses": ready.loses,
+        "versions": versions(),
+        **{name: value for name, value in facts.items() if name != "clipped_samples"},
+    }
+    if stimulus.scaling == "upstream":
+        content["note"] = _UPSTREAM
+    return (json.dumps(content, ensure_ascii=False, indent=2, allow_nan=False) + "\n").encode()
 
 
 def about_validity(design: Design) -> dict[str, Any]:
@@ -43,94 +118,57 @@ def about_validity(design: Design) -> dict[str, Any]:
     return {"limb_note": results["limb_data"].note or None, "validity": conditions}
 
 
-#: Errors of `skinsource.resample` within the band are at most these.
-_RESAMPLING = {"gain_db": 0.001, "phase_rad": 1e-6, "aliases_db": -115.0}
-_MEANING = (
-    "samples times full_scale are the drive: amplitude times gain times waveform, in the unit"
-)
-_UPSTREAM = (
-    "Under this scaling an amplitude is a peak on the skin, computed for each input by itself: the "
-    "drives have no unit, and strong and weak channels do not keep the ratio that was predicted."
-)
-
-
-def sidecar_of(
-    ready: PreparedStimulus,
-    outgoing: Outgoing,
-    facts: Facts,
-    *,
-    sha256: str | None,
-    n_bytes: int,
-    confirmed: Sequence[str],
-) -> bytes:
-    """Return the sidecar of one file, as JSON.
-
-    Parameters
-    ----------
-    ready, outgoing
-        The whole export, and the content of this file.
-    facts
-        Facts that the format returned.
-    sha256, n_bytes
-        Digest of the file, None for a folder; bytes of the file or folder.
-    confirmed
-        Objections that were confirmed.
-    """
-    stimulus = outgoing.stimulus
-    counts = facts.get("clipped_samples")
-    if counts is None:
-        counts = (clipped_samples(stimulus) * ready.format.to_device).tolist()
-    content: dict[str, Any] = {
-        "what": "SkinSource stimulus",
-        "file": outgoing.name,
-        "format": ready.format.name,
-        "choices": dict(outgoing.choices),
-        "sha256": sha256,
-        "bytes": n_bytes,
-        **about(outgoing),
-        "n_channels": len(stimulus.channels),
-        "n_times": stimulus.n_times,
-        "duration_s": stimulus.duration_s,
-        **_about_rig(ready, stimulus, _channels(stimulus, counts)),
-        "equalised": equalised_of(ready),
-        "inputs": [_about_input(track) for track in outgoing.design.inputs],
-        "gain": ready.gain,
-        "meaning": _MEANING,
-        "scaling_means": _scaling_sentence(outgoing.design),
-        "predicted_through": _about_prediction(outgoing.design.actuated),
-        **about_validity(outgoing.design),
-        "clip_count": int(sum(counts)),
-        "confirmed": list(confirmed),
-        "edges": edges_text([stimulus], ready.cut),
-        "errors": _errors(stimulus, facts),
-        "loses": loses_of(ready, outgoing),
-        "versions": versions(),
-        **{name: value for name, value in facts.items() if name != "clipped_samples"},
-    }
-    if stimulus.scaling == "upstream":
-        content["note"] = _UPSTREAM
-    return (json.dumps(content, ensure_ascii=False, indent=2, allow_nan=False) + "\n").encode()
-
-
-def _about_rig(
-    ready: PreparedStimulus, stimulus: Stimulus, channels: list[dict[str, Any]]
+def _about_channel(
+    stimulus: Stimulus, overview: ChannelOverview, clip_count: int
 ) -> dict[str, Any]:
-    """Return the channels with their wiring, the rig, the actuators and the equaliser."""
-    wiring = about_channels(stimulus, ready.rig) if ready.rig is not None else []
-    for channel, wires in zip(channels, wiring, strict=False):
-        channel.update(wires)
-    actuators = [wires.get("actuator") for wires in wiring]
-    if ready.rig is None and ready.equaliser is not None and ready.actuation is not None:
-        actuators = [
-            None if channel.place is None else ready.actuation.at(channel.place).actuator
-            for channel in stimulus.channels
-        ]
+    channel = overview.channel
     return {
-        "channels": channels,
-        "rig": None if ready.rig is None else ready.rig.title,
-        "actuator": actuators or None,
-        "equaliser": about_equaliser(ready.equaliser),
+        "number": channel.number,
+        "place": channel.place,
+        "title": channel.title,
+        "inputs": list(channel.inputs),
+        "unit": stimulus.unit if channel.place is not None else "full scale",
+        "peak_of_full_scale": overview.peak,
+        "rms_of_full_scale": overview.rms,
+        "clip_count": clip_count,
     }
+
+
+def _wiring(ready: PreparedStimulus, stimulus: Stimulus, row: int) -> dict[str, Any]:
+    """Return how a channel is wired; empty where no rig says so, or it drives no actuator."""
+    if ready.rig is None or stimulus.channels[row].place is None:
+        return {}
+    channel = channel_of(stimulus, row, ready.rig)
+    return {
+        "actuator": channel.actuator,
+        "device": channel.device,
+        "output": channel.output,
+        "full_scale_v": channel.full_scale_v,
+        "amplifier_gain": channel.amplifier_gain,
+        "polarity": channel.polarity,
+        "delay_s": channel.delay_s,
+        "delay_added_s": added_delays_s(stimulus, ready.rig)[row],
+        "measured_on": channel.measured_on,
+    }
+
+
+def _actuators(ready: PreparedStimulus, stimulus: Stimulus) -> list[str | None] | None:
+    """Return the actuator of each channel, where that is known."""
+    if ready.rig is not None:
+        rows = range(len(stimulus.channels))
+        return [_wiring(ready, stimulus, row).get("actuator") for row in rows]
+    if ready.equaliser is None or ready.actuation is None:
+        return None
+    places = [channel.place for channel in stimulus.channels]
+    return [None if place is None else ready.actuation.at(place).actuator for place in places]
+
+
+def _about_equaliser(equaliser: Equaliser | None) -> dict[str, Any] | None:
+    """Return kind and numbers of an equaliser."""
+    if equaliser is None:
+        return None
+    values = {name: getattr(equaliser, name) for name in specs_of(equaliser)}
+    return {"kind": type(equaliser).__name__, **values}
 
 
 def _scaling_sentence(design: Design) -> str:
@@ -149,27 +187,8 @@ def _about_prediction(actuated: Actuation | None) -> dict[str, Any] | None:
             {"place": actuator.place, "actuator": actuator.actuator, "model": actuator.model.title}
             for actuator in actuated.actuators
         ],
-        "equaliser": about_equaliser(actuated.equaliser),
+        "equaliser": _about_equaliser(actuated.equaliser),
     }
-
-
-def _channels(stimulus: Stimulus, counts: Sequence[int]) -> list[dict[str, Any]]:
-    described = []
-    for channel, samples, count in zip(stimulus.channels, stimulus.samples, counts, strict=True):
-        peak = float(np.abs(samples).max(initial=0.0))
-        described.append(
-            {
-                "number": channel.number,
-                "place": channel.place,
-                "title": channel.title,
-                "inputs": list(channel.inputs),
-                "unit": stimulus.unit if channel.place is not None else "full scale",
-                "peak_of_full_scale": peak,
-                "rms_of_full_scale": float(np.sqrt(np.mean(samples**2))),
-                "clip_count": int(count),
-            }
-        )
-    return described
 
 
 def _about_input(track: Input) -> dict[str, Any]:

@@ -26,7 +26,6 @@ from skinsource.export.plot import (
     Levels,
     PlotRow,
     Range,
-    WindowedLevels,
     annotate_scale,
     common_range,
     common_size,
@@ -38,7 +37,7 @@ from skinsource.export.plot import (
     style,
     windowed_levels,
 )
-from skinsource.export.tables import EXTENT_COLUMNS, extent_values
+from skinsource.export.tables import windows_table
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.analysis.statistics import BIN_HZ, band_rms
 from skinsource.signals.map_range import MAP_RANGE_DB
@@ -412,7 +411,9 @@ def train_windows(opened: OpenedScene) -> Drawn:
     window_s = opened.view.window_s
     windowed = windowed_levels(opened.design, opened.view, count=None, window_s=window_s)
     n = windowed.windows.count
-    sheet = Sheet(opened, 132.0, f"{HATCHED}." if any(windowed.noisy) else "", maps=True)
+    sheet = Sheet(
+        opened, 132.0, f"{HATCHED}." if any(windowed.noisy_outputs_of_windows) else "", maps=True
+    )
     left_mm, width_mm = 22.0, WIDTH_MM - 44.0
     with style():
         train = sheet.axes(left_mm, 113.0, width_mm, 16.0)
@@ -421,7 +422,9 @@ def train_windows(opened: OpenedScene) -> Drawn:
             sheet.figure, sheet.row_of_axes(n, left_mm, 30.0, width_mm, 74.0), windowed, None
         )
         draw_extent(sheet.axes(left_mm, 6.0, width_mm, 20.0), windowed, n)
-    return Drawn(sheet=sheet, tables={"": _table(windowed)})
+    bounds_s = windowed.windows.bounds_s(windowed.sample_rate_hz)
+    header, rows = windows_table(bounds_s, windowed.extents_of_windows, windowed.rms_of_windows)
+    return Drawn(sheet=sheet, tables={"": Table(header=header, rows=rows)})
 
 
 def _draw_stimulus(ax: Any, opened: OpenedScene, until_s: float) -> None:
@@ -439,17 +442,6 @@ def _draw_stimulus(ax: Any, opened: OpenedScene, until_s: float) -> None:
         va="center",
         textcoords="offset points",
     )
-
-
-def _table(windowed: WindowedLevels) -> Table:
-    bounds = windowed.windows.bounds_s(windowed.sample_rate_hz)
-    header = ["from_s", "to_s", *EXTENT_COLUMNS]
-    header += [f"output_{k}_rms_m_per_s2" for k in range(1, windowed.rms.shape[1] + 1)]
-    rows = [
-        [*span, *extent_values(extent), *rms]
-        for span, extent, rms in zip(bounds, windowed.extents, windowed.rms, strict=True)
-    ]
-    return Table(header=header, rows=np.array(rows))
 
 
 _ROW_MM, _AXIS_MM = 11.0, 12.0

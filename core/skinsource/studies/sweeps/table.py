@@ -37,10 +37,11 @@ from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.lock import Lock
 from skinsource.base.quoting import quoted
 from skinsource.design.design import Design
-from skinsource.export.formats.formats import format_named
+from skinsource.export.formats import format_named
 from skinsource.export.stimulus_export.export import export_stimulus
-from skinsource.export.stimulus_export.options import StimulusOptions, sidecar_path
+from skinsource.export.stimulus_export.options import StimulusOptions
 from skinsource.export.stimulus_export.preparing import prepare_stimulus
+from skinsource.export.stimulus_export.sidecar import sidecar_path
 from skinsource.signals.resampling import MAX_RATE_HZ
 from skinsource.studies.sweeps.metrics import Metrics, columns_of
 from skinsource.studies.sweeps.plan import Order, Plan, trials
@@ -400,7 +401,7 @@ class StimulusFiles:
     rate_hz: int | None = None
 
     def __post_init__(self) -> None:
-        format_named(self.format, Path())
+        format_named(self.format)
         if self.rate_hz is not None:
             integer("rate_hz", self.rate_hz, 1, MAX_RATE_HZ)
 
@@ -442,19 +443,18 @@ class StimulusFiles:
 
     def _is_exported(self, path: Path) -> bool:
         """Return whether a stimulus is exported in this format."""
-        sidecar, kind = sidecar_path(path), format_named(self.format, Path())
+        sidecar, kind = sidecar_path(path), format_named(self.format)
         if not (path_exists(path) and path_exists(sidecar)):
             return False
-        own_rate = kind.fixed_rate or self.rate_hz is None
         try:
             about = json.loads(sidecar.read_text(encoding="utf-8"))
-            return bool(about["rate_hz"] == (kind.rate_hz if own_rate else self.rate_hz))
+            return bool(about["rate_hz"] == kind.file_rate_hz(self.rate_hz))
         except (OSError, ValueError, KeyError, TypeError):
             return False
 
     def _files(self, plan: Plan, table: SweepTable, folder: Path) -> Iterator[tuple[Path, Design]]:
         """Yield the path and the design of each stimulus that was measured."""
-        suffix = format_named(self.format, Path()).suffix
+        suffix = format_named(self.format).suffix
         failed, width = table.failed, len(str(len(plan)))
         for number, factor in zip(table.column("stimulus"), table.column("factor"), strict=True):
             if int(number) not in failed:
@@ -465,13 +465,11 @@ class StimulusFiles:
         self, plan: Plan, table: SweepTable, out: Path, *, progress: Progress, stop: Stop
     ) -> float:
         """Return the largest drive of all stimuli, at the rate of the files; 1 for silence."""
-        kind, largest = format_named(self.format, Path()), 0.0
-        for done, (path, design) in enumerate(self._files(plan, table, out / FOLDER)):
+        kind, largest = format_named(self.format), 0.0
+        for done, (_, design) in enumerate(self._files(plan, table, out / FOLDER)):
             stop_if(stop)
             progress(done, len(table), "Looking for the largest drive")
-            prepared = prepare_stimulus(
-                design, path, kind, self.rate_hz, StimulusOptions(), stop=stop
-            )
+            prepared = prepare_stimulus(design, kind, self.rate_hz, StimulusOptions(), stop=stop)
             largest = max(largest, float(np.abs(prepared.drives.samples).max(initial=0.0)))
         # A little more, so that no sample is rounded beyond it.
         return largest * (1.0 + 2.0**-50) or 1.0
