@@ -502,7 +502,7 @@ class RowColumn(QWidget):
         """Let a new row be dragged."""
         row.title.dragged.connect(self._show_line)
         row.title.dropped.connect(partial(self._drop, row))
-        row.title.given_up.connect(self._line.hide)
+        row.title.cancelled.connect(self._line.hide)
 
     def show_rows(self, rows: tuple[Any, ...]) -> None:
         """Show these rows, and delete the others."""

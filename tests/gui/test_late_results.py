@@ -99,9 +99,9 @@ def offers(panel):
 def looks_late(panel):
     """Whether lateness is seen: the panel looks otherwise without it."""
     late = panel.grab().toImage()
-    panel._lateness.set_stale(False)
+    panel._staleness.set_stale(False)
     without = panel.grab().toImage()
-    panel._lateness.set_stale(True, at_once=True)
+    panel._staleness.set_stale(True, at_once=True)
     return late != without
 
 

@@ -107,7 +107,7 @@ def test_snapshots_count_alone_where_the_design_in_the_window_is_something_else(
     window.document.edit("Elsewhere", played(3))
     qtbot.waitUntil(lambda: "snapshots alone" in panel.about.text)
     assert isinstance(panel.result, kind)
-    assert panel.result.largest_difference == result.apart
+    assert panel.result.largest_difference == result.largest_difference
     assert panel.figure.message == ""
     window.document.edit("Again", designs[0])
     qtbot.waitUntil(lambda: "alone" not in panel.about.text)

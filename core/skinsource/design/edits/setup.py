@@ -110,7 +110,7 @@ _BELOW_LIMIT = 0.999
 
 
 def mend(design: Design, view: View, finding: Finding) -> Edit | Refusal:
-    """Repair a finding of the validity check, see `Finding.mend`."""
+    """Repair a finding of the validity check, see `Finding.repair`."""
     if finding.repair == "probe_scaling":
         return change_scaling(design, view, "probe")
     if finding.repair == "quieter":
