@@ -116,14 +116,14 @@ class Nesting:
     """A model that may hold others of its kind: it counts their levels once."""
 
     @cached_property
-    def levels(self) -> int:
+    def _levels(self) -> int:
         """How many levels of models it holds, with its own."""
         return _levels(self)
 
 
 def nesting(model: Any) -> int:
     """Return how many levels of models a model holds, with its own."""
-    return model.levels if isinstance(model, Nesting) else _levels(model)
+    return model._levels if isinstance(model, Nesting) else _levels(model)
 
 
 def _levels(model: Any) -> int:

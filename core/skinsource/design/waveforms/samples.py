@@ -182,7 +182,7 @@ MODE = ChoiceSpec(
 )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Layers(models.Nesting):
     r"""Clips that are added up, or multiplied, and played as one; its peak need not be 1.
 
