@@ -42,6 +42,7 @@ NASTY = (
     Decimal("1.5"),
     Decimal("NaN"),
     Fraction(10**500, 3),
+    np.timedelta64(3, "s"),
     [],
     [[]],
     [1.0, 2.0],

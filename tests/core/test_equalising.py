@@ -139,3 +139,11 @@ def test_an_actuator_without_force_cannot_be_equalised():
         ss.equalising.equalised(np.zeros(10), 1000, COIL, RegularisedInverse())
     with pytest.raises(InvalidInputError, match="boost_db"):
         RegularisedInverse(-1.0)
+
+
+@pytest.mark.parametrize("band_hz", [(25.0, float("nan")), (float("nan"), 600.0), (600.0, 25.0)])
+def test_a_band_that_is_none_is_refused(band_hz):
+    with pytest.raises(InvalidInputError, match="band_hz"):
+        ss.equalising.followed_band(band_hz, 1300.0)
+    with pytest.raises(InvalidInputError, match="sample_rate_hz"):
+        ss.equalising.followed_band(None, float("nan"))

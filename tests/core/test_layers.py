@@ -97,6 +97,36 @@ def test_a_tree_nested_deeper_is_refused():
         decode(tree["waveform"], KINDS, Address())
 
 
+def test_a_tree_nested_too_deep_is_refused_before_its_clips_are_made(monkeypatch):
+    tree = encode(Clip())
+    for _ in range(16):
+        tree = {"kind": "Clip", "waveform": {"kind": "Layers", "parts": [tree, tree]}}
+    clips, check = [], Clip.__post_init__
+    monkeypatch.setattr(Clip, "__post_init__", lambda clip: (clips.append(clip), check(clip)))
+    with pytest.raises(FileFormatError, match="deep"):
+        decode(tree["waveform"], KINDS, Address())
+    assert not clips
+
+
+class CountedTap(Tap):
+    """A tap that counts how often it is asked for its duration."""
+
+    count = 0
+
+    @property
+    def duration_s(self):
+        CountedTap.count += 1
+        return super().duration_s
+
+
+def test_groups_in_groups_compute_their_length_once():
+    clip, CountedTap.count = Clip(waveform=CountedTap()), 0
+    for _ in range(12):
+        clip = Clip(waveform=Layers(parts=(clip, clip)))
+    assert clip.duration_s == Tap().duration_s
+    assert CountedTap.count <= 3
+
+
 @pytest.mark.parametrize(
     "wrong", [{"parts": ()}, {"parts": (TONE,)}, {"parts": (Clip(),) * 101}, {"mode": "mean"}]
 )

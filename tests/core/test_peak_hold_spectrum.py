@@ -103,3 +103,8 @@ def test_a_long_tone_of_1_m_per_s2_reads_1_m_per_s2_at_its_loudest_output(freque
     frequencies, amplitude = results["selected_peak_spectra"]
     assert amplitude.max() == pytest.approx(1.0, rel=0.02)
     assert abs(frequencies[np.argmax(amplitude[0])] - frequency_hz) <= 1.0
+
+
+def test_a_rate_beyond_all_others_is_refused():
+    with pytest.raises(InvalidInputError, match="sample_rate_hz is 1e\\+15"):
+        ss.peak_hold_spectrum(np.ones(100), 1e15)

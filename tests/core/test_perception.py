@@ -114,6 +114,7 @@ def test_both_channels_together_are_the_larger_and_half_of_the_smaller():
     ("call", "message"),
     [
         (lambda: threshold_rms(0.0), "frequency_hz"),
+        (lambda: threshold_rms([50.0, 1e308]), "frequency_hz"),
         (lambda: threshold_rms(50.0, "SA"), "channel"),
         (lambda: threshold_rms(50.0, area_cm2=0.0), "area_cm2"),
         (lambda: sensation_levels_db(np.zeros((3, 5)), 1300.0), "shape"),

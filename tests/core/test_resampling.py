@@ -1,5 +1,6 @@
 """`ss.resample` against the band-limited signal itself, in high precision."""
 
+import tracemalloc
 from fractions import Fraction
 from itertools import permutations
 
@@ -13,7 +14,7 @@ import skinsource as ss
 from skinsource.base.errors import InvalidInputError
 from skinsource.signals import resampling
 from skinsource.signals import resampling as conversion
-from skinsource.signals.resampling import Kernel, half_transition
+from skinsource.signals.resampling import Kernel, by_ratio, half_transition
 
 PAIRS = [
     *((1300, rate) for rate in (2000, 8000, 44_100, 48_000, 96_000, 192_000, 1301, 47_999)),
@@ -289,3 +290,28 @@ def test_weights_become_a_matrix_where_it_is_small_and_mostly_filled():
     # 45 MB; and a period longer than twice what a result is made of.
     for pair in ((1210, 44_100), (8000, 11_025), (11_025, 8000)):
         assert not kernel(*pair).is_small
+
+
+def test_a_filter_longer_than_the_signal_takes_little_memory():
+    tracemalloc.start()
+    try:
+        resampled = ss.resample(np.ones(1_000_000), 1_000_000, 1)
+        assert tracemalloc.get_traced_memory()[1] < 200e6
+    finally:
+        tracemalloc.stop()
+    # The sum of the filter over the first second, in which half of it lies.
+    assert resampled == pytest.approx(ss.resample(np.ones(100), 100, 1), rel=0.02)
+
+
+def test_what_would_take_minutes_is_refused():
+    with pytest.raises(InvalidInputError, match="Take a part"):
+        ss.resample(np.broadcast_to(np.float32(0.0), 50_000_000), 10_000_000, 9_999_999)
+
+
+@pytest.mark.parametrize("rate_hz", [999.98, 1234.567, 1300.0 / 7.0])
+def test_rates_that_are_no_whole_numbers_keep_long_signals(rate_hz):
+    time_s = np.arange(10_000) / rate_hz
+    resampled = by_ratio(np.sin(50.0 * time_s), Fraction(1300.0) / Fraction(rate_hz), rate_hz)
+    middle = slice(resampled.size // 2, resampled.size - 500)
+    expected = np.sin(50.0 * np.arange(resampled.size)[middle] / 1300.0)
+    np.testing.assert_allclose(resampled[middle], expected, atol=1e-4)

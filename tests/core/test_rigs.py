@@ -222,6 +222,12 @@ def test_samples_and_places_have_to_fit():
     assert ss.rigs.rig_breaches(RIG, [7], silent, 1300) == ()
 
 
+def test_a_rate_that_is_none_is_refused_also_where_nothing_is_limited():
+    bare = Rig(channels=(RigChannel(place=7),))
+    with pytest.raises(InvalidInputError, match="sample_rate_hz"):
+        ss.rigs.rig_breaches(bare, (7,), [[0.1, 0.2]], "nonsense")
+
+
 def test_no_design_holds_a_limit():
     names = {field.name for field in fields(Limits)} - {"duration_s"}
     for kind in (ss.Design, ss.Input, ss.Clip, ss.View):

@@ -65,3 +65,8 @@ def test_a_unit_is_a_short_text(unit):
 
 def test_samples_are_shown_in_a_few_words():
     assert repr(of(np.zeros(10_000))).startswith("<10000 samples at 1300 Hz, ")
+
+
+def test_at_hardly_any_rate_nothing_is_left():
+    for rate_hz in (1e-3, 1e-300):
+        assert of(VALUES)(rate_hz).size == 0

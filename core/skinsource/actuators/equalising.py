@@ -22,11 +22,12 @@ from numpy.typing import ArrayLike
 
 from skinsource.actuators.actuator import Actuator
 from skinsource.actuators.models import VoiceCoil
-from skinsource.base.arguments import finite_array, positive_number, real_number
+from skinsource.base.arguments import checking, finite_array, positive_number, real_number
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import BAND_HZ, Band
+from skinsource.base.quoting import quoted
 from skinsource.signals.resampling import PASSED_SHARE
 from skinsource.specs import fields
 from skinsource.specs.numbers import NumberSpec
@@ -151,6 +152,7 @@ def gain_in_band(actuator: Actuator, band_hz: Band = BAND_HZ) -> Floats:
 _LOWEST_HZ = BAND_HZ[0]
 
 
+@checking
 def followed_band(band_hz: Band | None, sample_rate_hz: float) -> Band:
     """Return the band in which drives are followed on a limb: that of its measurement.
 
@@ -158,6 +160,9 @@ def followed_band(band_hz: Band | None, sample_rate_hz: float) -> Band:
     to there.  What begins at 0 is followed from 25 Hz on, or over its upper octave if that is less.
     """
     low, high = (0.0, np.inf) if band_hz is None else band_hz
+    positive_number("sample_rate_hz", sample_rate_hz)
+    if not 0.0 <= low < high:
+        raise InvalidInputError(f"band_hz is {quoted(band_hz)}, expected two rising frequencies")
     high = min(high, PASSED_SHARE * 0.5 * sample_rate_hz)
     return (low, high) if 0.0 < low < high else (min(_LOWEST_HZ, high / 2.0), high)
 
@@ -207,6 +212,7 @@ class NetVelocity:
         )
 
 
+@checking
 def net_velocity(
     drive: ArrayLike, sample_rate_hz: float, lowest_hz: float = BAND_HZ[0]
 ) -> NetVelocity:
@@ -248,6 +254,7 @@ def net_velocity(
 _RINGING_S = 0.5
 
 
+@checking
 def equalised(
     drive: ArrayLike,
     sample_rate_hz: float,
@@ -386,6 +393,7 @@ class PolePairReplacement(Equaliser):
         return replaced.astype(np.complex128)
 
 
+@checking
 def resonance_of(actuator: Actuator) -> tuple[float, float]:
     """Return the resonance of an actuator, in Hz, and its quality, for `PolePairReplacement`.
 
@@ -532,6 +540,7 @@ class EqualiserCurves:
     after_db: Floats
 
 
+@checking
 def curves(
     equaliser: Equaliser, actuator: Actuator, frequency_hz: ArrayLike, band_hz: Band = BAND_HZ
 ) -> EqualiserCurves:

@@ -15,7 +15,7 @@ import scipy
 from numpy.typing import ArrayLike
 
 from skinsource.actuators.measured_response import MeasuredResponse
-from skinsource.base.arguments import finite_array, integer, positive_number, real_number
+from skinsource.base.arguments import checking, finite_array, integer, positive_number, real_number
 from skinsource.base.arrays import Complexes, Floats, Indices
 from skinsource.base.errors import InvalidInputError, RecordingError
 from skinsource.base.files import path_text
@@ -471,6 +471,7 @@ def _noise_message(error: Floats) -> str:
 _LEAST_AMPLITUDE = 1e-2
 
 
+@checking
 def response_from_sweep(
     voltage: ArrayLike,
     acceleration: ArrayLike,
@@ -534,6 +535,7 @@ _MOST_NAMES = 5
 _REAL, _IMAGINARY = ("real", "re"), ("imag", "imaginary", "im")
 
 
+@checking
 def open_response(
     path: str | os.PathLike[str],
     *,

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from skinsource.actuators.actuator import Actuator
 from skinsource.actuators.simulation import ActuatorMotion
-from skinsource.base.arguments import finite_array, integer
+from skinsource.base.arguments import checking, finite_array, integer
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import LARGEST_VELOCITY_M_PER_S
@@ -161,6 +161,7 @@ class Prediction:
     temperature_rise_k: float
 
 
+@checking
 def predicted(
     voltage: ArrayLike,
     sample_rate_hz: int,
@@ -248,6 +249,7 @@ class Breach:
         return f"{limit_text(self.name)}: {value}, expected at most {limit}"
 
 
+@checking
 def breaches(prediction: Prediction, limits: Limits) -> tuple[Breach, ...]:
     """Return the limits that a prediction exceeds; NaN exceeds none."""
     values = {

@@ -19,13 +19,14 @@ from numpy.typing import ArrayLike
 from skinsource.actuators.catalog import LIMITS, MODEL, THERMAL, Model, names, profile, shape_names
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.prediction import Breach, Limits, Thermal, breaches, limit_text, predicted
-from skinsource.base.arguments import finite_array
+from skinsource.base.arguments import checking, finite_array, integer
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.base.files import path_text, read_bytes, write_bytes
 from skinsource.base.json_text import MAX_TEXT_BYTES
 from skinsource.base.measurement_conditions import MOST_LOCATIONS
 from skinsource.base.quoting import quoted, sentence
+from skinsource.signals.resampling import MAX_RATE_HZ
 from skinsource.specs import fields, models
 from skinsource.specs.codec import from_plain_text, to_plain_text
 from skinsource.specs.numbers import SMALLEST, ListSpec, ModelSpec, NumberSpec, OptionalSpec
@@ -199,6 +200,7 @@ class Rig:
 UNCALIBRATED = "uncalibrated: no rig says how many volts, and how many m/s², a sample of 1 is"
 
 
+@checking
 def calibration_words(rig: Rig | None, places: Sequence[int]) -> str:
     """Return the text on the calibration of these places for exports and the player.
 
@@ -223,6 +225,7 @@ def calibration_words(rig: Rig | None, places: Sequence[int]) -> str:
     return f"calibrated, measured on {min(known)}" if known else "calibrated"
 
 
+@checking
 def volts_of(channel: RigChannel, samples: ArrayLike) -> Floats:
     """Return volts at the actuator for samples from -1 to 1, shaped as ``samples``.
 
@@ -235,6 +238,7 @@ def volts_of(channel: RigChannel, samples: ArrayLike) -> Floats:
     return volts
 
 
+@checking
 def samples_for(channel: RigChannel, volts: ArrayLike) -> Floats:
     """Return samples that give these volts at the actuator, shaped as ``volts``.
 
@@ -289,6 +293,7 @@ class RigBreach:
         return f"place {self.place}: {self.breach}"
 
 
+@checking
 def strictest(*several: Limits) -> Limits:
     """Return for each limit the least of those that are known."""
     least = {}
@@ -305,6 +310,7 @@ def limits_of(channel: RigChannel) -> Limits:
     return channel.limits
 
 
+@checking
 def rig_breaches(
     rig: Rig, places: Sequence[int], samples: ArrayLike, sample_rate_hz: int
 ) -> tuple[RigBreach, ...]:
@@ -335,6 +341,7 @@ def rig_breaches(
         raise InvalidInputError(
             f"samples have the shape {rows.shape}, expected ({len(places)} places, n_times)"
         )
+    rate_hz = integer("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
     passed = []
     for place, row in zip(places, rows, strict=True):
         channel = rig.channel_of(place)
@@ -342,7 +349,7 @@ def rig_breaches(
             raise InvalidInputError(
                 f"place {place} is not wired in the rig {quoted(rig.title)}; add a channel for it"
             )
-        broken = _breaches_of(channel, row, sample_rate_hz)
+        broken = _breaches_of(channel, row, rate_hz)
         passed += [RigBreach(place, breach) for breach in broken]
     return tuple(passed)
 
@@ -387,6 +394,7 @@ class Margin:
     words: str = ""
 
 
+@checking
 def highest_gain(
     rig: Rig,
     places: Sequence[int],
@@ -411,7 +419,7 @@ def highest_gain(
     InvalidInputError
         As `rig_breaches`.
     """
-    rows = np.asarray(samples, np.float64)
+    rows = finite_array("samples", samples, "finite numbers, (n_channels, n_times)")
     margin = Margin()
     for rig_breach in rig_breaches(rig, places, rows * _TEST_GAIN, sample_rate_hz):
         breach = rig_breach.breach
@@ -430,6 +438,7 @@ FORMAT, VERSION = "skinsource rig", 1
 SUFFIX = ".skinrig"
 
 
+@checking
 def save_rig(path: str | os.PathLike[str], rig: Rig) -> None:
     """Write a rig, whole or not at all.
 
@@ -448,6 +457,7 @@ def save_rig(path: str | os.PathLike[str], rig: Rig) -> None:
     write_bytes(Path(path), to_plain_text(models.encode(rig), FORMAT, VERSION).encode())
 
 
+@checking
 def open_rig(path: str | os.PathLike[str]) -> Rig:
     """Read a rig file.
 

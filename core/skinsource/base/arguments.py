@@ -5,19 +5,25 @@ which only half would be used; masked values, which would be used all the same; 
 be read as numbers; and numbers that are not finite, where they would spread.
 """
 
+import inspect
 import math
-from collections.abc import Sequence
+import re
+from collections.abc import Callable, Iterable, Sequence
+from functools import wraps
 from numbers import Real
-from typing import TypeVar
+from types import UnionType
+from typing import Any, Literal, ParamSpec, TypeVar, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError, SkinSourceError
 from skinsource.base.quoting import quoted
 
 Text = TypeVar("Text", bound=str)
+P = ParamSpec("P")
+R = TypeVar("R")
 
 #: Largest sample: sums of some thousand of them are still finite.
 LARGEST_SAMPLE = 1e300
@@ -150,6 +156,62 @@ def one_of(name: str, value: object, allowed: Sequence[Text]) -> Text:
     )
 
 
+def checking(function: Callable[P, R]) -> Callable[P, R]:
+    """Return a function that names the argument of a wrong type where that makes it fail.
+
+    Types are compared once it has failed: what works is accepted, and nothing takes longer.
+
+    Raises
+    ------
+    InvalidInputError
+        It failed, and an argument is not of the type that its parameter is annotated with.
+    """
+
+    @wraps(function)
+    def checking_function(*args: P.args, **kwargs: P.kwargs) -> R:
+        try:
+            return function(*args, **kwargs)
+        except SkinSourceError:
+            raise
+        except (TypeError, AttributeError, ValueError, LookupError, ArithmeticError):
+            _check_types(function, *args, **kwargs)
+            raise
+
+    return checking_function
+
+
+def _check_types(function: Callable[..., object], *args: object, **kwargs: object) -> None:
+    hints, signature = get_type_hints(function), inspect.signature(function)
+    for name, value in signature.bind(*args, **kwargs).arguments.items():
+        several = signature.parameters[name].kind is inspect.Parameter.VAR_POSITIONAL
+        for part in value if several else (value,):
+            if not _fits(part, hints[name]):
+                expected = re.sub(r"\b(\w+\.)+", "", inspect.formatannotation(hints[name]))
+                raise InvalidInputError(f"{name} is {quoted(part)}, expected {expected}")
+
+
+def _fits(value: Any, hint: Any) -> bool:
+    """Whether a value is of a type; True where that cannot be told."""
+    kind, parts = get_origin(hint) or hint, get_args(hint)
+    if kind in (Union, UnionType):
+        return any(_fits(value, part) for part in parts)
+    if kind is Literal:
+        return isinstance(value, str) and value in parts
+    if kind in (int, float):
+        number = _float_or_none(value)
+        return number is not None and math.isfinite(number) and kind(number) == number
+    if kind is Any or not isinstance(kind, type):
+        return True
+    if isinstance(value, str | bytes) and issubclass(kind, Iterable):
+        return kind is type(value)
+    if not isinstance(value, kind):
+        return False
+    if isinstance(value, tuple) and parts and Ellipsis not in parts:
+        return len(value) == len(parts) and all(map(_fits, value, parts))
+    # Others may be without end.
+    return not (isinstance(value, list | tuple) and parts) or all(_fits(v, parts[0]) for v in value)
+
+
 def _as_floats(array: NDArray[np.generic]) -> Floats:
     # A wider float may not fit; it becomes infinite, which the checks that follow find.
     with np.errstate(over="ignore"):
@@ -163,7 +225,7 @@ def _float_or_none(value: object) -> float | None:
         return value
     if isinstance(value, np.ndarray) and value.ndim == 0 and not np.ma.isMaskedArray(value):
         value = value[()]
-    if isinstance(value, bool | np.bool_) or not isinstance(value, Real):
+    if isinstance(value, bool | np.bool_ | np.timedelta64) or not isinstance(value, Real):
         return None
     try:
         return float(value)

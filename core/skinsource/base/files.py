@@ -146,7 +146,7 @@ def read_bytes(path: Path, *, most: int) -> bytes:
         It holds more than ``most`` bytes.
     """
     try:
-        with open(path, "rb", opener=_open_at_once) as file:
+        with open(Path(path), "rb", opener=_open_at_once) as file:
             status = os.fstat(file.fileno())
             if not stat.S_ISREG(status.st_mode):
                 raise StorageError(

@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from skinsource.actuators.actuation import Actuation
+from skinsource.base.arguments import checking
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import quoted
 from skinsource.design import displaying, labels
@@ -231,6 +232,7 @@ class Design:
         return replace(self, inputs=tuple(inputs))
 
 
+@checking
 def track(
     location: int, waveform: Waveform | None = None, *, onset_s: float = 0.0, **changes: Any
 ) -> Input:

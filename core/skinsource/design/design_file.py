@@ -15,6 +15,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from skinsource.base.arguments import checking
 from skinsource.base.errors import DesignFileError, FileFormatError, InvalidInputError
 from skinsource.base.files import path_text, read_bytes, write_bytes
 from skinsource.base.json_text import Tree
@@ -50,6 +51,7 @@ class DesignFile:
         fields.check(self)
 
 
+@checking
 def save_design(
     path: str | os.PathLike[str], design: Design, view: View | None = None, *, layout: bytes = b""
 ) -> None:
@@ -82,6 +84,7 @@ def to_bytes(content: DesignFile) -> bytes:
     return image.to_image(models.encode(content), VERSION)
 
 
+@checking
 def open_design(path: str | os.PathLike[str]) -> DesignFile:
     """Read a design file; ``.design`` and ``.view`` of what is returned hold its content.
 

@@ -19,7 +19,7 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.base.arguments import one_of, positive_number, real_number
+from skinsource.base.arguments import checking, one_of, positive_number, real_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError, RecordingError
 from skinsource.base.files import path_text
@@ -122,6 +122,7 @@ def usual_scale(unit: str) -> Scale:
     return "keep" if UNITS[unit].becomes else "peak"
 
 
+@checking
 def suggested(found: Found, series: Series | None = None) -> ImportChoice:
     """Return the usual choice: the first signal of a file, described as the file describes it."""
     signal = series or found.signals()[0]
@@ -172,6 +173,7 @@ class Taken:
         return Recording(self.samples, self.name[:_LONGEST_NAME], self.from_hz)
 
 
+@checking
 def taken(
     values: NDArray[Any],
     choice: ImportChoice,
@@ -331,6 +333,7 @@ _ROUNDING_S = 1e-12
 _LANDMARKS = 601
 
 
+@checking
 def look(path: Path | str) -> Found:
     """Return what a file holds: WAV, FLAC, AIFF, OGG, CSV, NPY, NPZ, MATLAB or HDF5.
 
@@ -347,6 +350,7 @@ def look(path: Path | str) -> Found:
         return process.look(Path(path))
 
 
+@checking
 def take(
     path: Path | str,
     choice: ImportChoice | None = None,

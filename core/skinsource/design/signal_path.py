@@ -20,6 +20,7 @@ from skinsource.actuators.equalising import (
     net_velocity,
 )
 from skinsource.actuators.rigs import Rig
+from skinsource.base.arguments import checking
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import Band
@@ -216,6 +217,7 @@ def check_drive(
         )
 
 
+@checking
 def actuation_of_rig(
     rig: Rig, equaliser: RegularisedInverse | PolePairReplacement | None = None
 ) -> Actuation:

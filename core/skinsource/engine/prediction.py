@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from skinsource.actuators.actuation import Actuation
-from skinsource.base.arguments import real_array
+from skinsource.base.arguments import checking, real_array
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import check_input_location
@@ -306,6 +306,7 @@ class GainsOfDrives:
         return [known[key] for key in keys]
 
 
+@checking
 def predict(
     limb: Limb,
     drives: ArrayLike,

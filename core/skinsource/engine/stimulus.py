@@ -16,7 +16,7 @@ from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.catalog import load, names
 from skinsource.actuators.equalising import Equaliser, equalised, followed_band
 from skinsource.actuators.rigs import Rig, RigChannel
-from skinsource.base.arguments import integer, one_of, real_number
+from skinsource.base.arguments import checking, integer, one_of, real_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
@@ -319,6 +319,7 @@ Stage = Callable[[Stimulus], Stimulus]
 MOST_SAMPLES = 2**27
 
 
+@checking
 def stimulus_of(
     design: Design,
     sample_rate_hz: int | None = None,

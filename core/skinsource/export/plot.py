@@ -22,7 +22,7 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
-from skinsource.base.arguments import finite_array
+from skinsource.base.arguments import checking, finite_array
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError
@@ -240,6 +240,7 @@ HATCHED = f"Hatched: less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise of th
 _MAP_FIGURE_MM = (75.0, 115.0)
 
 
+@checking
 def map(
     shown: Design | ArrayLike,
     *,
@@ -554,6 +555,7 @@ _TRACE_QUANTITIES = "response_time_s", "axis_traces", "selected_projection"
 _MOST_JOINED, _N_COLUMNS = 20_000, 4096
 
 
+@checking
 def traces(
     shown: Design | Sequence[Design],
     *,
@@ -612,6 +614,7 @@ def traces(
     return target.figure
 
 
+@checking
 def spectra(
     shown: Design | Sequence[Design],
     *,
@@ -822,6 +825,7 @@ def windowed_levels(
     return WindowedLevels(places=tuple(places), **results)
 
 
+@checking
 def strip(
     design: Design,
     *,

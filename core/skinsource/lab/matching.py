@@ -18,7 +18,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from skinsource.actuators.rigs import Rig
-from skinsource.base.arguments import integer, one_of, real_number
+from skinsource.base.arguments import checking, integer, one_of, real_number
 from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.base.files import path_exists, path_text, read_bytes, write_bytes
 from skinsource.base.lock import Lock
@@ -230,6 +230,7 @@ _MOST_BYTES = 64 * 2**20
 _COLUMNS = tuple(field.name for field in fields(Match))
 
 
+@checking
 def read_matches(path: Path) -> tuple[Match, ...]:
     """Read a table of matches.
 
@@ -270,6 +271,7 @@ def read_matches(path: Path) -> tuple[Match, ...]:
     return tuple(matches)
 
 
+@checking
 def add_match(path: Path, new: Match) -> tuple[Match, ...]:
     """Add a match to a table, which is created if there is none, and return all matches.
 

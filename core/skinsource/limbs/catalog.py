@@ -1,5 +1,6 @@
 """All limbs that can be loaded, by name."""
 
+from skinsource.base.arguments import checking
 from skinsource.base.errors import InvalidInputError, UnknownLimbError
 from skinsource.base.measurement_conditions import LIMB_NAMES
 from skinsource.base.quoting import quoted
@@ -16,6 +17,7 @@ def available_limbs() -> tuple[str, ...]:
     return *built_in, *own_limb_names()
 
 
+@checking
 def load_limb(name: str, digest: str = "") -> Limb:
     """Open a limb.  Its responses are read when touched.
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skinsource.base.arguments import finite_array
+from skinsource.base.arguments import checking, finite_array
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import check_input_location
@@ -42,6 +42,7 @@ class Extent:
     participation: float
 
 
+@checking
 def extent(rms: ArrayLike, limb: Limb, location: int | Sequence[int]) -> Extent:
     """Return how far a vibration reaches from where the skin is touched.
 

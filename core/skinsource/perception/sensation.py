@@ -4,7 +4,7 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
-from skinsource.base.arguments import finite_array, positive_number
+from skinsource.base.arguments import checking, finite_array, one_of, positive_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import LIMB_NAMES
@@ -29,6 +29,7 @@ _SILENCE_DB = -300.0
 _EXPONENTS: dict[Channel, float] = {"P": 0.6, "NP I": 0.9}
 
 
+@checking
 def site_offsets_db(limb: str = LIMB_NAMES[0]) -> dict[Channel, Floats]:
     """Return how much the outputs' thresholds exceed those of glabrous skin, dB, (n_outputs,).
 
@@ -116,12 +117,15 @@ def sensation_levels_db(
     return levels
 
 
+@checking
 def sensation_magnitude(levels_db: dict[Channel, Floats]) -> Floats:
     """Return how strong it feels, (n_outputs,), in steps that only compare.
 
     Each channel grows as a power of its amplitude from the threshold on; together they are the
     larger and half of the smaller (Hollins and Roy, 1996, doi:10.3109/08990229609052583).
     """
+    for channel in CHANNELS:
+        one_of("a channel", channel, tuple(levels_db))
     parts = [
         np.maximum(10.0 ** (_EXPONENTS[channel] * levels_db[channel] / 20.0) - 1.0, 0.0)
         for channel in CHANNELS

@@ -30,6 +30,8 @@ CHANNELS: tuple[Channel, ...] = get_args(Channel)
 #: Contactor that the thresholds are for.
 REFERENCE_AREA_CM2 = 2.9
 _MICROMETRE_M = 1e-6
+# Far above what anybody feels; the square of much higher ones is no number.
+_HIGHEST_HZ = 1e9
 
 
 def threshold_rms(
@@ -57,8 +59,11 @@ def threshold_rms(
         A frequency or the area is not positive, or there is no such channel.
     """
     frequency = real_array("frequency_hz", frequency_hz)
-    if frequency.size and not (frequency.min() > 0.0 and np.isfinite(frequency.max())):
-        raise InvalidInputError("frequency_hz holds values that are not positive, expected hertz")
+    if frequency.size and not (frequency.min() > 0.0 and frequency.max() <= _HIGHEST_HZ):
+        raise InvalidInputError(
+            f"frequency_hz goes from {frequency.min():g} to {frequency.max():g}, expected hertz "
+            f"above 0 and up to {_HIGHEST_HZ:g}"
+        )
     area = positive_number("area_cm2", area_cm2)
     chosen = CHANNELS if channel is None else (one_of("channel", channel, CHANNELS),)
     displacement_db = np.min([_SHAPES[name](frequency, area) for name in chosen], axis=0)

@@ -33,6 +33,8 @@ MAX_SAMPLES = 120_000_000
 
 _LARGEST_SEED = 2**128 - 1
 
+# Samples of a window that are computed at once.
+_BLOCK = 2**20
 # Windows up to this length are cached: sweeps play many bursts of one length.
 _SHORT = 2**14
 
@@ -66,7 +68,11 @@ def window(name: WindowName, n: int) -> Floats:
     """
     one_of("window", name, WINDOWS)
     n = integer("n", n, 0, MAX_SAMPLES)
-    return window_at(name, np.arange(n), n)
+    samples = np.empty(n)
+    for start in range(0, n, _BLOCK):
+        end = min(start + _BLOCK, n)
+        samples[start:end] = window_at(name, np.arange(start, end), n)
+    return samples
 
 
 def window_at(name: WindowName, position: NDArray[np.floating | np.integer], n: int) -> Floats:

@@ -50,6 +50,12 @@ _LONGEST_FILTER = 2**25
 # on which others are computed.  For so few the linear algebra library starts no threads.
 _BATCH = 4
 
+# Most weights that are computed one by one: some minutes.
+_MOST_WEIGHTS = 2 * 10**9
+# Largest numerator and denominator of a ratio: positions of all samples are then whole numbers of
+# 64 bits.
+_LARGEST_TERM = 2**36
+
 #: The highest sample rate.
 MAX_RATE_HZ = 10_000_000
 #: Points for each sample of a drawn signal: a wave at the end of the band has more than thirty.
@@ -192,7 +198,8 @@ def resample(samples: ArrayLike, from_hz: int, to_hz: int) -> Floats:
     Raises
     ------
     InvalidInputError
-        A rate is not a whole number, a sample is not finite, or the result would be too long.
+        A rate is not a whole number, a sample is not finite, the result would be too long, or it
+        would take minutes.
     """
     rates = [
         integer(name, rate, 1, MAX_RATE_HZ)
@@ -229,6 +236,7 @@ def by_ratio(
         for start, end in blocks(n, _steps_in_block(source.shape, 1)):
             result[..., start:end] = source.part(start, end)
         return result
+    up, down = _shortened(ratio)
     kernel = Kernel(up, down, half_transition(lower_hz))
     length = 2 * kernel.half_length
     if kernel.is_small:
@@ -238,6 +246,20 @@ def by_ratio(
     else:
         _fill_by_sums(source, kernel, result)
     return result
+
+
+def _shortened(ratio: Fraction) -> tuple[int, int]:
+    """Return numerator and denominator of a ratio, or of the nearest with smaller ones.
+
+    Over 10 million samples that moves the last one by less than 1e-3 of a sample.
+    """
+    if max(ratio.numerator, ratio.denominator) <= _LARGEST_TERM:
+        return ratio.numerator, ratio.denominator
+    if ratio < 1:
+        down, up = _shortened(1 / ratio)
+        return up, down
+    near = ratio.limit_denominator(max(int(_LARGEST_TERM / ratio), 1))
+    return near.numerator, near.denominator
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -331,20 +353,28 @@ def _fill_by_filter(samples: _Signals, kernel: Kernel, result: Floats) -> None:
 def _fill_by_sums(samples: _Signals, kernel: Kernel, result: Floats) -> None:
     """Fill ``result`` with sums whose weights are computed one by one."""
     up, down, half = kernel.up, kernel.down, kernel.half_length
+    n_in, n_out = samples.shape[-1], result.shape[-1]
     n_taps = 2 * (half // up) + 3
-    for start, end in blocks(result.shape[-1], max(_steps_in_block(samples.shape, 1) // n_taps, 1)):
+    # All samples of a signal that is shorter than the filter.
+    width = min(n_taps, n_in)
+    if n_out * width > _MOST_WEIGHTS:
+        raise InvalidInputError(
+            f"to resample {n_in} samples to {n_out} takes {n_out * width:.1e} steps, expected at "
+            f"most {_MOST_WEIGHTS:.0e}. Take a part, or go through a rate between the two."
+        )
+    for start, end in blocks(n_out, max(_steps_in_block(samples.shape, 1) // max(width, 1), 1)):
         position = np.arange(start, end, dtype=np.int64) * down
-        nearest = position // up
-        index = nearest[:, np.newaxis] + np.arange(n_taps) - n_taps // 2
-        weights = kernel.at(position[:, np.newaxis] - index * up)
-        first, last = max(int(index[0, 0]), 0), min(int(index[-1, -1]) + 1, samples.shape[-1])
-        part = samples.part(first, max(last, first))
-        if not part.shape[-1]:
-            result[..., start:end] = 0.0
-            continue
-        weights[(index < 0) | (index >= samples.shape[-1])] = 0.0
-        gathered = part[..., np.clip(index - first, 0, part.shape[-1] - 1)]
-        result[..., start:end] = np.einsum("...kt,kt->...k", gathered, weights)
+        begin = position // up - n_taps // 2 if width < n_in else np.zeros_like(position)
+        result[..., start:end] = 0.0
+        for tap, last_tap in blocks(width, _BLOCK):
+            index = begin[:, np.newaxis] + np.arange(tap, last_tap)
+            first, last = max(int(index[0, 0]), 0), min(int(index[-1, -1]) + 1, n_in)
+            part = samples.part(first, max(last, first))
+            if part.shape[-1]:
+                weights = kernel.at(position[:, np.newaxis] - index * up)
+                weights[(index < 0) | (index >= n_in)] = 0.0
+                gathered = part[..., np.clip(index - first, 0, part.shape[-1] - 1)]
+                result[..., start:end] += np.einsum("...kt,kt->...k", gathered, weights)
 
 
 def _array(samples: ArrayLike) -> np.ndarray:

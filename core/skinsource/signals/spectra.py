@@ -8,7 +8,13 @@ import scipy
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import ArrayLike
 
-from skinsource.base.arguments import LARGEST_SAMPLE, finite_array, one_of, positive_number
+from skinsource.base.arguments import (
+    LARGEST_SAMPLE,
+    checking,
+    finite_array,
+    one_of,
+    positive_number,
+)
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, never, stop_if
@@ -21,6 +27,7 @@ from skinsource.signals.loudest_window import (
     loudest_energy,
     window_samples,
 )
+from skinsource.signals.resampling import MAX_RATE_HZ
 from skinsource.signals.sampling import turns
 
 _FRAMES_AT_ONCE = 64
@@ -89,6 +96,7 @@ def magnitude_spectrum(x: ArrayLike, sample_rate_hz: float) -> tuple[Floats, Flo
     return frequency_hz, magnitude * scale[..., None]
 
 
+@checking
 def peak_hold_spectrum(
     x: ArrayLike, sample_rate_hz: float, stop: Stop = never
 ) -> tuple[Floats, Floats]:
@@ -124,6 +132,10 @@ def peak_hold_spectrum(
         ``stop`` returned True.
     """
     rate = positive_number("sample_rate_hz", sample_rate_hz)
+    if rate > MAX_RATE_HZ:
+        raise InvalidInputError(
+            f"sample_rate_hz is {rate:g}, expected at most {MAX_RATE_HZ:g} Hz; resample it first"
+        )
     data, scale = _scaled(_samples(x, LARGEST_SAMPLE))
     n_window = max(round(HOLD_WINDOW_S * rate), 4)
     window = scipy.signal.windows.hann(n_window, sym=False)

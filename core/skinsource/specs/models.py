@@ -6,7 +6,7 @@ They are checked when they are made, and turned into trees for files and the cli
 import dataclasses
 from collections.abc import Callable
 from contextlib import suppress
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 from skinsource.base.errors import FileFormatError, InvalidInputError
@@ -84,6 +84,7 @@ def decode(tree: Tree, kinds: tuple[type, ...], at: Address) -> Any:
     """
     if not isinstance(tree, dict) or not isinstance(tree.get(KIND), str):
         raise FileFormatError(f"{at} is {quoted(tree)}, expected a recipe. {_DAMAGED}")
+    at.check_depth()
     kind = next((kind for kind in kinds if kind.__name__ == tree[KIND]), None)
     if kind is None:
         known = ", ".join(kind.__name__ for kind in kinds)
@@ -111,8 +112,21 @@ def decode(tree: Tree, kinds: tuple[type, ...], at: Address) -> Any:
         raise FileFormatError(f"{at}: {str(error).rstrip('.')}. {_DAMAGED}") from error
 
 
+class Nesting:
+    """A model that may hold others of its kind: it counts their levels once."""
+
+    @cached_property
+    def _levels(self) -> int:
+        """How many levels of models it holds, with its own."""
+        return _levels(self)
+
+
 def nesting(model: Any) -> int:
     """Return how many levels of models a model holds, with its own."""
+    return model._levels if isinstance(model, Nesting) else _levels(model)
+
+
+def _levels(model: Any) -> int:
     kind: type = type(model)
     deepest = 0
     for name, spec in _nesting_specs(kind):

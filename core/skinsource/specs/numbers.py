@@ -103,7 +103,8 @@ class NumberSpec(Spec):
 
     def checked(self, value: Any) -> float | int:
         """Return a plain ``float`` or ``int``, so that files hold what memory holds."""
-        if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
+        is_number = isinstance(value, int | float | np.integer | np.floating)
+        if not is_number or isinstance(value, bool | np.timedelta64):
             raise ValidationError(self.expected)
         # The range is checked first: ``isfinite`` fails for integers beyond all floats.
         if not self.minimum <= value <= self.maximum or value in (-np.inf, np.inf):

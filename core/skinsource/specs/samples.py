@@ -88,9 +88,12 @@ class Samples:
         shift = shift_of(shift_s, rate_hz) * rate_hz
         if rate_hz == self.sample_rate_hz:
             return band_limited_delay(self.values, shift) if shift else self.values.copy()
+        count = sample_count(self.duration_s, rate_hz)
+        if not count:
+            return np.zeros(0)
         ratio = Fraction(rate_hz) / Fraction(self.sample_rate_hz)
         resampled = by_ratio(self.values, ratio, min(rate_hz, self.sample_rate_hz))
-        return band_limited_delay(resampled[: sample_count(self.duration_s, rate_hz)], shift)
+        return band_limited_delay(resampled[:count], shift)
 
     def _digest(self) -> str:
         head = f"{self.sample_rate_hz.hex()} {self.unit}\n"

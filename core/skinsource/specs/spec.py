@@ -35,8 +35,19 @@ class Address:
     def inside(self, name: object) -> "Address":
         """Return the address of a part."""
         if len(self.names) > 3 * MAX_DEPTH:
-            raise FileFormatError(f"{self} is nested too deep, expected {MAX_DEPTH} levels at most")
+            raise self._too_deep()
         return Address((*self.names, str(name)))
+
+    def check_depth(self) -> None:
+        """Raise `FileFormatError` where a model would stand below too many others.
+
+        That is before its parts are read: each level may hold a hundred of them.
+        """
+        if sum(not name.isdigit() for name in self.names) >= MAX_DEPTH:
+            raise self._too_deep()
+
+    def _too_deep(self) -> FileFormatError:
+        return FileFormatError(f"{self} is nested too deep, expected {MAX_DEPTH} levels at most")
 
     def __str__(self) -> str:
         return "/".join(self.names[-8:]) or "the content"

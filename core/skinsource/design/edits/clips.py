@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
+from skinsource.base.arguments import checking
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.work import counted
 from skinsource.design.clips import GAIN as CLIP_GAIN
@@ -18,6 +19,7 @@ from skinsource.design.edits.edit import (
     Edit,
     Refusal,
     change_clips,
+    listed,
     location_text,
     refusal_of,
     refusing,
@@ -34,7 +36,7 @@ def clips_selected(design: Design, view: View, ids: Iterable[int]) -> View:
     If no clip of them exists, the selected tracks stay.
     """
     track_ids = {clip.id: track.id for track in design.inputs for clip in track.clips}
-    chosen = tuple(dict.fromkeys(id for id in ids if id in track_ids))
+    chosen = tuple(dict.fromkeys(id for id in listed(ids) if id in track_ids))
     if not chosen:
         return replace(view, selected_clips=())
     # The track of the last clip has to be the last one.
@@ -42,17 +44,20 @@ def clips_selected(design: Design, view: View, ids: Iterable[int]) -> View:
     return replace(view, selected_clips=chosen, selected_inputs=tracks)
 
 
+@checking
 def select_clips(design: Design, view: View, ids: Iterable[int]) -> Edit:
     """Select clips and their tracks; the last clip is the leading one."""
     return Edit(label="Select clips", design=design, view=clips_selected(design, view, ids))
 
 
+@checking
 def toggle_clip(design: Design, view: View, id: int) -> Edit:
     """Add a clip to the selected ones, or remove it from them."""
     remaining = tuple(clip_id for clip_id in view.selected_clips if clip_id != id)
     return select_clips(design, view, remaining if id in view.selected_clips else (*remaining, id))
 
 
+@checking
 def select_all_clips(design: Design, view: View) -> Edit:
     """Select every clip; the leading one stays."""
     last = () if view.selected_clip is None else (view.selected_clip,)
@@ -93,6 +98,7 @@ def add_clip(
     return _with_new_clips(design, view, "Add clip", [(input_id, new)])
 
 
+@refusing
 def remove_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Remove clips; the nearest clip on the track of the last one is selected."""
     chosen = present_clips(design, ids)
@@ -109,6 +115,7 @@ def remove_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refus
     )
 
 
+@refusing
 def move_clips(
     design: Design, view: View, ids: Iterable[int], by_s: float, by_tracks: int = 0
 ) -> Edit | Refusal:
@@ -119,6 +126,7 @@ def move_clips(
     return _with_moved_clips(design, view, f"Move {_text_of(design, moved)}", moved)
 
 
+@refusing
 def copy_clips(
     design: Design, view: View, ids: Iterable[int], by_s: float, by_tracks: int = 0
 ) -> Edit | Refusal:
@@ -129,6 +137,7 @@ def copy_clips(
     return _with_new_clips(design, view, f"Copy {_text_of(design, moved)}", moved)
 
 
+@refusing
 def duplicate_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Put copies of clips right after them, and select the copies."""
     outcome = repeat_clips(design, view, ids, 2)
@@ -137,6 +146,7 @@ def duplicate_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Re
     return replace(outcome, label=outcome.label.replace("Repeat", "Duplicate", 1))
 
 
+@refusing
 def repeat_clips(design: Design, view: View, ids: Iterable[int], times: int) -> Edit | Refusal:
     """Repeat clips as a group, ``times`` times in a row, and select the copies."""
     chosen = present_clips(design, ids)
@@ -170,6 +180,7 @@ def set_clips(
     return Edit(label=f"{verb} {clips_text(design, chosen)}", design=after, view=view)
 
 
+@refusing
 def toggle_mute_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Mute clips; if all of them are muted, unmute them."""
     chosen = present_clips(design, ids)
@@ -179,7 +190,7 @@ def toggle_mute_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | 
 
 def present_clips(design: Design, ids: Iterable[int]) -> tuple[Clip, ...]:
     """Return those clips that ``design`` has, track by track."""
-    wanted_ids = set(ids)
+    wanted_ids = set(listed(ids))
     return tuple(clip for clip in design.clips if clip.id in wanted_ids)
 
 
@@ -336,6 +347,7 @@ def _track_at(design: Design, view: View, location: int) -> int | None:
 FORMAT = "skinsource clips"
 
 
+@checking
 def fragment_of(design: Design, ids: Iterable[int]) -> Fragment | None:
     """Copy the clips with these ids as a fragment; None where there are none."""
     chosen = {clip.id for clip in present_clips(design, ids)}
@@ -362,6 +374,7 @@ def fragment_of(design: Design, ids: Iterable[int]) -> Fragment | None:
     )
 
 
+@refusing
 def cut_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Remove clips that were copied as a fragment; no clip is selected afterwards."""
     chosen = present_clips(design, ids)
@@ -374,6 +387,7 @@ def cut_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     )
 
 
+@refusing
 def paste_fragment(design: Design, view: View, fragment: Fragment, at_s: float) -> Edit | Refusal:
     """Paste a fragment at a time: its first lane on the selected track, the others below.
 
@@ -482,11 +496,13 @@ def _with_fragment(
     return _with_new_clips(after, view, label, new)
 
 
+@checking
 def fragment_text(fragment: Fragment) -> str:
     """Write a fragment as a text for the clipboard; see `skinsource.specs.codec`."""
     return codec.to_text(models.encode(fragment), FORMAT)
 
 
+@checking
 def fragment_from(words: str) -> Fragment:
     """Read a fragment that `fragment_text` wrote.
 

@@ -50,6 +50,7 @@ _TOO_MANY_EFFECTS = Refusal(
 _NO_CLIP_THERE = Refusal(sentence="That clip is no longer there; choose another one.")
 
 
+@refusing
 def split_clips(design: Design, view: View, ids: Iterable[int], at_s: float) -> Edit | Refusal:
     """Cut clips in two at a time of the design, and select the later parts."""
     chosen = present_clips(design, ids)
@@ -81,6 +82,7 @@ def _why_uncut(chosen: Sequence[Clip], at_s: float) -> str:
     return f"{reason}; put the playhead inside {which}."
 
 
+@refusing
 def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Join parts of one clip again where they follow each other."""
     chosen_ids = {clip.id for clip in present_clips(design, ids)}
@@ -114,6 +116,7 @@ def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal
     )
 
 
+@refusing
 def trim_clip(design: Design, view: View, id: int, start_s: float, end_s: float) -> Edit | Refusal:
     """Trim a clip to begin and end at times of the design, within what it plays."""
     clip = _one_clip(design, id, start_s, end_s)
@@ -305,6 +308,7 @@ def _is_time(value: Any) -> bool:
 _NO_TIME_RANGE = Refusal(sentence="Choose a stretch of time: a start, and an end after it.")
 
 
+@refusing
 def insert_time(design: Design, view: View, at_s: float, length_s: float) -> Edit | Refusal:
     """Move everything from a time on later; clips that play then are cut in two."""
     if not (_is_number(at_s) and _is_number(length_s)) or not _is_stretch(at_s, at_s + length_s):
@@ -312,6 +316,7 @@ def insert_time(design: Design, view: View, at_s: float, length_s: float) -> Edi
     return _shifted(design, view, "Insert time", at_s, at_s, length_s)
 
 
+@refusing
 def remove_time(design: Design, view: View, start_s: float, end_s: float) -> Edit | Refusal:
     """Remove a stretch of time: what plays in it is cut away, and the rest moves earlier."""
     if not _is_stretch(start_s, end_s):

@@ -8,8 +8,10 @@ from collections.abc import Callable, Iterable
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import wraps
+from itertools import islice
 from typing import Any, ParamSpec, TypeVar
 
+from skinsource.base.arguments import checking
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import sentence
 from skinsource.design.clips import Clip
@@ -62,21 +64,37 @@ def refusal_of(error: InvalidInputError) -> Refusal:
 
 
 def refusing(edit: Callable[P, R]) -> Callable[P, R | Refusal]:
-    """Return an edit that gives a `Refusal` where it would raise an `InvalidInputError`."""
+    """Return an edit that gives a `Refusal` where it would raise an `InvalidInputError`.
+
+    That includes arguments of a wrong type.
+    """
+    checked_edit = checking(edit)
 
     @wraps(edit)
     def refusing_edit(*args: P.args, **kwargs: P.kwargs) -> R | Refusal:
         try:
-            return edit(*args, **kwargs)
+            return checked_edit(*args, **kwargs)
         except InvalidInputError as error:
             return refusal_of(error)
 
     return refusing_edit
 
 
+#: More ids than all clips of a design can have.
+_MOST_IDS = 200_000
+
+
+def listed(ids: Iterable[int]) -> tuple[int, ...]:
+    """Return ids as a tuple; refuse what may have no end."""
+    several = tuple(islice(ids, _MOST_IDS + 1))
+    if len(several) > _MOST_IDS:
+        raise InvalidInputError(f"there are more than {_MOST_IDS} ids, expected those of a design")
+    return several
+
+
 def present_inputs(design: Design, ids: Iterable[int]) -> tuple[Input, ...]:
     """Return those inputs that ``design`` has, in its order."""
-    wanted_ids = set(ids)
+    wanted_ids = set(listed(ids))
     return tuple(track for track in design.inputs if track.id in wanted_ids)
 
 
@@ -213,9 +231,10 @@ def nearest(value: float, spec: NumberSpec) -> float:
     return round(within) if spec.whole else float(within)
 
 
+@checking
 def select_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit:
     """Select inputs; the last one is the leading one."""
-    existing = dict.fromkeys(input_id for input_id in ids if input_id in design.ids)
+    existing = dict.fromkeys(input_id for input_id in listed(ids) if input_id in design.ids)
     on_them = {clip.id for track in design.inputs if track.id in existing for clip in track.clips}
     clips = tuple(clip_id for clip_id in view.selected_clips if clip_id in on_them)
     return Edit(
@@ -225,6 +244,7 @@ def select_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit:
     )
 
 
+@checking
 def select_all_inputs(design: Design, view: View) -> Edit:
     """Select every input; the leading one stays."""
     last = () if view.selected_input is None else (view.selected_input,)
@@ -232,6 +252,7 @@ def select_all_inputs(design: Design, view: View) -> Edit:
     return select_inputs(design, view, (*others, *last))
 
 
+@checking
 def toggle_selected(design: Design, view: View, id: int) -> Edit:
     """Add an input to the selected ones, or remove it from them."""
     remaining = tuple(input_id for input_id in view.selected_inputs if input_id != id)
@@ -240,6 +261,7 @@ def toggle_selected(design: Design, view: View, id: int) -> Edit:
     )
 
 
+@checking
 def select_through(design: Design, view: View, start: int | None, end: int) -> Edit:
     """Select all inputs from ``start`` to ``end`` in the list; ``end`` is the leading one."""
     if end not in design.ids:
@@ -262,6 +284,7 @@ def clip_of(track: Input, view: View) -> Clip | None:
     return max(clips_of(track, view), key=lambda clip: order.get(clip.id, 0), default=None)
 
 
+@checking
 def kept_selection(view: View, before: Design, after: Design) -> View:
     """Return ``view`` with those selected inputs and clips that ``after`` still has.
 

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from skinsource.base.arguments import checking, one_of
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import quoted, sentence
@@ -28,6 +29,7 @@ from skinsource.design.edits.edit import (
     change_inputs,
     clip_of,
     clips_of,
+    listed,
     location_text,
     nearest,
     present_inputs,
@@ -57,6 +59,7 @@ _TOO_MANY_EFFECTS = Refusal(sentence=f"A clip has at most {MAX_EFFECTS} effects;
 _FADE_S = 0.02
 
 
+@refusing
 def add_effect(
     design: Design, view: View, ids: Iterable[int], kind: str, index: int | None = None
 ) -> Edit | Refusal:
@@ -83,6 +86,7 @@ def add_effect(
     return _with_effects(design, view, verb, chosen, effects_by_clip)
 
 
+@refusing
 def remove_effect(design: Design, view: View, id: int, index: int) -> Edit | Refusal:
     """Remove an effect from a clip."""
     clip = _with_effect(design, id, index)
@@ -92,6 +96,7 @@ def remove_effect(design: Design, view: View, id: int, index: int) -> Edit | Ref
     return _with_effects(design, view, verb, (clip,), {id: without_part(clip.effects, index)})
 
 
+@refusing
 def move_effect(design: Design, view: View, id: int, index: int, to: int) -> Edit | Refusal:
     """Move an effect to another place among the effects of its clip, from 0, within the list."""
     clip = _with_effect(design, id, index)
@@ -101,6 +106,7 @@ def move_effect(design: Design, view: View, id: int, index: int, to: int) -> Edi
     return _with_effects(design, view, "Reorder effects of", (clip,), {id: effects})
 
 
+@refusing
 def switch_effect(design: Design, view: View, id: int, index: int, on: bool) -> Edit | Refusal:
     """Switch an effect on or off."""
     clip = _with_effect(design, id, index)
@@ -110,6 +116,7 @@ def switch_effect(design: Design, view: View, id: int, index: int, on: bool) -> 
     return _with_effect_field(design, view, verb, clip, index, "on", on)
 
 
+@refusing
 def change_effect_field(
     design: Design, view: View, id: int, index: int, name: str, value: Any
 ) -> Edit | Refusal:
@@ -282,6 +289,7 @@ _OF_TRACK: dict[str, Spec] = {"amplitude": AMPLITUDE, "gain_curve": GAIN_CURVE}
 _OF_CLIP: dict[str, Spec] = {"onset_s": ONSET, "gain": GAIN, "label": LABEL}
 
 
+@refusing
 def change_kind(design: Design, view: View, ids: Iterable[int], kind: str) -> Edit | Refusal:
     """Give clips of inputs another kind of waveform, which keeps what both kinds share."""
     waveform_kind = next(
@@ -296,6 +304,7 @@ def change_kind(design: Design, view: View, ids: Iterable[int], kind: str) -> Ed
     )
 
 
+@refusing
 def change_waveform(
     design: Design, view: View, ids: Iterable[int], waveform: Waveform
 ) -> Edit | Refusal:
@@ -303,6 +312,7 @@ def change_waveform(
     return _with_waveforms(design, view, ids, lambda _: waveform)
 
 
+@refusing
 def change_field(
     design: Design, view: View, ids: Iterable[int], name: str, value: Any
 ) -> Edit | Refusal:
@@ -333,7 +343,7 @@ def drag_field(
     stay within what is allowed.  ``start`` is the design when the drag began: all values are
     computed from it, so that dragging back restores it.
     """
-    ids = tuple(ids)
+    ids = listed(ids)
     targets = _targets(design, view, ids, name)
     dragged = next((target for target in targets if target.is_leading(lead, view)), None)
     if dragged is None or not isinstance(dragged.spec(name), NumberSpec):
@@ -350,6 +360,7 @@ def drag_field(
     return _with_values(design, view, name, values)
 
 
+@checking
 def fields_of(one: Input, clip: Clip | None = None) -> dict[str, Spec]:
     """Return the fields of an input that can be set, with those of a clip and of its waveform.
 
@@ -359,9 +370,11 @@ def fields_of(one: Input, clip: Clip | None = None) -> dict[str, Spec]:
     return {**_OF_TRACK} if clip is None else {**_OF_TRACK, **_OF_CLIP, **specs_of(clip.waveform)}
 
 
+@checking
 def value_of(one: Input, name: str, clip: Clip | None = None) -> Any:
     """Return the value of one of `fields_of`."""
     clip = clip or next(iter(one.clips), None)
+    one_of("name", name, tuple(fields_of(one, clip)))
     holder: Any = one if name in _OF_TRACK else clip
     return getattr(holder if name in _OF_TRACK | _OF_CLIP else holder.waveform, name)
 
@@ -448,6 +461,7 @@ _EQUALISED = "Equal on the skin: "
 _LABEL_SEPARATOR = " · "
 
 
+@refusing
 def equalise_on_skin(
     design: Design, view: View, clip_id: int, levels_db: Sequence[float], measure: str
 ) -> Edit | Refusal:

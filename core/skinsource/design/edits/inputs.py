@@ -24,6 +24,7 @@ from skinsource.design.edits.edit import (
     change_inputs,
     clip_of,
     kept_selection,
+    listed,
     location_text,
     present_inputs,
     refusing,
@@ -78,6 +79,7 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
     )
 
 
+@refusing
 def add_input(design: Design, view: View) -> Edit | Refusal:
     """Add an input at a free place, if possible at the usual one, and select it."""
     used, usual_place = {track.location for track in design.inputs}, usual_location(design.limb)
@@ -87,6 +89,7 @@ def add_input(design: Design, view: View) -> Edit | Refusal:
     return place_input(design, view, next(free, usual_place))
 
 
+@refusing
 def move_inputs(design: Design, view: View, ids: Iterable[int], location: int) -> Edit | Refusal:
     """Put inputs at another place."""
     chosen = present_inputs(design, ids)
@@ -99,6 +102,7 @@ def move_inputs(design: Design, view: View, ids: Iterable[int], location: int) -
     return replace(outcome, label=f"Move {what} to {location_text(location, design.limb)}")
 
 
+@refusing
 def duplicate_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Add a copy of each input at the end, and select the copies."""
     chosen = present_inputs(design, ids)
@@ -113,6 +117,7 @@ def duplicate_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | R
     return Edit(label=label, design=after, view=_select_added(view, design, after))
 
 
+@refusing
 def remove_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Remove inputs; if no selected input is left, the next one is selected."""
     chosen = present_inputs(design, ids)
@@ -126,6 +131,7 @@ def remove_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
     )
 
 
+@refusing
 def clear_inputs(design: Design, view: View) -> Edit | Refusal:
     """Remove all inputs."""
     if not design.inputs:
@@ -137,12 +143,16 @@ def clear_inputs(design: Design, view: View) -> Edit | Refusal:
     )
 
 
+@refusing
 def mute_inputs(design: Design, view: View, ids: Iterable[int], muted: bool) -> Edit | Refusal:
     """Mute inputs, or unmute them."""
     verb = "Mute" if muted else "Unmute"
-    return change_inputs(design, view, verb, {input_id: {"muted": muted} for input_id in ids})
+    return change_inputs(
+        design, view, verb, {input_id: {"muted": muted} for input_id in listed(ids)}
+    )
 
 
+@refusing
 def toggle_mute(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Mute inputs; if all of them are muted, unmute them."""
     chosen = present_inputs(design, ids)
@@ -150,12 +160,14 @@ def toggle_mute(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusa
     return mute_inputs(design, view, (track.id for track in chosen), muted)
 
 
+@refusing
 def solo_inputs(design: Design, view: View, ids: Iterable[int], solo: bool) -> Edit | Refusal:
     """Make inputs solo, or end their solo."""
     verb = "Solo" if solo else "End solo of"
-    return change_inputs(design, view, verb, {input_id: {"solo": solo} for input_id in ids})
+    return change_inputs(design, view, verb, {input_id: {"solo": solo} for input_id in listed(ids)})
 
 
+@refusing
 def toggle_solo(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Make inputs solo; if all of them are solo, end their solo."""
     chosen = present_inputs(design, ids)
@@ -285,6 +297,7 @@ def _select_added(view: View, before: Design, after: Design) -> View:
     return replace(view, selected_inputs=after.ids[len(before.inputs) :], selected_clips=())
 
 
+@refusing
 def put_inputs_before(design: Design, view: View, ids: Iterable[int], index: int) -> Edit | Refusal:
     """Move inputs together in the list, before the one that is ``index``-th now.
 
@@ -302,6 +315,7 @@ def put_inputs_before(design: Design, view: View, ids: Iterable[int], index: int
     )
 
 
+@refusing
 def shift_inputs(design: Design, view: View, ids: Iterable[int], down: bool) -> Edit | Refusal:
     """Move each input one row up or down in the list, within the list."""
     chosen = present_inputs(design, ids)

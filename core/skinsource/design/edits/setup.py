@@ -16,6 +16,7 @@ from skinsource.limbs.own_limbs import axes_on, facts_of
 from skinsource.perception.validity import Finding
 
 
+@refusing
 def change_limb(design: Design, view: View, limb: str) -> Edit | Refusal:
     """Change the limb; the chosen axes stay as far as the limb has them."""
     facts = facts_of(limb) if isinstance(limb, str) else None
@@ -39,21 +40,25 @@ def change_scaling(design: Design, view: View, scaling: Any) -> Edit | Refusal:
     return Edit(label=f"Change scaling to {title[:1].lower()}{title[1:]}", design=after, view=view)
 
 
+@refusing
 def look_along(design: Design, view: View, axes: Any) -> Edit | Refusal:
     """Choose the axes that are shown."""
     return _with_view(design, view, "Change axes", axes=axes)
 
 
+@refusing
 def look_by_method(design: Design, view: View, method: Any) -> Edit | Refusal:
     """Choose how several axes become one signal."""
     return _with_view(design, view, "Change method", method=method)
 
 
+@refusing
 def level_over(design: Design, view: View, span: Any) -> Edit | Refusal:
     """Choose what levels average over."""
     return _with_view(design, view, "Change what levels average over", span=span)
 
 
+@refusing
 def remove_delay(design: Design, view: View, removed: bool) -> Edit | Refusal:
     """Shift time axes by the pre-trigger delay, or back; a zoom keeps showing the same part."""
     if removed == view.delay_removed:
@@ -67,6 +72,7 @@ def remove_delay(design: Design, view: View, removed: bool) -> Edit | Refusal:
     return _with_view(design, view, label, delay_removed=removed, time_range_s=range_s)
 
 
+@refusing
 def play_slower(design: Design, view: View, slow_motion: Any) -> Edit | Refusal:
     """Choose how many times slower than in reality the animation plays."""
     return _with_view(design, view, "Change slow motion", slow_motion=slow_motion)
@@ -90,6 +96,7 @@ _NEEDS_PROBE = (
 )
 
 
+@refusing
 def predict_through(design: Design, view: View, actuation: Actuation | None) -> Edit | Refusal:
     """Predict through actuators; None: without, and the design keeps them switched off."""
     if actuation is not None and actuation.on and design.scaling != "probe":
@@ -109,8 +116,9 @@ _NO_REPAIR = Refusal(sentence="Nothing can be done about this one here.")
 _BELOW_LIMIT = 0.999
 
 
+@refusing
 def mend(design: Design, view: View, finding: Finding) -> Edit | Refusal:
-    """Repair a finding of the validity check, see `Finding.mend`."""
+    """Repair a finding of the validity check, see `Finding.repair`."""
     if finding.repair == "probe_scaling":
         return change_scaling(design, view, "probe")
     if finding.repair == "quieter":

@@ -16,14 +16,14 @@ from skinsource.design.comparing import (
     snapshot_name,
 )
 from skinsource.design.design import MAX_MARKERS, Design
-from skinsource.design.edits.edit import Edit, Refusal, change_inputs, refusing
+from skinsource.design.edits.edit import Edit, Refusal, change_inputs, listed, refusing
 from skinsource.design.view import View
 
 
 @refusing
 def select_outputs(design: Design, view: View, outputs: Iterable[int]) -> Edit | Refusal:
     """Select outputs in this order; an empty selection is allowed."""
-    chosen = tuple(outputs)
+    chosen = listed(outputs)
     after = replace(view, outputs=chosen)
     if len(chosen) == 1:
         return Edit(label=f"Select output {chosen[0]}", design=design, view=after)
@@ -43,16 +43,19 @@ def add_marker(design: Design, view: View, time_s: float, name: str = "") -> Edi
     return Edit(label="Add marker", design=after, view=view)
 
 
+@refusing
 def move_marker(design: Design, view: View, index: int, time_s: float) -> Edit | Refusal:
     """Move the ``index``-th marker of the design to another time."""
     return _with_marker(design, view, "Move marker", index, time_s=time_s)
 
 
+@refusing
 def rename_marker(design: Design, view: View, index: int, name: str) -> Edit | Refusal:
     """Rename a marker."""
     return _with_marker(design, view, "Rename marker", index, name=name)
 
 
+@refusing
 def remove_marker(design: Design, view: View, index: int) -> Edit | Refusal:
     """Remove a marker."""
     if index not in range(len(design.markers)):
@@ -68,6 +71,7 @@ def set_loop(design: Design, view: View, loop_s: tuple[float, float] | None) -> 
     return Edit(label="Remove loop" if loop_s is None else "Set loop", design=after, view=view)
 
 
+@refusing
 def set_gain_curve(
     design: Design, view: View, id: int, points: tuple[tuple[float, float], ...]
 ) -> Edit | Refusal:
@@ -148,6 +152,7 @@ def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) ->
     return Edit(label=f"Show {snapshot_name(number)}", design=chosen.design, view=after)
 
 
+@refusing
 def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
     """Multiply the amplitudes by the gain with which the design is shown to match another one."""
     gain = view.match_gain(design)
@@ -160,6 +165,7 @@ def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
     )
 
 
+@refusing
 def forget_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
     """Remove the snapshot with a number."""
     remaining = _without(view, number)

@@ -8,6 +8,7 @@ from math import ceil
 
 import numpy as np
 
+from skinsource.base.arguments import checking
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.effects.effect import Effect
@@ -23,6 +24,7 @@ def drawn(waveform: Waveform, sample_rate_hz: float, shift_s: float) -> Floats:
     return waveform.samples(sample_rate_hz, shift_s)
 
 
+@checking
 def played(
     waveform: Waveform,
     effects: tuple[Effect, ...],
@@ -51,6 +53,7 @@ def played(
     return samples
 
 
+@checking
 def played_s(waveform: Waveform, effects: tuple[Effect, ...]) -> float:
     """Return the duration after all effects."""
     duration_s = waveform.duration_s
@@ -60,6 +63,7 @@ def played_s(waveform: Waveform, effects: tuple[Effect, ...]) -> float:
     return duration_s
 
 
+@checking
 def placed(
     waveform: Waveform, effects: tuple[Effect, ...], onset_s: float, sample_rate_hz: float
 ) -> tuple[int, float]:

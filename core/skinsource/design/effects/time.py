@@ -7,6 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from skinsource.base.arguments import checking
 from skinsource.base.arrays import Floats
 from skinsource.design.effects.effect import (
     ON,
@@ -246,6 +247,7 @@ class Stretch:
         return silent_outside(stretched, sample_rate_hz, shift_s, max(length_s, n / sample_rate_hz))
 
 
+@checking
 def stretched_by(effects: Sequence[Effect], duration_s: float) -> float:
     """Return the factor by which effects divide the frequencies of a waveform of this length."""
     factor = 1.0

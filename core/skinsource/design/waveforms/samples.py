@@ -1,7 +1,7 @@
 """Waveforms of given samples: drawings, recordings, formulas, and layers of clips."""
 
 from dataclasses import dataclass
-from functools import lru_cache, reduce
+from functools import cached_property, lru_cache, reduce
 from typing import ClassVar, Literal
 
 import numpy as np
@@ -13,7 +13,7 @@ from skinsource.design.waveform import DURATION
 from skinsource.design.waveforms.tones import count_of
 from skinsource.signals.formula import functions, playing, reading
 from skinsource.signals.generators import window
-from skinsource.specs import fields
+from skinsource.specs import fields, models
 from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, OptionalSpec, SamplesSpec
 from skinsource.specs.samples import Samples
 from skinsource.specs.spec import ChoiceSpec, TextSpec
@@ -183,7 +183,7 @@ MODE = ChoiceSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class Layers:
+class Layers(models.Nesting):
     r"""Clips that are added up, or multiplied, and played as one; its peak need not be 1.
 
     .. math:: x(t) = \sum_k g_k x_k(t - t_k) \quad\text{or}\quad \prod_k g_k x_k(t - t_k)
@@ -206,7 +206,7 @@ class Layers:
     def __post_init__(self) -> None:
         fields.check(self)
 
-    @property
+    @cached_property
     def duration_s(self) -> float:
         """Time to the end of the last part."""
         return max(part.end_s for part in self.parts)

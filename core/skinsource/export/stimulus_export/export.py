@@ -10,6 +10,7 @@ from pathlib import Path
 from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.equalising import Equaliser
 from skinsource.actuators.rigs import Rig
+from skinsource.base.arguments import checking
 from skinsource.base.errors import NotConfirmedError, StorageError
 from skinsource.base.files import path_text, replacing, replacing_folder
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
@@ -56,6 +57,7 @@ class Exported:
     equalised: str
 
 
+@checking
 def export_stimulus(
     design: Design,
     path: str | os.PathLike[str],

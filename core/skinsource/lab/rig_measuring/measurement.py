@@ -22,6 +22,7 @@ from skinsource.actuators.measuring import (
     part_from,
 )
 from skinsource.actuators.rigs import Margin, Rig, RigChannel, highest_gain
+from skinsource.base.arguments import checking
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, PlaybackError
@@ -202,6 +203,7 @@ class Bench:
         return np.concatenate((np.zeros(lead), np.tile(period, repeats), tail))
 
 
+@checking
 def measurable(
     channel: RigChannel, setup: MeasuringSetup, sample_rate_hz: float
 ) -> tuple[float, float]:
@@ -369,6 +371,7 @@ class ChannelMeasurement:
         )
 
 
+@checking
 def kept(rig: Rig, measurement: ChannelMeasurement) -> Rig:
     """Return the rig with the measured response and its date in the channel.
 

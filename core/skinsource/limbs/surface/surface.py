@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import scipy
 
-from skinsource.base.arguments import real_number
+from skinsource.base.arguments import checking, real_number
 from skinsource.base.arrays import Booleans, Floats
 from skinsource.base.assets import cache_folder
 from skinsource.base.errors import InvalidInputError, SkinSourceError
@@ -54,6 +54,7 @@ _ON_EDGE = 1e-12
 _PIXELS_PER_CHUNK = 4096
 
 
+@checking
 def surface_operator(limb: Limb, spacing_mm: float = 1.0, stop: Stop = never) -> SurfaceOperator:
     """Build the natural neighbour interpolation over a limb's outline.
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
+from skinsource.base.arguments import checking
 from skinsource.base.assets import data_folder
 from skinsource.base.errors import InvalidInputError, SkinSourceError
 from skinsource.base.quoting import quoted
@@ -148,6 +149,7 @@ _LIMB = re.compile(r", limb \d+$")
 _EDITED = "edited"
 
 
+@checking
 def title_of(design: Design) -> str:
     """Return the title of a design; that of an edited scene without details that may be wrong.
 

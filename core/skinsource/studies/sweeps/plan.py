@@ -13,7 +13,7 @@ from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.catalog import load
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.prediction import Limits
-from skinsource.base.arguments import integer, one_of
+from skinsource.base.arguments import checking, integer, one_of
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.json_text import Tree
@@ -109,6 +109,7 @@ OF_CLIP = ("onset_s", "gain")
 _NUMBER_SEPARATOR = "."
 
 
+@checking
 def varied(design: Design, name: str, value: Value) -> Design:
     """Return ``design`` with the variable ``name`` set to ``value``.
 
@@ -275,6 +276,7 @@ class Trial:
     stimulus: int
 
 
+@checking
 def trials(order: Order, stimuli: Sequence[int]) -> tuple[Trial, ...]:
     """Return all presentations of ``stimuli``, their numbers, participant by participant.
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from skinsource.actuators.prediction import Limits
-from skinsource.base.arguments import integer, one_of, real_number
+from skinsource.base.arguments import checking, integer, one_of, real_number
 from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.base.files import path_text, read_bytes
 from skinsource.base.job import Progress, Stop, never, silent
@@ -72,6 +72,7 @@ class Sweep:
     parquet: bool = False
 
 
+@checking
 def sweep(
     designs: Design | str | os.PathLike[str] | Sequence[Design | str | os.PathLike[str]],
     vary: Mapping[str, Iterable[Any]] | None = None,
@@ -133,6 +134,7 @@ def sweep(
     return run(planned, out, processes=processes, progress=progress, stop=stop)
 
 
+@checking
 def run(
     wanted: Sweep,
     out: str | os.PathLike[str] | None,
@@ -280,6 +282,7 @@ _KEYS = {
 }
 
 
+@checking
 def read_sweep(path: Path) -> Sweep:
     """Read a sweep and the designs that it names.
 
