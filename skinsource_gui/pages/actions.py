@@ -33,6 +33,7 @@ from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.plots.small_map import with_colours_of
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.questions import ask_to_replace
+from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.panel import Panel, PanelRegistry
@@ -133,43 +134,35 @@ class FileDrops(QObject):
         super().__init__(window)
         self._window, self._panels = window, panels
         window.setAcceptDrops(True)
-        window.installEventFilter(self)
+        WindowEvents.follow(window, self._drag, QEvent.Type.DragEnter, QEvent.Type.DragMove)
+        WindowEvents.follow(window, self._leave, QEvent.Type.DragLeave)
+        WindowEvents.follow(window, self._drop, QEvent.Type.Drop)
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        handlers: dict[QEvent.Type, Callable[..., None]] = {
-            QEvent.Type.DragEnter: self._drag,
-            QEvent.Type.DragMove: self._drag,
-            QEvent.Type.DragLeave: self._leave,
-            QEvent.Type.Drop: self._drop,
-        }
-        handler = handlers.get(event.type()) if watched is self._window else None
-        if handler is None:
-            return super().eventFilter(watched, event)
-        handler(event)
-        return True
-
-    def _drag(self, event: QDragMoveEvent) -> None:
+    def _drag(self, event: QDragMoveEvent) -> bool:
         paths = _paths(event)
         if not paths:
             event.ignore()
-            return
+            return True
         event.setDropAction(Qt.DropAction.CopyAction)
         event.accept()
         at = event.position().toPoint()
         for panel in self._panels:
             placed = paths[0].suffix != SUFFIX and self._inside(panel, at)
             panel.show_drop(panel.mapFrom(self._window, at) if placed else None)
+        return True
 
-    def _leave(self, event: QEvent) -> None:
+    def _leave(self, event: QEvent) -> bool:
+        del event
         for panel in self._panels:
             panel.show_drop(None)
+        return True
 
-    def _drop(self, event: QDropEvent) -> None:
+    def _drop(self, event: QDropEvent) -> bool:
         paths = _paths(event)
         self._leave(event)
         if not paths:
             event.ignore()
-            return
+            return True
         # After a move, the program that offered the file would delete it.
         event.setDropAction(Qt.DropAction.CopyAction)
         event.accept()
@@ -179,6 +172,7 @@ class FileDrops(QObject):
             kind = paths[0].suffix == presets.SUFFIX
             dropped = self.preset_dropped if kind else self.recording_dropped
             dropped.emit(paths[0], self._place(event.position().toPoint()))
+        return True
 
     def _place(self, at: QPoint) -> DropPlace | None:
         for panel in self._panels:

@@ -32,6 +32,7 @@ from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.overlays import Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
+from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.state.edit_times import EditTime, EditTimes, milliseconds, summary
 from skinsource_gui.state.engine import Engine, Outcome, Purpose, Request
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
@@ -299,7 +300,7 @@ class TimingLabel(QLabel):
         self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
         self._pause.timeout.connect(self._show_text)
         self._fit()
-        window.installEventFilter(self)
+        WindowEvents.follow(window, self._note_painting, QEvent.Type.UpdateRequest)
         engine.finished.connect(self._note_arrival)
 
     def show_outcome(self, outcome: Outcome) -> None:
@@ -324,11 +325,11 @@ class TimingLabel(QLabel):
         if event.type() == QEvent.Type.FontChange:
             self._fit()
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.UpdateRequest and self._delivered is not None:
+    def _note_painting(self, event: QEvent) -> None:
+        del event
+        if self._delivered is not None:
             # The window is painted while it handles this event.
             QTimer.singleShot(0, self._note_painted)
-        return super().eventFilter(watched, event)
 
     def _note_arrival(self, outcome: Outcome) -> None:
         self._arrived = outcome, perf_counter()

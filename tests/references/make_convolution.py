@@ -72,7 +72,10 @@ def main() -> None:
     """Write the file."""
     mp.dps = 50
     drives = np.array(
-        [[float(value) for value in row] for row in (tone(N_TIMES, 100), noise(N_TIMES, 1), bursts())]
+        [
+            [float(value) for value in row]
+            for row in (tone(N_TIMES, 100), noise(N_TIMES, 1), bursts())
+        ]
     )
     modes = (((60, 30, "1"), (180, 55, "0.7"), (410, 140, "1.3")), ((95, 18, "0.02"),))
     responses = np.array([[float(value) for value in ringing(some)] for some in modes])

@@ -141,7 +141,9 @@ def glide(time, points):
     """Amplitude times the sine of the integral of the frequency, stretch by stretch."""
     turns, points = mpf(0), ((0.0, *points[0][1:]), *points)
     for before, after in pairwise(points):
-        (start, low, soft), (end, high, loud) = (tuple(map(mpf, value)) for value in (before, after))
+        (start, low, soft), (end, high, loud) = (
+            tuple(map(mpf, value)) for value in (before, after)
+        )
         if time < end:
             since, length = time - start, end - start
             turns += low * since + (high - low) * since**2 / (2 * length)
