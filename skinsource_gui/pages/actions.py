@@ -19,7 +19,7 @@ from skinsource.base.files import path_exists
 from skinsource.design import edits
 from skinsource.design.design import Design, Input
 from skinsource.design.design_file import SUFFIX
-from skinsource.design.edits.edit import Edit, Refusal, clip_of, location_text
+from skinsource.design.edits.edit import Edit, Refusal, clip_of, leading_input, location_text
 from skinsource.design.edits.inputs import usual_location
 from skinsource.design.labels import limb_label
 from skinsource.design.presets import presets
@@ -58,8 +58,8 @@ def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[
     first = usual_location(design.limb)
     if place is not None and place.location is not None:
         first = place.location
-    elif view.selected_input in design.ids:
-        first = design.input(view.selected_input).location
+    elif (selected := leading_input(design, view)) is not None:
+        first = selected.location
     locations = [first, *(k for k in range(1, facts_of(design.limb).n_inputs + 1) if k != first)]
     new = [(f"new {k}", f"A new input at {location_text(k, design.limb)}") for k in locations]
     by_place = place is not None and place.location is not None and place.input_id is None
@@ -74,11 +74,9 @@ def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[
 
 def _instead(design: Design, view: View) -> tuple[tuple[str, str], bool] | None:
     """Return the option to replace the selected recording, and whether that is a placeholder."""
-    if view.selected_input not in design.ids:
-        return None
-    track = design.input(view.selected_input)
-    clip = clip_of(track, view)
-    if clip is None or not isinstance(clip.waveform, Recording):
+    track = leading_input(design, view)
+    clip = None if track is None else clip_of(track, view)
+    if track is None or clip is None or not isinstance(clip.waveform, Recording):
         return None
     where = (
         f"input {design.index_of(track.id) + 1}, at {location_text(track.location, design.limb)}"

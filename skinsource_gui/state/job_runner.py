@@ -19,7 +19,7 @@ from skinsource.base.job import Job, Progress, Stop, seconds_left
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design
-from skinsource.design.edits.edit import clip_of
+from skinsource.design.edits.edit import leading_clip
 from skinsource.design.view import View
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.engine.levelling import MEASURE, wavelet_levels_db
@@ -309,9 +309,7 @@ class WaveletLevelling(QObject):
 
 def selected_train(design: Design, view: View) -> Clip | None:
     """Return the selected clip, if it plays a wavelet train."""
-    if view.selected_input not in design.ids:
-        return None
-    clip = clip_of(design.input(view.selected_input), view)
+    clip = leading_clip(design, view)
     return clip if clip is not None and isinstance(clip.waveform, WaveletTrain) else None
 
 

@@ -744,9 +744,9 @@ class HandPanel(Panel):
 
     def _selected(self) -> int | None:
         """Return the index of the input that was selected last, if the design still has it."""
-        if self._design is None or self._view.selected_input not in self._design.ids:
-            return None
-        return self._design.index_of(self._view.selected_input)
+        tracks = () if self._design is None else enumerate(self._design.inputs)
+        last = self._view.selected_input
+        return next((index for index, track in tracks if track.id == last), None)
 
     def _select(self, index: int) -> None:
         self._edit(edits.select_inputs, self._ids_at(index))

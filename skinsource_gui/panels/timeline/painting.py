@@ -6,6 +6,7 @@ Lanes are kept as a picture, into which only lanes that look different are paint
 from collections import OrderedDict
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from math import ceil, floor
 from operator import is_
 from typing import Any
@@ -412,11 +413,16 @@ def ticks_of(scale: TimeScale) -> tuple[str, tuple[Tick, ...]]:
     return unit, linear_ticks(*scale.shown_s, max(scale.width_px / _TICK_PX, 2), factor)
 
 
+@lru_cache(maxsize=4)
+def _ticks_px(scale: TimeScale) -> tuple[float, ...]:
+    return tuple(scale.x(tick.value) for tick in ticks_of(scale)[1])
+
+
 def grid_lines(scale: TimeScale, room: QRectF) -> list[QLineF]:
     """Return the vertical lines below the ticks."""
     return [
         QLineF(x, room.top(), x, room.bottom())
-        for x in (scale.x(tick.value) for tick in ticks_of(scale)[1])
+        for x in _ticks_px(scale)
         if room.left() <= x <= room.right()
     ]
 
