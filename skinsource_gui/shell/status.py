@@ -241,6 +241,7 @@ class Sparkline(QWidget):
         return super().event(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        theme = current_theme()
         painter = QPainter(self)
         width, height = self.width(), self.height()
         shown = self._times_s[-width:]
@@ -251,12 +252,12 @@ class Sparkline(QWidget):
             bars = slow if time_s > FRAME_S else quick
             bars.append(QRect(column, height - bar, 1, bar))
         painter.setPen(Qt.PenStyle.NoPen)
-        for bars, colour in ((slow, current_theme().warning), (quick, current_theme().accent)):
+        for bars, colour in ((slow, theme.warning), (quick, theme.accent)):
             painter.setBrush(QColor(colour))
             painter.drawRects(bars)
         at = round(height * (1.0 - FRAME_S / _TOP_S))
-        painter.fillRect(0, at, width, 1, QColor(current_theme().dim))
-        painter.fillRect(0, height - 1, width, 1, QColor(current_theme().border))
+        painter.fillRect(0, at, width, 1, QColor(theme.dim))
+        painter.fillRect(0, height - 1, width, 1, QColor(theme.border))
         painter.end()
 
     def _paint_again(self) -> None:

@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from skinsource.base.errors import SkinSourceError
 from skinsource.design import edits
 from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.view import View
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import (
@@ -71,6 +72,7 @@ class Conductor(QObject):
         # What the visible panels need, as of the last change; those left out whose needs take too
         # long on the limb of the document.
         self._needs: dict[Panel, frozenset[str]] = {}
+        self._unplayable: dict[Panel, tuple[UnplayableInput, ...]] = {}
         # Panels that know the present state.
         self._informed: set[Panel] = set()
         document.jumped.connect(self._note_jump)
@@ -95,11 +97,11 @@ class Conductor(QObject):
 
     def _follow(self) -> None:
         since_s = perf_counter()
+        self._informed = {panel for panel in self._panels if panel.isVisibleTo(panel.window())}
+        design, view = self._document.design, self._document.shown_view
         for panel in self._panels:
-            if panel.isVisibleTo(panel.window()):
-                self._tell(panel)
-            else:
-                self._informed.discard(panel)
+            if panel in self._informed:
+                panel.show_state(design, view)
         self._request_results(since_s)
 
     def _wait_for_results(self) -> None:
@@ -172,8 +174,11 @@ class Conductor(QObject):
         if outcome.request.place != (FIRST_SLOT, Purpose.SHOW):
             return
         newest = outcome.request is self._request
+        unplayable = outcome.values[UNPLAYABLE] if outcome.values else ()
         for panel in self._needs:
-            panel.show_unplayable(outcome.values[UNPLAYABLE] if outcome.values else ())
+            if self._unplayable.get(panel) != unplayable:
+                self._unplayable[panel] = unplayable
+                panel.show_unplayable(unplayable)
         if outcome.values is None:
             reason = _reason(outcome.error)
             self._explain(self._needs, reason)

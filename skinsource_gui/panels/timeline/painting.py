@@ -576,6 +576,7 @@ class LanesItem(LaneLayer):
         super().show_font(font)
 
     def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+        theme = current_theme()
         content = self._content
         if content is None:
             return
@@ -590,19 +591,19 @@ class LanesItem(LaneLayer):
         shown = [lane for lane in content.lanes if self._strip(lane).intersects(exposed)]
         for lane in shown:
             self._paint_ground(painter, lane)
-        painter.setPen(QPen(QColor(current_theme().grid), 1))
+        painter.setPen(QPen(QColor(theme.grid), 1))
         painter.drawLines(grid_lines(content.scale, lanes))
         self._paint_after_end(painter, content, lanes)
         for lane in shown:
             self._paint_silence_reason(painter, lane)
             self._paint_clips(painter, content, lane, lanes)
             overlaps = content.overlaps.of(lane.track)
-            paint_overlaps(painter, lane, overlaps, content.scale, current_theme())
+            paint_overlaps(painter, lane, overlaps, content.scale, theme)
         self.painted_lanes += len(shown)
         painter.restore()
         ruler = QRectF(rect.left(), 0, rect.width(), content.ruler_px)
         if ruler.intersects(exposed):
-            paint_ruler(painter, content, ruler, current_theme())
+            paint_ruler(painter, content, ruler, theme)
 
     def _update_lane_of(self, clip: int | None) -> None:
         for lane in () if self._content is None or clip is None else self._content.lanes:
