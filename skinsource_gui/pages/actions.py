@@ -35,10 +35,10 @@ from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.questions import ask_to_replace
 from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.panel import Panel, PanelRegistry
 from skinsource_gui.state.playing import Player
-from skinsource_gui.state.preferences import InstalledLimbs, Preferences
+from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.state.services import Services
 
 if TYPE_CHECKING:
     from skinsource.design.presets.presets import Preset
@@ -201,13 +201,11 @@ class ImportActions(QObject):
 
     def __init__(
         self,
-        document: Document,
-        preferences: Preferences,
-        window: QWidget,
+        services: Services,
     ) -> None:
-        super().__init__(window)
-        self._document, self._preferences = document, preferences
-        self._window = window
+        super().__init__(services.window)
+        self._document, self._preferences = services.document, services.preferences
+        self._window = services.window
         self._pages: list[Any] = []
 
     @property
@@ -362,17 +360,14 @@ class SceneActions(QObject):
 
     def __init__(
         self,
-        document: Document,
-        preferences: Preferences,
+        services: Services,
         files: FileActions,
-        limbs: InstalledLimbs,
         arrange: Callable[[str, Sequence[str]], None],
-        window: QWidget,
     ) -> None:
-        super().__init__(window)
-        self._document, self._files, self._limbs = document, files, limbs
-        self._preferences, self._arrange = preferences, arrange
-        self._window = window
+        super().__init__(services.window)
+        self._document, self._files, self._limbs = services.document, files, services.limbs
+        self._preferences, self._arrange = services.preferences, arrange
+        self._window = services.window
         self._last = self._last_limb = ""
 
     def show(self) -> "ScenesPage":
@@ -418,16 +413,13 @@ class StimulusActions(QObject):
 
     def __init__(
         self,
-        document: Document,
-        preferences: Preferences,
+        services: Services,
         files: FileActions,
-        runner: JobRunner,
-        window: QWidget,
     ) -> None:
-        super().__init__(window)
-        self._document, self._preferences, self._files = document, preferences, files
-        self._window = window
-        self._jobs = ExportJobs(runner, files, self)
+        super().__init__(services.window)
+        self._document, self._preferences = services.document, services.preferences
+        self._files, self._window = files, services.window
+        self._jobs = ExportJobs(services.runner, files, self)
         self._jobs.failed.connect(self.failed)
         #: The page, while it is open.
         self.page: Any = None

@@ -78,7 +78,8 @@ class OnLimbs(QObject):
             self._requests.pop(limb, None)
 
     def _follow(self) -> None:
-        needed = {panel: panel.needs_on_limbs for panel in self._panels if panel.isVisible()}
+        visible = [panel for panel in self._panels if panel.compares and panel.isVisible()]
+        needed = {panel: panel.needs_on_limbs for panel in visible}
         self._needs = {panel: on_limbs for panel, on_limbs in needed.items() if on_limbs}
         wanted: dict[str, frozenset[str]] = {}
         for on_limbs in self._needs.values():
@@ -326,7 +327,8 @@ class Comparison(QObject):
         return with_edited(self._document.view.snapshots, self._document.design)
 
     def _follow(self) -> None:
-        needed = {panel: panel.needs_of_snapshots for panel in self._panels if panel.isVisible()}
+        visible = [panel for panel in self._panels if panel.compares and panel.isVisible()]
+        needed = {panel: panel.needs_of_snapshots for panel in visible}
         self._needs = {panel: needs for panel, needs in needed.items() if needs}
         if not (self._needs or self._when_complete or self._requests):
             return  # removed snapshots are forgotten once a panel compares again

@@ -26,6 +26,7 @@ from PySide6.QtWidgets import (
 
 from skinsource.actuators.rigs import UNCALIBRATED
 from skinsource.base.arrays import Floats
+from skinsource.base.errors import Stopped
 from skinsource.base.quoting import sentence
 from skinsource.design.design import Design
 from skinsource.design.motions import ms_text
@@ -40,7 +41,7 @@ from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, reme
 from skinsource_gui.qt.buttons import scrolled
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
-from skinsource_gui.state.engine import LatestWins
+from skinsource_gui.state.worker import Worker, fault_text
 
 _ROW_PX, _GAP_PX = 58, 6
 _TEXT_PX = 208
@@ -221,11 +222,16 @@ class PreparingRow(QWidget):
         self._label.setText(f"Computing\u2026{percent}")
 
 
-class PreparingWorker(LatestWins):
+_KEY = "stimulus"
+
+
+class PreparingWorker(Worker):
     """Prepares the stimulus of the latest order, for one design."""
 
     #: The `Order` and its `skinsource.export.stimulus_export.preparing.Overview`.
     ready = Signal(object, object)
+    #: The `Order`, and a sentence on why its stimulus cannot be prepared.
+    failed = Signal(object, str)
     #: The `Order`, and how much of its work is done and how much there is.
     progressed = Signal(object, int, int)
 
@@ -235,12 +241,10 @@ class PreparingWorker(LatestWins):
 
     def prepare(self, order: Order) -> None:
         """Prepare ``order`` in place of the order before."""
-        self.want(order, partial(self._prepare, order))
+        self.run_newest(_KEY, partial(self._prepare, order), partial(self._receive, order))
 
-    def _prepare(self, order: Order) -> None:
-        def stop() -> bool:
-            return self.outdated
-
+    def _prepare(self, order: Order) -> Overview:
+        stop = partial(self.is_outdated, _KEY)
         stimulus = prepare_stimulus(
             self._design,
             Path(f"stimulus{order.format.suffix}"),
@@ -253,12 +257,17 @@ class PreparingWorker(LatestWins):
             progress=partial(self._tell_progress, order, 0),
             stop=stop,
         )
-        overview = overview_of(stimulus, progress=partial(self._tell_progress, order, 1), stop=stop)
-        self.tell(self.ready, order, overview)
+        return overview_of(stimulus, progress=partial(self._tell_progress, order, 1), stop=stop)
+
+    def _receive(self, order: Order, overview: Overview | None, error: Exception | None) -> None:
+        if error is None:
+            self.ready.emit(order, overview)
+        elif not isinstance(error, Stopped):
+            self.failed.emit(order, fault_text(error))
 
     def _tell_progress(self, order: Order, half: int, done: int, total: int, _text: str) -> None:
         """Emit progress: the first half prepares channels, the second makes the overview."""
-        self.tell(self.progressed, order, half * total + done, 2 * total)
+        self.tell(self.progressed.emit, order, half * total + done, 2 * total)
 
 
 _LEFT_PX = 300

@@ -730,10 +730,11 @@ class HandPanel(Panel):
             track.id: texts[track.id] if track.id in unchanged else (track, _text(track))
             for track in tracks
         }
+        theme = current_theme()
         marks = tuple(
             Mark(
                 site=track.location,
-                colour=current_theme().input_colour(track.colour),
+                colour=theme.input_colour(track.colour),
                 silent=id(track) not in audible,
                 text=self._texts[track.id][1],
                 chosen=track.id in self._view.selected_inputs,
