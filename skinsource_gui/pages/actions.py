@@ -18,7 +18,7 @@ from skinsource.base.files import path_exists
 from skinsource.design import edits
 from skinsource.design.design import Design, Input
 from skinsource.design.design_file import SUFFIX
-from skinsource.design.edits.edit import Edit, Refusal, clip_of, location_text
+from skinsource.design.edits.edit import Edit, Refusal, clip_of, leading_input, location_text
 from skinsource.design.edits.inputs import usual_location
 from skinsource.design.labels import limb_label
 from skinsource.design.presets import presets
@@ -32,11 +32,12 @@ from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.plots.small_map import with_colours_of
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.questions import ask_to_replace
+from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.panel import Panel, PanelRegistry
 from skinsource_gui.state.playing import Player
-from skinsource_gui.state.preferences import InstalledLimbs, Preferences
+from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.state.services import Services
 
 if TYPE_CHECKING:
     from skinsource.design.presets.presets import Preset
@@ -57,8 +58,8 @@ def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[
     first = usual_location(design.limb)
     if place is not None and place.location is not None:
         first = place.location
-    elif view.selected_input in design.ids:
-        first = design.input(view.selected_input).location
+    elif (selected := leading_input(design, view)) is not None:
+        first = selected.location
     locations = [first, *(k for k in range(1, facts_of(design.limb).n_inputs + 1) if k != first)]
     new = [(f"new {k}", f"A new input at {location_text(k, design.limb)}") for k in locations]
     by_place = place is not None and place.location is not None and place.input_id is None
@@ -73,11 +74,9 @@ def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[
 
 def _instead(design: Design, view: View) -> tuple[tuple[str, str], bool] | None:
     """Return the option to replace the selected recording, and whether that is a placeholder."""
-    if view.selected_input not in design.ids:
-        return None
-    track = design.input(view.selected_input)
-    clip = clip_of(track, view)
-    if clip is None or not isinstance(clip.waveform, Recording):
+    track = leading_input(design, view)
+    clip = None if track is None else clip_of(track, view)
+    if track is None or clip is None or not isinstance(clip.waveform, Recording):
         return None
     where = (
         f"input {design.index_of(track.id) + 1}, at {location_text(track.location, design.limb)}"
@@ -133,43 +132,35 @@ class FileDrops(QObject):
         super().__init__(window)
         self._window, self._panels = window, panels
         window.setAcceptDrops(True)
-        window.installEventFilter(self)
+        WindowEvents.follow(window, self._drag, QEvent.Type.DragEnter, QEvent.Type.DragMove)
+        WindowEvents.follow(window, self._leave, QEvent.Type.DragLeave)
+        WindowEvents.follow(window, self._drop, QEvent.Type.Drop)
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        handlers: dict[QEvent.Type, Callable[..., None]] = {
-            QEvent.Type.DragEnter: self._drag,
-            QEvent.Type.DragMove: self._drag,
-            QEvent.Type.DragLeave: self._leave,
-            QEvent.Type.Drop: self._drop,
-        }
-        handler = handlers.get(event.type()) if watched is self._window else None
-        if handler is None:
-            return super().eventFilter(watched, event)
-        handler(event)
-        return True
-
-    def _drag(self, event: QDragMoveEvent) -> None:
+    def _drag(self, event: QDragMoveEvent) -> bool:
         paths = _paths(event)
         if not paths:
             event.ignore()
-            return
+            return True
         event.setDropAction(Qt.DropAction.CopyAction)
         event.accept()
         at = event.position().toPoint()
         for panel in self._panels:
             placed = paths[0].suffix != SUFFIX and self._inside(panel, at)
             panel.show_drop(panel.mapFrom(self._window, at) if placed else None)
+        return True
 
-    def _leave(self, event: QEvent) -> None:
+    def _leave(self, event: QEvent) -> bool:
+        del event
         for panel in self._panels:
             panel.show_drop(None)
+        return True
 
-    def _drop(self, event: QDropEvent) -> None:
+    def _drop(self, event: QDropEvent) -> bool:
         paths = _paths(event)
         self._leave(event)
         if not paths:
             event.ignore()
-            return
+            return True
         # After a move, the program that offered the file would delete it.
         event.setDropAction(Qt.DropAction.CopyAction)
         event.accept()
@@ -179,6 +170,7 @@ class FileDrops(QObject):
             kind = paths[0].suffix == presets.SUFFIX
             dropped = self.preset_dropped if kind else self.recording_dropped
             dropped.emit(paths[0], self._place(event.position().toPoint()))
+        return True
 
     def _place(self, at: QPoint) -> DropPlace | None:
         for panel in self._panels:
@@ -209,13 +201,11 @@ class ImportActions(QObject):
 
     def __init__(
         self,
-        document: Document,
-        preferences: Preferences,
-        window: QWidget,
+        services: Services,
     ) -> None:
-        super().__init__(window)
-        self._document, self._preferences = document, preferences
-        self._window = window
+        super().__init__(services.window)
+        self._document, self._preferences = services.document, services.preferences
+        self._window = services.window
         self._pages: list[Any] = []
 
     @property
@@ -370,17 +360,14 @@ class SceneActions(QObject):
 
     def __init__(
         self,
-        document: Document,
-        preferences: Preferences,
+        services: Services,
         files: FileActions,
-        limbs: InstalledLimbs,
         arrange: Callable[[str, Sequence[str]], None],
-        window: QWidget,
     ) -> None:
-        super().__init__(window)
-        self._document, self._files, self._limbs = document, files, limbs
-        self._preferences, self._arrange = preferences, arrange
-        self._window = window
+        super().__init__(services.window)
+        self._document, self._files, self._limbs = services.document, files, services.limbs
+        self._preferences, self._arrange = services.preferences, arrange
+        self._window = services.window
         self._last = self._last_limb = ""
 
     def show(self) -> "ScenesPage":
@@ -426,16 +413,13 @@ class StimulusActions(QObject):
 
     def __init__(
         self,
-        document: Document,
-        preferences: Preferences,
+        services: Services,
         files: FileActions,
-        runner: JobRunner,
-        window: QWidget,
     ) -> None:
-        super().__init__(window)
-        self._document, self._preferences, self._files = document, preferences, files
-        self._window = window
-        self._jobs = ExportJobs(runner, files, self)
+        super().__init__(services.window)
+        self._document, self._preferences = services.document, services.preferences
+        self._files, self._window = files, services.window
+        self._jobs = ExportJobs(services.runner, files, self)
         self._jobs.failed.connect(self.failed)
         #: The page, while it is open.
         self.page: Any = None

@@ -43,7 +43,7 @@ from skinsource_gui.qt.fitting import LetterWidth
 from skinsource_gui.qt.keys import KEYS, Gesture
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import tooltip
-from skinsource_gui.state.playing import SoundThread
+from skinsource_gui.state.playing import end_sound, sound_worker
 
 #: Captions of the buttons, by the names of their gestures.
 _BUTTONS = {
@@ -344,7 +344,7 @@ class LatestDesignPlayer(QObject):
 
     def __init__(self, output: Output, rig: Rig | None, parent: QObject) -> None:
         super().__init__(parent)
-        self._thread = SoundThread(self)
+        self._thread = sound_worker(self)
         self._presenter = Presenter(output, self._finished.emit, rig)
         self._finished.connect(self._note_finished, Qt.ConnectionType.QueuedConnection)
         self._queued: tuple[Design, float] | None = None
@@ -370,7 +370,7 @@ class LatestDesignPlayer(QObject):
         self._reset()
         self._closed = True
         self._presenter.stop_at_once()
-        self._thread.end(self._presenter.close)
+        end_sound(self._thread, self._presenter.close)
 
     def watch(self) -> None:
         """Check whether the device was lost: no signal tells it."""
@@ -387,9 +387,9 @@ class LatestDesignPlayer(QObject):
             return
         self._starting = True
         queued, self._queued = self._queued, None
-        self._thread.do(partial(self._presenter.present, *queued), self._note_started)
+        self._thread.run(partial(self._presenter.present, *queued), self._note_started)
 
-    def _note_started(self, playback: Playing | None, error: SkinSourceError | None) -> None:
+    def _note_started(self, playback: Playing | None, error: Exception | None) -> None:
         self._starting = False
         if not self.playing:
             # It was stopped before it began.

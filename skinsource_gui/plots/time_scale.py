@@ -3,6 +3,7 @@
 from bisect import bisect_left
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from math import inf
 from operator import itemgetter
 
@@ -91,7 +92,7 @@ Range = tuple[float, float]
 SHORTEST_S = 0.005
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True)
 class TimeScale:
     """Maps the visible part of the time to pixels.
 
@@ -107,7 +108,7 @@ class TimeScale:
     left_px: float = 0.0
     width_px: float = 1.0
 
-    @property
+    @cached_property
     def px_per_s(self) -> float:
         """Pixels per second."""
         return self.width_px / (self.shown_s[1] - self.shown_s[0])

@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide6.QtCore import QEventLoop, QPoint, QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontInfo, QPainter
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication
 
 from skinsource.design.comparing import EDITED, Snapshot, shown_snapshot, with_edited
 from skinsource.design.labels import short_limb_title
@@ -34,6 +34,7 @@ from skinsource_gui.state.comparison import Judging
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Engine, on_limb, sources_of_levels, sources_shown, too_large
 from skinsource_gui.state.panel import Panel, PanelRegistry
+from skinsource_gui.state.services import Services
 
 # Maps between outputs are drawn with this quantity: a panel that needs it draws a map.
 _MAP = "surface"
@@ -187,17 +188,16 @@ class PanelPictures:
 
     def __init__(
         self,
-        frame: QWidget,
-        document: Document,
-        engine: Engine,
-        panels: PanelRegistry,
+        services: Services,
         appearance: Appearance,
         catch_up: Callable[[], None],
         docks: Mapping[str, Dock],
         in_use: PanelInUse,
     ) -> None:
-        self._frame, self._panels = frame, panels
-        self._metadata = ExportMetadata(document, engine, panels, catch_up)
+        self._frame, self._panels = services.window, services.panels
+        self._metadata = ExportMetadata(
+            services.document, services.engine, services.panels, catch_up
+        )
         self._appearance, self._catch_up, self._docks = appearance, catch_up, docks
         self._in_use = in_use
 

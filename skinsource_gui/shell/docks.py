@@ -41,6 +41,7 @@ from skinsource_gui.qt.fitting import SteadyArea
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.theme import Theme, current_theme, drawn_icon
 from skinsource_gui.qt.tooltips import show_tooltip
+from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.shell.focus import focus_into
 from skinsource_gui.state.panel import Panel, PanelRegistry
 
@@ -322,7 +323,8 @@ class DockTabs(QObject):
         self._lists = TabLists(self)
         self._lists.requested.connect(self._open_list)
         window.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
-        window.installEventFilter(self)
+        # Qt makes a bar when it needs one, and says nothing else of it.
+        WindowEvents.follow(window, self._note_child, QEvent.Type.ChildPolished)
         for dock in docks.values():
             dock.sight_changed.connect(self._tell)
         self._tell()
@@ -341,15 +343,12 @@ class DockTabs(QObject):
         if bar is not None:
             self._open_list(bar, bar.rect().bottomLeft())
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        # Qt makes a bar when it needs one, and says nothing else of it.
-        if isinstance(event, QChildEvent) and event.type() == QEvent.Type.ChildPolished:
-            bar = event.child()
-            if isinstance(bar, QTabBar):
-                _prepare(bar)
-                self._lists.add_to(bar)
-                bar.tabBarClicked.connect(self._note_click)
-        return False
+    def _note_child(self, event: QChildEvent) -> None:
+        bar = event.child()
+        if isinstance(bar, QTabBar):
+            _prepare(bar)
+            self._lists.add_to(bar)
+            bar.tabBarClicked.connect(self._note_click)
 
     def _note_click(self, index: int) -> None:
         """Give the keyboard to the panel of a clicked tab, also where it was in front before."""

@@ -27,9 +27,8 @@ from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.shell.dock_layout import DockLayout
 from skinsource_gui.shell.notices import Choice, Notice, Reports
 from skinsource_gui.state.conductor import Conductor
-from skinsource_gui.state.document import Document
-from skinsource_gui.state.engine import Engine, Outcome
-from skinsource_gui.state.job_runner import JobRunner
+from skinsource_gui.state.engine import Outcome
+from skinsource_gui.state.services import Services
 
 _ICON = QSize(60, 90)
 _ROLE = QDialogButtonBox.ButtonRole
@@ -149,16 +148,13 @@ class AutosaveAndRecovery(QObject):
 
     def __init__(
         self,
-        document: Document,
-        engine: Engine,
-        runner: JobRunner,
+        services: Services,
         files: FileActions,
         layout: DockLayout,
-        interval_s: float,
-        window: QWidget,
     ) -> None:
-        super().__init__(window)
-        self._files, self._window = files, window
+        super().__init__(services.window)
+        document, interval_s = services.document, services.preferences.autosave_s
+        self._files, self._window = files, services.window
         self._folder = user_folder()
         self._picture = WorkPicture()
         self.autosave = Autosave(
@@ -166,7 +162,7 @@ class AutosaveAndRecovery(QObject):
         )
         self.recovery = Recovery(
             document,
-            engine,
+            services.engine,
             self._folder,
             files.may_lose_changes,
             self.autosave.keep_now,
@@ -175,7 +171,7 @@ class AutosaveAndRecovery(QObject):
         self.recovery.opened.connect(layout.put)
         self.recovery.belonged.connect(self._suggest)
         files.risk_ahead.connect(self.autosave.keep_now)
-        runner.starting.connect(self.autosave.keep_now)
+        services.runner.starting.connect(self.autosave.keep_now)
 
     def connect_to(self, conductor: Conductor, reports: Reports) -> None:
         """Draw the picture of the work from its results, and report what happens."""

@@ -352,11 +352,15 @@ class ActionSet(QObject):
     def show_state(self) -> None:
         """Enable what can be done now, and show which switches are on."""
         design, view = self._document.design, self._document.view
+        conditions = {spec.enabled for spec in self._specs} | {spec.checked for spec in self._specs}
+        holds = {
+            condition: condition(design, view) for condition in conditions if condition is not None
+        }
         for spec in self._specs:
             if spec.enabled is not None:
-                self.by_name[spec.name].setEnabled(spec.enabled(design, view))
+                self.by_name[spec.name].setEnabled(holds[spec.enabled])
             if spec.checked is not None:
-                self.by_name[spec.name].setChecked(spec.checked(design, view))
+                self.by_name[spec.name].setChecked(holds[spec.checked])
 
     def _action(self, spec: ActionSpec, capabilities: Capabilities, window: QWidget) -> QAction:
         # A menu shows the text after a tab in its column of keys.

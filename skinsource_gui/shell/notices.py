@@ -28,6 +28,7 @@ from skinsource.limbs.dataset.store import StoreInfo
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import ClickGuard
+from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.shell.status import Accuracy, StatusLine
 from skinsource_gui.state.conductor import UNPLAYABLE
 from skinsource_gui.state.document import Document
@@ -91,7 +92,7 @@ class Notice(QObject):
         self._passing.timeout.connect(self.be_quiet)
         self._guard = ClickGuard(window)
         self.be_quiet()
-        window.installEventFilter(self)
+        WindowEvents.follow(window, self._fit, *_LAID_OUT)
 
     @property
     def text(self) -> str:
@@ -144,9 +145,12 @@ class Notice(QObject):
             stood_ms = self._passing.interval() - self._passing.remainingTime()
             if stood_ms >= _FRESH_MS and not self.buttons.underMouse():
                 self.be_quiet()
-        elif watched is self._window and self.text and event.type() in _LAID_OUT:
-            self._place()
         return super().eventFilter(watched, event)
+
+    def _fit(self, event: QEvent) -> None:
+        del event
+        if self.text:
+            self._place()
 
     def _let_pass(self, after_ms: int | None) -> None:
         """Hide it after a while, or at a click; None: let it stay."""

@@ -16,9 +16,7 @@ from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.actions.spec import ActionSpec
 from skinsource_gui.shell.menus import BESIDES, Palette
 from skinsource_gui.shell.status import StatusLine
-from skinsource_gui.state.document import Document
-from skinsource_gui.state.job_runner import JobRunner
-from skinsource_gui.state.preferences import InstalledLimbs, Preferences
+from skinsource_gui.state.services import Services
 
 _ABOUT = f"""
 <h3>SkinSource studio {__version__}</h3>
@@ -93,18 +91,15 @@ class Pages(QObject):
 
     def __init__(
         self,
-        window: QWidget,
+        services: Services,
         findable: Callable[[], list[QAction]],
-        document: Document,
-        preferences: Preferences,
-        runner: JobRunner,
-        limbs: InstalledLimbs,
         status_line: StatusLine,
     ) -> None:
-        super().__init__(window)
-        self._window, self._findable = window, findable
-        self._document, self._preferences = document, preferences
-        self._runner, self._limbs, self._status_line = runner, limbs, status_line
+        super().__init__(services.window)
+        self._window, self._findable = services.window, findable
+        self._document, self._preferences = services.document, services.preferences
+        self._runner, self._limbs = services.runner, services.limbs
+        self._status_line = status_line
         self.accuracy: Any = None
 
     def search(self) -> None:

@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource import actuators
-from skinsource.base.errors import SkinSourceError
 from skinsource.base.quoting import printable
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.edits.setup import predict_through
@@ -45,8 +44,9 @@ from skinsource_gui.state.playing import (
     Played,
     Player,
     SoundSettings,
-    SoundThread,
+    end_sound,
     played_by,
+    sound_worker,
 )
 from skinsource_gui.state.preferences import Preferences
 
@@ -140,7 +140,7 @@ class RigPages(QObject):
     def __init__(self, document: Document, settings: SoundSettings, window: QWidget) -> None:
         super().__init__(window)
         self._document, self._settings, self._window = document, settings, window
-        self._thread = SoundThread(self)
+        self._thread = sound_worker(self)
 
     def show(self) -> None:
         """Open the page."""
@@ -153,16 +153,16 @@ class RigPages(QObject):
         )
         if name:
             path = Path(name)
-            self._thread.do(
+            self._thread.run(
                 partial(actuators.measuring.open_response, path), partial(self._look_at, path)
             )
 
     def end(self) -> None:
         """Open nothing more."""
-        self._thread.end(lambda: None)
+        end_sound(self._thread)
 
     def _look_at(
-        self, path: Path, response: "MeasuredResponse | None", error: SkinSourceError | None
+        self, path: Path, response: "MeasuredResponse | None", error: Exception | None
     ) -> None:
         if response is None:
             self.failed.emit(str(error))
@@ -346,7 +346,6 @@ class Playback(QObject):
         self.rigs.opened.connect(reports.report)
         player.message.connect(reports.explain)
         panels.each(self._meet)
-        self._document.changed.connect(self._show_places)
         self._follow()
 
     def _meet(self, panel: Panel) -> None:
@@ -354,6 +353,7 @@ class Playback(QObject):
             return
         player = self.player
         self._panel = panel = cast("PlaybackPanel", panel)
+        self._document.changed.connect(self._show_places)
         panel.output_requested.connect(player.settings.choose)
         panel.devices_requested.connect(player.settings.look)
         panel.rig_requested.connect(player.settings.choose_rig)

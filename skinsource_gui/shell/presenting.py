@@ -22,7 +22,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QLabel,
     QLineEdit,
-    QMainWindow,
     QPlainTextEdit,
     QTextBrowser,
     QTextEdit,
@@ -44,8 +43,7 @@ from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.shell.arrangement_spec import PRESENTATION
 from skinsource_gui.shell.dock_layout import Arrangements, DockLayout
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.panel import PanelRegistry
-from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.state.services import Services
 
 
 class ChosenColours:
@@ -368,17 +366,15 @@ class Presenter(QObject):
 
     def __init__(
         self,
-        window: QMainWindow,
-        document: Document,
-        panels: PanelRegistry,
-        preferences: Preferences,
+        services: Services,
         files: FileActions,
         arrangements: Arrangements,
         layout: DockLayout,
         actions: Callable[[], Mapping[str, QAction]],
     ) -> None:
+        window, document, panels = services.window, services.document, services.panels
         super().__init__(window)
-        self._window, self._document, self._preferences = window, document, preferences
+        self._window, self._document, self._preferences = window, document, services.preferences
         self._files, self._actions = files, actions
         self._arrangements, self._layout = arrangements, layout
         self.presenting = self.covered = False

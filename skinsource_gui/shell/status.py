@@ -32,6 +32,7 @@ from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.overlays import Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
+from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.state.edit_times import EditTime, EditTimes, milliseconds, summary
 from skinsource_gui.state.engine import Engine, Outcome, Purpose, Request
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
@@ -240,6 +241,7 @@ class Sparkline(QWidget):
         return super().event(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        theme = current_theme()
         painter = QPainter(self)
         width, height = self.width(), self.height()
         shown = self._times_s[-width:]
@@ -250,12 +252,12 @@ class Sparkline(QWidget):
             bars = slow if time_s > FRAME_S else quick
             bars.append(QRect(column, height - bar, 1, bar))
         painter.setPen(Qt.PenStyle.NoPen)
-        for bars, colour in ((slow, current_theme().warning), (quick, current_theme().accent)):
+        for bars, colour in ((slow, theme.warning), (quick, theme.accent)):
             painter.setBrush(QColor(colour))
             painter.drawRects(bars)
         at = round(height * (1.0 - FRAME_S / _TOP_S))
-        painter.fillRect(0, at, width, 1, QColor(current_theme().dim))
-        painter.fillRect(0, height - 1, width, 1, QColor(current_theme().border))
+        painter.fillRect(0, at, width, 1, QColor(theme.dim))
+        painter.fillRect(0, height - 1, width, 1, QColor(theme.border))
         painter.end()
 
     def _paint_again(self) -> None:
@@ -299,7 +301,7 @@ class TimingLabel(QLabel):
         self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
         self._pause.timeout.connect(self._show_text)
         self._fit()
-        window.installEventFilter(self)
+        WindowEvents.follow(window, self._note_painting, QEvent.Type.UpdateRequest)
         engine.finished.connect(self._note_arrival)
 
     def show_outcome(self, outcome: Outcome) -> None:
@@ -324,11 +326,11 @@ class TimingLabel(QLabel):
         if event.type() == QEvent.Type.FontChange:
             self._fit()
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.UpdateRequest and self._delivered is not None:
+    def _note_painting(self, event: QEvent) -> None:
+        del event
+        if self._delivered is not None:
             # The window is painted while it handles this event.
             QTimer.singleShot(0, self._note_painted)
-        return super().eventFilter(watched, event)
 
     def _note_arrival(self, outcome: Outcome) -> None:
         self._arrived = outcome, perf_counter()

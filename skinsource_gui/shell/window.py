@@ -43,6 +43,7 @@ from skinsource_gui.state.historian import Historian
 from skinsource_gui.state.job_runner import JobRunner, WaveletLevelling
 from skinsource_gui.state.panel import PREPARING, Panel, PanelRegistry
 from skinsource_gui.state.preferences import InstalledLimbs, Preferences
+from skinsource_gui.state.services import Services
 
 _LARGEST_AT_FIRST = (1600, 940)
 
@@ -81,7 +82,16 @@ class MainWindow(QMainWindow):
             self.document, self.notice, self.statusBar(), self.status_line, self.accuracy
         )
         self._limb_note = LimbNote()
-        self._make_capabilities()
+        services = Services(
+            window=self,
+            document=self.document,
+            engine=self.engine,
+            panels=self.panels,
+            runner=self.runner,
+            preferences=preferences,
+            limbs=self.limbs,
+        )
+        self._make_capabilities(services)
         self.action_set = ActionSet(ACTIONS, self.document, self._capabilities(), self)
         self.actions_by_name = self.action_set.by_name
         ShortcutsInFields(self.actions_by_name.values(), self)
@@ -118,7 +128,7 @@ class MainWindow(QMainWindow):
         while self.engine.busy:
             loop.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
 
-    def _make_capabilities(self) -> None:
+    def _make_capabilities(self, services: Services) -> None:
         places = {spec.panel.name: spec.places for spec in PANELS}
         self.arrangements = dock_layout.Arrangements(self, self.docks, places)
         self.dock_tabs = docks.DockTabs(self, self.docks)
@@ -128,54 +138,31 @@ class MainWindow(QMainWindow):
         self.files = FileActions(
             self.document, self.preferences, self, self.layout_of_docks.content
         )
-        saving = self.document, self.preferences, self.files
         self.pictures = PanelPictures(
-            self,
-            self.document,
-            self.engine,
-            self.panels,
+            services,
             self.appearance,
             self.catch_up,
             self.docks,
             docks.PanelInUse(self, self.docks, self.panels, self.dock_tabs),
         )
-        self.exports = ExportActions(*saving, self.runner, self.pictures.picture_of, self)
-        self.stimuli = StimulusActions(*saving, self.runner, self)
-        self.scenes = SceneActions(*saving, self.limbs, self.layout_of_docks.show_scene, self)
+        self.exports = ExportActions(services, self.files, self.pictures.picture_of)
+        self.stimuli = StimulusActions(services, self.files)
+        self.scenes = SceneActions(services, self.files, self.layout_of_docks.show_scene)
         self.comparison = Comparison(self.document, self.engine, self.panels)
-        self.keeping = AutosaveAndRecovery(
-            self.document,
-            self.engine,
-            self.runner,
-            self.files,
-            self.layout_of_docks,
-            self.preferences.autosave_s,
-            self,
-        )
-        self.imports = ImportActions(self.document, self.preferences, self)
+        self.keeping = AutosaveAndRecovery(services, self.files, self.layout_of_docks)
+        self.imports = ImportActions(services)
         self.library = LibraryActions(self.document, self)
         self.playback = Playback(self.document, self.preferences, self)
         self.running_jobs = RunningJobs(self.runner, self)
         self.levelling = WaveletLevelling(self.document, self.runner, self)
         self.presenter = Presenter(
-            self,
-            self.document,
-            self.panels,
-            self.preferences,
+            services,
             self.files,
             self.arrangements,
             self.layout_of_docks,
             lambda: self.actions_by_name,
         )
-        self.pages = Pages(
-            self,
-            self._findable,
-            self.document,
-            self.preferences,
-            self.runner,
-            self.limbs,
-            self.status_line,
-        )
+        self.pages = Pages(services, self._findable, self.status_line)
 
     def _capabilities(self) -> dict[str, QObject]:
         # By the names that the table of actions has for them.

@@ -58,6 +58,9 @@ class OnLimbs(QObject):
         super().__init__(document)
         self._document, self._engine = document, engine
         self._panels = panels
+        # What visible panels need, as of the last change: of each limb, and all of them together.
+        self._needs: dict[Panel, Mapping[str, frozenset[str]]] = {}
+        self._wanted: dict[str, frozenset[str]] = {}
         self._requests: dict[str, Request] = {}
         self._outcomes: dict[str, Outcome] = {}
 
@@ -75,7 +78,14 @@ class OnLimbs(QObject):
             self._requests.pop(limb, None)
 
     def _follow(self) -> None:
-        wanted = self._wanted()
+        visible = [panel for panel in self._panels if panel.compares and panel.isVisible()]
+        needed = {panel: panel.needs_on_limbs for panel in visible}
+        self._needs = {panel: on_limbs for panel, on_limbs in needed.items() if on_limbs}
+        wanted: dict[str, frozenset[str]] = {}
+        for on_limbs in self._needs.values():
+            for limb, needs in on_limbs.items():
+                wanted[limb] = wanted.get(limb, frozenset({UNPLAYABLE})) | needs
+        self._wanted = wanted
         for limb in self._requests.keys() - wanted.keys():
             del self._requests[limb]
             self._engine.release(_slot(limb))
@@ -85,20 +95,9 @@ class OnLimbs(QObject):
             self._ask()
             self._tell()
 
-    def _visible_panels(self) -> list[Panel]:
-        return [panel for panel in self._panels if panel.isVisible() and panel.needs_on_limbs]
-
-    def _wanted(self) -> dict[str, frozenset[str]]:
-        """Return the quantities that are needed on each limb."""
-        wanted: dict[str, frozenset[str]] = {}
-        for panel in self._visible_panels():
-            for limb, needs in panel.needs_on_limbs.items():
-                wanted[limb] = wanted.get(limb, frozenset({UNPLAYABLE})) | needs
-        return wanted
-
     def _ask(self) -> None:
         """Request the quantities that are not known of the present design."""
-        for limb, needs in self._wanted().items():
+        for limb, needs in self._wanted.items():
             located = self._on_limb(limb)
             if isinstance(located, str):
                 continue
@@ -131,7 +130,7 @@ class OnLimbs(QObject):
     def _note(self, outcome: Outcome) -> None:
         request = outcome.request
         limb = request.given["limb"]
-        needs = self._wanted().get(limb)
+        needs = self._wanted.get(limb)
         if needs is None:
             return
         of_window = request.place == (FIRST_SLOT, Purpose.SHOW)
@@ -142,10 +141,9 @@ class OnLimbs(QObject):
         self._tell()
 
     def _tell(self) -> None:
-        wanted = self._wanted()
-        compared = {limb: self._compared(limb, needs) for limb, needs in wanted.items()}
-        for panel in self._visible_panels():
-            panel.show_on_limbs([compared[limb] for limb in panel.needs_on_limbs])
+        compared = {limb: self._compared(limb, needs) for limb, needs in self._wanted.items()}
+        for panel, on_limbs in self._needs.items():
+            panel.show_on_limbs([compared[limb] for limb in on_limbs])
 
     def _compared(self, limb: str, needs: frozenset[str]) -> Compared:
         asked = self._on_limb(limb)
@@ -251,6 +249,8 @@ class Comparison(QObject):
         super().__init__(document)
         self._document, self._engine = document, engine
         self._panels = panels
+        # What visible panels need of each snapshot, as of the last change.
+        self._needs: dict[Panel, frozenset[str]] = {}
         self._on_limbs = OnLimbs(document, engine, panels)
         self._requests: dict[int, Request] = {}
         self._known: dict[int, _Known] = {}
@@ -327,12 +327,15 @@ class Comparison(QObject):
         return with_edited(self._document.view.snapshots, self._document.design)
 
     def _follow(self) -> None:
-        if not (self._visible() or self._when_complete or self._requests):
+        visible = [panel for panel in self._panels if panel.compares and panel.isVisible()]
+        needed = {panel: panel.needs_of_snapshots for panel in visible}
+        self._needs = {panel: needs for panel, needs in needed.items() if needs}
+        if not (self._needs or self._when_complete or self._requests):
             return  # removed snapshots are forgotten once a panel compares again
         numbers = {snapshot.number for snapshot in self._snapshots()}
         for number in self._known.keys() - numbers - {_PRESENT}:
             del self._known[number]
-        wanted = numbers if self._visible() or self._when_complete else set()
+        wanted = numbers if self._needs or self._when_complete else set()
         for number in self._requests.keys() - wanted:
             del self._requests[number]
             self._engine.release(_comparison_slot(number))
@@ -340,15 +343,11 @@ class Comparison(QObject):
             self._ask()
             self._tell()
 
-    def _visible(self) -> list[Panel]:
-        """Return the visible panels that need snapshots."""
-        return [panel for panel in self._panels if panel.isVisible() and panel.needs_of_snapshots]
-
     def _ask(self) -> None:
         """Request what is not known yet; once all is known, call what waits for it."""
-        if not (self._when_complete or self._visible()):
+        if not (self._when_complete or self._needs):
             return
-        wanted = _LEVELS.union(*(panel.needs_of_snapshots for panel in self._visible()))
+        wanted = _LEVELS.union(*self._needs.values())
         complete = True
         for snapshot in self._snapshots():
             if self._lookup(snapshot, wanted) is not None:
@@ -398,8 +397,8 @@ class Comparison(QObject):
         self._tell()
 
     def _tell(self) -> None:
-        for panel in self._visible():
-            panel.show_snapshots(self._compared(_LEVELS | panel.needs_of_snapshots))
+        for panel, needs in self._needs.items():
+            panel.show_snapshots(self._compared(_LEVELS | needs))
 
     def _compared(self, wanted: frozenset[str]) -> tuple[Compared, ...]:
         """Return every snapshot, with values where all that is ``wanted`` is known."""

@@ -1,6 +1,6 @@
 """Keeps the visible panels in step with the document, and the document with what panels want."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import partial
 from time import perf_counter
@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from skinsource.base.errors import SkinSourceError
 from skinsource.design import edits
 from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.view import View
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import (
@@ -68,8 +69,10 @@ class Conductor(QObject):
         self._delivered_to: dict[Panel, tuple[frozenset[str], Mapping[str, Any]]] = {}
         # Panels whose next results do not continue what they show.
         self._restarting: set[Panel] = set()
-        # Panels whose needs take too long on the limb of the document.
-        self._too_large: list[Panel] = []
+        # What the visible panels need, as of the last change; those left out whose needs take too
+        # long on the limb of the document.
+        self._needs: dict[Panel, frozenset[str]] = {}
+        self._unplayable: dict[Panel, tuple[UnplayableInput, ...]] = {}
         # Panels that know the present state.
         self._informed: set[Panel] = set()
         document.jumped.connect(self._note_jump)
@@ -94,11 +97,11 @@ class Conductor(QObject):
 
     def _follow(self) -> None:
         since_s = perf_counter()
+        self._informed = {panel for panel in self._panels if panel.isVisibleTo(panel.window())}
+        design, view = self._document.design, self._document.shown_view
         for panel in self._panels:
-            if panel.isVisibleTo(panel.window()):
-                self._tell(panel)
-            else:
-                self._informed.discard(panel)
+            if panel in self._informed:
+                panel.show_state(design, view)
         self._request_results(since_s)
 
     def _wait_for_results(self) -> None:
@@ -119,41 +122,43 @@ class Conductor(QObject):
 
     def _request_results(self, since_s: float | None = None) -> None:
         """Request the results that are not known yet."""
-        visible = [panel for panel in self._panels if panel.isVisible()]
-        for panel in self._panels:
-            if panel not in visible:
-                self._shown.pop(panel, None)
-        if not any(panel.needs for panel in visible):
+        needs = {panel: panel.needs for panel in self._panels if panel.isVisible()}
+        for panel in self._shown.keys() - needs.keys():
+            del self._shown[panel]
+        self._needs = {panel: names for panel, names in needs.items() if names}
+        if not self._needs:
             return
-        visible = self._without_too_large(visible)
-        given = sources_shown(self._document.design, self._document.shown_view)
-        wanted = self._also.union(*(panel.needs for panel in visible))
+        document = self._document
+        self._leave_out_too_large(document.design.limb)
+        wanted = self._also.union(*self._needs.values())
         if not wanted:
             return
         request = Request(
-            wanted | {UNPLAYABLE}, given, perf_counter() if since_s is None else since_s
+            wanted | {UNPLAYABLE},
+            sources_shown(document.design, document.shown_view),
+            perf_counter() if since_s is None else since_s,
         )
-        is_missing = any(panel.needs and panel not in self._shown for panel in visible)
-        if self._request == request and not is_missing:
+        if self._request == request and self._needs.keys() <= self._shown.keys():
             return
         self._request = request
-        for panel in visible:
-            if panel.needs:
-                panel.show_stale(self._is_stale(panel))
+        for panel in self._needs:
+            panel.show_stale(self._is_stale(panel))
         self.stale.emit(True)
         self._engine.request(request)
         self._awaited = True
 
-    def _without_too_large(self, visible: list[Panel]) -> list[Panel]:
-        """Return the panels whose needs can be computed; the others show why not."""
-        reason = too_large(self._document.design.limb)
-        self._too_large = [
-            panel
-            for panel in visible
-            if reason and FROM_THE_LIMB & self._engine.upstream_of(panel.needs)
-        ]
-        self._explain(self._too_large, reason)
-        return [panel for panel in visible if panel not in self._too_large]
+    def _leave_out_too_large(self, limb: str) -> None:
+        """Leave out the panels whose needs cannot be computed; they show why not."""
+        reason = too_large(limb)
+        if reason:
+            left_out = [
+                panel
+                for panel, needs in self._needs.items()
+                if FROM_THE_LIMB & self._engine.upstream_of(needs)
+            ]
+            self._explain(left_out, reason)
+            for panel in left_out:
+                del self._needs[panel]
 
     def _is_stale(self, panel: Panel) -> bool:
         """Return whether the results of a panel would have other sources now."""
@@ -161,58 +166,62 @@ class Conductor(QObject):
             return True
         needs, then = self._delivered_to[panel]
         now = self._request.given
-        return needs != panel.needs or any(
+        return needs != self._needs.get(panel) or any(
             then[name] != now[name] for name in self._engine.upstream_of(needs) & now.keys()
         )
 
     def _deliver(self, outcome: Outcome) -> None:
         if outcome.request.place != (FIRST_SLOT, Purpose.SHOW):
             return
-        visible = [panel for panel in self._panels if panel.isVisible() and panel.needs]
-        visible = [panel for panel in visible if panel not in self._too_large]
-        for panel in visible:
-            panel.show_unplayable(outcome.values[UNPLAYABLE] if outcome.values else ())
+        newest = outcome.request is self._request
+        unplayable = outcome.values[UNPLAYABLE] if outcome.values else ()
+        for panel in self._needs:
+            if self._unplayable.get(panel) != unplayable:
+                self._unplayable[panel] = unplayable
+                panel.show_unplayable(unplayable)
         if outcome.values is None:
             reason = _reason(outcome.error)
-            self._explain(visible, reason)
+            self._explain(self._needs, reason)
             self.failed.emit(reason)
-            self.stale.emit(outcome.request is not self._request)
+            self.stale.emit(not newest)
             return
         faults = [
             fault
-            for panel in visible
-            if panel.needs <= outcome.values.keys()
-            and (fault := self._show_or_explain(panel, outcome, outcome.values)) is not None
+            for panel, needs in self._needs.items()
+            if needs <= outcome.values.keys()
+            and (fault := self._show_or_explain(panel, needs, outcome, outcome.values)) is not None
         ]
         self.delivered.emit(outcome)
-        self.stale.emit(outcome.request is not self._request)
+        self.stale.emit(not newest)
         for fault in faults:
             # The other panels show their results; the fault is still reported.
             raise fault
 
     def _show_or_explain(
-        self, panel: Panel, outcome: Outcome, values: Mapping[str, Any]
+        self, panel: Panel, needs: frozenset[str], outcome: Outcome, values: Mapping[str, Any]
     ) -> Exception | None:
         """Have a panel show its results; after an exception it shows that, and returns it."""
         fault: Exception | None = None
         try:
-            self._show(panel, values)
+            self._show(panel, needs, values)
         except Exception as error:  # noqa: BLE001  it would be stale for good
             fault = error
             self._shown.pop(panel, None)
             panel.show_problem(f"This panel cannot show it. {_reason(error)}")
-        self._delivered_to[panel] = panel.needs, outcome.request.given
+        self._delivered_to[panel] = needs, outcome.request.given
         if outcome.request is self._request:
             self._restarting.discard(panel)
-        stale = fault is None and self._is_stale(panel)
+            stale = False
+        else:
+            stale = fault is None and self._is_stale(panel)
         panel.show_stale(stale)
         if stale:
             panel.show_newer()
         return fault
 
-    def _show(self, panel: Panel, values: Mapping[str, Any]) -> None:
+    def _show(self, panel: Panel, needs: frozenset[str], values: Mapping[str, Any]) -> None:
         # Results that have not changed are not drawn again.
-        results = tuple(values[name] for name in sorted(panel.needs))
+        results = tuple(values[name] for name in sorted(needs))
         before = self._shown.get(panel, ())
         if len(results) != len(before) or any(
             a is not b for a, b in zip(results, before, strict=True)
@@ -222,7 +231,7 @@ class Conductor(QObject):
             panel.show_results(values)
             self._shown[panel] = results
 
-    def _explain(self, visible: list[Panel], reason: str) -> None:
+    def _explain(self, visible: Iterable[Panel], reason: str) -> None:
         for panel in visible:
             self._shown.pop(panel, None)
             self._delivered_to.pop(panel, None)

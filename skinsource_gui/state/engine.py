@@ -1,19 +1,19 @@
-"""Evaluation away from the GUI thread: the engine of a window, and the worker of a page.
+"""Evaluation away from the GUI thread: the engine of a window.
 
 Requests name quantities and sources. Each design that is predicted beside the others has a slot,
 and of each slot and purpose only the newest request waits.
 """
 
-from collections import deque
 from collections.abc import Callable, Mapping
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future
 from dataclasses import dataclass, field, replace
 from enum import IntEnum
-from threading import Event, Lock
+from functools import partial
+from threading import Event
 from time import perf_counter
 from typing import Any
 
-from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
 from skinsource.base.errors import SkinSourceError, Stopped
@@ -26,109 +26,7 @@ from skinsource.engine.graph import Graph
 from skinsource.engine.quantities import sources
 from skinsource.limbs.limb import LIVE_INPUTS, LIVE_OUTPUTS
 from skinsource.limbs.own_limbs import axes_on, facts_of
-
-#: Runs in the worker thread; may raise `Stopped` once it is `LatestWins.outdated`.
-Task = Callable[[], None]
-
-
-class LatestWins(QObject):
-    """Runs one task at a time; of those that wait, the newest replaces the others.
-
-    Parameters
-    ----------
-    name
-        Of the thread.
-    """
-
-    #: The subject of a task, and a sentence on why it failed.
-    failed = Signal(object, str)
-    _told = Signal(object, object)  # from the worker thread: a signal and its arguments
-
-    def __init__(self, name: str, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._pool = ThreadPoolExecutor(1, thread_name_prefix=name)
-        self._lock = Lock()
-        self._wanted: tuple[object, Task] | None = None
-        self._besides: Task | None = None
-        self._working = False
-        self._closed = Event()
-        self._told.connect(self._tell, Qt.ConnectionType.QueuedConnection)
-
-    @property
-    def busy(self) -> bool:
-        """Whether a task runs or waits."""
-        with self._lock:
-            return self._working
-
-    @property
-    def closed(self) -> bool:
-        """Whether it was closed."""
-        return self._closed.is_set()
-
-    @property
-    def outdated(self) -> bool:
-        """Whether a newer task waits, or it was closed."""
-        return self.closed or self._wanted is not None
-
-    def want(self, subject: object, work: Task) -> None:
-        """Run ``work`` in place of tasks that wait; ``failed`` names the ``subject``."""
-        with self._lock:
-            self._wanted = subject, work
-        self._begin()
-
-    def want_besides(self, work: Task) -> None:
-        """Run ``work`` once nothing else waits; a task that stops it starts it anew later."""
-        with self._lock:
-            self._besides = work
-        self._begin()
-
-    def tell(self, signal: Any, *arguments: object) -> None:
-        """Emit a signal in the thread of the window, unless this is closed by then."""
-        self._told.emit(signal, arguments)
-
-    def close(self) -> None:
-        """Stop the running task, and wait until it has ended."""
-        self._closed.set()
-        self._pool.shutdown(wait=True)
-
-    def _begin(self) -> None:
-        with self._lock:
-            if self._working or self.closed:
-                return
-            self._working = True
-        self._pool.submit(self._work)
-
-    def _tell(self, signal: Any, arguments: tuple[Any, ...]) -> None:
-        if not self.closed:
-            signal.emit(*arguments)
-
-    def _work(self) -> None:
-        """Run tasks until none waits."""
-        while True:
-            with self._lock:
-                latest, self._wanted = self._wanted, None
-                besides = self._besides
-                if (latest is None and besides is None) or self.closed:
-                    self._working = False
-                    return
-            subject, work = latest if latest is not None else (None, besides)
-            try:
-                if work is not None:
-                    work()
-            except Stopped:
-                continue
-            except Exception as error:  # noqa: BLE001  shown to the user
-                self.tell(self.failed, subject, _sentence(error))
-            with self._lock:
-                if latest is None and self._besides is besides:
-                    self._besides = None
-
-
-def _sentence(error: Exception) -> str:
-    if isinstance(error, SkinSourceError):
-        return str(error)
-    return f"The studio made a mistake ({type(error).__name__}: {error}). Please report this."
-
+from skinsource_gui.state.worker import Worker
 
 #: An evaluation that has taken longer is abandoned for a newer one: it is no step of a drag.
 _ABANDONED_AFTER_S = 0.5
@@ -209,7 +107,6 @@ class Engine(QObject):
 
     finished = Signal(object)  # Outcome, in the GUI thread
     rested = Signal()  # nothing is evaluated and nothing waits
-    _returned = Signal()  # from the worker thread
 
     def __init__(self, new_graph: Callable[[], Graph], parent: QObject | None = None):
         super().__init__(parent)
@@ -217,20 +114,16 @@ class Engine(QObject):
         self._graphs: dict[Slot, Graph] = {}
         self._plan: Graph | None = None
         self._upstream: dict[frozenset[str], frozenset[str]] = {}
-        self._closing = Event()
         self._superseded = Event()
-        self._done = Event()
         self._started_s = 0.0
         self._running: Request | None = None
         self._newest: Request | None = None
         self._waiting: dict[tuple[Slot, Purpose], Request] = {}
         # The last request of each slot to show something.
         self._to_show: dict[Slot, Request] = {}
-        # Outcomes that are not delivered yet; None: abandoned.
-        self._ended: deque[Outcome | None] = deque()
-        self._lock, self._awaited = Lock(), False
-        self._worker = ThreadPoolExecutor(max_workers=1, thread_name_prefix="skinsource-engine")
-        self._returned.connect(self._receive, Qt.ConnectionType.QueuedConnection)
+        self._worker = Worker("skinsource-engine", self)
+        # Of the running request.
+        self._future: Future[Any] | None = None
 
     @property
     def busy(self) -> bool:
@@ -247,7 +140,7 @@ class Engine(QObject):
 
     def request(self, request: Request) -> None:
         """Evaluate ``request`` as soon as possible, unless a newer one takes its place."""
-        if self._closing.is_set():
+        if self._worker.closed:
             return
         self._newest = request
         if request.purpose is Purpose.SHOW:
@@ -266,8 +159,7 @@ class Engine(QObject):
         for key in [key for key in self._waiting if key[0] == slot]:
             del self._waiting[key]
         self._to_show.pop(slot, None)
-        if not self._closing.is_set():
-            self._worker.submit(self._graphs.pop, slot, None)
+        self._worker.run(partial(self._graphs.pop, slot, None))
 
     def wait(self, longest_s: float) -> None:
         """Sleep until the newest request is evaluated, if nothing else has to be before.
@@ -275,30 +167,22 @@ class Engine(QObject):
         `finished` is emitted before this returns, so that all parts are painted with the results:
         scenes of graphics views are painted as soon as the event loop runs, each for itself.
         """
-        if self._running is None or self._running is not self._newest:
-            return
-        with self._lock:
-            self._awaited = True
-        self._done.wait(longest_s)
-        with self._lock:
-            self._awaited = False
-        self._receive()
+        if self._future is not None and self._running is self._newest:
+            self._worker.wait(self._future, longest_s)
 
     def close(self) -> None:
         """Stop at the next rule and wait for the worker to end; its result is dropped."""
         self._waiting.clear()
-        self._closing.set()
-        self._worker.shutdown(wait=True)
-        self._running = None
+        self._worker.close()
+        self._running = self._future = None
         self.rested.emit()
 
     def _start(self, request: Request) -> None:
         self._running = request
         self._superseded.clear()
-        self._done.clear()
-        self._worker.submit(self._work, request)
+        self._future = self._worker.run(partial(self._outcome_of, request), self._receive)
 
-    def _work(self, request: Request) -> None:
+    def _outcome_of(self, request: Request) -> Outcome:
         self._started_s = start = perf_counter()
         try:
             graph = self._graphs.get(request.slot)
@@ -306,31 +190,20 @@ class Engine(QObject):
                 graph = self._graphs[request.slot] = self._new_graph()
             values = graph.evaluate(request.wanted, request.given, self._should_stop)
         except Stopped:
-            outcome = None
+            raise
         except Exception as error:  # noqa: BLE001  shown to the user by whoever listens
-            outcome = Outcome(request, error=error, compute_s=perf_counter() - start)
-        else:
-            took_s = perf_counter() - start
-            outcome = Outcome(request, values, compute_s=took_s, work=replace(graph.work))
-        with self._lock:
-            self._ended.append(outcome)
-            # With a waiting caller no event is sent: the engine might be deleted before it arrives.
-            alone = not self._awaited
-        self._done.set()
-        if alone:
-            self._returned.emit()
+            return Outcome(request, error=error, compute_s=perf_counter() - start)
+        took_s = perf_counter() - start
+        return Outcome(request, values, compute_s=took_s, work=replace(graph.work))
 
     def _should_stop(self) -> bool:
-        if self._closing.is_set():
+        if self._worker.closed:
             return True
         return self._superseded.is_set() and perf_counter() - self._started_s > _ABANDONED_AFTER_S
 
-    def _receive(self) -> None:
-        if self._closing.is_set() or not self._ended:
-            # The receivers may be gone, or `wait` has delivered the outcome already.
-            return
-        outcome = self._ended.popleft()
-        ended, self._running = self._running, None
+    def _receive(self, outcome: Outcome | None, stopped: Exception | None) -> None:
+        del stopped
+        ended, self._running, self._future = self._running, None, None
         if outcome is None and ended is not None:
             # Abandoned: it waits again, unless a newer request has its place.
             self._waiting.setdefault(ended.place, ended)

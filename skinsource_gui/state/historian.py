@@ -27,8 +27,6 @@ class Historian(QObject):
         super().__init__(document)
         self._document = document
         self._shown: list[Panel] = []
-        document.undo_stack.indexChanged.connect(self._show_history)
-        document.title_changed.connect(self._show_history)
         panels.each(self._meet)
 
     def history(self) -> History:
@@ -51,6 +49,8 @@ class Historian(QObject):
 
     def _meet(self, panel: Panel) -> None:
         if panel.lists_history:
+            for changed in (self._document.undo_stack.indexChanged, self._document.title_changed):
+                changed.connect(self._show_history)
             panel.visibility_changed.connect(partial(self._note_visibility, panel))
             panel.step_requested.connect(self._document.go_to)
 

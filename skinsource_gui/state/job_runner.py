@@ -5,25 +5,25 @@ prediction.
 """
 
 from collections import deque
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
 from threading import Event
 from time import perf_counter
 from typing import Any
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Signal
 
 from skinsource.base.errors import Stopped
 from skinsource.base.job import Job, Progress, Stop, seconds_left
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design
-from skinsource.design.edits.edit import clip_of
+from skinsource.design.edits.edit import leading_clip
 from skinsource.design.view import View
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.engine.levelling import MEASURE, wavelet_levels_db
 from skinsource_gui.state.document import Document
+from skinsource_gui.state.worker import Worker
 
 # Progress that changes faster cannot be seen.
 _PROGRESS_INTERVAL_S = 0.05
@@ -69,22 +69,14 @@ class JobRunner(QObject):
     cancelled = Signal(object)
     #: The job that failed, and the error.
     failed = Signal(object, object)
-    _progressed = Signal(object, object)  # from the worker thread, as are those below
-    _stopping = Signal(object)
-    _returned = Signal(object, object, object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._waiting: deque[Job[Any]] = deque()
         self._running: Job[Any] | None = None
-        self._stop, self._closed = Event(), False
-        # The thread is made for the first job.
-        self._worker: ThreadPoolExecutor | None = None
+        self._stop = Event()
+        self._worker = Worker("skinsource-job", self)
         self.current: Job[Any] | None = None
-        queued = Qt.ConnectionType.QueuedConnection
-        self._progressed.connect(self._tell, queued)
-        self._stopping.connect(self._note_stopping, queued)
-        self._returned.connect(self._receive, queued)
 
     @property
     def busy(self) -> bool:
@@ -94,7 +86,7 @@ class JobRunner(QObject):
     @property
     def unfinished(self) -> tuple[Job[Any], ...]:
         """The running job, if any, and those that wait; empty after `close`."""
-        if self._closed:
+        if self._worker.closed:
             return ()
         return (*([self.current] if self.current else []), *self._waiting)
 
@@ -119,10 +111,7 @@ class JobRunner(QObject):
         """Drop all jobs, stop the running one, and wait until it is cleared away."""
         self._waiting.clear()
         self._stop.set()
-        # The signals of the thread arrive only with the next events.
-        self._closed = True
-        if self._worker is not None:
-            self._worker.shutdown(wait=True)
+        self._worker.close()
 
     def _start_next(self) -> None:
         self._running = self.current = self._waiting.popleft() if self._waiting else None
@@ -130,18 +119,10 @@ class JobRunner(QObject):
             self.starting.emit()
             # A new event: the thread may still check that of the job before.
             self._stop = Event()
-            if self._worker is None:
-                self._worker = ThreadPoolExecutor(1, thread_name_prefix="skinsource-job")
-            self._worker.submit(self._work, self._running, self._stop)
+            job = self._running
+            work = partial(job.run, self._progress_of(job), self._stop_of(job, self._stop))
+            self._worker.run(work, partial(self._receive, job))
         self.changed.emit()
-
-    def _work(self, job: Job[Any], stop: Event) -> None:
-        result, error = None, None
-        try:
-            result = job.run(self._progress_of(job), self._stop_of(job, stop))
-        except Exception as fault:  # noqa: BLE001  shown to the user by whoever listens
-            error = fault
-        self._returned.emit(job, result, error)
 
     def _progress_of(self, job: Job[Any]) -> Progress:
         start_s, last_s = perf_counter(), 0.0
@@ -151,7 +132,8 @@ class JobRunner(QObject):
             now_s = perf_counter()
             if now_s - last_s >= _PROGRESS_INTERVAL_S:
                 last_s = now_s
-                self._progressed.emit(job, JobProgress(done, total, text, now_s - start_s))
+                progress = JobProgress(done, total, text, now_s - start_s)
+                self._worker.tell(self._tell, job, progress)
 
         return tell
 
@@ -164,7 +146,7 @@ class JobRunner(QObject):
                 # From here on nothing is written.  To clear away may take longer than the user
                 # should have to wait.
                 is_stopping = True
-                self._stopping.emit(job)
+                self._worker.tell(self._note_stopping, job)
             return is_stopping
 
         return should_stop
@@ -309,9 +291,7 @@ class WaveletLevelling(QObject):
 
 def selected_train(design: Design, view: View) -> Clip | None:
     """Return the selected clip, if it plays a wavelet train."""
-    if view.selected_input not in design.ids:
-        return None
-    clip = clip_of(design.input(view.selected_input), view)
+    clip = leading_clip(design, view)
     return clip if clip is not None and isinstance(clip.waveform, WaveletTrain) else None
 
 

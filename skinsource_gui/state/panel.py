@@ -87,6 +87,8 @@ class Panel(ShowsStaleness):
     name: ClassVar[str] = ""
     #: Whether it lists the history, see `show_history`.
     lists_history: ClassVar[bool] = False
+    #: Whether it may need quantities of snapshots, or of the design on other limbs.
+    compares: ClassVar[bool] = False
     #: Whether Tab goes from top to bottom, as its fields stand, whenever each was made.
     reads_down: ClassVar[bool] = False
 

@@ -6,7 +6,6 @@ and the playhead of the view runs in step with what the device plays.
 
 import threading
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -25,6 +24,7 @@ from skinsource.lab.playing.devices import Output, output_from_text, outputs_by_
 from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB, START_DB
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.state.worker import Worker
 
 if TYPE_CHECKING:
     from skinsource.actuators.rigs import Rig
@@ -147,10 +147,8 @@ def played_of(document: Document) -> Design:
 
 
 _NAME = "skinsource-sound"
-#: How long `SoundThread.end` waits for a device; a stuck device may never answer.
+#: How long `end_sound` waits for a device; a stuck device may never answer.
 LONGEST_END_S = 3.0
-#: Is called with the result, or with the error where there is none.
-Then = Callable[[Any, SkinSourceError | None], None]
 
 
 def device_is_stuck() -> bool:
@@ -158,45 +156,14 @@ def device_is_stuck() -> bool:
     return any(thread.name.startswith(_NAME) for thread in threading.enumerate())
 
 
-class SoundThread(QObject):
-    """Runs functions in order in a thread; their results arrive in the GUI thread."""
+def sound_worker(parent: QObject) -> Worker:
+    """Return a worker for what asks sound devices; `end_sound` closes it."""
+    return Worker(_NAME, parent)
 
-    _returned = Signal(object, object, object)  # from the thread
 
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        # The thread is made for the first function.
-        self._worker: ThreadPoolExecutor | None = None
-        self._ended = False
-        self._returned.connect(self._receive, Qt.ConnectionType.QueuedConnection)
-
-    def do(self, work: Callable[[], Any], then: Then) -> None:
-        """Run ``work``, then call ``then``; do nothing after the end."""
-        if self._ended:
-            return
-        if self._worker is None:
-            self._worker = ThreadPoolExecutor(1, thread_name_prefix=_NAME)
-        self._worker.submit(self._work, work, then)
-
-    def end(self, last: Callable[[], Any]) -> None:
-        """Run ``last``, wait for it at most `LONGEST_END_S`, and deliver no more results."""
-        if self._ended:
-            return
-        self._ended = True
-        self._returned.disconnect(self._receive)
-        if self._worker is not None:
-            ended = wait([self._worker.submit(last)], LONGEST_END_S).done
-            self._worker.shutdown(wait=bool(ended))
-            self._worker = None
-
-    def _work(self, work: Callable[[], Any], then: Then) -> None:
-        try:
-            self._returned.emit(then, work(), None)
-        except SkinSourceError as error:
-            self._returned.emit(then, None, error)
-
-    def _receive(self, then: Then, result: Any, error: SkinSourceError | None) -> None:
-        then(result, error)
+def end_sound(worker: Worker, last: Callable[[], Any] | None = None) -> None:
+    """Run ``last``, wait for it at most `LONGEST_END_S`, and deliver no more results."""
+    worker.close(last, finish=True, longest_s=LONGEST_END_S)
 
 
 class LiveEdits(QObject):
@@ -221,7 +188,7 @@ class LiveEdits(QObject):
     failed = Signal(str)
 
     def __init__(
-        self, document: Document, session: LazySession, thread: SoundThread, parent: QObject
+        self, document: Document, session: LazySession, thread: Worker, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._document, self._session, self._thread = document, session, thread
@@ -275,10 +242,10 @@ class LiveEdits(QObject):
             loops=latest[1],
             rig=self._rig,
         )
-        self._thread.do(partial(_timed, change), self._receive)
+        self._thread.run(partial(_timed, change), self._receive)
 
     def _receive(
-        self, timed: "tuple[Playing | None, float] | None", error: SkinSourceError | None
+        self, timed: "tuple[Playing | None, float] | None", error: Exception | None
     ) -> None:
         self._busy = False
         if self._playing is None:
@@ -393,7 +360,7 @@ class SoundSettings(QObject):
     refused = Signal(str)
 
     def __init__(
-        self, preferences: Preferences, session: LazySession, thread: SoundThread, parent: QObject
+        self, preferences: Preferences, session: LazySession, thread: Worker, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._preferences, self._session, self._thread = preferences, session, thread
@@ -475,7 +442,7 @@ class SoundSettings(QObject):
 
     def look(self) -> None:
         """Look for devices; playback ends."""
-        self._thread.do(self._session.made.devices, self._receive_devices)
+        self._thread.run(self._session.made.devices, self._receive_devices)
 
     def note_missing(self, reason: str) -> None:
         """Store why nothing was heard; "" where it was heard."""
@@ -484,7 +451,7 @@ class SoundSettings(QObject):
             self.changed.emit()
 
     def _receive_devices(
-        self, found_devices: "tuple[Device, ...] | None", error: SkinSourceError | None
+        self, found_devices: "tuple[Device, ...] | None", error: Exception | None
     ) -> None:
         self.searched, self.devices, self.rates_hz = True, found_devices or (), ()
         self.missing = self._search_error = "" if error is None else str(error)
@@ -499,11 +466,9 @@ class SoundSettings(QObject):
         except SkinSourceError as error:
             self.missing = self.missing or str(error)
             return
-        self._thread.do(partial(lab.playing.devices.rates_of, device), self._receive_rates)
+        self._thread.run(partial(lab.playing.devices.rates_of, device), self._receive_rates)
 
-    def _receive_rates(
-        self, rates_hz: tuple[int, ...] | None, error: SkinSourceError | None
-    ) -> None:
+    def _receive_rates(self, rates_hz: tuple[int, ...] | None, error: Exception | None) -> None:
         self.rates_hz = rates_hz or ()
         self.changed.emit()
 
@@ -548,7 +513,7 @@ class Player(QObject):
     def __init__(self, document: Document, preferences: Preferences, parent: QObject) -> None:
         super().__init__(parent)
         self._document = document
-        self._thread = SoundThread(self)
+        self._thread = sound_worker(self)
         self._session = LazySession(self._finished.emit)
         self.settings = SoundSettings(preferences, self._session, self._thread, self)
         self.edits = LiveEdits(document, self._session, self._thread, self)
@@ -648,18 +613,18 @@ class Player(QObject):
         """Stop for good, and release the device."""
         self.preparing, self._start = False, None
         self._end_playing()
-        self._thread.end(self._session.close)
+        end_sound(self._thread, self._session.close)
 
     def _begin(
         self, play: "Callable[[], Playing]", follow: Callable[[], None] | None, start: object
     ) -> None:
         self.preparing, self._start = True, start
 
-        def take(playing: "Playing | None", error: SkinSourceError | None) -> None:
+        def take(playing: "Playing | None", error: Exception | None) -> None:
             if self._start is not start:
                 # It was stopped before it began. A start after that ends it by itself.
                 if playing is not None and not self.preparing:
-                    self._thread.do(self._session.close, _ignore_result)
+                    self._thread.run(self._session.close)
             elif playing is None:
                 self.preparing = False
                 self.failed.emit(str(error))
@@ -678,7 +643,7 @@ class Player(QObject):
             self._over_early = None
             self.changed.emit()
 
-        self._thread.do(play, take)
+        self._thread.run(play, take)
         self.changed.emit()
 
     def _pass_gain(self, gain_db: float) -> None:
@@ -698,7 +663,7 @@ class Player(QObject):
         if now is not None and now.over:
             self._end_playing()
             if now.stream is not None:
-                self._thread.do(
+                self._thread.run(
                     partial(self._session.made.close_stream, now.stream), _ignore_result
                 )
                 self.failed.emit(_DEVICE_LOST)
@@ -715,7 +680,7 @@ class Player(QObject):
         else:
             # The last waves are still on their way.
             self.now = seen_on
-        self._thread.do(partial(self._session.made.close_stream, stream), _ignore_result)
+        self._thread.run(partial(self._session.made.close_stream, stream))
         if ending is None:
             self.failed.emit(_DEVICE_LOST)
         elif ending.reason == "panic":
@@ -730,7 +695,7 @@ class Player(QObject):
         self.changed.emit()
 
 
-def _ignore_result(_result: object, _error: SkinSourceError | None) -> None:
+def _ignore_result(_result: object, _error: Exception | None) -> None:
     """Do nothing: there is nothing to report."""
 
 

@@ -15,6 +15,7 @@ from skinsource.design.design import Design, track
 from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.catalog import available_limbs
 from skinsource.limbs.own_limbs import facts_of
+from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.state.document import Document
 
 #: Unsaved work is kept as often, unless something else is wanted.
@@ -210,12 +211,7 @@ class InstalledLimbs(QObject):
         self._shown = tuple(facts_of(name) for name in names)
         self._document = document
         document.changed.connect(self._follow)
-        window.installEventFilter(self)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.WindowActivate:
-            self.look()
-        return super().eventFilter(watched, event)
+        WindowEvents.follow(window, lambda _: self.look(), QEvent.Type.WindowActivate)
 
     def _follow(self) -> None:
         if self._document.design.limb not in self.names:

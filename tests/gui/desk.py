@@ -1,19 +1,23 @@
 """What a page stands in front of where the panels of a studio are not the point."""
 
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QMainWindow
 
 from skinsource.design.design import Design
 from skinsource.design.view import View
+from skinsource.engine.quantities import graphs_that_share
 from skinsource_gui.pages.actions import ImportActions, StimulusActions
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.pages.motion import MotionPage
 from skinsource_gui.shell.playing import Playback
 from skinsource_gui.state.document import Document
+from skinsource_gui.state.engine import Engine
 from skinsource_gui.state.job_runner import JobRunner
-from skinsource_gui.state.preferences import Preferences, start_design
+from skinsource_gui.state.panel import PanelRegistry
+from skinsource_gui.state.preferences import InstalledLimbs, Preferences, start_design
+from skinsource_gui.state.services import Services
 
 
-class Desk(QWidget):
+class Desk(QMainWindow):
     """A document and what opens pages on it, put together as a window does it.
 
     A window makes all panels besides, arranges and paints them, which takes longer than most tests
@@ -25,10 +29,18 @@ class Desk(QWidget):
         self.document = Document(design or start_design("synthetic-1"), view, self)
         self.runner = JobRunner(self)
         self.files = FileActions(self.document, preferences, self, lambda: b"")
-        self.imports = ImportActions(self.document, preferences, self)
+        services = Services(
+            window=self,
+            document=self.document,
+            engine=Engine(graphs_that_share(), self),
+            panels=PanelRegistry({}),
+            runner=self.runner,
+            preferences=preferences,
+            limbs=InstalledLimbs((), self.document, self),
+        )
+        self.imports = ImportActions(services)
         self.playback = Playback(self.document, preferences, self)
-        saving = self.document, preferences, self.files
-        self.stimuli = StimulusActions(*saving, self.runner, self)
+        self.stimuli = StimulusActions(services, self.files)
 
     def show_motion(self) -> MotionPage:
         """Open the page of motions."""

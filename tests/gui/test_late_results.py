@@ -2,6 +2,7 @@
 
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import partial
 from threading import Event
 
 import pytest
@@ -42,7 +43,7 @@ OF_SNAPSHOTS = ["compare", "linearity"]
 def held(window):
     """Have nothing evaluated meanwhile."""
     let_go = Event()
-    window.engine._worker.submit(let_go.wait, 60.0)
+    window.engine._worker.run(partial(let_go.wait, 60.0))
     try:
         yield
     finally:

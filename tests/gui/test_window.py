@@ -1,6 +1,7 @@
 import sys
 import threading
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
@@ -143,7 +144,7 @@ def test_closing_during_an_evaluation_ends_cleanly(make_window):
     )
     # What is quick would be done before it can be closed.
     gate = threading.Event()
-    window.engine._worker.submit(gate.wait, 5)
+    window.engine._worker.run(partial(gate.wait, 5))
     window.document.edit("a", window.document.design.with_clip(1, onset_s=0.1))
     assert window.engine.busy
     window.document.mark_saved(window.document.path)

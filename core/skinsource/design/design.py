@@ -276,17 +276,13 @@ def _with_id(clip: Clip, id: int) -> Clip:
 
 def audible_indices(inputs: tuple[Input, ...]) -> tuple[int, ...]:
     """Return the indices of the audible inputs: the solo ones, if any, without muted ones."""
-    any_solo = any(track.solo for track in inputs)
-    return tuple(
-        index
-        for index, track in enumerate(inputs)
-        if not track.muted and (track.solo or not any_solo)
-    )
+    solo = [index for index, track in enumerate(inputs) if track.solo]
+    return tuple([index for index in solo or range(len(inputs)) if not inputs[index].muted])
 
 
 def audible_inputs(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
     """Return the audible inputs."""
-    return tuple(inputs[index] for index in audible_indices(inputs))
+    return tuple([inputs[index] for index in audible_indices(inputs)])
 
 
 def amplitude_spec(design: Design) -> NumberSpec:

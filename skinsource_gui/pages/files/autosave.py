@@ -5,13 +5,13 @@ the user recognises the work.
 """
 
 from collections.abc import Callable, Mapping
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QBuffer, QByteArray, QObject, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QBuffer, QByteArray, QObject, QRectF, QSize, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QPainter
 
 from skinsource.base.errors import SkinSourceError
@@ -26,6 +26,7 @@ from skinsource_gui.plots.small_map import SmallMap, SmallMaps, paint_small_map
 from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Engine
+from skinsource_gui.state.worker import Worker
 
 #: Width and height, px.
 SIZE = QSize(120, 180)
@@ -123,13 +124,12 @@ class Autosave(QObject):
         self._document, self._layout, self._picture = document, layout, picture
         self._session = Session(folder)
         self._state = self._look()
-        self._worker: ThreadPoolExecutor | None = None
+        self._worker = Worker("skinsource-autosave", self)
         self._complained = self._ended = False
         # Whether there is a copy of this work already.
         self._has_copy = False
         self._timer = QTimer(self, singleShot=True)
         self._timer.timeout.connect(self._keep_soon)
-        self._written.connect(self._report, Qt.ConnectionType.QueuedConnection)
         document.changed.connect(self._follow)
         document.title_changed.connect(self._follow)
 
@@ -148,10 +148,7 @@ class Autosave(QObject):
         self._timer.stop()
         for signal in (self._document.changed, self._document.title_changed):
             signal.disconnect(self._follow)
-        if self._worker is not None:
-            if forget:
-                self._worker.submit(self._session.forget)
-            self._worker.shutdown(wait=True)
+        self._worker.close(self._session.forget if forget else None, finish=True)
 
     def _look(self) -> _State:
         document = self._document
@@ -163,8 +160,8 @@ class Autosave(QObject):
         if not self._state.modified:
             self._timer.stop()
             self._has_copy = False
-            if self._worker is not None:
-                self._worker.submit(self._session.forget)
+            if self._worker.used:
+                self._worker.run(self._session.forget)
             return
         if before.modified and before.design.limb != self._state.design.limb:
             # Another limb is read and evaluated next.
@@ -180,23 +177,22 @@ class Autosave(QObject):
             self._keep(self._look())
 
     def _keep(self, state: _State) -> "Future[bool]":
-        if self._worker is None:
-            self._worker = ThreadPoolExecutor(1, thread_name_prefix="skinsource-autosave")
         self._has_copy = True
         write = partial(self._write, state, self._layout(), self._picture(state.design))
-        return self._worker.submit(write)
+        return self._worker.run(write)
 
     def _write(self, state: _State, layout: bytes, picture: QImage) -> bool:
         try:
             content = DesignFile(design=state.design, view=state.view, layout=layout)
             self._session.keep(content, state.path, png_of(picture))
         except SkinSourceError as error:
-            self._written.emit(str(error))
+            self._worker.tell(self._report, str(error))
             return False
         except Exception as error:  # noqa: BLE001  it would be lost in the thread
-            self._written.emit(f"The studio made a mistake: {type(error).__name__}: {error}.")
+            reason = f"The studio made a mistake: {type(error).__name__}: {error}."
+            self._worker.tell(self._report, reason)
             return False
-        self._written.emit(None)
+        self._worker.tell(self._report, None)
         return True
 
     def _report(self, reason: str | None) -> None:

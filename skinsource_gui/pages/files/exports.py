@@ -13,7 +13,6 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QWidget
 
 from skinsource.actuators import rigs
 from skinsource.base.errors import MissingExtraError, SkinSourceError, TooInaccurateError
@@ -47,9 +46,8 @@ from skinsource_gui.plots.pictures import (
 )
 from skinsource_gui.qt.error_label import VISIBLE
 from skinsource_gui.qt.questions import ask_yes
-from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
-from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.state.services import Services
 
 #: Names of further arguments of functions that write: `PictureOptions`, the visible part of the
 #: skin map, and the path of this machine's rig, or None.
@@ -354,17 +352,14 @@ class ExportActions(QObject):
 
     def __init__(
         self,
-        document: Document,
-        preferences: Preferences,
+        services: Services,
         files: FileActions,
-        runner: JobRunner,
         drawer_of: DrawerOf,
-        window: QWidget,
     ) -> None:
-        super().__init__(window)
-        self._document, self._preferences, self._files = document, preferences, files
-        self._drawer_of, self._window = drawer_of, window
-        self._jobs = ExportJobs(runner, files, self)
+        super().__init__(services.window)
+        self._document, self._preferences = services.document, services.preferences
+        self._files, self._drawer_of, self._window = files, drawer_of, services.window
+        self._jobs = ExportJobs(services.runner, files, self)
         self._jobs.failed.connect(self.failed)
         self._picture_options: dict[str, PictureOptions] = {}
 

@@ -30,6 +30,7 @@ from skinsource.design.view import View
 from skinsource.limbs.catalog import available_limbs, default_limb
 from skinsource.specs.image import MAX_IMAGE_BYTES
 from skinsource_gui.qt.questions import ask_to_replace, ask_to_save, ask_yes
+from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 
@@ -187,7 +188,7 @@ class FileActions(QObject):
         self.held = HeldFile()
         #: Suggested path for a design without a file; None: a usual one.
         self.suggested: Path | None = None
-        window.installEventFilter(self)
+        WindowEvents.follow(window, lambda _: self.look_at_disk(), QEvent.Type.WindowActivate)
 
     def new(self) -> None:
         """Start over with an empty design on the person's limb, in the person's panels."""
@@ -331,11 +332,6 @@ class FileActions(QObject):
             )
         elif state == "changed":
             self.failed.emit(f"{path.name} {_CHANGED}. Saving will ask before it is replaced.")
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.WindowActivate:
-            self.look_at_disk()
-        return super().eventFilter(watched, event)
 
     def _note_file(self, path: Path | None) -> None:
         self._on_disk.note(path)

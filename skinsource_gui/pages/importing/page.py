@@ -37,7 +37,7 @@ from skinsource_gui.pages.importing.form import (
     OverviewStrip,
 )
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
-from skinsource_gui.state.engine import LatestWins
+from skinsource_gui.state.worker import Worker, fault_text
 
 # Reading that takes longer is given up for a newer request.
 _PATIENCE_S = 0.5
@@ -46,10 +46,11 @@ _BETWEEN_PROGRESS_S = 0.05
 _COLUMNS = 600
 
 
-class ReadingWorker(LatestWins):
-    """Inspects a file and imports parts of it; samples in memory are not read again.
+_PART, _OVERVIEW = "part", "overview"
 
-    ``failed`` names the `ImportChoice` that failed, or None for the inspection of the file.
+
+class ReadingWorker(Worker):
+    """Inspects a file and imports parts of it; samples in memory are not read again.
 
     Parameters
     ----------
@@ -59,6 +60,8 @@ class ReadingWorker(LatestWins):
         Sample rate of the imported parts.
     """
 
+    #: The `ImportChoice` that failed, None for the inspection of the file, and a sentence on why.
+    failed = Signal(object, str)
     #: `Found`.
     inspected = Signal(object)
     #: `RawPart` that was read for the present choice.
@@ -79,38 +82,47 @@ class ReadingWorker(LatestWins):
 
     def look(self) -> None:
         """Find out what the file holds."""
-        self.want(None, self._look)
+        self.run_newest(_PART, self._look, partial(self._receive, None))
 
     def take(self, choice: ImportChoice) -> None:
         """Import ``choice`` in place of the choice before."""
-        self.want(choice, partial(self._import, choice))
+        work = partial(self._import, choice)
+        self.run_newest(_PART, work, partial(self._receive, choice))
 
     def survey(self, series: Series) -> None:
         """Compute the picture of a whole series once nothing else is to be done."""
-        self.want_besides(partial(self._read_overview, series))
+        self.run_newest(_OVERVIEW, partial(self._read_overview, series), again=True)
 
-    def close(self) -> None:
-        super().close()
+    def end(self) -> None:
+        """Stop reading, and the process that reads."""
+        self.close()
         self._process.close()
+
+    def _receive(self, choice: ImportChoice | None, _: None, error: Exception | None) -> None:
+        if error is not None and not isinstance(error, Stopped):
+            self.failed.emit(choice, fault_text(error))
 
     def _look(self) -> None:
         self._found = self._process.look(self._path, stop=lambda: self.closed)
-        self.tell(self.inspected, self._found)
+        self.tell(self.inspected.emit, self._found)
 
     def _import(self, choice: ImportChoice) -> None:
         job = Job(f"Importing {self._path.name}", partial(self._take, choice))
-        self.tell(self.converted, choice, job.run(self._progress(), self._stop()))
+        self.tell(self.converted.emit, choice, job.run(self._progress(), self._stop()))
 
     def _read_overview(self, series: Series) -> None:
         try:
             extremes = self._process.overview(
-                self._path, series.key, series.n_samples, _COLUMNS, stop=lambda: self.outdated
+                self._path, series.key, series.n_samples, _COLUMNS, stop=self._should_wait
             )
         except SkinSourceError as error:
             if isinstance(error, Stopped):
                 raise  # it is tried again later, unless the page is closed
             return  # the import of the part reports the error
-        self.tell(self.surveyed, series.key, extremes)
+        self.tell(self.surveyed.emit, series.key, extremes)
+
+    def _should_wait(self) -> bool:
+        return self.is_outdated(_PART) or self.is_outdated(_OVERVIEW)
 
     def _take(self, choice: ImportChoice, *, progress: Progress, stop: Stop) -> Taken:
         if self._found is None:
@@ -125,7 +137,7 @@ class ReadingWorker(LatestWins):
                 progress=progress,
                 stop=stop,
             )
-        self.tell(self.read, self._raw)
+        self.tell(self.read.emit, self._raw)
         stop_if(stop)
         return self._raw.converted(choice, self._to_hz)
 
@@ -133,7 +145,7 @@ class ReadingWorker(LatestWins):
         until_s = monotonic() + _PATIENCE_S
 
         def stop() -> bool:
-            return self.closed or (self.outdated and monotonic() > until_s)
+            return self.closed or (self.is_outdated(_PART) and monotonic() > until_s)
 
         return stop
 
@@ -144,7 +156,7 @@ class ReadingWorker(LatestWins):
             nonlocal last_s
             if monotonic() - last_s >= _BETWEEN_PROGRESS_S:
                 last_s = monotonic()
-                self.tell(self.progressed, done, total)
+                self.tell(self.progressed.emit, done, total)
 
         return tell
 
@@ -223,7 +235,7 @@ class ImportPage(QDialog):
     def done(self, result: int) -> None:
         """Close the page, with or without a recording."""
         taken, place = self._taken, self._place.value
-        self._worker.close()
+        self._worker.end()
         super().done(result)
         if result == QDialog.DialogCode.Accepted and taken is not None:
             self.chosen.emit(taken.waveform, place)

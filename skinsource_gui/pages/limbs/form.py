@@ -2,8 +2,8 @@
 
 import dataclasses
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -30,7 +30,6 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource.base.arrays import Floats
-from skinsource.base.errors import SkinSourceError
 from skinsource.base.run_limited import LimitedProcess
 from skinsource.base.work import counted
 from skinsource.design.labels import AXES
@@ -45,6 +44,7 @@ from skinsource_gui.qt.buttons import page_button
 from skinsource_gui.qt.labels import NameLine
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.qt.tooltips import tooltip
+from skinsource_gui.state.worker import Worker
 
 _NO_POINTS, _TURN = np.empty((0, 2)), np.array((1.0, -1.0))
 
@@ -532,49 +532,39 @@ class LimbReader(QObject):
     pictured = Signal(object, object)
     #: Why a file could not be read, as a sentence.
     failed = Signal(str)
-    _finished = Signal(object, object)  # from the worker thread: a signal and its arguments
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._process = LimitedProcess()
-        self._pool = ThreadPoolExecutor(1, thread_name_prefix="skinsource-limb")
-        self._waiting = 0
-        self._finished.connect(self._emit, Qt.ConnectionType.QueuedConnection)
+        self._worker = Worker("skinsource-limb", self)
 
     @property
     def busy(self) -> bool:
         """Whether a file is being read."""
-        return self._waiting > 0
+        return self._worker.busy
 
     def look(self, path: Path) -> None:
         """Read header and shapes of a file of responses."""
-        self._do(lambda: (self.inspected, (path, read_description(path, self._process))))
+        self._do(partial(read_description, path, self._process), self.inspected, path)
 
     def read_points(self, path: Path, what: str) -> None:
         """Read an outline, or places."""
-        self._do(lambda: (self.read, (path, what, read_points(path, self._process))))
+        self._do(partial(read_points, path, self._process), self.read, path, what)
 
     def read_photograph(self, path: Path) -> None:
         """Read a picture."""
-        self._do(lambda: (self.pictured, (path, photograph.read(path, self._process))))
+        self._do(partial(photograph.read, path, self._process), self.pictured, path)
 
     def end(self) -> None:
         """Stop reading."""
         self._process.close()
-        self._pool.shutdown(wait=True, cancel_futures=True)
+        self._worker.close()
 
-    def _do(self, work: Callable[[], tuple[Any, tuple[Any, ...]]]) -> None:
-        self._waiting += 1
+    def _do(self, work: Callable[[], Any], signal: Any, *about: object) -> None:
+        def tell(result: Any, error: Exception | None) -> None:
+            if error is None:
+                signal.emit(*about, result)
+            else:
+                self.failed.emit(str(error))
 
-        def run() -> None:
-            try:
-                outcome = work()
-            except SkinSourceError as error:
-                outcome = self.failed, (str(error),)
-            self._finished.emit(*outcome)
-
-        self._pool.submit(run)
-
-    def _emit(self, signal: Any, arguments: tuple[Any, ...]) -> None:
-        self._waiting -= 1
-        signal.emit(*arguments)
+        self._worker.run(work, tell)

@@ -21,7 +21,7 @@ from skinsource.actuators.catalog import names, profile
 from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped
+from skinsource.base.errors import InvalidInputError, Stopped
 from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.base.quoting import sentence
 from skinsource.lab.rig_measuring.duplex import InputDevice, input_devices
@@ -41,7 +41,7 @@ from skinsource_gui.plots.ranges import XAxis
 from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.theme import UNIT_PX
-from skinsource_gui.state.playing import SoundSettings, SoundThread
+from skinsource_gui.state.playing import SoundSettings, end_sound, sound_worker
 
 _DEVICE = "input_device"
 _SAME = ("", "The one played on, if it has inputs")
@@ -267,7 +267,7 @@ class MeasurePage(QDialog):
         self.setWindowTitle(f"Measure place {channel.place}")
         self.resize(760, 640)
         self._channel, self._settings = channel, settings
-        self._thread, self._stop = SoundThread(self), Event()
+        self._thread, self._stop = sound_worker(self), Event()
         self._running = self._looking = False
         self.measurement: ChannelMeasurement | None = None
         self.fields = MeasureFields(setup_of(settings.sensor_text), self)
@@ -287,7 +287,7 @@ class MeasurePage(QDialog):
         # Devices that are listed from now on do not concern this page.
         self._looking = False
         self._stop.set()
-        self._thread.end(lambda: None)
+        end_sound(self._thread)
         super().done(result)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -341,10 +341,10 @@ class MeasurePage(QDialog):
     def _list_inputs(self) -> None:
         if self._looking and self._settings.searched:
             self._looking = False
-            self._thread.do(input_devices, self._show_inputs)
+            self._thread.run(input_devices, self._show_inputs)
 
     def _show_inputs(
-        self, devices: tuple[InputDevice, ...] | None, error: SkinSourceError | None
+        self, devices: tuple[InputDevice, ...] | None, error: Exception | None
     ) -> None:
         self.fields.show_inputs(devices or ())
         self._say_readiness()
@@ -368,9 +368,9 @@ class MeasurePage(QDialog):
             progress=self._progressed.emit,
             stop=self._stop.is_set,
         )
-        self._thread.do(work, self._take)
+        self._thread.run(work, self._take)
 
-    def _take(self, measurement: ChannelMeasurement | None, error: SkinSourceError | None) -> None:
+    def _take(self, measurement: ChannelMeasurement | None, error: Exception | None) -> None:
         self._running, self.measurement = False, measurement
         self.plot.show_measured(measurement, self._channel)
         if measurement is not None:

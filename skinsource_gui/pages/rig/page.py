@@ -46,7 +46,7 @@ from skinsource_gui.qt.buttons import page_button, page_label, scrolled
 from skinsource_gui.qt.questions import ask_to_save
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.playing import SoundSettings, SoundThread
+from skinsource_gui.state.playing import SoundSettings, end_sound, sound_worker
 
 _LIMIT = "limit "
 _FIELDS = (
@@ -319,7 +319,7 @@ class RigPage(QDialog):
         self.setObjectName("rig_page")
         self.setWindowTitle("Rig")
         self.resize(860, 640)
-        self._document, self._settings, self._thread = document, settings, SoundThread(self)
+        self._document, self._settings, self._thread = document, settings, sound_worker(self)
         settings.look_for_rig()
         path = settings.rig_path if settings.rig is not None else None
         self.draft = RigDraft(settings.rig, path, document.design, self)
@@ -343,7 +343,7 @@ class RigPage(QDialog):
         """Close the page, after a question where changes are not saved."""
         if self.draft.unsaved and not self._may_lose_changes():
             return
-        self._thread.end(lambda: None)
+        end_sound(self._thread)
         super().done(result)
 
     def button(self, name: str) -> QPushButton:
@@ -423,7 +423,7 @@ class RigPage(QDialog):
         name, _ = QFileDialog.getOpenFileName(self, "Response of the actuator", "", RESPONSE_FILES)
         if name:
             self._say("Reading…")
-            self._thread.do(partial(open_response, Path(name)), self._take_response)
+            self._thread.run(partial(open_response, Path(name)), self._take_response)
 
     def _measure(self) -> None:
         """Open the page that measures this channel."""
@@ -434,7 +434,7 @@ class RigPage(QDialog):
         page.open()
 
     def _take_response(
-        self, response: MeasuredResponse | None, error: SkinSourceError | None = None
+        self, response: MeasuredResponse | None, error: Exception | None = None
     ) -> None:
         if error is not None:
             self._say(str(error))

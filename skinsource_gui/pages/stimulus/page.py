@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 
 from skinsource.actuators.rigs import UNCALIBRATED
 from skinsource.base.arrays import Floats
+from skinsource.base.errors import Stopped
 from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
 from skinsource.design.design import Design
@@ -36,7 +37,7 @@ from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, reme
 from skinsource_gui.qt.buttons import scrolled
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
-from skinsource_gui.state.engine import LatestWins
+from skinsource_gui.state.worker import Worker, fault_text
 
 _ROW_PX, _GAP_PX = 58, 6
 _TEXT_PX = 208
@@ -216,6 +217,8 @@ class PreparingRow(QWidget):
 
 
 _LEFT_PX = 300
+#: Of the worker's tasks: only the newest order is prepared.
+_ORDER = "order"
 
 
 class StimulusPage(QDialog):
@@ -233,9 +236,6 @@ class StimulusPage(QDialog):
 
     #: The `PreparedStimulus`; whether clipping was confirmed; settings to remember.
     chosen = Signal(object, bool, str)
-    # From the worker: the `Order`, and its `PreparedStimulus`, or how much of its work is done.
-    _ready = Signal(object, object)
-    _progressed = Signal(object, int, int)
 
     def __init__(
         self,
@@ -264,7 +264,7 @@ class StimulusPage(QDialog):
         )
         self._name_parts()
         self._lay_out()
-        self._design, self._worker = design, LatestWins("skinsource-stimulus", self)
+        self._design, self._worker = design, Worker("skinsource-stimulus", self)
         self._connect()
         recall(self.form, last_settings, machine_rig)
         self._machine_rig = machine_rig
@@ -334,9 +334,6 @@ class StimulusPage(QDialog):
     def _connect(self) -> None:
         self.form.changed.connect(self._order)
         self.form.refused.connect(self._show_refused)
-        self._ready.connect(self._show_ready)
-        self._progressed.connect(self._show_progress)
-        self._worker.failed.connect(self._show_failed)
         self._confirm.toggled.connect(self._show_button)
         self._buttons.accepted.connect(self.accept)
         self._buttons.rejected.connect(self.reject)
@@ -348,11 +345,13 @@ class StimulusPage(QDialog):
         self._set_pale(True)
         self._preparing.begin()
         self._export_button.setEnabled(False)
-        self._worker.want(order, partial(self._prepare, order))
+        self._worker.run_newest(
+            _ORDER, partial(self._prepare, order), partial(self._receive, order)
+        )
 
-    def _prepare(self, order: Order) -> None:
+    def _prepare(self, order: Order) -> PreparedStimulus:
         """Prepare the stimulus, in the thread of the worker."""
-        prepared = prepare_stimulus(
+        return prepare_stimulus(
             self._design,
             order.format,
             order.rate_hz,
@@ -360,14 +359,23 @@ class StimulusPage(QDialog):
             actuation=order.actuation,
             rig=order.rig,
             equaliser=order.equaliser,
-            progress=lambda done, total, _: self._worker.tell(self._progressed, order, done, total),
-            stop=lambda: self._worker.outdated,
+            progress=lambda done, total, _: self._worker.tell(
+                self._show_progress, order, done, total
+            ),
+            stop=partial(self._worker.is_outdated, _ORDER),
         )
-        self._worker.tell(self._ready, order, prepared)
 
-    def _show_ready(self, order: Order, prepared: PreparedStimulus) -> None:
-        if order is not self._ordered:
+    def _receive(
+        self, order: Order, prepared: PreparedStimulus | None, error: Exception | None
+    ) -> None:
+        if order is not self._ordered or isinstance(error, Stopped):
             return
+        if prepared is None:
+            self._show_refused(fault_text(error) if error else "")
+        else:
+            self._show_prepared(prepared)
+
+    def _show_prepared(self, prepared: PreparedStimulus) -> None:
         self.prepared = prepared
         self._preparing.end()
         self._set_pale(False)
@@ -391,10 +399,6 @@ class StimulusPage(QDialog):
                 effect = QGraphicsOpacityEffect(label, opacity=PALE)
                 label.setGraphicsEffect(effect)
             effect.setEnabled(pale)
-
-    def _show_failed(self, order: Order, reason: str) -> None:
-        if order is self._ordered:
-            self._show_refused(reason)
 
     def _show_refused(self, reason: str) -> None:
         self._ordered = self.prepared = None

@@ -16,7 +16,7 @@ from skinsource.actuators.equalising import followed_band
 from skinsource.base.measurement_conditions import Band
 from skinsource.design import edits
 from skinsource.design.design import Design
-from skinsource.design.edits.edit import clip_of
+from skinsource.design.edits.edit import leading_clip
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import CentredTap, Tap
@@ -407,7 +407,5 @@ def _scrolled(*parts: QWidget) -> SteadyArea:
 
 def _plays_tap(design: Design | None, view: View) -> bool:
     """Return whether the edited clip plays a tap that leaves a velocity."""
-    if design is None or view.selected_input not in design.ids:
-        return False
-    clip = clip_of(design.input(view.selected_input), view)
+    clip = None if design is None else leading_clip(design, view)
     return clip is not None and isinstance(clip.waveform, Tap)

@@ -24,7 +24,7 @@ from skinsource.base.quoting import sentence
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design
-from skinsource.design.edits.edit import Edit, Refusal, clip_of
+from skinsource.design.edits.edit import Edit, Refusal, leading_clip
 from skinsource.design.effects.breakpoints import Points, with_point_after
 from skinsource.design.effects.level import UNCHANGED, Envelope
 from skinsource.design.signal_path import UnplayableInput
@@ -463,9 +463,7 @@ class ClipEditorPanel(Panel):
     @property
     def clip(self) -> Clip | None:
         """The clip that was selected last, or the first one of the selected track."""
-        selected = self._view.selected_input
-        track = next((track for track in self._design.inputs if track.id == selected), None)
-        return None if track is None else clip_of(track, self._view)
+        return leading_clip(self._design, self._view)
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view

@@ -67,6 +67,7 @@ class ComparePanel(Panel):
 
     title: ClassVar[str] = "Compare"
     name: ClassVar[str] = "compare"
+    compares: ClassVar[bool] = True
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -9,7 +9,7 @@ from skinsource.design.clips import ONSET as ONSET_S
 from skinsource.design.clips import Clip
 from skinsource.design.design import AMPLITUDE as DESIGN_AMPLITUDE
 from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, amplitude_spec
-from skinsource.design.edits.edit import clip_of
+from skinsource.design.edits.edit import clip_of, leading_input
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.specs.models import specs_of
@@ -200,6 +200,4 @@ class FrequencyAndAmplitudePanel(Panel):
 
 def _controlled_input(design: Design, view: View) -> Input | None:
     """Return the selected track, or the only one, which nobody has to select."""
-    if len(design.inputs) == 1:
-        return design.inputs[0]
-    return next((track for track in design.inputs if track.id == view.selected_input), None)
+    return design.inputs[0] if len(design.inputs) == 1 else leading_input(design, view)

@@ -730,10 +730,11 @@ class HandPanel(Panel):
             track.id: texts[track.id] if track.id in unchanged else (track, _text(track))
             for track in tracks
         }
+        theme = current_theme()
         marks = tuple(
             Mark(
                 site=track.location,
-                colour=current_theme().input_colour(track.colour),
+                colour=theme.input_colour(track.colour),
                 silent=id(track) not in audible,
                 text=self._texts[track.id][1],
                 chosen=track.id in self._view.selected_inputs,
@@ -744,9 +745,9 @@ class HandPanel(Panel):
 
     def _selected(self) -> int | None:
         """Return the index of the input that was selected last, if the design still has it."""
-        if self._design is None or self._view.selected_input not in self._design.ids:
-            return None
-        return self._design.index_of(self._view.selected_input)
+        tracks = () if self._design is None else enumerate(self._design.inputs)
+        last = self._view.selected_input
+        return next((index for index, track in tracks if track.id == last), None)
 
     def _select(self, index: int) -> None:
         self._edit(edits.select_inputs, self._ids_at(index))

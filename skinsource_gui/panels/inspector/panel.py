@@ -32,7 +32,15 @@ from skinsource.design.design import (
     amplitude_spec,
     audible_inputs,
 )
-from skinsource.design.edits.edit import Edit, Refusal, clip_of, clips_of, kind_name, kind_spec
+from skinsource.design.edits.edit import (
+    Edit,
+    Refusal,
+    clip_of,
+    clips_of,
+    kind_name,
+    kind_spec,
+    leading_input,
+)
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
@@ -195,10 +203,15 @@ class InputFields(QObject):
         self._amplitude.set_spec(amplitude)
         self._gain.set_spec(replace(GAIN, label="Clip gain") if peak else GAIN)
         pairs = [(other, each) for other in batch for each in clips_of(other, view) or (None,)]
+        own = _values(track, clip)
+        rest = [
+            _values(other, each) for other, each in pairs if other is not track or each is not clip
+        ]
         for cell in self._fields():
-            cell.set_value(_value(track, cell.name, clip))
-            values = {_value(other, cell.name, each) for other, each in pairs} - {None}
-            cell.show_differs(len(values) > 1)
+            value = own.get(cell.name)
+            cell.set_value(value)
+            different = {value, *(other.get(cell.name) for other in rest)} - {None}
+            cell.show_differs(len(different) > 1)
 
     def show_limb(self, limb: str) -> None:
         """Take over the places of a limb and the band in which it was measured."""
@@ -224,7 +237,7 @@ class InputFields(QObject):
     def show_refused(self, track: Input, name: str, reason: str) -> None:
         """Show the value of this field again, and the reason why it did not change."""
         cell = next(cell for cell in self._fields() if cell.name == name)
-        cell.set_value(_value(track, name, clip_of(track, self._view)))
+        cell.set_value(_values(track, clip_of(track, self._view)).get(name))
         cell.show_reason(reason)
 
     def forget_typing(self) -> None:
@@ -282,13 +295,11 @@ class InputFields(QObject):
             part.deleteLater()
 
 
-def _value(track: Input, name: str, clip: Clip | None) -> object:
-    """Return the value of a cell for an input and its clip; None where there is none."""
-    if name == "kind":
-        return "" if clip is None else kind_name(clip.waveform)
-    if name == "location":
-        return str(track.location)
-    return edits.value_of(track, name, clip) if name in edits.fields_of(track, clip) else None
+def _values(track: Input, clip: Clip | None) -> dict[str, object]:
+    """Return the value of each cell for an input and its clip, by name."""
+    own = {name: edits.value_of(track, name, clip) for name in edits.fields_of(track, clip)}
+    kind = "" if clip is None else kind_name(clip.waveform)
+    return {**own, "kind": kind, "location": str(track.location)}
 
 
 class InputHeading(QWidget):
@@ -366,14 +377,9 @@ class Selection(QObject):
         super().__init__(parent)
         self._design = Design(limb="")
         self._view = View()
+        #: The input that was selected last.
+        self.last: Input | None = None
         self._changes = FieldChanges()
-
-    @property
-    def last(self) -> Input | None:
-        """The input that was selected last."""
-        if self._view.selected_input not in self._design.ids:
-            return None
-        return self._design.input(self._view.selected_input)
 
     @property
     def batch(self) -> tuple[Input, ...]:
@@ -383,6 +389,7 @@ class Selection(QObject):
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view."""
         self._design, self._view = design, view
+        self.last = leading_input(design, view)
 
     def change_kind(self, _: str, kind: str, gesture: int | None) -> None:
         """Give all selected inputs another kind of waveform."""
@@ -425,6 +432,7 @@ class Selection(QObject):
             self.edited.emit(outcome, gesture)
 
 
+_NEEDS = frozenset({"input_waveforms", "sample_rate_hz"})
 # Smallest size with letters of any size, px.
 _LEAST = QSize(204, 224)
 
@@ -475,7 +483,7 @@ class InspectorPanel(Panel):
     @property
     def needs(self) -> frozenset[str]:
         """What each input plays, and its rate."""
-        return frozenset({"input_waveforms", "sample_rate_hz"})
+        return _NEEDS
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
@@ -508,7 +516,7 @@ class InspectorPanel(Panel):
         self._empty.setText(hint(self.in_sight))
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        self._results = {name: results[name] for name in self.needs}
+        self._results = {name: results[name] for name in _NEEDS}
         self._fields.show_rate(results["sample_rate_hz"])
         self._show_waveform()
 

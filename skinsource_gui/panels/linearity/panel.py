@@ -187,6 +187,7 @@ class LinearityPanel(FigurePanel):
 
     title: ClassVar[str] = "Linearity"
     name: ClassVar[str] = "linearity"
+    compares: ClassVar[bool] = True
 
     def __init__(self, parent: QWidget | None = None) -> None:
         self.picture = DiagramsPicture("linearity_picture", "Linearity of snapshots")

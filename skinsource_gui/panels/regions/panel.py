@@ -293,6 +293,7 @@ class RegionsPanel(Panel):
 
     title: ClassVar[str] = "Regions"
     name: ClassVar[str] = "regions"
+    compares: ClassVar[bool] = True
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

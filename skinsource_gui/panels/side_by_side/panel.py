@@ -212,6 +212,7 @@ class SideBySidePanel(Panel):
 
     title: ClassVar[str] = "Side by side"
     name: ClassVar[str] = "side_by_side"
+    compares: ClassVar[bool] = True
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -479,28 +479,25 @@ class SkinMap(QWidget):
         self.stage.fit()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        theme = current_theme()
         painter, mouse = QPainter(self), self.picker.mouse
-        painter.fillRect(self.rect(), QColor(current_theme().base))
+        painter.fillRect(self.rect(), QColor(theme.base))
         if self.stage.layout is not None and self._painter is not None:
             painter.setFont(tabular(small_font(self.stage.letters)))
-            self._painter.paint(painter, self.content, self.stage.layout, current_theme())
-            marks = [(mouse.hovered, current_theme().text)]
+            self._painter.paint(painter, self.content, self.stage.layout, theme)
+            marks = [(mouse.hovered, theme.text)]
             if self.hasFocus():
-                marks.append((self.picker.keys.cursor_output, current_theme().accent))
+                marks.append((self.picker.keys.cursor_output, theme.accent))
             for number, colour in marks:
                 if number is not None:
-                    paint_mark(
-                        painter, number, colour, self.content, self.stage.layout, current_theme()
-                    )
+                    paint_mark(painter, number, colour, self.content, self.stage.layout, theme)
             if mouse.band is not None:
-                paint_band(painter, mouse.band, current_theme())
+                paint_band(painter, mouse.band, theme)
         painter.setFont(self.stage.letters)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        paint_map_texts(
-            painter, self.content, self.stage.layout, QRectF(self.rect()), current_theme()
-        )
+        paint_map_texts(painter, self.content, self.stage.layout, QRectF(self.rect()), theme)
         if self.hasFocus():
-            paint_focus_frame(painter, QRectF(self.rect()), current_theme())
+            paint_focus_frame(painter, QRectF(self.rect()), theme)
         painter.end()
 
     def event(self, event: QEvent) -> bool:

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import reduce
 from itertools import pairwise
 from math import floor, log10
 
@@ -346,11 +345,10 @@ class ColourStrip(QWidget):
     def show_marks(self, marks: tuple[tuple[float, int], ...]) -> None:
         """Show levels of selected outputs, each in its colour."""
         if marks != self._marks:
-            # Only the area of the old and the new marks is painted again.
-            places = [self._mark_at(level).boundingRect() for level, _ in (*self._marks, *marks)]
-            reached = reduce(QRectF.united, places)
+            # Only the column of marks is painted again.
             self._marks = marks
-            self.update(reached.adjusted(-1, -1, 1, 1).toAlignedRect())
+            left = self._ramp().left()
+            self.update(QRectF(left - 9, 0, 9, self.height()).toAlignedRect())
 
     def show_quantity(self, quantity: MapQuantity, colours: str = VIRIDIS) -> None:
         """Say what the levels are, and in which colours."""
@@ -361,21 +359,22 @@ class ColourStrip(QWidget):
             self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        theme = current_theme()
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(tabular(small_font(self.font())))
         ramp = self._ramp()
         pulled = self._pulled
-        scale = (pulled.axis_db, pulled.range_db, current_theme(), self._quantity, self._colours)
+        scale = (pulled.axis_db, pulled.range_db, theme, self._quantity, self._colours)
         ground = self.palette().window().color()
         self._scale.paint(painter, QRectF(self.rect()), scale, self._paint_scale, ground)
-        painter.setPen(QPen(QColor(current_theme().base), 0.5))
+        painter.setPen(QPen(QColor(theme.base), 0.5))
         for level, rank in self._marks:
-            painter.setBrush(current_theme().output_colour(rank))
+            painter.setBrush(theme.output_colour(rank))
             painter.drawPolygon(self._mark_at(level))
         if self.hasFocus():
             painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.setPen(QPen(QColor(current_theme().accent), 2))
+            painter.setPen(QPen(QColor(theme.accent), 2))
             painter.drawRect(ramp.adjusted(-1, -1, 1, 1))
         painter.end()
 

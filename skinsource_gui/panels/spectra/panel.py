@@ -250,7 +250,9 @@ class SpectraPanel(SignalPanel):
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, SpectraSettings)
         before = self._settings
-        rescaled = replace(settings, **_OF_AXIS) != replace(before, **_OF_AXIS)
+        rescaled = settings != before and (
+            replace(settings, **_OF_AXIS) != replace(before, **_OF_AXIS)
+        )
         self._view, self._settings = view, settings
         self._log_frequency.setChecked(settings.log_frequency)
         self._log_magnitude.setChecked(settings.log_magnitude)

@@ -15,7 +15,7 @@ from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
 from skinsource.design.clips import Clip
 from skinsource.design.design import MAX_INPUTS, Design, Input
 from skinsource.design.edits.cutting import fades_of
-from skinsource.design.edits.edit import Edit, clip_of
+from skinsource.design.edits.edit import Edit, leading_clip
 from skinsource.design.effects.breakpoints import Points, curve_at
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
@@ -491,9 +491,9 @@ class TimelineContent:
 
 def chosen_clips(design: Design, view: View) -> tuple[int, ...]:
     """Return the clips that edits change, see `TimelineContent.chosen`."""
-    if view.selected_clips or view.selected_input not in design.ids:
+    if view.selected_clips:
         return view.selected_clips
-    clip = clip_of(design.input(view.selected_input), view)
+    clip = leading_clip(design, view)
     return () if clip is None else (clip.id,)
 
 

@@ -6,6 +6,7 @@ Lanes are kept as a picture, into which only lanes that look different are paint
 from collections import OrderedDict
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from math import ceil, floor
 from operator import is_
 from typing import Any
@@ -412,11 +413,16 @@ def ticks_of(scale: TimeScale) -> tuple[str, tuple[Tick, ...]]:
     return unit, linear_ticks(*scale.shown_s, max(scale.width_px / _TICK_PX, 2), factor)
 
 
+@lru_cache(maxsize=4)
+def _ticks_px(scale: TimeScale) -> tuple[float, ...]:
+    return tuple(scale.x(tick.value) for tick in ticks_of(scale)[1])
+
+
 def grid_lines(scale: TimeScale, room: QRectF) -> list[QLineF]:
     """Return the vertical lines below the ticks."""
     return [
         QLineF(x, room.top(), x, room.bottom())
-        for x in (scale.x(tick.value) for tick in ticks_of(scale)[1])
+        for x in _ticks_px(scale)
         if room.left() <= x <= room.right()
     ]
 
@@ -570,6 +576,7 @@ class LanesItem(LaneLayer):
         super().show_font(font)
 
     def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+        theme = current_theme()
         content = self._content
         if content is None:
             return
@@ -584,19 +591,19 @@ class LanesItem(LaneLayer):
         shown = [lane for lane in content.lanes if self._strip(lane).intersects(exposed)]
         for lane in shown:
             self._paint_ground(painter, lane)
-        painter.setPen(QPen(QColor(current_theme().grid), 1))
+        painter.setPen(QPen(QColor(theme.grid), 1))
         painter.drawLines(grid_lines(content.scale, lanes))
         self._paint_after_end(painter, content, lanes)
         for lane in shown:
             self._paint_silence_reason(painter, lane)
             self._paint_clips(painter, content, lane, lanes)
             overlaps = content.overlaps.of(lane.track)
-            paint_overlaps(painter, lane, overlaps, content.scale, current_theme())
+            paint_overlaps(painter, lane, overlaps, content.scale, theme)
         self.painted_lanes += len(shown)
         painter.restore()
         ruler = QRectF(rect.left(), 0, rect.width(), content.ruler_px)
         if ruler.intersects(exposed):
-            paint_ruler(painter, content, ruler, current_theme())
+            paint_ruler(painter, content, ruler, theme)
 
     def _update_lane_of(self, clip: int | None) -> None:
         for lane in () if self._content is None or clip is None else self._content.lanes:

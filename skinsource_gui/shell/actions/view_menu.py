@@ -4,7 +4,7 @@ from functools import partial
 
 from skinsource.design import edits
 from skinsource.design.design import Design
-from skinsource.design.edits.edit import Edit, Refusal, clip_of
+from skinsource.design.edits.edit import Edit, Refusal, leading_clip
 from skinsource.design.view import View
 from skinsource_gui.panels.skin.settings import has_colours, use_colours
 from skinsource_gui.plots.small_map import COLOURS
@@ -27,8 +27,7 @@ def _delay_removed(design: Design, view: View) -> bool:
 
 
 def _has_clip(design: Design, view: View) -> bool:
-    track_id = view.selected_input
-    return track_id in design.ids and clip_of(design.input(track_id), view) is not None
+    return leading_clip(design, view) is not None
 
 
 VIEW: tuple[ActionSpec, ...] = (

@@ -27,7 +27,7 @@ class HeldThread:
     def __init__(self, clock):
         self._clock, self._waiting = clock, []
 
-    def do(self, work, then):
+    def run(self, work, then):
         self._waiting.append((work, then))
 
     def finish(self, took_s):

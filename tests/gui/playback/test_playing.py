@@ -113,7 +113,7 @@ def test_a_stop_before_the_device_has_begun_holds(sound, studio, player, qtbot, 
     assert not player.playing
     # The thread of the sound does one thing after another: this comes after what was stopped.
     done = []
-    player._thread.do(lambda: None, lambda *_: done.append(True))
+    player._thread.run(lambda: None, lambda *_: done.append(True))
     qtbot.waitUntil(lambda: bool(done), **WAIT)
     qtbot.waitUntil(lambda: not any(stream.active for stream in sound.streams), **WAIT)
     assert player.now is None

@@ -48,7 +48,7 @@ def test_what_is_prepared_can_be_cancelled_and_is_not_played(sound, studio, play
     # The thread of the sound does one thing after another: this comes after it.
     done, failed = [], []
     player.failed.connect(failed.append)
-    player._thread.do(lambda: None, lambda *_: done.append(True))
+    player._thread.run(lambda: None, lambda *_: done.append(True))
     qtbot.waitUntil(lambda: bool(done), **WAIT)
     assert player.now is None
     assert (sound.streams, failed) == ([], [])

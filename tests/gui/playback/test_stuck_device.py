@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject
 
 from skinsource_gui.app import app
 from skinsource_gui.state import playing
-from skinsource_gui.state.playing import SoundThread, device_is_stuck
+from skinsource_gui.state.playing import device_is_stuck, end_sound, sound_worker
 
 
 @pytest.fixture
@@ -22,9 +22,9 @@ def device(qtbot):
 def test_the_end_does_not_wait_for_a_device_that_is_stuck(device, monkeypatch, qtbot):
     monkeypatch.setattr(playing, "LONGEST_END_S", 0.01)
     parent, closed = QObject(), threading.Event()
-    thread = SoundThread(parent)
-    thread.do(device.wait, lambda *_: None)
-    thread.end(closed.set)
+    worker = sound_worker(parent)
+    worker.run(device.wait)
+    end_sound(worker, closed.set)
     assert not closed.is_set()
     assert device_is_stuck()
     # One that answers after all is closed in order.
@@ -35,9 +35,9 @@ def test_the_end_does_not_wait_for_a_device_that_is_stuck(device, monkeypatch, q
 
 def test_the_end_waits_for_a_device_that_answers(device):
     parent, done = QObject(), []
-    thread = SoundThread(parent)
-    thread.do(lambda: done.append("played"), lambda *_: None)
-    thread.end(lambda: done.append("closed"))
+    worker = sound_worker(parent)
+    worker.run(lambda: done.append("played"))
+    end_sound(worker, lambda: done.append("closed"))
     assert done == ["played", "closed"]
     assert not device_is_stuck()
 

@@ -280,8 +280,21 @@ def clips_of(track: Input, view: View) -> tuple[Clip, ...]:
 
 def clip_of(track: Input, view: View) -> Clip | None:
     """Return the leading one of `clips_of`, which was selected last; None without clips."""
-    order = {id: rank for rank, id in enumerate(view.selected_clips)}
-    return max(clips_of(track, view), key=lambda clip: order.get(clip.id, 0), default=None)
+    own = {clip.id: clip for clip in track.clips}
+    last = next((id for id in reversed(view.selected_clips) if id in own), None)
+    return next(iter(track.clips), None) if last is None else own[last]
+
+
+def leading_input(design: Design, view: View) -> Input | None:
+    """Return the input that was selected last; None where the design has it no more."""
+    last = view.selected_input
+    return next((track for track in design.inputs if track.id == last), None)
+
+
+def leading_clip(design: Design, view: View) -> Clip | None:
+    """Return the clip of `leading_input` that edits change; None where there is none."""
+    track = leading_input(design, view)
+    return None if track is None else clip_of(track, view)
 
 
 @checking

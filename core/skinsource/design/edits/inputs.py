@@ -24,6 +24,7 @@ from skinsource.design.edits.edit import (
     change_inputs,
     clip_of,
     kept_selection,
+    leading_input,
     listed,
     location_text,
     present_inputs,
@@ -59,8 +60,8 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
     if len(design.inputs) >= MAX_INPUTS:
         return _TOO_MANY_INPUTS
     new = track(location)
-    if view.selected_input in design.ids:
-        selected = design.input(view.selected_input)
+    selected = leading_input(design, view)
+    if selected is not None:
         clip = clip_of(selected, view)
         if clip is not None:
             waveform = _with_fresh_seed(clip.waveform, design)

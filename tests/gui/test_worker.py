@@ -1,0 +1,116 @@
+from functools import partial
+from threading import Event, current_thread
+
+import pytest
+
+from skinsource.base.errors import Stopped
+from skinsource_gui.state.worker import Worker
+
+
+@pytest.fixture
+def gate():
+    gate = Event()
+    yield gate
+    gate.set()
+
+
+@pytest.fixture
+def worker(qtbot, gate):
+    worker = Worker("test-worker")
+    yield worker
+    gate.set()
+    worker.close()
+
+
+def test_results_arrive_in_the_order_of_the_tasks_in_the_thread_that_gave_them(worker, qtbot):
+    arrived = []
+    for k in range(3):
+        worker.run(lambda k=k: (k, current_thread().name), lambda *came: arrived.append(came))
+    assert not arrived
+    qtbot.waitUntil(lambda: not worker.busy)
+    assert [result[0] for result, error in arrived] == [0, 1, 2]
+    assert all(name.startswith("test-worker") for (_, name), _ in arrived)
+
+
+def test_an_error_arrives_in_place_of_a_result_and_the_next_task_runs(worker, qtbot):
+    arrived = []
+    worker.run(partial(int, "no number"), lambda *came: arrived.append(came))
+    worker.run(partial(int, "3"), lambda *came: arrived.append(came))
+    qtbot.waitUntil(lambda: not worker.busy)
+    assert arrived[0][0] is None
+    assert isinstance(arrived[0][1], ValueError)
+    assert arrived[1] == (3, None)
+
+
+def test_of_what_waits_with_a_key_only_the_newest_runs(worker, qtbot, gate):
+    arrived = []
+    worker.run(gate.wait)
+    for k in range(3):
+        worker.run_newest("key", lambda k=k: k, lambda *came: arrived.append(came[0]))
+    assert worker.is_outdated("key")
+    assert not worker.is_outdated("another")
+    gate.set()
+    qtbot.waitUntil(lambda: not worker.busy)
+    assert arrived == [2]
+    assert not worker.is_outdated("key")
+
+
+def test_what_stops_for_something_else_is_run_again_after_it(worker, qtbot):
+    began, done = Event(), []
+
+    def patient():
+        if not began.is_set():
+            began.set()
+            while not worker.is_outdated("urgent"):
+                pass
+            raise Stopped
+        return "patient"
+
+    worker.run_newest("patient", patient, lambda result, _: done.append(result), again=True)
+    assert began.wait(20)
+    worker.run_newest("urgent", lambda: "urgent", lambda result, _: done.append(result))
+    qtbot.waitUntil(lambda: len(done) == 2)
+    assert done == ["urgent", "patient"]
+
+
+def test_a_task_tells_how_far_it_is(worker, qtbot):
+    told = []
+    worker.run(lambda: worker.tell(told.append, "half"), lambda *_: told.append("done"))
+    qtbot.waitUntil(lambda: told == ["half", "done"])
+
+
+def test_after_a_wait_what_is_done_has_arrived(worker):
+    arrived = []
+    worker.wait(worker.run(lambda: 5, lambda result, _: arrived.append(result)), 20.0)
+    assert arrived == [5]
+
+
+def test_nothing_arrives_once_it_is_closed_and_what_waits_is_dropped(qtbot, gate):
+    worker, done = Worker("test-worker"), []
+    worker.run(partial(done.append, "first"), lambda *_: done.append("arrived"))
+    worker.run(gate.wait)
+    worker.run(partial(done.append, "second"))
+    qtbot.waitUntil(lambda: "arrived" in done)
+    worker.tell(done.append, "late")
+    gate.set()
+    worker.close()
+    worker.run(partial(done.append, "after"))
+    qtbot.wait(1)
+    assert "late" not in done
+    assert "after" not in done
+    assert not worker.busy
+
+
+def test_what_waits_is_finished_where_that_is_said_and_the_last_task_comes_last(gate):
+    worker, done = Worker("test-worker"), []
+    worker.run(partial(done.append, "first"))
+    worker.run(partial(done.append, "second"))
+    worker.close(partial(done.append, "last"), finish=True)
+    assert done == ["first", "second", "last"]
+
+
+def test_without_a_task_there_is_no_thread_and_nothing_comes_last():
+    worker, done = Worker("test-worker"), []
+    assert not worker.used
+    worker.close(partial(done.append, "last"), finish=True)
+    assert not done
