@@ -42,7 +42,7 @@ from skinsource.specs.breakpoints import (
     SlopedPoint,
     slope_of,
 )
-from skinsource_gui.fields.editor import Burst, new_gesture
+from skinsource_gui.fields.editor import Burst, Editor, new_gesture
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
 from skinsource_gui.qt.theme import Theme, current_theme, tabular
 from skinsource_gui.qt.tooltips import tooltip
@@ -319,7 +319,7 @@ def fill_ground_menu(menu: QMenu, add: Callable[[], object]) -> None:
 _TEXT_PX = 16
 
 
-class CurveField(QWidget):
+class CurveField(Editor, QWidget):
     """Edits breakpoints of ``spec`` as a small curve.
 
     A press on the curve adds a point and drags it; a double click beside the curve adds one there.

@@ -563,7 +563,7 @@ class CheckingPage(QDialog):
         self.list.failed.connect(self._complain)
         self.list.recording_chosen.connect(self._say)
         # Results hold for the axes and the rate that they were computed with.
-        self.axes.chosen.connect(self._begin_anew)
+        self.axes.edited.connect(self._begin_anew)
         self.rate.edited.connect(self._begin_anew)
         for box in self.boxes:
             box.reading.connect(self._show_reading)

@@ -144,7 +144,7 @@ class ScenesPage(QDialog):
         self.list.currentRowChanged.connect(self._show)
         # Not itemActivated: Return would count twice, for the list and for the button.
         self.list.itemDoubleClicked.connect(self._choose)
-        self.played_on.chosen.connect(self._show_limb)
+        self.played_on.edited.connect(self._show_limb)
         self.buttons.accepted.connect(self._choose)
         self.buttons.rejected.connect(self.reject)
         self._show_limb()

@@ -64,7 +64,7 @@ class SetupBar(QWidget):
             (self._method, edits.look_by_method),
             (self._span, edits.level_over),
         ):
-            field.chosen.connect(partial(self._choose, edit))
+            field.edited.connect(partial(self._choose, edit))
 
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view."""
@@ -112,7 +112,7 @@ class SetupBar(QWidget):
         names = tuple(word.name for word in options)
         if options != self._limb_options:
             self._limb_options = options
-            self._limb.offer(_spec("Limb", "", options))
+            self._limb.set_spec(_spec("Limb", "", options))
             _explain(self._limb, options)
         for index, name in enumerate(names):
             there = name in limbs

@@ -7,7 +7,7 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractButton, QTextBrowser, QWidget
 
-from skinsource_gui.fields.number_field import NumberGestures, begins_typing
+from skinsource_gui.fields.number_field import begins_typing, makes_step
 from skinsource_gui.panels.hand.panel import SiteKeys
 from skinsource_gui.panels.skin.scale import key_step_db
 from skinsource_gui.panels.skin.time import ScrubBar
@@ -50,7 +50,7 @@ def claims(place, parent):
     if place == "skin":
         return OutputKeys(parent).claims
     if place == "number":
-        return lambda event: NumberGestures.knows(event) or begins_typing(event)
+        return lambda event: makes_step(event) or begins_typing(event)
     if place == "colour_bar":
         return lambda event: bool(key_step_db(event))
     return partial(meaning_of, place)

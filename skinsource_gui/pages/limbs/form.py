@@ -476,7 +476,7 @@ class LimbForm(QObject):
             field.textChanged.connect(self.changed)
             self._rows.addRow(label, field)
         self.order.setPlaceholderText("ioat")
-        self.axes.chosen.connect(self.changed)
+        self.axes.edited.connect(self.changed)
         self._rows.addRow("Axes", self.axes)
         self.synthetic.setToolTip(
             tooltip("Computed", "Pictures and files say that it is synthetic")

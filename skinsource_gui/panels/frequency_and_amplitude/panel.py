@@ -110,7 +110,7 @@ class FrequencyAndAmplitudePanel(Panel):
         self._control_label, self._control_part = QLabel(CONTROL.label), _LabelledField()
         set_tone(self._control_label, "dim")
         self._control_part.hold(self._control_label, self._control)
-        self._control.chosen.connect(self._choose_control)
+        self._control.edited.connect(self._choose_control)
         self._amplitude = FieldCell("amplitude", DESIGN_AMPLITUDE)
         self._onset = FieldCell(_ONSET, ONSET_S)
         self._frequency: FieldCell | None = None

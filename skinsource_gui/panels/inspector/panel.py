@@ -1,6 +1,6 @@
 """The inspector: fields of the selected inputs and clips, their preview and their effects."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import lru_cache, partial
 from typing import Any
@@ -46,7 +46,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import LABEL_PX, FieldGrid, LabelledCell, TextCell
 from skinsource_gui.fields.inputs import FieldChanges, fixed_length_text, played_length_text
-from skinsource_gui.panels.inspector.effects import ChainEdits, EffectChain
+from skinsource_gui.panels.inspector.effects import EffectChain
 from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import Swatch, mute_button, solo_button
 from skinsource_gui.qt.fitting import LayoutWatcher, SteadyArea
@@ -83,18 +83,6 @@ class ButtonCell(LabelledCell):
         self.setFocusProxy(self.button)
 
 
-def pen_cell() -> ButtonCell:
-    """Return a button that shows a drawn waveform large, to be drawn with the pen."""
-    hint = "Show the clip large, and draw on it with the pen"
-    return ButtonCell("Pen", "Draw", hint, name="draw_button")
-
-
-def file_cell() -> ButtonCell:
-    """Return a button that imports a recording."""
-    hint = "Import a recording, in place of these samples or beside them"
-    return ButtonCell("File", "Choose file…", hint, name="recording_button")
-
-
 def _places_of(limb: str) -> ChoiceSpec:
     return _places(limb, facts_of(limb))
 
@@ -111,9 +99,6 @@ def _places(limb: str, facts: LimbFacts) -> ChoiceSpec:
 
 class InputFields(QObject):
     """Fields of an input and a clip of it: kind, the waveform's own, amplitude, onset, place.
-
-    The gain of a clip is shown where its track has several clips, the gain curve of a track where
-    it has one.
 
     The gain of a clip is shown where it has others beside it, the gain curve of a track where
     there is one.
@@ -265,11 +250,13 @@ class InputFields(QObject):
             self._length = TextCell("Duration", fixed_length_text(waveform))
             cells.append(self._length)
         if isinstance(waveform, Drawn):
-            pen = pen_cell()
+            hint = "Show the clip large, and draw on it with the pen"
+            pen = ButtonCell("Pen", "Draw", hint, name="draw_button")
             pen.clicked.connect(self.pen_requested)
             cells.append(pen)
         if isinstance(waveform, Recording):
-            file = file_cell()
+            hint = "Import a recording, in place of these samples or beside them"
+            file = ButtonCell("File", "Choose file…", hint, name="recording_button")
             file.clicked.connect(self.file_requested)
             cells.append(file)
         self._own = tuple(cells)
@@ -354,77 +341,6 @@ class InputHeading(QWidget):
         self._title.setText(name)
 
 
-class Selection(QObject):
-    """Holds the selected inputs, and translates what fields and buttons emit into edits of them."""
-
-    #: `Edit` or `Refusal`, number of the gesture or None.
-    edited = Signal(object, object)
-    #: Name of a field whose new value does not fit the others, and the reason.
-    field_refused = Signal(str, str)
-
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self._design = Design(limb="")
-        self._view = View()
-        self._changes = FieldChanges()
-
-    @property
-    def last(self) -> Input | None:
-        """The input that was selected last."""
-        if self._view.selected_input not in self._design.ids:
-            return None
-        return self._design.input(self._view.selected_input)
-
-    @property
-    def batch(self) -> tuple[Input, ...]:
-        """All selected inputs, in the order of the design."""
-        return tuple(track for track in self._design.inputs if track.id in self._ids)
-
-    def show_state(self, design: Design, view: View) -> None:
-        """Take over the present design and view."""
-        self._design, self._view = design, view
-
-    def change_kind(self, _: str, kind: str, gesture: int | None) -> None:
-        """Give all selected inputs another kind of waveform."""
-        self._tell(edits.change_kind(self._design, self._view, self._ids, kind), gesture)
-
-    def change_place(self, _: str, number: str, gesture: int | None) -> None:
-        """Move all selected inputs to a place."""
-        self._tell(edits.move_inputs(self._design, self._view, self._ids, int(number)), gesture)
-
-    def change_field(self, name: str, value: object, gesture: int | None) -> None:
-        """Change a field of all selected inputs, by typing or dragging."""
-        if self.last is None:
-            return
-        ids = self._ids
-        changed = self._changes.change(
-            self._design, self._view, ids, name, value, lead=ids[-1], gesture=gesture
-        )
-        if isinstance(changed, Refusal):
-            self.field_refused.emit(name, changed.sentence)
-        else:
-            self._tell(changed, gesture)
-
-    def toggle_mute(self) -> None:
-        """Mute all, or none if all are."""
-        self._tell(edits.toggle_mute(self._design, self._view, self._ids), None)
-
-    def toggle_solo(self) -> None:
-        """Make all solo, or none if all are."""
-        self._tell(edits.toggle_solo(self._design, self._view, self._ids), None)
-
-    @property
-    def _ids(self) -> tuple[int, ...]:
-        return self._view.selected_inputs
-
-    def _tell(self, outcome: Edit | Refusal, gesture: int | None) -> None:
-        # A field may still be dragged while its input is removed.
-        if self.last is not None and (
-            isinstance(outcome, Refusal) or outcome.design != self._design
-        ):
-            self.edited.emit(outcome, gesture)
-
-
 # Smallest size with letters of any size, px.
 _LEAST = QSize(204, 224)
 
@@ -447,20 +363,18 @@ class InspectorPanel(Panel):
         self._view = View()
         self._results: Mapping[str, Any] | None = None
         self._problems: Mapping[int, str] = {}
-        self._selection = Selection(self)
-        self._selection.edited.connect(self.edited)
-        self._selection.field_refused.connect(self._show_refused)
+        self._changes = FieldChanges()
         self._fields = InputFields(self)
-        self._fields.kind.edited.connect(self._selection.change_kind)
-        self._fields.place.edited.connect(self._selection.change_place)
-        self._fields.edited.connect(self._selection.change_field)
+        self._fields.kind.edited.connect(self._change_kind)
+        self._fields.place.edited.connect(self._change_place)
+        self._fields.edited.connect(self._change_field)
         self._fields.pen_requested.connect(partial(self.action_requested.emit, "draw_clip"))
         self._fields.file_requested.connect(partial(self.action_requested.emit, "import_recording"))
-        self._chain, self._chain_edits = EffectChain(), ChainEdits(self)
-        self._connect_chain()
+        self._chain = EffectChain()
+        self._chain.edited.connect(self.edited)
         self._heading = InputHeading()
-        self._heading.mute_toggled.connect(self._selection.toggle_mute)
-        self._heading.solo_toggled.connect(self._selection.toggle_solo)
+        self._heading.mute_toggled.connect(partial(self._change, edits.toggle_mute))
+        self._heading.solo_toggled.connect(partial(self._change, edits.toggle_solo))
         self._preview = WaveformPreview(axis=True)
         self._preview.setMaximumHeight(160)
         self.computed = (self._preview,)
@@ -479,8 +393,7 @@ class InspectorPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
-        self._selection.show_state(design, view)
-        track = self._selection.last
+        track = self._last
         if track is None:
             self._fields.forget_typing()
             self._chain.forget_typing()
@@ -514,14 +427,14 @@ class InspectorPanel(Panel):
 
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
         self._problems = {input_problem.id: input_problem.problem for input_problem in unplayable}
-        if self._selection.last is not None:
-            self._show_style(self._selection.last)
+        if self._last is not None:
+            self._show_style(self._last)
 
     def _show_waveform(self) -> None:
         results = self._results or {"input_waveforms": ()}
         waveforms = results["input_waveforms"]
         # Results of an older design may have another number of inputs; new ones come soon.
-        track = self._selection.last
+        track = self._last
         if track is not None and len(waveforms) == len(self._design.inputs):
             samples = waveforms[self._design.index_of(track.id)]
             if samples is None:
@@ -568,7 +481,8 @@ class InspectorPanel(Panel):
         self.setFocusProxy(self._fields.kind)
 
     def _show_input(self, track: Input, *, silent: bool) -> None:
-        batch = self._selection.batch
+        # In the order of the design.
+        batch = tuple(each for each in self._design.inputs if each.id in self._view.selected_inputs)
         self._heading.show_input(track, self._design.limb, silent=silent, batch=batch)
         amplitude, peak = amplitude_spec(self._design), ""
         if is_gain(self._design, track):
@@ -585,23 +499,43 @@ class InspectorPanel(Panel):
     def _show_chain(self, track: Input, batch: tuple[Input, ...]) -> None:
         clip = clip_of(track, self._view)
         ids = tuple(each.id for other in batch for each in clips_of(other, self._view))
-        self._chain_edits.show_state(self._design, self._view, clip, ids)
-        if clip is None:
-            self._chain.show_chain(None, ())
+        self._chain.show_chain(self._design, self._view, clip, ids)
+
+    @property
+    def _last(self) -> Input | None:
+        """The input that was selected last."""
+        last = self._view.selected_input
+        return self._design.input(last) if last in self._design.ids else None
+
+    def _change_kind(self, _: str, kind: str, gesture: int | None) -> None:
+        self._change(edits.change_kind, kind, gesture=gesture)
+
+    def _change_place(self, _: str, number: str, gesture: int | None) -> None:
+        self._change(edits.move_inputs, int(number), gesture=gesture)
+
+    def _change_field(self, name: str, value: object, gesture: int | None) -> None:
+        """Change a field of all selected inputs, by typing or dragging."""
+        track, ids = self._last, self._view.selected_inputs
+        if track is None:
+            return
+        outcome = self._changes.change(
+            self._design, self._view, ids, name, value, lead=ids[-1], gesture=gesture
+        )
+        if isinstance(outcome, Refusal):
+            # Each number is allowed alone, but not together with the others.
+            self._fields.show_refused(track, name, outcome.sentence)
         else:
-            self._chain.show_chain(clip.id, clip.effects, clip.duration_s)
+            self._tell(outcome, gesture)
 
-    def _connect_chain(self) -> None:
-        chain, changes = self._chain, self._chain_edits
-        chain.added.connect(changes.add)
-        chain.removed.connect(changes.remove)
-        chain.moved.connect(changes.move)
-        chain.switched.connect(changes.switch)
-        chain.edited.connect(changes.change_field)
-        changes.edited.connect(self.edited)
-        changes.field_refused.connect(chain.show_refused)
+    def _change(
+        self, edit: Callable[..., Edit | Refusal], *arguments: object, gesture: int | None = None
+    ) -> None:
+        """Edit all selected inputs."""
+        self._tell(edit(self._design, self._view, self._view.selected_inputs, *arguments), gesture)
 
-    def _show_refused(self, name: str, reason: str) -> None:
-        # Each number is allowed alone, but not together with the others.
-        if self._selection.last is not None:
-            self._fields.show_refused(self._selection.last, name, reason)
+    def _tell(self, outcome: Edit | Refusal, gesture: int | None) -> None:
+        # A field may still be dragged while its input is removed.
+        if self._last is not None and (
+            isinstance(outcome, Refusal) or outcome.design != self._design
+        ):
+            self.edited.emit(outcome, gesture)

@@ -128,8 +128,8 @@ class ChoicesBar(QWidget):
         self.of, self.shown = ChoiceField(OF, self), ChoiceField(SHOWN, self)
         self.of.setObjectName("side_by_side_of")
         self.shown.setObjectName("side_by_side_shown")
-        self.of.chosen.connect(lambda of, _: self._change(of=of))
-        self.shown.chosen.connect(lambda what, _: self._change(shown=what))
+        self.of.edited.connect(lambda of, _: self._change(of=of))
+        self.shown.edited.connect(lambda what, _: self._change(shown=what))
         own = OWN_MAXIMUM
         self.own_maximum = tool_button(
             self, "side_by_side_own_maximum", own.label, own.hint, checkable=True

@@ -240,8 +240,8 @@ class QuantityRow(QWidget):
         row.addWidget(self.rms_window)
         row.addWidget(self.pace)
         self._fit()
-        self.quantity.chosen.connect(self._choose_quantity)
-        self.pace.chosen.connect(self._choose_pace)
+        self.quantity.edited.connect(self._choose_quantity)
+        self.pace.edited.connect(self._choose_pace)
         self.rms_window.edited.connect(self._choose_window)
 
     def changeEvent(self, event: QEvent) -> None:
@@ -465,8 +465,8 @@ class TimeView(QObject):
         self.row, self.scrub, self.bar = QuantityRow(parent), ScrubBar(parent), SignedBar(parent)
         self._requested_block = -1
         # Otherwise Space, which plays, would open the list again.
-        self.row.quantity.chosen.connect(self._leave_lists)
-        self.row.pace.chosen.connect(self._leave_lists)
+        self.row.quantity.edited.connect(self._leave_lists)
+        self.row.pace.edited.connect(self._leave_lists)
 
     def put_behind(self, widget: QWidget) -> None:
         """Put the controls below the map behind ``widget`` in the order of the Tab key."""

@@ -259,8 +259,8 @@ class SpectrogramPanel(FigurePanel):
             (self.floor, QLabel("–"), self.ceiling, None),
         )
         self.choices.addWidget(FoldingGroups(what, band, spacing_px=UNIT_PX // 2))
-        self.output.chosen.connect(lambda number, _: self._change(output=float(number)))
-        self.window_length.chosen.connect(lambda window_ms, _: self._change(window_ms=window_ms))
+        self.output.edited.connect(lambda number, _: self._change(output=float(number)))
+        self.window_length.edited.connect(lambda window_ms, _: self._change(window_ms=window_ms))
         self.floor.edited.connect(lambda value_hz, _: self._change(floor_hz=value_hz))
         self.ceiling.edited.connect(lambda value_hz, _: self._change(ceiling_hz=value_hz))
         self.figure.say(self.no_outputs)

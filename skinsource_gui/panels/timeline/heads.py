@@ -88,7 +88,7 @@ class CachedRows:
         focused = QApplication.focusWidget()
         had_focus = focused is not None and row.isAncestorOf(focused)
         self._layout.removeWidget(row)
-        row.amplitude.cancel_editing()
+        row.amplitude.cancel()
         row.hide()
         row.deleteLater()
         return had_focus

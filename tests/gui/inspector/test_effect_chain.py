@@ -82,7 +82,7 @@ def test_what_was_added_is_in_sight_and_has_the_keyboard(bench, qtbot):
         qtbot.waitUntil(whole)
     # One that comes back by undo leaves the keyboard where it is.
     before = bench.design
-    bench.chain.removed.emit(0)
+    bench.chain.rows[0].removed.emit()
     field = bench.panel.findChild(QToolButton, "add_effect")
     field.setFocus()
     bench.show(before)

@@ -77,7 +77,7 @@ def test_a_burst_of_steps_shares_one_gesture_until_a_pause(make_bench, qtbot):
         QTest.keyClick(bench.field, Qt.Key.Key_Down)
     assert len(bench.edits) == 4
     assert len(bench.gestures) == 1
-    qtbot.waitUntil(lambda: not bench.field.gestures.in_burst)
+    qtbot.waitUntil(lambda: not bench.field.burst.active)
     QTest.keyClick(bench.field, Qt.Key.Key_Up)
     assert len(bench.gestures) == 2
 
