@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QVBox
 
 from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import NewEditor
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.fitting import LayoutWatcher
 from skinsource_gui.qt.questions import NextAct
 from skinsource_gui.qt.theme import UNIT_PX, letter_scale, set_tone
@@ -63,9 +64,7 @@ class TextCell(LabelledCell):
 
     def __init__(self, label: str, text: str, parent: QWidget | None = None) -> None:
         super().__init__(label, parent)
-        self.text_label = QLabel(text)
-        self.text_label.setObjectName("fixed_length")
-        self.text_label.setWordWrap(True)
+        self.text_label = page_label("fixed_length", text)
         self.text_label.setMinimumHeight(LABEL_PX)
         self.stack.addWidget(self.text_label)
 
@@ -103,9 +102,7 @@ class EditedCell(LabelledCell):
             self.field.setMinimumHeight(LABEL_PX)
         self.label.setBuddy(self.field)
         self.setFocusProxy(self.field)
-        self._note = QLabel()
-        self._note.setObjectName(f"{name}_note")
-        self._note.setWordWrap(True)
+        self._note = page_label(f"{name}_note")
         self._note.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
         self._note.hide()
         self.stack.addWidget(self.field)

@@ -12,9 +12,7 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QFormLayout,
     QHBoxLayout,
-    QLabel,
     QPushButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -40,6 +38,8 @@ from skinsource_gui.fields.units import (
     read_points,
     value_text,
 )
+from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.layouts import in_column
 
 _SPACING = ChoiceSpec(
     label="Spacing",
@@ -71,9 +71,7 @@ class SweepDialog(QDialog):
         self.spacing = self._choice("spacing", _SPACING, "logarithmic")
         falls = len(values) > 1 and values[0] > values[-1]
         self.order = self._choice("order", _ORDER, "down" if falls else "up")
-        self._list = QLabel()
-        self._list.setObjectName("sweep_list")
-        self._list.setWordWrap(True)
+        self._list = page_label("sweep_list")
         self._list.setMinimumWidth(260)
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
@@ -145,12 +143,9 @@ class ListEditor(Editor, QWidget):
         self.line.edited.connect(self._tell)
         self.line.problem_changed.connect(self.problem_changed)
         self.setFocusProxy(self.line)
-        self.column = QVBoxLayout(self)
-        self.column.setContentsMargins(0, 0, 0, 0)
-        self.column.setSpacing(4)
         self.row = QHBoxLayout()
         self.row.addWidget(self.line, 1)
-        self.column.addLayout(self.row)
+        self.column = in_column(self.row, of=self, margins=0, gap_px=4)
 
     def set_value(self, value: Any) -> None:
         """Show a value without a signal; a typed text with the same value stays."""

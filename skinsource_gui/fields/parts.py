@@ -20,7 +20,6 @@ from PySide6.QtWidgets import (
     QMenu,
     QSizePolicy,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -45,6 +44,7 @@ from skinsource_gui.fields.grid import EditedCell, FieldGrid
 from skinsource_gui.fields.kinds import fill_kind_menu
 from skinsource_gui.qt.buttons import LetterButton, remove_button
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.qt.tooltips import tooltip
 
@@ -343,11 +343,7 @@ class FieldsRow(QWidget):
         head.setSpacing(gap_px)
         for part in (*before, title, *after, self.remove_button):
             head.addWidget(part, 1 if part is title else 0)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(UNIT_PX // 4)
-        column.addLayout(head)
-        column.addWidget(self.grid)
+        in_column(head, self.grid, of=self, margins=0, gap_px=UNIT_PX // 4)
         title.opened.connect(self._open)
         self.remove_button.clicked.connect(self.removed)
 
@@ -499,9 +495,7 @@ class RowColumn(QWidget, Generic[Row]):
         super().__init__(parent)
         self._head = head
         self.rows: tuple[Row, ...] = ()
-        self._column = QVBoxLayout(self)
-        self._column.setContentsMargins(0, 0, 0, 0)
-        self._column.setSpacing(UNIT_PX // 4)
+        self._column = in_column(of=self, margins=0, gap_px=UNIT_PX // 4)
         # Shows where a dragged row would go.
         self._line = QFrame(self)
         self._line.setBackgroundRole(QPalette.ColorRole.Highlight)
@@ -582,14 +576,8 @@ class RowColumn(QWidget, Generic[Row]):
 
 def lay_out_list(editor: QWidget, label: QLabel, add: AddButton, rows: QWidget) -> None:
     """Put a label and the button that adds rows above the rows."""
-    head = QHBoxLayout()
-    head.addWidget(label, 1)
-    head.addWidget(add)
-    column = QVBoxLayout(editor)
-    column.setContentsMargins(0, 0, 0, 0)
-    column.setSpacing(UNIT_PX // 4)
-    column.addLayout(head)
-    column.addWidget(rows)
+    head = in_row((label, 1), add)
+    in_column(head, rows, of=editor, margins=0, gap_px=UNIT_PX // 4)
 
 
 def _has_focus(row: QWidget) -> bool:

@@ -21,7 +21,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QTableWidget,
     QTableWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -51,6 +50,7 @@ from skinsource_gui.fields.units import minus
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.fitting import LetterWidth
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, set_tone, tabular
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner, PageJob
@@ -381,15 +381,8 @@ class CheckList(QWidget):
         add = page_button("add_design", "Add design…", "Check another design as well")
         remove = page_button("remove_design", "Remove", "Take the selected design off")
         self._row_buttons, self._add = (recording, remove), add
-        self.bar = QHBoxLayout()
-        for button in (recording, add, remove):
-            self.bar.addWidget(button)
-        self.bar.addStretch(1)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(UNIT_PX)
-        column.addLayout(self.bar)
-        column.addWidget(self.table, 1)
+        self.bar = in_row(recording, add, remove, None)
+        in_column(self.bar, (self.table, 1), of=self, margins=0, gap_px=UNIT_PX)
         recording.clicked.connect(self._ask_recording)
         add.clicked.connect(self._ask_design)
         remove.clicked.connect(self._remove)
@@ -545,15 +538,8 @@ class CheckingPage(QDialog):
         plots = QHBoxLayout()
         for box in self.boxes:
             plots.addWidget(box, 1)
-        below = QHBoxLayout()
-        below.addWidget(self.message, 1)
-        for button in (self._check, self._save, self._close):
-            below.addWidget(button)
-        column = QVBoxLayout(self)
-        column.setSpacing(UNIT_PX)
-        column.addWidget(self.list, 2)
-        column.addLayout(plots, 3)
-        column.addLayout(below)
+        below = in_row((self.message, 1), self._check, self._save, self._close)
+        in_column((self.list, 2), (plots, 3), below, of=self, gap_px=UNIT_PX)
 
     def _connect(self) -> None:
         self._check.clicked.connect(self.check)

@@ -8,10 +8,8 @@ from PySide6.QtCore import QStandardPaths, Qt
 from PySide6.QtWidgets import (
     QDialog,
     QFileDialog,
-    QHBoxLayout,
     QLabel,
     QProgressBar,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -22,6 +20,7 @@ from skinsource.limbs.dataset.install import install
 from skinsource.limbs.dataset.published import published_files
 from skinsource.limbs.dataset.store import StoreInfo
 from skinsource_gui.qt.buttons import page_button, page_label
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 from skinsource_gui.state.preferences import INSTALLATIONS, InstalledLimbs
@@ -79,19 +78,8 @@ class DatasetPage(QDialog):
         self._show_state()
 
     def _lay_out(self, about: QLabel) -> None:
-        buttons = QHBoxLayout()
-        for button in (self._install, self._fetch):
-            buttons.addWidget(button)
-        buttons.addStretch(1)
-        for button in (self._cancel, self._close):
-            buttons.addWidget(button)
-        column = QVBoxLayout(self)
-        column.setSpacing(UNIT_PX)
-        column.addWidget(about)
-        column.addStretch(1)
-        column.addWidget(self._message)
-        column.addWidget(self._bar)
-        column.addLayout(buttons)
+        buttons = in_row(self._install, self._fetch, None, self._cancel, self._close)
+        in_column(about, None, self._message, self._bar, buttons, of=self, gap_px=UNIT_PX)
 
     def _ask_and_install(self) -> None:
         start = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DownloadLocation)

@@ -8,7 +8,6 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QFormLayout,
     QLineEdit,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -22,6 +21,7 @@ from skinsource.design.presets.presets import Preset, tags_of, whole_design
 from skinsource.design.view import View
 from skinsource_gui.fields.choice_field import DropDown
 from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.layouts import in_column
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -126,11 +126,7 @@ class SavePage(QDialog):
             field.setObjectName(name)
             field.setAccessibleName(label)
             form.addRow(label, field)
-        column = QVBoxLayout(self)
-        column.addLayout(form)
-        column.addWidget(self.problem)
-        column.addStretch(1)
-        column.addWidget(self.buttons)
+        in_column(form, self.problem, None, self.buttons, of=self)
 
     def _suggest(self) -> None:
         suggested = {choice.name for choice in self._choices}

@@ -18,7 +18,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QLineEdit,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -43,6 +42,7 @@ from skinsource_gui.panels.hand.panel import HandDiagram
 from skinsource_gui.panels.hand.picture import drawing_of
 from skinsource_gui.plots.preview import ClipDrawings, ClipStrip, Lane
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
 from skinsource_gui.state.document import Document
 
@@ -329,15 +329,7 @@ class PathRow(QWidget):
     def _lay_out(self) -> None:
         label = QLabel("Path")
         label.setBuddy(self.field)
-        typed, buttons = QHBoxLayout(), QHBoxLayout()
-        typed.addWidget(label)
-        typed.addWidget(self.field, 1)
-        for button in self._buttons:
-            buttons.addWidget(button)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addLayout(typed)
-        column.addLayout(buttons)
+        in_column(in_row(label, (self.field, 1)), in_row(*self._buttons), of=self, margins=0)
 
     def _type(self, text: str) -> None:
         try:
@@ -487,9 +479,7 @@ class MotionPage(QDialog):
         set_tone(self._about, "dim")
 
     def _lay_out(self) -> None:
-        left = QVBoxLayout()
-        left.addWidget(self.hand, 1)
-        left.addWidget(self.path_row)
+        left = in_column((self.hand, 1), self.path_row)
         grids = QHBoxLayout()
         grids.setSpacing(3 * UNIT_PX)
         for grid in (self.motion_fields.grid, self.waveform_fields.grid):
@@ -499,21 +489,11 @@ class MotionPage(QDialog):
         grids.setContentsMargins(0, 0, UNIT_PX, 0)
         scroll = scrolled(inside, "motion_fields")
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        ends = QHBoxLayout()
-        ends.addStretch(1)
-        ends.addWidget(self._add)
-        ends.addWidget(self._cancel)
-        right = QVBoxLayout()
-        right.setSpacing(UNIT_PX)
-        right.addWidget(scroll, 3)
-        right.addWidget(self._summary)
-        right.addWidget(self.strip, 2)
-        right.addWidget(self._about)
-        right.addLayout(ends)
-        columns = QHBoxLayout(self)
-        columns.setSpacing(2 * UNIT_PX)
-        columns.addLayout(left, 4)
-        columns.addLayout(right, 7)
+        ends = in_row(None, self._add, self._cancel)
+        right = in_column(
+            (scroll, 3), self._summary, (self.strip, 2), self._about, ends, gap_px=UNIT_PX
+        )
+        in_row((left, 4), (right, 7), of=self, gap_px=2 * UNIT_PX)
 
     def _connect(self) -> None:
         self.draft.changed.connect(self._show)

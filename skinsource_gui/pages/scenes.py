@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QListWidget,
     QListWidgetItem,
     QScrollArea,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -25,6 +24,7 @@ from skinsource.studies.scenes.catalog import all_scenes, open_scene, why_not_on
 from skinsource.studies.scenes.opened_scene import Scene
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.resources import resource_folder
 from skinsource_gui.qt.screen_fit import fit_by_guess
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
@@ -161,29 +161,18 @@ class ScenesPage(QDialog):
 
     def _lay_out(self) -> None:
         about = QWidget()
-        right = QVBoxLayout(about)
-        right.setContentsMargins(0, 0, 0, 0)
-        right.setSpacing(UNIT_PX)
-        right.addWidget(self.picture, 1)
-        right.addWidget(self.text)
+        in_column((self.picture, 1), self.text, of=about, margins=0, gap_px=UNIT_PX)
         columns = QHBoxLayout()
         columns.setSpacing(2 * UNIT_PX)
-        left = QVBoxLayout()
-        left.setSpacing(UNIT_PX)
-        left.addWidget(self.list, 1)
-        limb = QHBoxLayout()
         title = QLabel(self.played_on.accessibleName())
-        limb.addWidget(title)
-        limb.addWidget(self.played_on, 1)
-        left.addLayout(limb)
+        limb = in_row(title, (self.played_on, 1))
+        left = in_column((self.list, 1), limb, gap_px=UNIT_PX)
         for part in (title, self.played_on):
             part.setVisible(self._any_own)
         columns.addLayout(left)
         # What has no room on a small screen scrolls, so that the buttons below stay visible.
         columns.addWidget(_scrolled(about), 1)
-        rows = QVBoxLayout(self)
-        rows.addLayout(columns, 1)
-        rows.addWidget(self.buttons)
+        in_column((columns, 1), self.buttons, of=self)
         button = self.buttons.button(QDialogButtonBox.StandardButton.Open)
         button.setDefault(True)
         button.setToolTip("Open the scene in place of the present design")

@@ -4,10 +4,11 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QPoint, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter
-from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.plots.figure import Figure, NoteLabel, draw_figure, open_figure_menu
 from skinsource_gui.qt.labels import how_to_select_output
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.state.panel import Panel
@@ -40,22 +41,11 @@ class FigurePanel(Panel):
         self._copy: CopyButton | None = None
         self._above: NoteLabel | None = None
         self.note_label = NoteLabel(f"{self.name}_words")
-        self.choices = QHBoxLayout()
-        self.choices.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
-        self.choices.setSpacing(UNIT_PX // 2)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addLayout(self.choices)
+        self.choices = in_row(margins=(UNIT_PX // 2, 1, UNIT_PX // 2, 1), gap_px=UNIT_PX // 2)
         # Text on the figure that would have too little room beside the choices.
-        self.heads = QVBoxLayout()
-        self.heads.setContentsMargins(UNIT_PX, 0, UNIT_PX, 1)
-        column.addLayout(self.heads)
-        column.addWidget(figure, 1)
-        foot = QHBoxLayout()
-        foot.setContentsMargins(UNIT_PX, 1, UNIT_PX, 2)
-        foot.addWidget(self.note_label)
-        column.addLayout(foot)
+        self.heads = in_column(margins=(UNIT_PX, 0, UNIT_PX, 1))
+        foot = in_row(self.note_label, margins=(UNIT_PX, 1, UNIT_PX, 2))
+        in_column(self.choices, self.heads, (figure, 1), foot, of=self, margins=0, gap_px=0)
         figure.reading.connect(self._show_reading)
         figure.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         figure.customContextMenuRequested.connect(self._open_menu)

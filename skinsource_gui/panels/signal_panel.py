@@ -3,10 +3,11 @@
 from pathlib import Path
 
 from PySide6.QtGui import QPainter
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.plots.signal_view import SignalView, draw_signals
 from skinsource_gui.qt.labels import how_to_select_output
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import LIGHT, Theme
 from skinsource_gui.state.panel import Panel
 
@@ -24,9 +25,7 @@ class SignalPanel(Panel):
         super().__init__(parent)
         self._plot = SignalView(plot_name, accessible_name, self, self._staleness)
         self.setFocusProxy(self._plot.plot)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self._plot)
+        in_column(self._plot, of=self, margins=0)
         self._plot.exports.failed.connect(self.failed)
         self._plot.exports.written.connect(self.written)
 

@@ -26,13 +26,15 @@ def page_button(name: str, text: str, hint: str = "") -> QPushButton:
     return button
 
 
-def page_label(name: str, text: str = "", *, tone: str = "") -> QLabel:
+def page_label(name: str, text: str = "", *, tone: str = "", centred: bool = False) -> QLabel:
     """Return a label for sentences, which breaks lines."""
     label = QLabel(text)
     label.setObjectName(name)
     label.setWordWrap(True)
     if tone:
         set_tone(label, tone)
+    if centred:
+        label.setAlignment(Qt.AlignmentFlag.AlignCenter)
     return label
 
 

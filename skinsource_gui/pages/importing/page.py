@@ -11,7 +11,6 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
-    QHBoxLayout,
     QLabel,
     QProgressBar,
     QVBoxLayout,
@@ -36,6 +35,7 @@ from skinsource_gui.pages.importing.form import (
     ImportPreview,
     OverviewStrip,
 )
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.engine import LatestWins
 
@@ -259,18 +259,9 @@ class ImportPage(QDialog):
         self._left.addStretch(1)
         self._left.addWidget(QLabel("Goes to"))
         self._left.addWidget(self._place)
-        columns = QHBoxLayout()
-        columns.setSpacing(2 * UNIT_PX)
-        columns.addWidget(left)
-        right = QVBoxLayout()
-        right.setSpacing(UNIT_PX)
-        right.addWidget(self._strip)
-        right.addWidget(self._preview, 1)
-        columns.addLayout(right, 1)
-        rows = QVBoxLayout(self)
-        rows.addLayout(columns, 1)
-        rows.addWidget(self._bar)
-        rows.addWidget(self._buttons)
+        right = in_column(self._strip, (self._preview, 1), gap_px=UNIT_PX)
+        columns = in_row(left, (right, 1), gap_px=2 * UNIT_PX)
+        in_column((columns, 1), self._bar, self._buttons, of=self)
         self._preview.show_message(_READING)
 
     def _connect(self) -> None:

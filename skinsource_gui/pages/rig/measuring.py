@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QLabel, QProgressBar, QWidget
 
 from skinsource.actuators.actuator import Actuator
 from skinsource.actuators.catalog import names, profile
@@ -40,6 +40,7 @@ from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
 from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.qt.buttons import page_button, page_label
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.playing import SoundSettings, SoundThread
 
@@ -305,19 +306,10 @@ class MeasurePage(QDialog):
         policy.setRetainSizeWhenHidden(True)
         self._bar.setSizePolicy(policy)
         self._bar.setAccessibleName("Progress")
-        foot = QHBoxLayout()
-        for button in (self.start, self.stop):
-            foot.addWidget(button)
-        foot.addWidget(self._bar, 1)
-        for button in (self.keep, self._close):
-            foot.addWidget(button)
-        whole = QVBoxLayout(self)
-        whole.setSpacing(UNIT_PX)
-        whole.addWidget(about)
-        whole.addWidget(self.fields.grid)
-        whole.addWidget(self.plot, 1)
-        whole.addWidget(self.message)
-        whole.addLayout(foot)
+        foot = in_row(self.start, self.stop, (self._bar, 1), self.keep, self._close)
+        in_column(
+            about, self.fields.grid, (self.plot, 1), self.message, foot, of=self, gap_px=UNIT_PX
+        )
 
     def _connect(self) -> None:
         self.start.clicked.connect(self._start)

@@ -1,7 +1,7 @@
 """The panel of frequency and amplitude of the selected track, large, for presenting."""
 
 from PySide6.QtCore import QRect, Qt
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from skinsource.design import edits
 from skinsource.design.amplitudes import is_gain, peak_text
@@ -28,6 +28,7 @@ from skinsource_gui.panels.frequency_and_amplitude.settings import (
 )
 from skinsource_gui.qt.fitting import FoldingRow, LayoutWatcher
 from skinsource_gui.qt.labels import how_to_add, how_to_select_input
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
 
@@ -76,9 +77,7 @@ class _LabelledField(QWidget):
 
     def __init__(self, cell: FieldCell | None = None) -> None:
         super().__init__()
-        self._line = QHBoxLayout(self)
-        self._line.setContentsMargins(0, 0, 0, 0)
-        self._line.setSpacing(UNIT_PX)
+        self._line = in_row(of=self, margins=0, gap_px=UNIT_PX)
         if cell is not None:
             self.hold(cell.label, cell)
 
@@ -120,12 +119,8 @@ class FrequencyAndAmplitudePanel(Panel):
         self._onset_part = _LabelledField(self._onset)
         parts = (self._frequency_part, self._amplitude_part, self._onset_part, self._control_part)
         self._row = FoldingRow(parts, UNIT_PX)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(UNIT_PX, 0, UNIT_PX, UNIT_PX)
-        column.setSpacing(UNIT_PX // 2)
-        column.addWidget(self._heading)
-        column.addWidget(self._row)
-        column.addStretch(1)
+        margins = (UNIT_PX, 0, UNIT_PX, UNIT_PX)
+        in_column(self._heading, self._row, None, of=self, margins=margins, gap_px=UNIT_PX // 2)
         self._amplitude.edited.connect(self._change)
         self._onset.edited.connect(self._change)
         self.setFocusProxy(self._amplitude)

@@ -18,7 +18,7 @@ from PySide6.QtGui import (
     QResizeEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QApplication, QLabel, QMenu, QStackedLayout, QToolTip, QWidget
+from PySide6.QtWidgets import QApplication, QMenu, QStackedLayout, QToolTip, QWidget
 
 from skinsource.base.quoting import quoted
 from skinsource.design import edits
@@ -30,9 +30,10 @@ from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.inputs import EMPTY, fill_inputs_menu
 from skinsource_gui.panels.hand.layout import HandDrawing, HandState, Mark
 from skinsource_gui.panels.hand.picture import HandStage, drawing_of
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.frames import DropPlace, paint_focus_frame
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
-from skinsource_gui.qt.theme import current_theme, set_tone
+from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.qt.wheel import WHOLE
 from skinsource_gui.state.panel import Panel
 
@@ -680,11 +681,7 @@ class HandPanel(Panel):
         self._pointing = Pointing(self.diagram.stage)
         self._pointing.pointed_at.connect(self.input_pointed_at)
         # The hand of a missing limb is unknown, and another hand has other places.
-        self._missing = QLabel()
-        self._missing.setObjectName("hand_missing")
-        set_tone(self._missing, "dim")
-        self._missing.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._missing.setWordWrap(True)
+        self._missing = page_label("hand_missing", tone="dim", centred=True)
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self.diagram)
         self._stack.addWidget(self._missing)

@@ -9,13 +9,11 @@ from PySide6.QtCore import QObject, QSize, Qt, Signal
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import (
     QApplication,
-    QHBoxLayout,
     QLabel,
     QPushButton,
     QSizePolicy,
     QStackedLayout,
     QStyle,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -48,9 +46,10 @@ from skinsource_gui.fields.grid import LABEL_PX, FieldGrid, LabelledCell, TextCe
 from skinsource_gui.fields.inputs import FieldChanges, fixed_length_text, played_length_text
 from skinsource_gui.panels.inspector.effects import EffectChain
 from skinsource_gui.plots.preview import WaveformPreview
-from skinsource_gui.qt.buttons import Swatch, mute_button, solo_button
+from skinsource_gui.qt.buttons import Swatch, mute_button, page_label, solo_button
 from skinsource_gui.qt.fitting import LayoutWatcher, SteadyArea
 from skinsource_gui.qt.labels import how_to_add, how_to_select_input
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 from skinsource_gui.state.panel import Panel
@@ -298,15 +297,9 @@ class InputHeading(QWidget):
         self._state = QLabel()
         set_tone(self._state, "warning")
         self._mute, self._solo = mute_button(), solo_button()
-        self._row = layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(UNIT_PX // 2)
-        layout.addWidget(self._swatch)
-        layout.addSpacing(UNIT_PX // 2)
-        layout.addWidget(self._title, 1)
-        layout.addWidget(self._state)
-        layout.addWidget(self._mute)
-        layout.addWidget(self._solo)
+        parts = (self._swatch, (self._title, 1), self._state, self._mute, self._solo)
+        self._row = in_row(*parts, of=self, margins=0, gap_px=UNIT_PX // 2)
+        self._row.insertSpacing(1, UNIT_PX // 2)
         LayoutWatcher(self).changed.connect(self._fit_title)
         self._mute.clicked.connect(self.mute_toggled)
         self._solo.clicked.connect(self.solo_toggled)
@@ -450,31 +443,19 @@ class InspectorPanel(Panel):
 
     def _lay_out(self) -> None:
         self._scrolled = inside = QWidget()
-        fields = QVBoxLayout(inside)
-        fields.setContentsMargins(UNIT_PX, 0, UNIT_PX, UNIT_PX)
-        fields.addWidget(self._fields.grid)
-        fields.addWidget(self._chain)
-        fields.addStretch(1)
+        in_column(
+            self._fields.grid, self._chain, None, of=inside, margins=(UNIT_PX, 0, UNIT_PX, UNIT_PX)
+        )
         scroll = SteadyArea()
         scroll.setObjectName("inspector_fields")
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         scroll.setWidget(inside)
         self._editor = QWidget()
-        column = QVBoxLayout(self._editor)
-        column.setContentsMargins(0, UNIT_PX // 2, 0, 0)
-        column.setSpacing(UNIT_PX // 2)
-        top = QVBoxLayout()
-        top.setContentsMargins(UNIT_PX, 0, UNIT_PX, 0)
-        top.addWidget(self._heading)
-        top.addWidget(self._preview)
-        column.addLayout(top, 1)
-        column.addWidget(scroll, 3)
-        self._empty = QLabel()
-        self._empty.setObjectName("inspector_empty")
-        set_tone(self._empty, "dim")
-        self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._empty.setWordWrap(True)
+        top = in_column(self._heading, self._preview, margins=(UNIT_PX, 0, UNIT_PX, 0))
+        margins = (0, UNIT_PX // 2, 0, 0)
+        in_column((top, 1), (scroll, 3), of=self._editor, margins=margins, gap_px=UNIT_PX // 2)
+        self._empty = page_label("inspector_empty", tone="dim", centred=True)
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self._empty)
         self._stack.addWidget(self._editor)

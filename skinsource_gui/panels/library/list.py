@@ -40,7 +40,6 @@ from PySide6.QtWidgets import (
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -52,6 +51,7 @@ from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.plots.preview import ClipStrip, SpectrumPreview, strip_lanes
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 
 _Role = Qt.ItemDataRole
@@ -377,12 +377,7 @@ class PresetPreview(QWidget):
         self.text.setWordWrap(True)
         self.text.setTextFormat(Qt.TextFormat.RichText)
         self.text.setAlignment(Qt.AlignmentFlag.AlignTop)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(2)
-        column.addWidget(self.strip, 3)
-        column.addWidget(self.spectrum, 4)
-        column.addWidget(scroll, 3)
+        in_column((self.strip, 3), (self.spectrum, 4), (scroll, 3), of=self, margins=0, gap_px=2)
 
     @property
     def preset(self) -> Preset | None:

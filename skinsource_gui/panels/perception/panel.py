@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QTableWidget,
     QTableWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -34,7 +33,7 @@ from skinsource.perception.thresholds import (
 )
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.figure_panel import COMPUTING
-from skinsource_gui.qt.buttons import tool_button
+from skinsource_gui.qt.buttons import page_label, tool_button
 from skinsource_gui.qt.fitting import FoldingGroups, LetterWidth
 from skinsource_gui.qt.labels import (
     SHORT_NAME,
@@ -42,6 +41,7 @@ from skinsource_gui.qt.labels import (
     how_to_select_output,
     set_table_look,
 )
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.questions import CopyButton, copied_level
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
@@ -225,16 +225,9 @@ class PerceptionPanel(Panel):
         self.model = tool_button(self, "perception_model", "Use the model", hint)
         self.copy = CopyButton(self.name, self._numbers, self)
         self.table = LevelTable()
-        self.message, self.contact, self.limits = QLabel(), QLabel(), QLabel(LIMITS)
-        for label, name in (
-            (self.message, "perception_message"),
-            (self.contact, "perception_contact"),
-            (self.limits, "perception_limits"),
-        ):
-            label.setObjectName(name)
-            label.setWordWrap(True)
-            set_tone(label, "dim")
-        self.message.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.message = page_label("perception_message", tone="dim", centred=True)
+        self.contact = page_label("perception_contact", tone="dim")
+        self.limits = page_label("perception_limits", LIMITS, tone="dim")
         self.computed = (self.table,)
         self._lay_out()
         self._connect()
@@ -325,14 +318,9 @@ class PerceptionPanel(Panel):
     def _lay_out(self) -> None:
         thresholds = (self.own, self.model, None, self.copy)
         bar = FoldingGroups((self.area_label, self.area, None), thresholds, spacing_px=UNIT_PX // 2)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, UNIT_PX // 2)
-        column.setSpacing(UNIT_PX // 2)
-        column.addWidget(bar)
-        column.addWidget(self.table, 1)
-        column.addWidget(self.message, 1)
-        column.addWidget(self.contact)
-        column.addWidget(self.limits)
+        parts = (bar, (self.table, 1), (self.message, 1), self.contact, self.limits)
+        margins = (UNIT_PX // 2, 1, UNIT_PX // 2, UNIT_PX // 2)
+        in_column(*parts, of=self, margins=margins, gap_px=UNIT_PX // 2)
 
     def _connect(self) -> None:
         self.area.edited.connect(lambda area_cm2, _: self._change(area_cm2=area_cm2))

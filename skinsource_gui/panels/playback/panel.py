@@ -7,11 +7,9 @@ from PySide6.QtCore import QObject, QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
     QStyle,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -32,10 +30,12 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.fitting import LetterWidth, SteadyArea
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.labels import FittingLabel, LevelMeter
-from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
+from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.theme import UNIT_PX, tabular
 from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.state.panel import Panel
 from skinsource_gui.state.playing import Played
@@ -165,11 +165,7 @@ class DeviceFields(QObject):
 def _row(*parts: QWidget) -> QWidget:
     """Return widgets beside each other, as wide as they prefer."""
     row = QWidget()
-    layout = QHBoxLayout(row)
-    layout.setContentsMargins(0, 0, 0, 0)
-    for part in parts:
-        layout.addWidget(part)
-    layout.addStretch(1)
+    in_row(*parts, None, of=row, margins=0)
     return row
 
 
@@ -314,11 +310,7 @@ class _Loudness(QWidget):
     def __init__(self, meter: LevelMeter, level: QLabel) -> None:
         super().__init__()
         self._level = level
-        below = QVBoxLayout(self)
-        below.setContentsMargins(0, 0, 0, 0)
-        below.setSpacing(2)
-        below.addWidget(meter)
-        below.addWidget(level)
+        in_column(meter, level, of=self, margins=0, gap_px=2)
 
     def minimumSizeHint(self) -> QSize:
         # This room is also kept in silence; otherwise rows would widen and cut other widgets.
@@ -354,17 +346,9 @@ class PlaybackPanel(Panel):
         self._in_volts = False
         self._limb = ""
         self._content = content = QWidget()
-        column = QVBoxLayout(content)
-        column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX)
-        column.setSpacing(UNIT_PX)
-        self.problem = QLabel()
-        self.problem.setObjectName("playback_problem")
-        set_tone(self.problem, "error")
-        self.text = QLabel()
-        self.text.setObjectName("playback_words")
-        set_tone(self.text, "dim")
+        self.problem = page_label("playback_problem", tone="error")
+        self.text = page_label("playback_words", tone="dim")
         for label in (self.problem, self.text):
-            label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         device = QGridLayout()
         device.setColumnStretch(1, 1)
@@ -377,18 +361,14 @@ class PlaybackPanel(Panel):
         self._table = QGridLayout()
         self._table.setColumnStretch(_METER_COLUMN, 1)
         self._table.setHorizontalSpacing(UNIT_PX)
-        column.addWidget(self.problem)
-        column.addLayout(device)
-        column.addLayout(self._table)
-        column.addWidget(self.text)
-        column.addStretch(1)
+        parts = (self.problem, device, self._table, self.text, None)
+        margins = (UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX)
+        in_column(*parts, of=content, margins=margins, gap_px=UNIT_PX)
         area = SteadyArea()
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setWidget(content)
-        outside = QVBoxLayout(self)
-        outside.setContentsMargins(0, 0, 0, 0)
-        outside.addWidget(area)
+        in_column(area, of=self, margins=0)
         self.setFocusProxy(self.fields.device)
         self.show_played(self._played)
 

@@ -18,11 +18,8 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QColor, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QHBoxLayout,
-    QLabel,
     QStackedWidget,
     QTableView,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -36,6 +33,7 @@ from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.analysis.statistics import BEGUN_SHARE, Statistics
 from skinsource_gui.panels.figure_panel import COMPUTING
 from skinsource_gui.plots.figure import NoteLabel
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.keys import claims_shortcut
 from skinsource_gui.qt.labels import (
     SHORT_NAME,
@@ -43,8 +41,9 @@ from skinsource_gui.qt.labels import (
     how_to_select_output,
     set_table_look,
 )
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import CopyButton, copied_number
-from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
+from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.panel import Panel
 
 #: Titles, as narrow as they can be, and what they mean.
@@ -223,11 +222,7 @@ class StatisticsPanel(Panel):
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         header = self.table.horizontalHeader()
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self._message = QLabel()
-        self._message.setObjectName("statistics_message")
-        set_tone(self._message, "dim")
-        self._message.setWordWrap(True)
-        self._message.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._message = page_label("statistics_message", tone="dim", centred=True)
         self._stack = QStackedWidget()
         self._stack.addWidget(self._message)
         self._stack.addWidget(self.table)
@@ -235,15 +230,8 @@ class StatisticsPanel(Panel):
         self.copy = CopyButton(self.name, lambda: tab_separated(self.model.rows))
         self.table.copy_requested.connect(self.copy.click)
         self.computed = (self.table,)
-        bar = QHBoxLayout()
-        bar.setContentsMargins(UNIT_PX, 1, UNIT_PX // 2, 1)
-        bar.addWidget(self.about, 1)
-        bar.addWidget(self.copy)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addLayout(bar)
-        column.addWidget(self._stack, 1)
+        bar = in_row((self.about, 1), self.copy, margins=(UNIT_PX, 1, UNIT_PX // 2, 1))
+        in_column(bar, (self._stack, 1), of=self, margins=0, gap_px=0)
         self.setFocusProxy(self.table)
         self._show_message(self.no_outputs)
 
