@@ -248,7 +248,7 @@ class GlideCurve(CurveField):
     @property
     def text(self) -> str:
         """The quantity and the chosen point."""
-        chosen = self.points.chosen
+        chosen = self.chosen
         time_s, value, _ = self.value[chosen]
         place = f"{chosen + 1}/{len(self.value)}"
         shown = value_text(value, self._y.unit, digits=5)

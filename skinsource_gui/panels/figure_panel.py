@@ -7,18 +7,16 @@ from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.plots.figure import Figure, NoteLabel, draw_figure, open_figure_menu
-from skinsource_gui.qt.labels import how_to_select_output
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme
-from skinsource_gui.state.panel import Panel
+from skinsource_gui.state.panel import COMPUTING, OutputsPanel
 
-#: Messages until there are results, and where nothing moves.
-COMPUTING = "Computing…"
+#: Message where nothing moves.
 SILENT = "Silent: nothing is driven"
 
 
-class FigurePanel(Panel):
+class FigurePanel(OutputsPanel):
     """A panel with choices above a figure, and a line of text below it.
 
     Parameters
@@ -51,9 +49,8 @@ class FigurePanel(Panel):
         figure.customContextMenuRequested.connect(self._open_menu)
 
     @property
-    def no_outputs(self) -> str:
-        """Message while no output is selected."""
-        return how_to_select_output(self.in_sight)
+    def message(self) -> str:
+        return self.figure.message
 
     @property
     def picture_text(self) -> str:
@@ -90,14 +87,12 @@ class FigurePanel(Panel):
         return self._above
 
     def say_instead(self, message: str) -> None:
-        """Show a message in place of the figure."""
         self.figure.say(message)
         self.show_result("")
         if self._copy is not None:
             self._copy.offer(False)
 
     def await_results(self) -> None:
-        """Say in place of the figure that results are being computed."""
         self.figure.say(COMPUTING)
 
     def show_result(self, text: str) -> None:
@@ -106,17 +101,8 @@ class FigurePanel(Panel):
         if self.figure.cursor_at is None:
             self.note_label.say(text)
 
-    def show_in_sight(self, names: frozenset[str]) -> None:
-        shows_no_outputs = self.figure.message == self.no_outputs
-        super().show_in_sight(names)
-        if shows_no_outputs:
-            self.figure.say(self.no_outputs)
-
     def show_staleness(self, late: bool) -> None:
         self.figure.show_staleness(late)
-
-    def show_problem(self, reason: str) -> None:
-        self.say_instead(reason)
 
     def _open_menu(self, at: QPoint) -> None:
         if not self.figure.message:

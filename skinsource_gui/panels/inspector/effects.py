@@ -71,7 +71,7 @@ class EffectRow(FieldsRow):
         """Take over the end of the clip, for curves over its time."""
         for cell in self._cells:
             if isinstance(cell.field, CurveField):
-                cell.field.points.end_x = end_s
+                cell.field.end_x = end_s
 
     def show_refused(self, name: str, reason: str) -> None:
         """Show the value of a field again, and the reason why it did not change."""

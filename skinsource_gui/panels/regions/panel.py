@@ -30,7 +30,6 @@ from skinsource.design.view import View
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.own_limbs import missing_limb
 from skinsource_gui.fields.units import minus
-from skinsource_gui.panels.figure_panel import COMPUTING
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.fitting import SteadyArea
 from skinsource_gui.qt.labels import set_table_look
@@ -45,7 +44,7 @@ from skinsource_gui.state.compared import (
     have_matching_level,
     matched_text,
 )
-from skinsource_gui.state.panel import Panel
+from skinsource_gui.state.panel import COMPUTING, Panel
 
 #: Message for own limbs.
 NO_REGIONS = "Of an own limb it is not known which outputs lie in which region"

@@ -14,7 +14,7 @@ from PySide6.QtGui import (
     QResizeEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QApplication, QFrame, QMenu, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QFrame, QMenu, QScrollArea, QWidget
 
 from skinsource.design import edits
 from skinsource.design.amplitudes import is_gain, peak_text
@@ -32,6 +32,7 @@ from skinsource_gui.fields.inputs import (
 from skinsource_gui.panels.timeline.content import shown_gain_curves, toggle_gain_curves
 from skinsource_gui.panels.timeline.head_row import InputRow, RowSignals, RowState
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
+from skinsource_gui.qt.layouts import in_column
 
 
 class CachedRows:
@@ -46,10 +47,7 @@ class CachedRows:
     def __init__(self, column: QWidget, signals: RowSignals) -> None:
         self._column, self._signals = column, signals
         self._rows: dict[int, InputRow] = {}
-        self._layout = QVBoxLayout(column)
-        self._layout.setContentsMargins(0, 0, 0, 0)
-        self._layout.setSpacing(0)
-        self._layout.addStretch(1)
+        self._layout = in_column(None, of=column, margins=0, gap_px=0)
 
     @property
     def rows(self) -> tuple[InputRow, ...]:

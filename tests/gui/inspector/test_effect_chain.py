@@ -219,4 +219,4 @@ def test_an_envelope_is_drawn_in_its_row(bench):
     assert bench.effects[-1] == Envelope(((0.0, 0.95, "straight"), (0.4, 1.0, "straight")))
     assert bench.labels[-1] == "Change points of clip at 7 (II pad)"
     # What a key adds ends with the clip, as in its editor.
-    assert field.points.end_x == bench.track.clips[0].duration_s
+    assert field.end_x == bench.track.clips[0].duration_s
