@@ -1,5 +1,7 @@
 """Drop-down lists: the common look, and the field of a choice among named options."""
 
+from collections.abc import Iterable
+
 from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPaintEvent, QPalette, QPen, QWheelEvent
 from PySide6.QtWidgets import (
@@ -102,11 +104,15 @@ class ChoiceField(Editor, DropDown):
         self.activated.connect(self._choose)
 
     def set_spec(self, spec: ChoiceSpec) -> None:
-        """Offer other options; the value stays, even if it is not among them."""
+        """Offer the options of another specification."""
+        self.set_options(spec.options)
+
+    def set_options(self, options: Iterable[tuple[str, str]]) -> None:
+        """Offer other options, with their titles; the value stays, even if it is not among them."""
         value = self.value
         self.blockSignals(True)
         self.clear()
-        for option, title in spec.options:
+        for option, title in options:
             self.addItem(title, option)
         self.blockSignals(False)
         index = self.findData(value) if value else self.currentIndex()

@@ -39,6 +39,7 @@ from skinsource.specs.breakpoints import (
     slope_of,
 )
 from skinsource_gui.fields.editor import Burst, Editor, new_gesture
+from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
 from skinsource_gui.qt.theme import Theme, current_theme, tabular
 from skinsource_gui.qt.tooltips import tooltip
@@ -280,9 +281,7 @@ class CurveField(Editor, QWidget):
         at = QPointF(event.pos())
         by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
         near = self.chosen if by_key else self._point_at(at)
-        menu = QMenu(self)
-        menu.setObjectName("point_menu")
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu = passing_menu(self, "point_menu")
         if near is None:
             fill_ground_menu(menu, lambda: self._add(at))
         else:

@@ -73,9 +73,7 @@ class Burst(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._gesture = 0
-        self._pause = QTimer(self)
-        self._pause.setSingleShot(True)
-        self._pause.setInterval(PAUSE_MS)
+        self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
 
     @property
     def active(self) -> bool:

@@ -14,7 +14,6 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QDialog,
     QFileDialog,
     QHBoxLayout,
     QHeaderView,
@@ -47,6 +46,7 @@ from skinsource.studies.checking import (
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import minus
+from skinsource_gui.pages.page import Page
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.fitting import LetterWidth
@@ -475,7 +475,7 @@ _REPORTED = "The paper reports errors {0}, differences in amplitude {1} and r {2
 _SIZE_PX = (1080, 620)
 
 
-class CheckingPage(QDialog):
+class CheckingPage(Page):
     """Compares predictions with measurements, as the paper's Fig. 4 does, and writes a report."""
 
     def __init__(
@@ -485,11 +485,7 @@ class CheckingPage(QDialog):
         preferences: Preferences,
         parent: QWidget,
     ) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("checking_page")
-        self.setWindowTitle(TITLE)
-        self.resize(*_SIZE_PX)
+        super().__init__(parent, "checking_page", TITLE, _SIZE_PX)
         self._preferences = preferences
         self.run = PageJob(runner, self)
         row = Row(name=_name_of(document), design=document.design)

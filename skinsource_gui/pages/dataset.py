@@ -6,7 +6,6 @@ from typing import Any
 
 from PySide6.QtCore import QStandardPaths, Qt
 from PySide6.QtWidgets import (
-    QDialog,
     QFileDialog,
     QLabel,
     QProgressBar,
@@ -19,6 +18,7 @@ from skinsource.limbs.dataset.download import fetch
 from skinsource.limbs.dataset.install import install
 from skinsource.limbs.dataset.published import published_files
 from skinsource.limbs.dataset.store import StoreInfo
+from skinsource_gui.pages.page import Page
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
@@ -42,15 +42,11 @@ toolbox's folder <i>visualization</i>.<br>
 _MEASURED = "measured"
 
 
-class DatasetPage(QDialog):
+class DatasetPage(Page):
     """Starts an installation, and shows its progress; closing the page lets it run on."""
 
     def __init__(self, runner: JobRunner, limbs: InstalledLimbs, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("dataset_page")
-        self.setWindowTitle(TITLE)
-        self.resize(560, 320)
+        super().__init__(parent, "dataset_page", TITLE, (560, 320))
         self._runner, self._limbs = runner, limbs
         size_mb = round(sum(file.size_bytes for file in published_files()) / 1e6)
         about = page_label("page_text", _ABOUT.format(size=size_mb))

@@ -2,9 +2,8 @@
 
 from dataclasses import dataclass
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
-    QDialog,
     QDialogButtonBox,
     QFormLayout,
     QLineEdit,
@@ -20,6 +19,7 @@ from skinsource.design.design import Design
 from skinsource.design.presets.presets import Preset, tags_of, whole_design
 from skinsource.design.view import View
 from skinsource_gui.fields.choice_field import DropDown
+from skinsource_gui.pages.page import Page
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.layouts import in_column
 
@@ -70,7 +70,7 @@ def _name(fragment: Fragment) -> str:
 TITLE = "Save to library"
 
 
-class SavePage(QDialog):
+class SavePage(Page):
     """Asks what is saved, and for its name, tags, description and source.
 
     Parameters
@@ -83,10 +83,7 @@ class SavePage(QDialog):
     chosen = Signal(object)
 
     def __init__(self, choices: tuple[Choice, ...], parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("save_to_library_page")
-        self.setWindowTitle(TITLE)
+        super().__init__(parent, "save_to_library_page", TITLE)
         self.setMinimumWidth(460)
         self._choices = choices
         self.what = DropDown()

@@ -12,7 +12,6 @@ from time import monotonic
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import (
-    QDialog,
     QFileDialog,
     QFormLayout,
     QHBoxLayout,
@@ -37,6 +36,7 @@ from skinsource.lab.playing.stream import Stream
 from skinsource.limbs.locations import input_name
 from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.pages.page import Page
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.fitting import LetterWidth
 from skinsource_gui.qt.keys import KEYS, Gesture
@@ -419,7 +419,7 @@ _POLL_MS = 40
 _HURRY_S = 1.0
 
 
-class MatchingPage(QDialog):
+class MatchingPage(Page):
     """Asks for a procedure, then plays it and stores the answers of the person.
 
     Parameters
@@ -441,11 +441,7 @@ class MatchingPage(QDialog):
         gain_db: float,
         parent: QWidget,
     ) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("matching_page")
-        self.setWindowTitle("Matching")
-        self.resize(680, 560)
+        super().__init__(parent, "matching_page", "Matching", (680, 560))
         self._limb = limb
         self.run: MatchingRun | None = None
         unit = amplitude_unit(Design(limb=limb))

@@ -14,7 +14,6 @@ from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import (
     QApplication,
-    QDialog,
     QHBoxLayout,
     QLabel,
     QLineEdit,
@@ -37,6 +36,7 @@ from skinsource.specs.numbers import ModelSpec, NumberSpec
 from skinsource.specs.spec import ChoiceSpec, Spec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
+from skinsource_gui.pages.page import Page
 from skinsource_gui.panels.hand.layout import HandLayout, Marker, paint_occupied
 from skinsource_gui.panels.hand.panel import HandDiagram
 from skinsource_gui.panels.hand.picture import drawing_of
@@ -444,15 +444,11 @@ _MOTION_KINDS = ChoiceSpec(
 _HEIGHT_PX = 660
 
 
-class MotionPage(QDialog):
+class MotionPage(Page):
     """Makes up a motion on a path of places, shows it, and adds it in one step."""
 
     def __init__(self, document: Document, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("motion_page")
-        self.setWindowTitle(TITLE)
-        self.resize(980, _HEIGHT_PX)
+        super().__init__(parent, "motion_page", TITLE, (980, _HEIGHT_PX))
         self._document = document
         self.draft = Draft(document.design, document.view.playhead_s, self)
         self.hand = HandDiagram(drawing_of(document.design.limb), self)

@@ -6,9 +6,7 @@ from html import escape
 from PySide6.QtCore import QPoint, QRect, QRectF, QSize, QSizeF, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPainter, QPaintEvent, QPen, QPixmap
 from PySide6.QtWidgets import (
-    QDialog,
     QDialogButtonBox,
-    QFrame,
     QHBoxLayout,
     QLabel,
     QListWidget,
@@ -23,7 +21,8 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource.studies.scenes.catalog import all_scenes, open_scene, why_not_on
 from skinsource.studies.scenes.opened_scene import Scene
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.pages.page import Page
+from skinsource_gui.qt.buttons import page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.resources import resource_folder
 from skinsource_gui.qt.screen_fit import fit_by_guess
@@ -86,7 +85,7 @@ _PLAYED_ON = "On which limb the scenes are played: those of the paper, or one of
 _PICTURES = "Pictures are computed on synthetic limbs."
 
 
-class ScenesPage(QDialog):
+class ScenesPage(Page):
     """Shows the scenes of the paper, and emits which one is to be opened.
 
     Parameters
@@ -110,10 +109,7 @@ class ScenesPage(QDialog):
         *,
         limb: str = "",
     ) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("scenes_page")
-        self.setWindowTitle(TITLE)
+        super().__init__(parent, "scenes_page", TITLE)
         self._limbs, self._scenes = frozenset(limbs), all_scenes()
         own = [name for name in limbs if facts_of(name).own]
         titles = tuple((name, limb_label(name).title) for name in own)
@@ -232,11 +228,8 @@ class ScenesPage(QDialog):
 
 def _scrolled(inside: QWidget) -> QScrollArea:
     """Return an area without a frame that scrolls both ways."""
-    area = QScrollArea()
-    area.setObjectName("scene_area")
-    area.setFrameShape(QFrame.Shape.NoFrame)
-    area.setWidgetResizable(True)
-    area.setWidget(inside)
+    area = scrolled(inside, "scene_area")
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
     return area
 
 

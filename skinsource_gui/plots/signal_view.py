@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from PySide6.QtCore import QObject, QPoint, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
-from PySide6.QtWidgets import QApplication, QFileDialog, QMenu, QToolButton, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QToolButton, QWidget
 
 from skinsource.base.decibels import levels_for_tables
 from skinsource.base.errors import SkinSourceError
@@ -41,6 +41,7 @@ from skinsource_gui.plots.pictures import (
 from skinsource_gui.plots.plot import Plot
 from skinsource_gui.plots.ranges import Kind, Range, XAxis
 from skinsource_gui.plots.toolbar import PlotToolbar
+from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.fitting import VisibleHeight
 from skinsource_gui.qt.keys import KEYS, key_text
 from skinsource_gui.qt.layouts import in_column
@@ -417,9 +418,7 @@ class SignalView(QWidget):
         """Open the menu at a place on the screen; it is deleted when it closes."""
         if self.plot.curves is None:
             return
-        menu = QMenu(self)
-        menu.setObjectName("plot-menu")
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu = passing_menu(self, "plot-menu")
         # The plot handles the keys; the menu only shows them.
         view_all = menu.addAction(f"View all\t{key_text('plot', 'whole')}")
         view_all.triggered.connect(self._show_everything)

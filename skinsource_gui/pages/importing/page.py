@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 from time import monotonic
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
@@ -35,6 +35,7 @@ from skinsource_gui.pages.importing.form import (
     ImportPreview,
     OverviewStrip,
 )
+from skinsource_gui.pages.page import Page
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.engine import LatestWins
@@ -154,7 +155,7 @@ _READING = "Reading…"
 _ASSUMED = f"The file does not say its sample rate; {ASSUMED_RATE_HZ:g} Hz is assumed."
 
 
-class ImportPage(QDialog):
+class ImportPage(Page):
     """Shows what a file holds, asks what it leaves open, and shows what will be imported.
 
     Parameters
@@ -177,11 +178,7 @@ class ImportPage(QDialog):
         places: tuple[tuple[str, str], ...],
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("import_page")
-        self.setWindowTitle(f"Import {path_text(Path(path.name))}")
-        self.resize(820, 520)
+        super().__init__(parent, "import_page", f"Import {path_text(Path(path.name))}", (820, 520))
         self._band_hz = limb.band_hz
         self._form: ChoiceForm | None = None
         self._taken: Taken | None = None

@@ -9,10 +9,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import (
-    QDialog,
     QFileDialog,
     QHBoxLayout,
     QLabel,
@@ -31,6 +30,7 @@ from skinsource.limbs.own_limbs import facts_of, mirror_limb, own_limb_names, re
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.limbs.form import Draft, LimbForm, LimbReader, PlacesCanvas
+from skinsource_gui.pages.page import Page
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import ask_yes
@@ -248,7 +248,7 @@ _KINDS = {
 }
 
 
-class LimbPage(QDialog):
+class LimbPage(Page):
     """Puts a limb together and imports it; lists the limbs that were imported."""
 
     def __init__(
@@ -257,11 +257,7 @@ class LimbPage(QDialog):
         limbs: InstalledLimbs,
         parent: QWidget,
     ) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("limb_page")
-        self.setWindowTitle(TITLE)
-        self.resize(940, 640)
+        super().__init__(parent, "limb_page", TITLE, (940, 640))
         self._limbs, self._jobs = limbs, PageJobs(runner, self)
         self.draft = Draft()
         self.reader = LimbReader(self)

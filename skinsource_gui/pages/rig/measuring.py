@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QDialog, QLabel, QProgressBar, QWidget
+from PySide6.QtWidgets import QLabel, QProgressBar, QWidget
 
 from skinsource.actuators.actuator import Actuator
 from skinsource.actuators.catalog import names, profile
@@ -36,6 +36,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.units import minus
+from skinsource_gui.pages.page import Page
 from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
 from skinsource_gui.plots.signal_view import SignalView
@@ -235,7 +236,7 @@ _START = "Play the sweeps, and record them"
 _READY = "Start plays on output {output}, at the level above."
 
 
-class MeasurePage(QDialog):
+class MeasurePage(Page):
     """Asks for the sensor, measures a channel, and emits the measurement where it is accepted.
 
     Parameters
@@ -262,11 +263,7 @@ class MeasurePage(QDialog):
         settings: SoundSettings,
         parent: QWidget,
     ) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("measure_page")
-        self.setWindowTitle(f"Measure place {channel.place}")
-        self.resize(760, 640)
+        super().__init__(parent, "measure_page", f"Measure place {channel.place}", (760, 640))
         self._channel, self._settings = channel, settings
         self._thread, self._stop = SoundThread(self), Event()
         self._running = self._looking = False

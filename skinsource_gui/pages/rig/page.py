@@ -9,7 +9,6 @@ from typing import Any
 from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
-    QDialog,
     QFileDialog,
     QHBoxLayout,
     QLabel,
@@ -40,6 +39,7 @@ from skinsource.specs.spec import ChoiceSpec, Spec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.rig_field import RESPONSE_FILES
+from skinsource_gui.pages.page import Page
 from skinsource_gui.pages.rig.measuring import MeasurePage
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
@@ -293,7 +293,7 @@ _ENDS = (("open", "Open…"), ("save", "Save…"), ("close", "Close"))
 _NOTHING = "No channel yet: add one for each actuator."
 
 
-class RigPage(QDialog):
+class RigPage(Page):
     """Opens, edits and saves a rig file, channel by channel.
 
     Parameters
@@ -310,11 +310,7 @@ class RigPage(QDialog):
         settings: SoundSettings,
         parent: QWidget,
     ) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("rig_page")
-        self.setWindowTitle("Rig")
-        self.resize(860, 640)
+        super().__init__(parent, "rig_page", "Rig", (860, 640))
         self._document, self._settings, self._thread = document, settings, SoundThread(self)
         settings.look_for_rig()
         path = settings.rig_path if settings.rig is not None else None

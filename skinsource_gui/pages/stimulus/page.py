@@ -35,6 +35,7 @@ from skinsource.export.stimulus_export.preparing import (
     overview_of,
     prepare_stimulus,
 )
+from skinsource_gui.pages.page import Page
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
 from skinsource_gui.qt.buttons import scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
@@ -259,7 +260,7 @@ class PreparingWorker(LatestWins):
 _LEFT_PX = 300
 
 
-class StimulusPage(QDialog):
+class StimulusPage(Page):
     """Shows the channels as they will be written, and asks for format and options.
 
     Parameters
@@ -283,11 +284,7 @@ class StimulusPage(QDialog):
         last_settings: str = "",
         machine_rig: str = "",
     ) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("stimulus_page")
-        self.setWindowTitle("Export stimulus")
-        self.resize(960, 680)
+        super().__init__(parent, "stimulus_page", "Export stimulus", (960, 680))
         self._colours = {track.id: track.colour for track in design.inputs}
         self._ordered: Order | None = None
         self._shown: tuple[Order, Overview] | None = None

@@ -18,7 +18,7 @@ from PySide6.QtGui import (
     QResizeEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QApplication, QMenu, QStackedLayout, QToolTip, QWidget
+from PySide6.QtWidgets import QApplication, QStackedLayout, QToolTip, QWidget
 
 from skinsource.base.quoting import quoted
 from skinsource.design import edits
@@ -30,7 +30,7 @@ from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.inputs import EMPTY, fill_inputs_menu
 from skinsource_gui.panels.hand.layout import HandDrawing, HandState, Mark
 from skinsource_gui.panels.hand.picture import HandStage, drawing_of
-from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.buttons import page_label, passing_menu
 from skinsource_gui.qt.frames import DropPlace, paint_focus_frame
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
 from skinsource_gui.qt.theme import current_theme
@@ -694,9 +694,7 @@ class HandPanel(Panel):
 
     def _open_menu(self, site: int, at: QPoint) -> None:
         index = self.diagram.state.front_at(site)
-        menu = QMenu(self)
-        menu.setObjectName("hand_menu")
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu = passing_menu(self, "hand_menu")
         add = f"Add input here\t{key_text('hand', 'place_another')}"
         menu.addAction(add, partial(self._add, site))
         menu.addSeparator()

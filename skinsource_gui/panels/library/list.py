@@ -33,10 +33,8 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QFrame,
     QLabel,
     QListView,
-    QScrollArea,
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
@@ -50,6 +48,7 @@ from skinsource.design.presets.presets import Entry, Preset, mixed
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.plots.preview import ClipStrip, SpectrumPreview, strip_lanes
+from skinsource_gui.qt.buttons import scrolled
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
@@ -357,13 +356,8 @@ class PresetPreview(QWidget):
         self._limb = ""
         self.strip, self.spectrum, self.text = ClipStrip(), SpectrumPreview(), QLabel()
         self.strip.setAccessibleName("Clips of the preset")
-        scroll = QScrollArea()
-        scroll.setObjectName("preset_about")
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
+        scroll = scrolled(self.text, "preset_about")
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setWidgetResizable(True)
-        scroll.setWidget(self.text)
         scroll.viewport().setAutoFillBackground(False)
         for part, least, most in (
             (self.strip, _LEAST_STRIP_PX, _MOST_STRIP_PX),

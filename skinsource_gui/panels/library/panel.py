@@ -25,7 +25,7 @@ from skinsource.design.presets.presets import Entry, Fault, PresetFolder, matchi
 from skinsource.design.view import View
 from skinsource_gui.fields.choice_field import DropDown
 from skinsource_gui.panels.library.list import PresetList, PresetPreview, PresetsModel
-from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.buttons import page_button, page_label, passing_menu
 from skinsource_gui.qt.fitting import FoldingRow
 from skinsource_gui.qt.keys import KEYS, key_text
 from skinsource_gui.qt.layouts import in_column, in_row
@@ -75,10 +75,7 @@ class LibraryButtons(QWidget):
         menu.addAction(self.save.text(), self.save.click)
 
     def _button(self, text: str, name: str, hint: str) -> QPushButton:
-        button = QPushButton(text)
-        button.setObjectName(name)
-        button.setToolTip(hint)
-        return button
+        return page_button(name, text, hint)
 
 
 _ALL = "All tags"
@@ -165,9 +162,7 @@ class FolderWatch(QObject):
         super().__init__(parent)
         self._suffix = suffix
         self._watcher: QFileSystemWatcher | None = None
-        self._pause = QTimer(self)
-        self._pause.setSingleShot(True)
-        self._pause.setInterval(_BATCH_MS)
+        self._pause = QTimer(self, singleShot=True, interval=_BATCH_MS)
         self._pause.timeout.connect(self.changed)
 
     def watch(self, folder: Path) -> None:
@@ -397,7 +392,6 @@ class LibraryPanel(Panel):
     def _open_menu(self, at: QPoint) -> None:
         if self.rows.current is None:
             return
-        menu = QMenu(self)
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu = passing_menu(self)
         self.buttons.fill(menu)
         menu.popup(self.rows.viewport().mapToGlobal(at))

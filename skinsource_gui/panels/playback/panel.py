@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import Any, ClassVar
 
-from PySide6.QtCore import QObject, QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtCore import QObject, QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
@@ -184,11 +184,8 @@ def _key_of(played: Played) -> str:
 
 def _fill(field: ChoiceField, options: list[tuple[str, str]], chosen: str) -> None:
     """Offer other choices."""
-    with QSignalBlocker(field):
-        field.clear()
-        for option, title in options:
-            field.addItem(title, option)
-        field.set_value(chosen)
+    field.set_options(options)
+    field.set_value(chosen)
 
 
 _METER_PX, _LEAST_METER_PX, _OUTPUT_NUMBER_PX = 8, 48, 56

@@ -57,7 +57,7 @@ from skinsource_gui.panels.timeline.head_row import InputRow, heads_px, row_plac
 from skinsource_gui.panels.timeline.heads import Heads, InputList
 from skinsource_gui.panels.timeline.lanes import LanesView, marker_at
 from skinsource_gui.plots.time_scale import Range
-from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.buttons import page_label, passing_menu
 from skinsource_gui.qt.fitting import LayoutWatcher, fitting_font, set_fonts
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import KEYS, key_text
@@ -208,9 +208,7 @@ class LanesMenu(QObject):
         """Open the menu of a place, at a place of the screen."""
         content = self._content()
         box = content.box_at(place)
-        menu = QMenu(self._parent)
-        menu.setObjectName("lanes_menu")
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu = passing_menu(self._parent, "lanes_menu")
         time_s = max(content.scale.time(place.x()), 0.0)
         if place.y() < content.ruler_px:
             self._fill_ruler(menu, content, place, time_s)
