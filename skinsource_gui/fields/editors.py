@@ -131,7 +131,11 @@ def new_editor(spec: Spec, parent: QWidget) -> Editor:
 
 
 class FieldCell(EditedCell):
-    """A labelled cell with the editor for ``spec``."""
+    """A labelled cell with the editor for ``spec``; ``edited`` gets its signals."""
 
-    def __init__(self, name: str, spec: Spec, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, name: str, spec: Spec, parent: QWidget | None = None, *, edited: Any = None
+    ) -> None:
         super().__init__(name, spec, new_editor, parent)
+        if edited is not None:
+            self.edited.connect(edited)

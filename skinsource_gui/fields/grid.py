@@ -142,6 +142,11 @@ class EditedCell(LabelledCell):
         self.field.cancel()
         self._forget_reason()
 
+    def refuse(self, value: object, reason: str) -> None:
+        """Show the value again, and why it was not changed."""
+        self.set_value(value)
+        self.show_reason(reason)
+
     def show_reason(self, reason: str) -> None:
         """Show in red why the last edit was refused, until the next action of the user."""
         self.field.mark_error(reason)

@@ -395,14 +395,10 @@ class MotionFields(QObject):
 
     def show_refused(self, model: Any, name: str, reason: str) -> None:
         """Show the value of ``model`` in a field again, and why it was not changed."""
-        kind, *others = self._cells
-        if name == kind.name:
-            kind.set_value(type(model).__name__)
-            kind.show_reason(reason)
-        for cell in others:
+        for cell in self._cells:
             if cell.name == name:
-                cell.set_value(getattr(model, name))
-                cell.show_reason(reason)
+                kept = type(model).__name__ if cell is self._cells[0] else getattr(model, name)
+                cell.refuse(kept, reason)
 
     def _build(self, model: Any, kinds: ChoiceSpec) -> None:
         old = self._cells
@@ -410,15 +406,12 @@ class MotionFields(QObject):
         if self._built_for is not None and self._built_for[1] == kinds:
             kind = old[0]
         else:
-            kind = FieldCell("kind", kinds)
-            kind.edited.connect(self._tell_kind)
+            kind = FieldCell("kind", kinds, edited=self._tell_kind)
         cells = [kind]
         for name, spec in specs_of(model).items():
             adapted = self._adapt(name, spec)
             if adapted is not None:
-                cell = FieldCell(name, adapted)
-                cell.edited.connect(self._tell)
-                cells.append(cell)
+                cells.append(FieldCell(name, adapted, edited=self._tell))
         self._cells, self._built_for = tuple(cells), (type(model), kinds)
         removed = [cell for cell in old if cell not in cells]
         focused = QApplication.focusWidget()

@@ -61,7 +61,8 @@ class MeasureFields(QObject):
         super().__init__(parent)
         self.setup = setup
         self.grid = FieldGrid()
-        self._cells = {name: self._cell(name, spec) for name, spec in specs_of(setup).items()}
+        specs = specs_of(setup).items()
+        self._cells = {name: FieldCell(name, spec, edited=self._edit) for name, spec in specs}
         self._cells[_DEVICE] = self._devices(())
         self._show()
 
@@ -77,11 +78,6 @@ class MeasureFields(QObject):
         old.label.deleteLater()
         old.deleteLater()
 
-    def _cell(self, name: str, spec: Any) -> FieldCell:
-        cell = FieldCell(name, spec)
-        cell.edited.connect(self._edit)
-        return cell
-
     def _devices(self, devices: Sequence[InputDevice]) -> FieldCell:
         titles = dict.fromkeys(device.title for device in devices)
         chosen = self.setup.input_device
@@ -89,7 +85,8 @@ class MeasureFields(QObject):
             # A chosen device that is not connected now may come back.
             titles.setdefault(chosen)
         options = (_SAME, *((title, title) for title in titles))
-        return self._cell(_DEVICE, ChoiceSpec(label="Input device", options=options))
+        spec = ChoiceSpec(label="Input device", options=options)
+        return FieldCell(_DEVICE, spec, edited=self._edit)
 
     def _show(self) -> None:
         self.grid.show_cells(list(self._cells.values()))

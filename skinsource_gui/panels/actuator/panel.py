@@ -137,9 +137,7 @@ class ActuatorChoices(QObject):
             }
         for name, spec in specs.items():
             if (name, spec) not in self._cached_cells:
-                cell = FieldCell(name, spec)
-                cell.edited.connect(self._edit)
-                self._cached_cells[name, spec] = cell
+                self._cached_cells[name, spec] = FieldCell(name, spec, edited=self._edit)
         self._cells = tuple(self._cached_cells[key] for key in specs.items())
         parameters = tuple(cell for cell in self._cells if cell.name.startswith(_PARAMETER))
         self.grid.show_cells([cell for cell in self._cells if cell not in parameters])

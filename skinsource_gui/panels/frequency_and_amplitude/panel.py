@@ -110,8 +110,8 @@ class FrequencyAndAmplitudePanel(Panel):
         set_tone(self._control_label, "dim")
         self._control_part.hold(self._control_label, self._control)
         self._control.edited.connect(self._choose_control)
-        self._amplitude = FieldCell("amplitude", DESIGN_AMPLITUDE)
-        self._onset = FieldCell(_ONSET, ONSET_S)
+        self._amplitude = FieldCell("amplitude", DESIGN_AMPLITUDE, edited=self._change)
+        self._onset = FieldCell(_ONSET, ONSET_S, edited=self._change)
         self._frequency: FieldCell | None = None
         self._spec: Spec | None = None
         self._frequency_part = _LabelledField()
@@ -121,8 +121,6 @@ class FrequencyAndAmplitudePanel(Panel):
         self._row = FoldingRow(parts, UNIT_PX)
         margins = (UNIT_PX, 0, UNIT_PX, UNIT_PX)
         in_column(self._heading, self._row, None, of=self, margins=margins, gap_px=UNIT_PX // 2)
-        self._amplitude.edited.connect(self._change)
-        self._onset.edited.connect(self._change)
         self.setFocusProxy(self._amplitude)
 
     def show_state(self, design: Design, view: View) -> None:
@@ -174,8 +172,7 @@ class FrequencyAndAmplitudePanel(Panel):
                     part.deleteLater()
                 self._frequency = None
             if spec is not None:
-                self._frequency = FieldCell(_FREQUENCY, spec)
-                self._frequency.edited.connect(self._change)
+                self._frequency = FieldCell(_FREQUENCY, spec, edited=self._change)
                 self._frequency_part.hold(self._frequency.label, self._frequency)
         self._frequency_part.setVisible(self._frequency is not None)
         if self._frequency is not None and clip is not None:

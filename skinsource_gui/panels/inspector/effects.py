@@ -75,9 +75,7 @@ class EffectRow(FieldsRow):
 
     def show_refused(self, name: str, reason: str) -> None:
         """Show the value of a field again, and the reason why it did not change."""
-        cell = self.cell(name)
-        cell.set_value(getattr(self.effect, name))
-        cell.show_reason(reason)
+        self.cell(name).refuse(getattr(self.effect, name), reason)
 
     def press(self, name: str) -> None:
         if name == "switch":

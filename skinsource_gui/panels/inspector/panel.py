@@ -130,12 +130,10 @@ class InputFields(QObject):
         self.grid = FieldGrid()
         self.kind = FieldCell("kind", kind_spec())
         self.place = FieldCell("location", self._places)
-        self._amplitude = FieldCell("amplitude", AMPLITUDE)
-        self._onset = FieldCell("onset_s", ONSET)
-        self._gain = FieldCell("gain", GAIN)
-        self._curve = FieldCell("gain_curve", GAIN_CURVE)
-        for cell in (self._amplitude, self._onset, self._gain, self._curve):
-            cell.edited.connect(self.edited)
+        self._amplitude = FieldCell("amplitude", AMPLITUDE, edited=self.edited)
+        self._onset = FieldCell("onset_s", ONSET, edited=self.edited)
+        self._gain = FieldCell("gain", GAIN, edited=self.edited)
+        self._curve = FieldCell("gain_curve", GAIN_CURVE, edited=self.edited)
         self._peak = TextCell("Peak", "")
         self._peak.text_label.setObjectName("peak")
         self._peak.text_label.setToolTip("Of all that the track plays, with its gain")
@@ -208,8 +206,7 @@ class InputFields(QObject):
     def show_refused(self, track: Input, name: str, reason: str) -> None:
         """Show the value of this field again, and the reason why it did not change."""
         cell = next(cell for cell in self._fields() if cell.name == name)
-        cell.set_value(_value(track, name, clip_of(track, self._view)))
-        cell.show_reason(reason)
+        cell.refuse(_value(track, name, clip_of(track, self._view)), reason)
 
     def forget_typing(self) -> None:
         """Close an open editor without committing."""
@@ -242,9 +239,7 @@ class InputFields(QObject):
         cells: list[LabelledCell] = []
         self._length = None
         for name, spec in (specs_of(waveform) if waveform else {}).items():
-            own = FieldCell(name, spec.at_rate(*self._played_at))
-            own.edited.connect(self.edited)
-            cells.append(own)
+            cells.append(FieldCell(name, spec.at_rate(*self._played_at), edited=self.edited))
         if waveform and fixed_length_text(waveform):
             self._length = TextCell("Duration", fixed_length_text(waveform))
             cells.append(self._length)
@@ -494,7 +489,7 @@ class InspectorPanel(Panel):
     def _change_place(self, _: str, number: str, gesture: int | None) -> None:
         self._change(edits.move_inputs, int(number), gesture=gesture)
 
-    def _change_field(self, name: str, value: object, gesture: int | None) -> None:
+    def _change_field(self, name: str, value: Any, gesture: int | None) -> None:
         """Change a field of all selected inputs, by typing or dragging."""
         track, ids = self._last, self._view.selected_inputs
         if track is None:

@@ -82,10 +82,10 @@ class DeviceFields(QObject):
         self.rescan.setToolTip("Look for devices that were connected since; ends what is played")
         self.rescan.clicked.connect(self.devices_requested)
         self.rate = ChoiceField(ChoiceSpec(label="Sample rate", options=()))
-        self.rate.edited.connect(self._choose_rate)
+        self.rate.edited.connect(lambda rate, _: self._want(sample_rate_hz=int(rate)))
         self.latency = NumberField(_LATENCY)
         self.latency.setToolTip(_LATENCY.hint)
-        self.latency.edited.connect(self._choose_latency)
+        self.latency.edited.connect(lambda latency_s, _: self._want(latency_s=latency_s))
         self.stand_in = QToolButton()
         self.stand_in.setText("Stand-in for the ears")
         self.stand_in.setCheckable(True)
@@ -94,10 +94,10 @@ class DeviceFields(QObject):
             "For people without actuators: all channels, from left to right in their order, with "
             "all frequencies shifted up by as many hertz"
         )
-        self.stand_in.clicked.connect(self._choose_stand_in)
+        self.stand_in.clicked.connect(lambda on: self._want(stand_in=on))
         self.shift = NumberField(_SHIFT)
         self.shift.setToolTip(_SHIFT.hint)
-        self.shift.edited.connect(self._choose_shift)
+        self.shift.edited.connect(lambda shift_hz, _: self._want(shift_hz=shift_hz))
         self.rig = RigField()
         self.rig.rig_chosen.connect(self.rig_requested)
         for widget, name in (
@@ -145,18 +145,6 @@ class DeviceFields(QObject):
     def _choose_device(self, key: str, _gesture: int | None) -> None:
         name, _, host_api = key.partition(_BETWEEN)
         self._want(device=name, host_api=host_api)
-
-    def _choose_rate(self, rate: str, _gesture: int | None) -> None:
-        self._want(sample_rate_hz=int(rate))
-
-    def _choose_latency(self, latency_s: float, _gesture: int | None) -> None:
-        self._want(latency_s=latency_s)
-
-    def _choose_stand_in(self, on: bool) -> None:
-        self._want(stand_in=on)
-
-    def _choose_shift(self, shift_hz: float, _gesture: int | None) -> None:
-        self._want(shift_hz=shift_hz)
 
     def _want(self, **changes: Any) -> None:
         self.output_requested.emit(replace(self._output, **changes))

@@ -48,13 +48,11 @@ class WindowedPanel(Panel):
         self._maps = SmallMaps()
         self.strip = StripView(self)
         self.cells = {
-            "windows_cut": FieldCell("windows_cut", WINDOWS_CUT, self),
-            "window_count": FieldCell("window_count", WINDOW_COUNT, self),
-            "window_s": FieldCell("window_s", WINDOW_LENGTH, self),
+            "windows_cut": FieldCell("windows_cut", WINDOWS_CUT, self, edited=self._change),
+            "window_count": FieldCell("window_count", WINDOW_COUNT, self, edited=self._change),
+            "window_s": FieldCell("window_s", WINDOW_LENGTH, self, edited=self._change),
         }
         cut, *others = self.cells.values()
-        for cell in self.cells.values():
-            cell.edited.connect(self._change)
         fields = [part for cell in others for part in (cell.label, cell)]
         row = FoldingGroups((cut.label, cut, None), (*fields, None), spacing_px=UNIT_PX // 2)
         in_column(row, (self.strip, 1), of=self, margins=UNIT_PX // 2, gap_px=UNIT_PX // 2)
