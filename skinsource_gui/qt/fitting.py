@@ -292,13 +292,7 @@ class FoldingGroups(QWidget):
         self._box.setSpacing(spacing_px)
         self._rows: list[QHBoxLayout] = []
         for group in groups:
-            row = QHBoxLayout()
-            row.setSpacing(spacing_px)
-            for part in group:
-                if part is None:
-                    row.addStretch(1)
-                else:
-                    row.addWidget(part)
+            row = in_row(*group, gap_px=spacing_px)
             self._rows.append(row)
             # The last group gets the room that is left.
             self._box.addLayout(row, int(len(self._rows) == len(groups)))
