@@ -352,6 +352,8 @@ class InspectorPanel(Panel):
         self._results: Mapping[str, Any] | None = None
         self._problems: Mapping[int, str] = {}
         self._changes = FieldChanges()
+        # The input that was selected last.
+        self._last: Input | None = None
         self._fields = InputFields(self)
         self._fields.kind.edited.connect(self._change_kind)
         self._fields.place.edited.connect(self._change_place)
@@ -381,7 +383,8 @@ class InspectorPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
-        track = self._last
+        last = view.selected_input
+        track = self._last = design.input(last) if last in design.ids else None
         if track is None:
             self._fields.forget_typing()
             self._chain.forget_typing()
@@ -476,12 +479,6 @@ class InspectorPanel(Panel):
         clip = clip_of(track, self._view)
         ids = tuple(each.id for other in batch for each in clips_of(other, self._view))
         self._chain.show_chain(self._design, self._view, clip, ids)
-
-    @property
-    def _last(self) -> Input | None:
-        """The input that was selected last."""
-        last = self._view.selected_input
-        return self._design.input(last) if last in self._design.ids else None
 
     def _change_kind(self, _: str, kind: str, gesture: int | None) -> None:
         self._change(edits.change_kind, kind, gesture=gesture)
