@@ -1,5 +1,7 @@
 """Drop-down lists: the common look, and the field of a choice among named options."""
 
+from collections.abc import Iterable
+
 from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPaintEvent, QPalette, QPen, QWheelEvent
 from PySide6.QtWidgets import (
@@ -13,7 +15,7 @@ from PySide6.QtWidgets import (
 
 from skinsource.base.quoting import printable
 from skinsource.specs.spec import ChoiceSpec
-from skinsource_gui.fields.editor import Burst
+from skinsource_gui.fields.editor import Burst, Editor
 from skinsource_gui.qt.fitting import readable_in
 from skinsource_gui.qt.tooltips import tooltip
 
@@ -79,7 +81,7 @@ class DropDown(QComboBox):
             event.ignore()
 
 
-class ChoiceField(DropDown):
+class ChoiceField(Editor, DropDown):
     """A drop-down list of the options of ``spec``.
 
     A value that is not among the options is shown as not available, until another is chosen.
@@ -87,7 +89,7 @@ class ChoiceField(DropDown):
     """
 
     #: The chosen option; number of the gesture that quick further choices share.
-    chosen = Signal(str, object)
+    edited = Signal(str, object)
 
     def __init__(
         self, spec: ChoiceSpec, parent: QWidget | None = None, *, empty: str = "Nothing yet"
@@ -95,18 +97,22 @@ class ChoiceField(DropDown):
         super().__init__(parent)
         self._burst = Burst(self)
         self._unknown, self._empty = "", empty
-        self.offer(spec)
+        self.set_spec(spec)
         self.setAccessibleName(spec.label)
         self.setToolTip(tooltip(spec.label, spec.hint))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.activated.connect(self._choose)
 
-    def offer(self, spec: ChoiceSpec) -> None:
-        """Offer other options; the value stays, even if it is not among them."""
+    def set_spec(self, spec: ChoiceSpec) -> None:
+        """Offer the options of another specification."""
+        self.set_options(spec.options)
+
+    def set_options(self, options: Iterable[tuple[str, str]]) -> None:
+        """Offer other options, with their titles; the value stays, even if it is not among them."""
         value = self.value
         self.blockSignals(True)
         self.clear()
-        for option, title in spec.options:
+        for option, title in options:
             self.addItem(title, option)
         self.blockSignals(False)
         index = self.findData(value) if value else self.currentIndex()
@@ -142,4 +148,4 @@ class ChoiceField(DropDown):
         self.activated.emit(index)
 
     def _choose(self, index: int) -> None:
-        self.chosen.emit(self.itemData(index), self._burst.gesture())
+        self.edited.emit(self.itemData(index), self._burst.gesture())

@@ -1,15 +1,11 @@
-"""The field of a curve of breakpoints: points are added, dragged, stepped and removed.
-
-`CurveScale` maps values to places, `EditedPoints` holds the points and the chosen one, and
-`CurveMouse` turns the mouse into edits.
-"""
+"""The field of a curve of breakpoints: points are added, dragged, stepped and removed."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
@@ -42,7 +38,8 @@ from skinsource.specs.breakpoints import (
     SlopedPoint,
     slope_of,
 )
-from skinsource_gui.fields.editor import Burst, new_gesture
+from skinsource_gui.fields.editor import Burst, Editor, new_gesture
+from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
 from skinsource_gui.qt.theme import Theme, current_theme, tabular
 from skinsource_gui.qt.tooltips import tooltip
@@ -126,158 +123,11 @@ def paint_curve(
         painter.drawEllipse(scale.place(x, y, inside), _POINT_PX, _POINT_PX)
 
 
-class EditedPoints(QObject):
-    """Points of ``spec`` while they are edited by keys, mouse and menus; one of them is chosen.
-
-    Attributes
-    ----------
-    chosen
-        Index of the point that keys act on.
-    burst
-        Gives keys that follow each other quickly one gesture.
-    end_x
-        End of the clip: a key adds a point halfway from the last one to there.  None: the curve
-        ends at the last point.
-    """
-
-    #: The new points; number of their gesture.
-    edited = Signal(object, object)
-    #: The points, or the chosen one, have changed.
-    changed = Signal()
-
-    def __init__(self, spec: BreakpointsSpec, parent: QObject) -> None:
-        super().__init__(parent)
-        self._spec = spec
-        self.value: Points = ((0.0, 1.0, "straight"),)
-        self.chosen = 0
-        self.end_x: float | None = None
-        self.burst = Burst(self)
-
-    def show(self, points: Points) -> None:
-        """Use other points without a signal."""
-        if points != self.value:
-            self.value = points
-            self.chosen = min(self.chosen, len(points) - 1)
-
-    def choose(self, index: int) -> None:
-        """Choose a point; an index beyond the ends chooses the first or last point."""
-        self.chosen = min(max(index, 0), len(self.value) - 1)
-        self.changed.emit()
-
-    def put(self, points: Points, chosen: int, gesture: int | None) -> None:
-        """Replace the points by an edit, and choose one of them."""
-        points = tuple(map(_rounded, points))
-        self.chosen = min(max(chosen, 0), len(points) - 1)
-        if points != self.value:
-            self.value = points
-            self.edited.emit(points, gesture)
-        self.changed.emit()
-
-    def set_segment(self, segment: Segment) -> None:
-        """Set the segment after the chosen point."""
-        self.put(with_segment(self.value, self.chosen, segment), self.chosen, None)
-
-    def act(self, name: str) -> None:
-        """Do what the key ``name`` of the table of keys means."""
-        k, points, last = self.chosen, self.value, len(self.value) - 1
-        if name in ("before", "after", "first", "last"):
-            self.choose({"before": k - 1, "after": k + 1, "first": 0, "last": last}[name])
-        elif name == "segment":
-            self.set_segment(SEGMENTS[(SEGMENTS.index(points[k][2]) + 1) % len(SEGMENTS)])
-        elif name == "remove":
-            self.put(*without_chosen(points, {k}), self.burst.gesture())
-        elif name == "add":
-            end_x = points[-1][0] if self.end_x is None else self.end_x
-            self.put(*with_point_after(points, k, end_x), None)
-        else:
-            far = 10 if name.startswith("far_") else 1
-            by_x = {"left": -1, "right": 1}.get(name.removeprefix("far_"), 0)
-            by_y = {"down": -1, "up": 1}.get(name.removeprefix("far_"), 0)
-            step_x, step_y = far * self._spec.x.step, far * self._spec.y.step
-            after = moved(points, {k}, by_x * step_x, by_y * step_y)
-            self.put(after, k, self.burst.gesture())
-
-
-def _rounded(point: Breakpoint) -> Breakpoint:
+def _short(point: Breakpoint) -> Breakpoint:
     """Return a point without rounding errors; it keeps a slope of its own."""
     x, y, kind = point
     x, y, slope = float(f"{x:.12g}"), float(f"{y:.12g}"), slope_of(point)
     return (x, y, kind) if slope is None else SlopedPoint(x, y, kind, slope)
-
-
-class CurveMouse:
-    """Adds and drags points by the mouse.
-
-    ``area`` returns the area of the curve.  The ``scale`` does not change during a drag.
-    """
-
-    def __init__(
-        self, spec: BreakpointsSpec, points: EditedPoints, area: Callable[[], QRectF]
-    ) -> None:
-        self._spec, self._points, self._area = spec, points, area
-        self.scale = CurveScale.around(points.value)
-        # The drag: number of the gesture, the points before, and where it began.
-        self._drag: tuple[int, Points, QPointF] | None = None
-
-    @property
-    def dragging(self) -> bool:
-        """Whether a point is dragged."""
-        return self._drag is not None
-
-    def fit(self) -> None:
-        """Fit the scale to the present points, unless one of them is dragged."""
-        if self._drag is None:
-            self.scale = CurveScale.around(self._points.value)
-
-    def point_at(self, at: QPointF) -> int | None:
-        """Return the index of the point at a place."""
-        return self.scale.point_at(self._points.value, at, self._area())
-
-    def press(self, at: QPointF) -> None:
-        """Begin to drag the point at a place, or a new point on the curve."""
-        self._points.burst.end()
-        gesture, before, near = new_gesture(), self._points.value, self.point_at(at)
-        if near is None:
-            x = self._rounded(self.scale.value(at, self._area())[0])
-            if not self.scale.is_on_curve(before, x, at, self._area()):
-                return
-            near = index_for(before, x)
-            self._points.put(with_point(before, x), near, gesture)
-        self._points.choose(near)
-        self._drag = (gesture, self._points.value, at)
-
-    def move(self, at: QPointF) -> None:
-        """Move the dragged point to the pointer."""
-        if self._drag is None:
-            return
-        gesture, start, pressed = self._drag
-        now, then = (self.scale.value(point, self._area()) for point in (at, pressed))
-        chosen = self._points.chosen
-        x, y, _ = start[min(chosen, len(start) - 1)]
-        to_x, to_y = self._rounded(x + now[0] - then[0]), round(y + now[1] - then[1], 3)
-        self._points.put(moved(start, {chosen}, to_x - x, to_y - y), chosen, gesture)
-
-    def release(self) -> None:
-        """End the drag."""
-        self._drag = None
-
-    def cancel(self) -> None:
-        """Cancel the drag and restore the points."""
-        if self._drag is not None:
-            (gesture, start, _), self._drag = self._drag, None
-            self._points.put(start, self._points.chosen, gesture)
-
-    def put(self, at: QPointF) -> None:
-        """Add a point at a place."""
-        x, y = self.scale.value(at, self._area())
-        highest = min(self._spec.y.maximum, HIGHEST)
-        added = with_point_put(self._points.value, self._rounded(x), round(y, 3), highest)
-        self._points.put(*added, new_gesture())
-
-    def _rounded(self, x: float) -> float:
-        """Return a time rounded to tenths of a step."""
-        step = self._spec.x.step / 10.0
-        return max(round(x / step) * step, 0.0)
 
 
 #: Texts for the segment after a point.
@@ -319,23 +169,32 @@ def fill_ground_menu(menu: QMenu, add: Callable[[], object]) -> None:
 _TEXT_PX = 16
 
 
-class CurveField(QWidget):
+class CurveField(Editor, QWidget):
     """Edits breakpoints of ``spec`` as a small curve.
 
     A press on the curve adds a point and drags it; a double click beside the curve adds one there.
     Delete, or the menu of the right button, removes a point.  The arrow keys move the chosen point,
     with Shift by ten steps.  Esc cancels a drag.
-    """
 
-    #: The new points; number of their gesture.
-    edited = Signal(object, object)
+    Attributes
+    ----------
+    value, chosen
+        The points, and the index of the one that keys act on.
+    end_x
+        End of the clip: a key adds a point halfway from the last one to there.  None: the curve
+        ends at the last point.
+    """
 
     def __init__(self, spec: BreakpointsSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.points = EditedPoints(spec, self)
-        self.points.edited.connect(self.edited)
-        self.points.changed.connect(self.update)
-        self._mouse = CurveMouse(spec, self.points, self._inside)
+        self._spec, self._burst = spec, Burst(self)
+        self.value: Points = ((0.0, 1.0, "straight"),)
+        self.chosen = 0
+        self.end_x: float | None = None
+        # The scale does not change during a drag.
+        self._scale = CurveScale.around(self.value)
+        # The drag: number of the gesture, the points before, and where it began.
+        self._drag: tuple[int, Points, QPointF] | None = None
         self.setAccessibleName(spec.label)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -349,25 +208,23 @@ class CurveField(QWidget):
             )
         )
 
-    @property
-    def value(self) -> Points:
-        """The points."""
-        return self.points.value
-
     def set_value(self, points: Points) -> None:
         """Show other points without a signal."""
-        self.points.show(points)
-        self._mouse.fit()
+        if points != self.value:
+            self.value = points
+            self.chosen = min(self.chosen, len(points) - 1)
+        if self._drag is None:
+            self._scale = CurveScale.around(points)
         self.update()
 
     def cancel(self) -> None:
         """End a drag."""
-        self._mouse.release()
+        self._drag = None
 
     def place_of(self, index: int) -> QPointF:
         """Return the place of a point."""
         x, y, _ = self.value[index]
-        return self._mouse.scale.place(x, y, self._inside())
+        return self._scale.place(x, y, self._inside())
 
     def sizeHint(self) -> QSize:
         return QSize(160, 84)
@@ -379,62 +236,132 @@ class CurveField(QWidget):
         return claims_shortcut(event, self._claims) or super().event(event)
 
     def _claims(self, event: QKeyEvent) -> bool:
-        gives_up = self._mouse.dragging and event.key() == Qt.Key.Key_Escape
+        gives_up = self._drag is not None and event.key() == Qt.Key.Key_Escape
         return gives_up or bool(meaning_of("curve", event))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Begin to drag the point at a place, or a new point on the curve."""
         if event.button() != Qt.MouseButton.LeftButton:
             event.ignore()
             return
-        self._mouse.press(event.position())
+        self._burst.end()
+        at, gesture = event.position(), new_gesture()
+        near = self._point_at(at)
+        if near is None:
+            x = self._rounded(self._scale.value(at, self._inside())[0])
+            if not self._scale.is_on_curve(self.value, x, at, self._inside()):
+                return
+            near = index_for(self.value, x)
+            self._put(with_point(self.value, x), near, gesture)
+        self._choose(near)
+        self._drag = (gesture, self.value, at)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if event.buttons() & Qt.MouseButton.LeftButton:
-            self._mouse.move(event.position())
+        """Move the dragged point along with the mouse."""
+        if self._drag is None or not event.buttons() & Qt.MouseButton.LeftButton:
+            return
+        gesture, start, origin = self._drag
+        then, now = (
+            self._scale.value(place, self._inside()) for place in (origin, event.position())
+        )
+        x, y, _ = start[min(self.chosen, len(start) - 1)]
+        to_x, to_y = self._rounded(x + now[0] - then[0]), round(y + now[1] - then[1], 3)
+        self._put(moved(start, {self.chosen}, to_x - x, to_y - y), self.chosen, gesture)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        self._mouse.release()
+        self._drag = None
         self.set_value(self.value)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        is_free = self._mouse.point_at(event.position()) is None
+        is_free = self._point_at(event.position()) is None
         if event.button() == Qt.MouseButton.LeftButton and is_free:
-            self._mouse.put(event.position())
+            self._add(event.position())
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         at = QPointF(event.pos())
         by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
-        near = self.points.chosen if by_key else self._mouse.point_at(at)
-        menu = QMenu(self)
-        menu.setObjectName("point_menu")
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        near = self.chosen if by_key else self._point_at(at)
+        menu = passing_menu(self, "point_menu")
         if near is None:
-            fill_ground_menu(menu, lambda: self._mouse.put(at))
+            fill_ground_menu(menu, lambda: self._add(at))
         else:
-            self.points.choose(near)
+            self._choose(near)
             fill_point_menu(
                 menu,
-                lambda: self.points.act("remove"),
-                bend=self.points.set_segment,
+                lambda: self._act("remove"),
+                bend=self._set_segment,
                 n_points=len(self.value),
             )
         menu.popup(event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         name = meaning_of("curve", event)
-        if self._mouse.dragging and event.key() == Qt.Key.Key_Escape:
-            self._mouse.cancel()
+        if self._drag is not None and event.key() == Qt.Key.Key_Escape:
+            (gesture, start, _), self._drag = self._drag, None
+            self._put(start, self.chosen, gesture)
         elif name:
-            self.points.act(name)
+            self._act(name)
         else:
             event.ignore()
+
+    def _choose(self, index: int) -> None:
+        """Choose a point; an index beyond the ends chooses the first or last point."""
+        self.chosen = min(max(index, 0), len(self.value) - 1)
+        self.update()
+
+    def _put(self, points: Points, chosen: int, gesture: int | None) -> None:
+        """Replace the points by an edit, and choose one of them."""
+        points = tuple(map(_short, points))
+        self.chosen = min(max(chosen, 0), len(points) - 1)
+        if points != self.value:
+            self.value = points
+            self.edited.emit(points, gesture)
+        self.update()
+
+    def _add(self, at: QPointF) -> None:
+        """Add a point at a place."""
+        x, y = self._scale.value(at, self._inside())
+        highest = min(self._spec.y.maximum, HIGHEST)
+        added = with_point_put(self.value, self._rounded(x), round(y, 3), highest)
+        self._put(*added, new_gesture())
+
+    def _set_segment(self, segment: Segment) -> None:
+        """Set the segment after the chosen point."""
+        self._put(with_segment(self.value, self.chosen, segment), self.chosen, None)
+
+    def _act(self, name: str) -> None:
+        """Do what the key ``name`` of the table of keys means."""
+        k, points, last = self.chosen, self.value, len(self.value) - 1
+        if name in ("before", "after", "first", "last"):
+            self._choose({"before": k - 1, "after": k + 1, "first": 0, "last": last}[name])
+        elif name == "segment":
+            self._set_segment(SEGMENTS[(SEGMENTS.index(points[k][2]) + 1) % len(SEGMENTS)])
+        elif name == "remove":
+            self._put(*without_chosen(points, {k}), self._burst.gesture())
+        elif name == "add":
+            end_x = points[-1][0] if self.end_x is None else self.end_x
+            self._put(*with_point_after(points, k, end_x), None)
+        else:
+            far = 10 if name.startswith("far_") else 1
+            by_x = {"left": -1, "right": 1}.get(name.removeprefix("far_"), 0)
+            by_y = {"down": -1, "up": 1}.get(name.removeprefix("far_"), 0)
+            step_x, step_y = far * self._spec.x.step, far * self._spec.y.step
+            self._put(moved(points, {k}, by_x * step_x, by_y * step_y), k, self._burst.gesture())
+
+    def _point_at(self, at: QPointF) -> int | None:
+        return self._scale.point_at(self.value, at, self._inside())
+
+    def _rounded(self, x: float) -> float:
+        """Return a time rounded to tenths of a step."""
+        step = self._spec.x.step / 10.0
+        return max(round(x / step) * step, 0.0)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, inside = QPainter(self), self._inside()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         paint_frame(painter, QRectF(self.rect()), current_theme(), focused=self.hasFocus())
-        chosen = self.points.chosen if self.hasFocus() else None
-        paint_curve(painter, inside, self._mouse.scale, self.value, chosen, current_theme())
+        chosen = self.chosen if self.hasFocus() else None
+        paint_curve(painter, inside, self._scale, self.value, chosen, current_theme())
         painter.setPen(QColor(current_theme().dim))
         room = QRectF(inside.left(), 2, inside.width(), _TEXT_PX)
         text = painter.fontMetrics().elidedText(
@@ -445,7 +372,7 @@ class CurveField(QWidget):
     @property
     def text(self) -> str:
         """The text of the chosen point."""
-        chosen = self.points.chosen
+        chosen = self.chosen
         x, y, segment = self.value[chosen]
         place = f"{chosen + 1}/{len(self.value)}"
         return f"{place} · {1000.0 * x:.4g} ms · {y:.3g} · {SEGMENT_TEXTS[segment]}"

@@ -1,61 +1,51 @@
-"""What all editors share: their protocol, gestures, marks of errors, and units beside numbers."""
+"""What all editors share: their base, gestures, and marks of errors."""
 
 from collections.abc import Callable
 from itertools import count
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QObject, QRect, QRectF, Qt, QTimer
+from PySide6.QtCore import QObject, QRectF, QTimer, Signal
 from PySide6.QtGui import QColor, QFont, QPainter, QPen, QTextCharFormat, QTextCursor
-from PySide6.QtWidgets import (
-    QLabel,
-    QLineEdit,
-    QPlainTextEdit,
-    QStyle,
-    QStyleOptionFrame,
-    QTextEdit,
-    QWidget,
-)
+from PySide6.QtWidgets import QLabel, QPlainTextEdit, QTextEdit, QWidget
 
 from skinsource.specs.spec import Spec
-from skinsource_gui.qt.theme import Theme, current_theme
+from skinsource_gui.qt.theme import current_theme
+
+if TYPE_CHECKING:
+    _Widget = QWidget
+else:
+    # Qt allows one base with a widget in it.
+    _Widget = object
 
 
-class Editor(Protocol):
-    """Edits one value with the widget ``field``.
+class Editor(_Widget):
+    """What a widget does that edits one value; the widget inherits this first.
 
     Attributes
     ----------
     label
         The label, where the widget contains it and takes the whole width; else None.
-    edited
-        Signal: the new value, number of the gesture or None.
-    problem_changed
-        Signal: why the input is not allowed, or "".
     """
 
-    @property
-    def field(self) -> QWidget: ...
-
-    @property
-    def label(self) -> QLabel | None: ...
-
-    @property
-    def edited(self) -> Any: ...
-
-    @property
-    def problem_changed(self) -> Any: ...
+    #: The new value, number of the gesture or None.
+    edited = Signal(object, object)
+    #: Why the input is not allowed, or "".
+    problem_changed = Signal(str)
+    label: QLabel | None = None
 
     def set_value(self, value: Any) -> None:
         """Show a value without a signal."""
+        raise NotImplementedError
 
     def set_spec(self, spec: Any) -> None:
-        """Change the allowed values."""
+        """Change the allowed values, where they depend on the design."""
 
     def advice(self) -> str:
         """Return a remark on the present value, or ""."""
+        return ""
 
     def mark_error(self, reason: str) -> None:
-        """Mark the error in the input for which an edit was refused."""
+        """Mark the error in the input for which an edit was refused, if it stays."""
 
     def cancel(self) -> None:
         """Forget what is being typed."""
@@ -83,9 +73,7 @@ class Burst(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._gesture = 0
-        self._pause = QTimer(self)
-        self._pause.setSingleShot(True)
-        self._pause.setInterval(PAUSE_MS)
+        self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
 
     @property
     def active(self) -> bool:
@@ -141,48 +129,3 @@ class TextMark:
             inside = QRectF(self._text.viewport().rect()).adjusted(1, 1, -1, -1)
             painter.drawRoundedRect(inside, 4, 4)
             painter.end()
-
-
-_GAP_PX = 4
-# Qt leaves this at each side of the text of a line edit.
-_TEXT_EDGE_PX = 2
-
-
-class UnitBeside:
-    """Keeps room for a unit at the right end of ``line``, and paints it there.
-
-    There is at least room for the unit ``widest``, so that digits of several lines align.
-    """
-
-    def __init__(self, line: QLineEdit, widest: str) -> None:
-        self._line, self._widest = line, widest
-
-    @property
-    def room_px(self) -> int:
-        """Width for the number."""
-        margins = self._line.textMargins()
-        return _inside(self._line).width() - margins.right() - 2 * _TEXT_EDGE_PX
-
-    def width_px(self, number: str) -> int:
-        """Return the width of a line that just fits a number."""
-        edges_px = self._line.width() - self.room_px
-        return edges_px + self._line.fontMetrics().horizontalAdvance(number)
-
-    def make_room(self, symbol: str) -> None:
-        """Keep room for a unit, or for the widest unit."""
-        widths = map(self._line.fontMetrics().horizontalAdvance, (symbol, self._widest))
-        self._line.setTextMargins(0, 0, max(widths) + _GAP_PX, 0)
-
-    def paint(self, painter: QPainter, symbol: str, theme: Theme) -> None:
-        """Paint the unit."""
-        place = _inside(self._line)
-        place.setLeft(place.right() - self._line.textMargins().right() + _GAP_PX)
-        painter.setPen(QColor(theme.dim))
-        painter.drawText(place, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, symbol)
-
-
-def _inside(line: QLineEdit) -> QRect:
-    """Return the area of the text and the unit."""
-    option = QStyleOptionFrame()
-    line.initStyleOption(option)
-    return line.style().subElementRect(QStyle.SubElement.SE_LineEditContents, option, line)

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QVBox
 
 from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import NewEditor
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.fitting import LayoutWatcher
 from skinsource_gui.qt.questions import NextAct
 from skinsource_gui.qt.theme import UNIT_PX, letter_scale, set_tone
@@ -63,9 +64,7 @@ class TextCell(LabelledCell):
 
     def __init__(self, label: str, text: str, parent: QWidget | None = None) -> None:
         super().__init__(label, parent)
-        self.text_label = QLabel(text)
-        self.text_label.setObjectName("fixed_length")
-        self.text_label.setWordWrap(True)
+        self.text_label = page_label("fixed_length", text)
         self.text_label.setMinimumHeight(LABEL_PX)
         self.stack.addWidget(self.text_label)
 
@@ -75,8 +74,8 @@ class EditedCell(LabelledCell):
 
     Attributes
     ----------
-    editor, field
-        The editor, made by ``new_editor``, and its widget.
+    field
+        The editor, made by ``new_editor``.
     """
 
     #: Name of the field, its new value, number of the gesture or None.
@@ -92,21 +91,18 @@ class EditedCell(LabelledCell):
         self._problem, self._reason = "", ""
         self._next_act = NextAct(self)
         self._next_act.came.connect(self._forget_reason)
-        self.editor = new_editor(spec, self)
-        self.editor.edited.connect(self._edit)
-        self.editor.problem_changed.connect(self._show_problem)
-        if self.editor.label is not None:
-            self.label, self.across = self.editor.label, True
+        self.field = new_editor(spec, self)
+        self.field.edited.connect(self._edit)
+        self.field.problem_changed.connect(self._show_problem)
+        if self.field.label is not None:
+            self.label, self.across = self.field.label, True
             set_tone(self.label, "dim")
-        self.field = self.editor.field
         self.field.setObjectName(f"{name}_field")
         if isinstance(self.field, QLabel | QCheckBox):
             self.field.setMinimumHeight(LABEL_PX)
         self.label.setBuddy(self.field)
         self.setFocusProxy(self.field)
-        self._note = QLabel()
-        self._note.setObjectName(f"{name}_note")
-        self._note.setWordWrap(True)
+        self._note = page_label(f"{name}_note")
         self._note.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
         self._note.hide()
         self.stack.addWidget(self.field)
@@ -119,14 +115,14 @@ class EditedCell(LabelledCell):
 
     def set_spec(self, spec: Spec) -> None:
         """Change unit, range or label."""
-        self.editor.set_spec(spec)
+        self.field.set_spec(spec)
         if spec.label != self._label_text:
             self._label_text = spec.label
             self._show_label()
 
     def set_value(self, value: object) -> None:
         """Show a value without a signal."""
-        self.editor.set_value(value)
+        self.field.set_value(value)
         if value != self._value:
             self._value, self._reason = value, ""
         self._advise()
@@ -143,12 +139,17 @@ class EditedCell(LabelledCell):
 
     def forget_typing(self) -> None:
         """Close an open editor without committing."""
-        self.editor.cancel()
+        self.field.cancel()
         self._forget_reason()
+
+    def refuse(self, value: object, reason: str) -> None:
+        """Show the value again, and why it was not changed."""
+        self.set_value(value)
+        self.show_reason(reason)
 
     def show_reason(self, reason: str) -> None:
         """Show in red why the last edit was refused, until the next action of the user."""
-        self.editor.mark_error(reason)
+        self.field.mark_error(reason)
         # Where the typed text stays, its editor already shows the problem.
         if not self._problem:
             self._reason = reason
@@ -169,7 +170,7 @@ class EditedCell(LabelledCell):
 
     def _advise(self) -> None:
         wrong = self._problem or self._reason
-        self._set_note(wrong or self.editor.advice(), warns=not wrong)
+        self._set_note(wrong or self.field.advice(), warns=not wrong)
 
     def _set_note(self, text: str, *, warns: bool) -> None:
         if (text, warns) != (self.note, self._warns):

@@ -5,18 +5,14 @@
 
 from functools import partial
 from itertools import pairwise
-from math import inf
 from typing import Any
 
-from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QFormLayout,
     QHBoxLayout,
-    QLabel,
     QPushButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -29,7 +25,8 @@ from skinsource.specs.numbers import CurveSpec, ListSpec, NumberSpec, PointsSpec
 from skinsource.specs.spec import ChoiceSpec, TextSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.curve_field import CurveField
-from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.fields.editor import Editor
+from skinsource_gui.fields.number_field import NumberField, outside_band_text
 from skinsource_gui.fields.text_field import LiveText
 from skinsource_gui.fields.units import (
     as_known,
@@ -41,6 +38,8 @@ from skinsource_gui.fields.units import (
     read_points,
     value_text,
 )
+from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.layouts import in_column
 
 _SPACING = ChoiceSpec(
     label="Spacing",
@@ -72,9 +71,7 @@ class SweepDialog(QDialog):
         self.spacing = self._choice("spacing", _SPACING, "logarithmic")
         falls = len(values) > 1 and values[0] > values[-1]
         self.order = self._choice("order", _ORDER, "down" if falls else "up")
-        self._list = QLabel()
-        self._list.setObjectName("sweep_list")
-        self._list.setWordWrap(True)
+        self._list = page_label("sweep_list")
         self._list.setMinimumWidth(260)
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
@@ -119,7 +116,7 @@ class SweepDialog(QDialog):
         field = ChoiceField(spec, self)
         field.setObjectName(f"{name}_sweep")
         field.set_value(value)
-        field.chosen.connect(self._show_list)
+        field.edited.connect(self._show_list)
         return field
 
     def _show_list(self, *_: object) -> None:
@@ -131,18 +128,8 @@ class SweepDialog(QDialog):
 _LONGEST = 100_000
 
 
-def outside_band_text(spec: NumberSpec) -> str:
-    """Return the remark on a frequency outside the measured band."""
-    low_hz, high_hz = spec.measured_band_hz or (0.0, inf)
-    return f"outside the measured band ({low_hz:g} to {high_hz:g} Hz)"
-
-
-class ListEditor(QObject):
+class ListEditor(Editor, QWidget):
     """Base of editors of a tuple as a text; signals come while it is typed, if it is valid."""
-
-    edited = Signal(object, object)
-    problem_changed = Signal(str)
-    label = None
 
     def __init__(self, spec: Any, parent: QWidget, hint: str) -> None:
         super().__init__(parent)
@@ -151,12 +138,14 @@ class ListEditor(QObject):
         read = TextSpec(
             label=spec.label, hint=hint, longest=_LONGEST, one_line=True, reader=self._read
         )
-        self.line = LiveText(read, parent)
+        self.line = LiveText(read, self)
         self.line.setPlaceholderText("none")
         self.line.edited.connect(self._tell)
         self.line.problem_changed.connect(self.problem_changed)
-        self.field: QWidget = self.line
-        self.cancel, self.mark_error = self.line.cancel, self.line.mark_error
+        self.setFocusProxy(self.line)
+        self.row = QHBoxLayout()
+        self.row.addWidget(self.line, 1)
+        self.column = in_column(self.row, of=self, margins=0, gap_px=4)
 
     def set_value(self, value: Any) -> None:
         """Show a value without a signal; a typed text with the same value stays."""
@@ -173,9 +162,13 @@ class ListEditor(QObject):
         """Change the allowed values."""
         self._spec = spec
 
-    def advice(self) -> str:
-        """Return no remark."""
-        return ""
+    def mark_error(self, reason: str) -> None:
+        """Mark the place that a reason names."""
+        self.line.mark_error(reason)
+
+    def cancel(self) -> None:
+        """Restore the value."""
+        self.line.cancel()
 
     def _tell(self, text: str, gesture: int | None) -> None:
         value = self._read(text)
@@ -197,17 +190,12 @@ class NumbersEditor(ListEditor):
         super().__init__(spec, parent, f"{spec.hint}. Numbers between commas")
         if self._spec.of.unit != "Hz":
             return
-        self.field = QWidget(parent)
-        row = QHBoxLayout(self.field)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(4)
-        self.sweep = QPushButton("Sweep…", self.field)
+        self.sweep = QPushButton("Sweep…", self)
         self.sweep.setToolTip("Frequencies in equal factors or steps, rising or falling")
         self.sweep.setAutoDefault(False)
         self.sweep.clicked.connect(self._ask_sweep)
-        row.addWidget(self.line, 1)
-        row.addWidget(self.sweep)
-        self.field.setFocusProxy(self.line)
+        self.row.setSpacing(4)
+        self.row.addWidget(self.sweep)
 
     def advice(self) -> str:
         """Warn of frequencies that were not measured."""
@@ -224,7 +212,7 @@ class NumbersEditor(ListEditor):
         return numbers_text(value, self._spec)
 
     def _ask_sweep(self) -> None:
-        dialog = SweepDialog(self._value, self._spec, self.field.window())
+        dialog = SweepDialog(self._value, self._spec, self.window())
         dialog.accepted.connect(lambda: self.edited.emit(dialog.values, None))
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
@@ -260,7 +248,7 @@ class GlideCurve(CurveField):
     @property
     def text(self) -> str:
         """The quantity and the chosen point."""
-        chosen = self.points.chosen
+        chosen = self.chosen
         time_s, value, _ = self.value[chosen]
         place = f"{chosen + 1}/{len(self.value)}"
         shown = value_text(value, self._y.unit, digits=5)
@@ -288,19 +276,13 @@ class PointsEditor(ListEditor):
     def __init__(self, spec: PointsSpec, parent: QWidget) -> None:
         names = ", ".join(column_label(column_spec) for column_spec in spec.columns)
         super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
-        self.field = QWidget(parent)
-        column = QVBoxLayout(self.field)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(4)
-        column.addWidget(self.line)
         self.curves: dict[Column, GlideCurve] = {}
         for name, column_spec in zip(_COLUMNS, spec.columns[1:], strict=False):
-            curve = GlideCurve(_spec_of(spec.columns[0], column_spec), self.field)
+            curve = GlideCurve(_spec_of(spec.columns[0], column_spec), self)
             curve.setObjectName(f"{name}_curve")
             curve.edited.connect(partial(self._draw, name))
             self.curves[name] = curve
-            column.addWidget(curve)
-        self.field.setFocusProxy(self.line)
+            self.column.addWidget(curve)
 
     def set_value(self, value: Any) -> None:
         """Show points without a signal."""

@@ -1,13 +1,14 @@
 """The editor of a list of models, such as the effects of a clip or the layers of a waveform.
 
 `PartsEditor` has a `PartRow` for each part, in a `RowColumn` that lets the user reorder them, and
-an `AddButton`.  A row shows the cells of `PartFields` while it is open.
+an `AddButton`.  A row shows the cells of `PartFields` while it is open.  The effects of a clip have
+rows of their own in such a column.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPalette, QResizeEvent
@@ -19,7 +20,6 @@ from PySide6.QtWidgets import (
     QMenu,
     QSizePolicy,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -39,51 +39,30 @@ from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import ListSpec, ModelSpec
 from skinsource.specs.spec import Spec
-from skinsource_gui.fields.editor import NewEditor
+from skinsource_gui.fields.editor import Editor, NewEditor
 from skinsource_gui.fields.grid import EditedCell, FieldGrid
 from skinsource_gui.fields.kinds import fill_kind_menu
 from skinsource_gui.qt.buttons import LetterButton, remove_button
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.qt.tooltips import tooltip
 
 
 class AddButton(QToolButton):
-    """Opens a menu of the kinds of models that a list of ``spec`` may contain."""
+    """Opens a menu of kinds of models, which ``fill`` fills each time."""
 
-    #: Name of a kind.
-    chosen = Signal(str)
-
-    def __init__(self, spec: ListSpec, of: ModelSpec, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._spec, self._of = spec, of
-        self.setObjectName("add_part")
+    def __init__(self, name: str, fill: Callable[[QMenu], None]) -> None:
+        super().__init__()
+        self.setObjectName(name)
         self.setText("Add…")
-        self.setAccessibleName(f"{spec.label}: add")
         self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.setMenu(QMenu(self))
+        menu = QMenu(self)
+        self.setMenu(menu)
         # The dots in the text already tell that there is a menu.
         self.setStyleSheet("QToolButton::menu-indicator { image: none; width: 0; }")
-        self.menu().aboutToShow.connect(self._fill)
-
-    def show_count(self, count: int) -> None:
-        """Enable the button unless the list is full."""
-        full = count >= self._spec.most
-        self.setEnabled(not full)
-        reason = f"There are at most {self._spec.most}; remove one first"
-        self.setToolTip(tooltip(reason if full else "Add one at the end"))
-
-    def _fill(self) -> None:
-        menu, choices = self.menu(), choices_of(self._of)
-        menu.clear()
-        if isinstance(choices, KindSpec):
-            fill_kind_menu(menu, self.chosen.emit)
-            return
-        for name, title in choices.options:
-            menu.addAction(title).triggered.connect(partial(self._choose, name))
-
-    def _choose(self, name: str, _checked: bool = False) -> None:
-        self.chosen.emit(name)
+        menu.aboutToShow.connect(menu.clear)
+        menu.aboutToShow.connect(partial(fill, menu))
 
 
 class PartFields(QObject):
@@ -167,9 +146,9 @@ class PartFields(QObject):
             elif spec.editable:
                 own[name] = self._cell(name, self._at_rate(spec))
                 own[name].edited.connect(self._change)
-                editor: Any = own[name].editor
-                if isinstance(spec, ListSpec) and spec.nests:
-                    editor.holder = lambda: self._model
+                field = own[name].field
+                if isinstance(field, PartsEditor):
+                    field.holder = lambda: self._model
         self._own, self._nested, self._built_for = own, nested, type(model)
         focused = QApplication.focusWidget()
         within = focused is not None and any(cell.isAncestorOf(focused) for cell in removed)
@@ -340,11 +319,77 @@ class RowTitle(QToolButton):
         self.setArrowType(Qt.ArrowType.DownArrow if self.open else Qt.ArrowType.RightArrow)
 
 
+class FieldsRow(QWidget):
+    """A title that can be dragged, buttons beside it, and fields below it while it is open.
+
+    Parameters
+    ----------
+    title
+        The title; emits drags and keys.
+    before, after
+        Buttons before and after the title; the last one removes the row.
+    """
+
+    removed = Signal()
+
+    def __init__(
+        self, title: RowTitle, before: Sequence[QWidget], after: Sequence[QWidget], gap_px: int
+    ) -> None:
+        super().__init__()
+        self.title, self.remove_button = title, remove_button()
+        self.grid = FieldGrid()
+        self.grid.hide()
+        head = QHBoxLayout()
+        head.setSpacing(gap_px)
+        for part in (*before, title, *after, self.remove_button):
+            head.addWidget(part, 1 if part is title else 0)
+        in_column(head, self.grid, of=self, margins=0, gap_px=UNIT_PX // 4)
+        title.opened.connect(self._open)
+        self.remove_button.clicked.connect(self.removed)
+
+    @property
+    def cells(self) -> tuple[EditedCell, ...]:
+        """The fields that were made so far."""
+        raise NotImplementedError
+
+    @property
+    def stops(self) -> tuple[QWidget, ...]:
+        """Widgets in the order of the Tab key."""
+        return (self.title,)
+
+    @property
+    def open(self) -> bool:
+        """Whether its fields are shown."""
+        return self.title.open
+
+    def set_open(self, open_: bool) -> None:
+        """Show or hide the fields."""
+        self.title.set_open(open_)
+
+    def forget_typing(self) -> None:
+        """Close an open editor without committing."""
+        for cell in self.cells:
+            cell.forget_typing()
+
+    def press(self, name: str) -> None:
+        """Do what a key of the title means."""
+        if name == "open":
+            self.set_open(not self.open)
+        elif name == "remove":
+            self.removed.emit()
+
+    def _open(self, open_: bool) -> None:
+        focused = self.focusWidget()
+        if not open_ and focused is not None and self.grid.isAncestorOf(focused):
+            self.title.setFocus(Qt.FocusReason.OtherFocusReason)
+        self.grid.setVisible(open_ and bool(self.cells))
+
+
 #: Place in the table of keys that lists the keys of a row.
 PLACE = "parts"
 
 
-class PartRow(QWidget):
+class PartRow(FieldsRow):
     """The title of a part, buttons that move and remove it, and its fields while it is open.
 
     The fields are made when they are shown first.
@@ -352,55 +397,31 @@ class PartRow(QWidget):
 
     #: The part shall move: "shift_up" or "shift_down".
     stepped = Signal(str)
-    removed = Signal()
     #: The changed part; number of the gesture or None.
     edited = Signal(object, object)
     #: The order of the Tab key has changed.
     restopped = Signal()
 
-    def __init__(self, spec: ModelSpec, new_editor: NewEditor, parent: QWidget) -> None:
-        super().__init__(parent)
+    def __init__(self, spec: ModelSpec, new_editor: NewEditor) -> None:
         self._spec, self._new_editor = spec, new_editor
         self.part: Any = None
-        self._fields: PartFields | None = None
-        self.title = RowTitle("", PLACE, "in the list")
+        self.fields: PartFields | None = None
         self._up = _step_button("↑", "Move up", "shift_up")
         self._down = _step_button("↓", "Move down", "shift_down")
-        self._remove = remove_button()
-        self._grid = FieldGrid()
-        self._grid.hide()
-        head = QHBoxLayout()
-        head.setContentsMargins(0, 0, 0, 0)
-        head.setSpacing(0)
-        for part in (self.title, self._up, self._down, self._remove):
-            head.addWidget(part, 1 if part is self.title else 0)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(UNIT_PX // 4)
-        column.addLayout(head)
-        column.addWidget(self._grid)
+        super().__init__(RowTitle("", PLACE, "in the list"), (), (self._up, self._down), 0)
         # The indent tells whose fields they are.
-        self._grid.set_margins(UNIT_PX, 0, 0, UNIT_PX // 2)
-        self.title.opened.connect(self._open)
+        self.grid.set_margins(UNIT_PX, 0, 0, UNIT_PX // 2)
         self._up.clicked.connect(lambda: self.stepped.emit("shift_up"))
         self._down.clicked.connect(lambda: self.stepped.emit("shift_down"))
-        self._remove.clicked.connect(self.removed)
+
+    @property
+    def cells(self) -> tuple[EditedCell, ...]:
+        return () if self.fields is None else self.fields.cells
 
     @property
     def stops(self) -> tuple[QWidget, ...]:
-        """Widgets in the order of the Tab key."""
-        cells = self._fields.cells if self._fields is not None else ()
-        return (self.title, self._up, self._down, self._remove, *(cell.field for cell in cells))
-
-    @property
-    def open(self) -> bool:
-        """Whether its fields are shown."""
-        return self.title.open
-
-    @property
-    def fields(self) -> PartFields | None:
-        """The fields, once they were shown."""
-        return self._fields
+        buttons = (self.title, self._up, self._down, self.remove_button)
+        return (*buttons, *(cell.field for cell in self.cells))
 
     def show_part(self, part: Any, index: int, count: int, fewest: int) -> None:
         """Show part ``index`` of ``count``, of which ``fewest`` have to stay."""
@@ -411,42 +432,29 @@ class PartRow(QWidget):
             if button.hasFocus() and not can:
                 self.title.setFocus(Qt.FocusReason.OtherFocusReason)
             button.setEnabled(can)
-        self._remove.setEnabled(count > fewest)
+        self.remove_button.setEnabled(count > fewest)
         hint = f"Remove {name} ({key_text(PLACE, 'remove')})"
-        self._remove.setToolTip(tooltip(hint if count > fewest else why_required(fewest)))
-        self._remove.setAccessibleName(f"Remove {name}")
-        if self._fields is not None:
-            self._fields.show_model(part)
-
-    def set_open(self, open_: bool) -> None:
-        """Show or hide the fields."""
-        self.title.set_open(open_)
+        self.remove_button.setToolTip(tooltip(hint if count > fewest else why_required(fewest)))
+        self.remove_button.setAccessibleName(f"Remove {name}")
+        if self.fields is not None:
+            self.fields.show_model(part)
 
     def set_spec(self, spec: ModelSpec) -> None:
         """Use the rate of another limb."""
         self._spec = spec
-        if self._fields is not None:
-            self._fields.set_spec(spec)
-
-    def forget_typing(self) -> None:
-        """Close an open editor without committing."""
-        if self._fields is not None:
-            self._fields.forget_typing()
+        if self.fields is not None:
+            self.fields.set_spec(spec)
 
     def _open(self, open_: bool) -> None:
-        if open_ and self._fields is None:
-            self._fields = PartFields(self._spec, self._new_editor, self)
-            self._fields.edited.connect(self.edited)
-            self._fields.rebuilt.connect(self._show_cells)
-            self._fields.show_model(self.part)
-        focused = self.focusWidget()
-        if not open_ and focused is not None and self._grid.isAncestorOf(focused):
-            self.title.setFocus(Qt.FocusReason.OtherFocusReason)
-        self._grid.setVisible(open_)
+        if open_ and self.fields is None:
+            self.fields = PartFields(self._spec, self._new_editor, self)
+            self.fields.edited.connect(self.edited)
+            self.fields.rebuilt.connect(self._show_cells)
+            self.fields.show_model(self.part)
+        super()._open(open_)
 
     def _show_cells(self) -> None:
-        if self._fields is not None:
-            self._grid.show_cells(self._fields.cells)
+        self.grid.show_cells(self.cells)
         self.restopped.emit()
 
 
@@ -463,18 +471,21 @@ def _step_button(letter: str, name: str, key: str) -> LetterButton:
 
 
 _LINE_PX = 2
+Row = TypeVar("Row", bound=FieldsRow)
 
 
-class RowColumn(QWidget):
+class RowColumn(QWidget, Generic[Row]):
     """Rows one below the other, which the user reorders by mouse or keys.
-
-    A row is a widget with a ``title``, a `RowTitle`, with ``stops``, its widgets in the order of
-    the Tab key, and with ``forget_typing``.
 
     Parameters
     ----------
     head
         Widget before the rows in the order of the Tab key; it gets the focus when no row is left.
+
+    Attributes
+    ----------
+    rows
+        The rows, in their order.
     """
 
     #: Index of a row, and the index to which it shall move.
@@ -483,87 +494,90 @@ class RowColumn(QWidget):
     def __init__(self, head: QWidget, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._head = head
-        self._rows: tuple[Any, ...] = ()
-        self._column = QVBoxLayout(self)
-        self._column.setContentsMargins(0, 0, 0, 0)
-        self._column.setSpacing(UNIT_PX // 4)
+        self.rows: tuple[Row, ...] = ()
+        self._column = in_column(of=self, margins=0, gap_px=UNIT_PX // 4)
         # Shows where a dragged row would go.
         self._line = QFrame(self)
         self._line.setBackgroundRole(QPalette.ColorRole.Highlight)
         self._line.setAutoFillBackground(True)
         self._line.hide()
 
-    @property
-    def rows(self) -> tuple[Any, ...]:
-        """The rows, in their order."""
-        return self._rows
-
-    def take_in(self, row: Any) -> None:
+    def take_in(self, row: Row) -> None:
         """Let a new row be dragged."""
+        row.title.pressed_key.connect(partial(self.step, row))
         row.title.dragged.connect(self._show_line)
         row.title.dropped.connect(partial(self._drop, row))
         row.title.cancelled.connect(self._line.hide)
 
-    def show_rows(self, rows: tuple[Any, ...]) -> None:
+    def show_rows(self, rows: tuple[Row, ...]) -> None:
         """Show these rows, and delete the others."""
-        if rows == self._rows:
+        if rows == self.rows:
             return
-        removed = [row for row in self._rows if row not in rows]
-        was_focused = [k for k, row in enumerate(self._rows) if row in removed and _has_focus(row)]
-        for row in self._rows:
+        removed = [row for row in self.rows if row not in rows]
+        was_focused = [k for k, row in enumerate(self.rows) if row in removed and _has_focus(row)]
+        for row in self.rows:
             self._column.removeWidget(row)
         for row in removed:
             # Typing that has begun in a removed row must not reach another one.
             row.forget_typing()
             row.hide()
             row.deleteLater()
-        self._rows = rows
+        self.rows = rows
         for row in rows:
             self._column.addWidget(row)
             row.show()
         self.order_stops()
         if was_focused:
-            stops = [row.title for row in rows] or [self._head]
+            stops: list[QWidget] = [row.title for row in rows]
+            stops = stops or [self._head]
             stops[min(was_focused[0], len(stops) - 1)].setFocus(Qt.FocusReason.OtherFocusReason)
 
     def order_stops(self) -> None:
         """Set the order of the Tab key along the rows."""
         before = self._head
-        for stop in (stop for row in self._rows for stop in row.stops):
+        for stop in (stop for row in self.rows for stop in row.stops):
             self.setTabOrder(before, stop)
             before = stop
 
-    def step(self, row: Any, name: str) -> None:
-        """Do what a key means for a row: move it, or go to another row."""
-        index, last = self._rows.index(row), len(self._rows) - 1
+    def step(self, row: Row, name: str) -> None:
+        """Do what a key means for a row: act on it, move it, or go to another row."""
+        index, last = self.rows.index(row), len(self.rows) - 1
+        to = {"up": index - 1, "down": index + 1, "first": 0, "last": last}.get(name)
         if name in ("shift_up", "shift_down"):
             to = index + (1 if name == "shift_down" else -1)
             if 0 <= to <= last:
                 self.moved.emit(index, to)
-            return
-        to = {"up": index - 1, "down": index + 1, "first": 0}.get(name, last)
-        self._rows[min(max(to, 0), last)].title.setFocus(Qt.FocusReason.OtherFocusReason)
+        elif to is None:
+            row.press(name)
+        else:
+            self.rows[min(max(to, 0), last)].title.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _gap(self, y: int) -> int:
         """Return the index of the row before which a drop at ``y`` goes, or the number of rows."""
-        middles = [row.mapToGlobal(QPoint(0, row.title.height() // 2)).y() for row in self._rows]
+        middles = [row.mapToGlobal(QPoint(0, row.title.height() // 2)).y() for row in self.rows]
         return sum(middle < y for middle in middles)
 
     def _show_line(self, y: int) -> None:
         gap = self._gap(y)
-        at_end = gap == len(self._rows)
-        row = self._rows[gap - 1 if at_end else gap]
+        at_end = gap == len(self.rows)
+        row = self.rows[gap - 1 if at_end else gap]
         at = row.y() + row.height() - _LINE_PX if at_end else max(row.y() - _LINE_PX, 0)
         self._line.setGeometry(0, at, self.width(), _LINE_PX)
         self._line.raise_()
         self._line.show()
 
-    def _drop(self, row: Any, y: int) -> None:
+    def _drop(self, row: Row, y: int) -> None:
         self._line.hide()
-        index, gap = self._rows.index(row), self._gap(y)
+        index, gap = self.rows.index(row), self._gap(y)
         to = gap if gap <= index else gap - 1
         if to != index:
             self.moved.emit(index, to)
+
+
+def lay_out_list(editor: QWidget, label: QLabel, add: AddButton, rows: QWidget) -> None:
+    """Put a label and the button that adds rows above the rows."""
+    head = in_row((label, 1), add)
+    in_column(head, rows, of=editor, margins=0, gap_px=UNIT_PX // 4)
 
 
 def _has_focus(row: QWidget) -> bool:
@@ -571,7 +585,7 @@ def _has_focus(row: QWidget) -> bool:
     return focused is not None and row.isAncestorOf(focused)
 
 
-class PartsEditor(QObject):
+class PartsEditor(Editor, QWidget):
     """Edits a tuple of models; a new one is open.
 
     Attributes
@@ -579,9 +593,6 @@ class PartsEditor(QObject):
     holder
         Returns the model that contains the list, to which a new part is fitted; or None.
     """
-
-    edited = Signal(object, object)
-    problem_changed = Signal(str)
 
     def __init__(
         self, spec: ListSpec, of: ModelSpec, new_editor: NewEditor, parent: QWidget
@@ -591,26 +602,18 @@ class PartsEditor(QObject):
         self._new_editor = new_editor
         self._value: Parts = ()
         self.holder: Callable[[], Any] = lambda: None
-        self.field = QWidget(parent)
-        self.field.setAccessibleName(spec.label)
+        self.setAccessibleName(spec.label)
         self.label = QLabel(spec.label)
         self.label.setToolTip(tooltip(spec.hint))
-        self._add = AddButton(spec, of)
-        self._add.chosen.connect(self._add_part)
-        self._column = RowColumn(self._add)
+        self._add = AddButton("add_part", self._fill_menu)
+        self._add.setAccessibleName(f"{spec.label}: add")
+        self._column: RowColumn[PartRow] = RowColumn(self._add)
         self._column.moved.connect(
             lambda index, to: self._apply(moved_part(self._value, index, to), None)
         )
-        head = QHBoxLayout()
-        head.setContentsMargins(0, 0, 0, 0)
-        head.addWidget(self.label, 1)
-        head.addWidget(self._add)
-        column = QVBoxLayout(self.field)
-        column.setContentsMargins(0, UNIT_PX // 4, 0, UNIT_PX // 4)
-        column.setSpacing(UNIT_PX // 4)
-        column.addLayout(head)
-        column.addWidget(self._column)
-        self.field.setFocusProxy(self._add)
+        lay_out_list(self, self.label, self._add, self._column)
+        self.setContentsMargins(0, UNIT_PX // 4, 0, UNIT_PX // 4)
+        self.setFocusProxy(self._add)
 
     @property
     def rows(self) -> tuple[PartRow, ...]:
@@ -631,13 +634,6 @@ class PartsEditor(QObject):
         for row in self.rows:
             row.set_spec(self._of)
 
-    def advice(self) -> str:
-        """Return no remark."""
-        return ""
-
-    def mark_error(self, reason: str) -> None:
-        """Do nothing: the cell shows the reason under the list."""
-
     def cancel(self) -> None:
         """Forget what is being typed."""
         for row in self.rows:
@@ -648,19 +644,29 @@ class PartsEditor(QObject):
         for index, part in enumerate(self._value):
             rows[index].show_part(part, index, count, self._spec.fewest)
         self._column.show_rows(rows)
-        self._add.show_count(count)
+        full = count >= self._spec.most
+        self._add.setEnabled(not full)
+        reason = f"There are at most {self._spec.most}; remove one first"
+        self._add.setToolTip(tooltip(reason if full else "Add one at the end"))
 
     def _new_row(self) -> PartRow:
-        row = PartRow(self._of, self._new_editor, self._column)
+        row = PartRow(self._of, self._new_editor)
         row.edited.connect(lambda part, gesture: self._change(row, part, gesture))
         row.removed.connect(lambda: self._remove(row))
         row.stepped.connect(lambda name: self._column.step(row, name))
         row.restopped.connect(self._column.order_stops)
-        row.title.pressed_key.connect(lambda name: self._press(row, name))
         self._column.take_in(row)
         return row
 
-    def _add_part(self, name: str) -> None:
+    def _fill_menu(self, menu: QMenu) -> None:
+        choices = choices_of(self._of)
+        if isinstance(choices, KindSpec):
+            fill_kind_menu(menu, self._add_part)
+            return
+        for name, title in choices.options:
+            menu.addAction(title).triggered.connect(partial(self._add_part, name))
+
+    def _add_part(self, name: str, _checked: bool = False) -> None:
         part = new_part(self._of, name, self.holder())
         self._apply((*self._value, part), None)
         # Unless the document has refused it.
@@ -678,14 +684,6 @@ class PartsEditor(QObject):
 
     def _change(self, row: PartRow, part: Any, gesture: int | None) -> None:
         self._apply(with_part(self._value, self.rows.index(row), part), gesture)
-
-    def _press(self, row: PartRow, name: str) -> None:
-        if name == "open":
-            row.set_open(not row.open)
-        elif name == "remove":
-            self._remove(row)
-        else:
-            self._column.step(row, name)
 
     def _apply(self, parts: Parts, gesture: int | None) -> None:
         if parts != self._value:

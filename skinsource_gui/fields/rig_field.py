@@ -30,7 +30,7 @@ class RigField(ChoiceField):
     def __init__(self) -> None:
         super().__init__(_SPEC)
         self._title: str | None = None
-        self.chosen.connect(self._choose_rig)
+        self.edited.connect(self._choose_rig)
 
     def show_rig(self, title: str | None) -> None:
         """Show the title of the present rig; None: there is none."""

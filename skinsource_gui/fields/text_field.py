@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QPlainTextEdit, QSizePolicy, QWidget
 from skinsource.base.errors import InvalidInputError
 from skinsource.signals.formula.reading import column_of
 from skinsource.specs.spec import TextSpec
-from skinsource_gui.fields.editor import Burst, TextMark
+from skinsource_gui.fields.editor import Burst, Editor, TextMark
 from skinsource_gui.qt.tooltips import tooltip
 
 _MOST_LINES = 6
@@ -23,7 +23,7 @@ _EDGE_PX = 5
 _UNDOING = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
 
 
-class LiveText(QPlainTextEdit):
+class LiveText(Editor, QPlainTextEdit):
     """Edits a text of ``spec``, whose reader checks it while it is typed.
 
     Each valid text is signalled at once; quick ones share a gesture, until a pause, Enter, or the
@@ -33,8 +33,6 @@ class LiveText(QPlainTextEdit):
 
     #: The new text; number of the gesture that quick successive texts share.
     edited = Signal(str, object)
-    #: Why the typed text cannot be read, or "".
-    problem_changed = Signal(str)
 
     def __init__(self, spec: TextSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)

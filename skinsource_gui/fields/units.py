@@ -6,7 +6,8 @@ numbers one step apart.
 
 import math
 import re
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache
 from itertools import pairwise
@@ -65,7 +66,7 @@ _BOUND_TOLERANCE = 1e-12
 _LARGEST_EXPONENT = 400
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class DisplayUnit:
     """How values of one SI unit are shown.
 
@@ -81,7 +82,7 @@ class DisplayUnit:
 
     symbol: str
     si: Fraction = Fraction(1)
-    spellings: tuple[tuple[str, Fraction], ...] = ()
+    spellings: Mapping[str, Fraction] = field(default_factory=dict)
 
     def shown(self, value_si: float) -> float:
         """Return the number to show for a value."""
@@ -92,67 +93,28 @@ class DisplayUnit:
         return float(Fraction(shown) * self.si)
 
 
-_MILLI = Fraction(1, 1000)
-_DEGREE = Fraction(math.pi) / 180
+_MILLI, _ONE = Fraction(1, 1000), Fraction(1)
+_MICRO = _MILLI**2
+_DEGREE, _PI = Fraction(math.pi) / 180, Fraction(math.pi)
+_TIMES = {"sec": _ONE, "µs": _MICRO, "us": _MICRO, "min": Fraction(60)}
+_ACCELERATIONS = {"m/s^2": _ONE, "m/s2": _ONE, "mm/s²": _MILLI, "mm/s^2": _MILLI, "mm/s2": _MILLI}
+_LENGTHS = {"cm": 10 * _MILLI, "m": _ONE, "µm": _MICRO, "um": _MICRO}
 _DISPLAY_UNITS = {
-    "s": DisplayUnit(
-        symbol="ms",
-        si=_MILLI,
-        spellings=(
-            ("s", Fraction(1)),
-            ("sec", Fraction(1)),
-            ("µs", _MILLI**2),
-            ("us", _MILLI**2),
-            ("min", Fraction(60)),
-        ),
-    ),
-    "rad": DisplayUnit(
-        symbol="°",
-        si=_DEGREE,
-        spellings=(
-            ("deg", _DEGREE),
-            ("rad", Fraction(1)),
-            ("pi", Fraction(math.pi)),
-            ("π", Fraction(math.pi)),
-        ),
-    ),
-    "m": DisplayUnit(
-        symbol="mm",
-        si=_MILLI,
-        spellings=(("cm", 10 * _MILLI), ("m", Fraction(1)), ("µm", _MILLI**2), ("um", _MILLI**2)),
-    ),
-    "Hz": DisplayUnit(symbol="Hz", spellings=(("kHz", 1 / _MILLI),)),
-    "m/s²": DisplayUnit(
-        symbol="m/s²",
-        spellings=(
-            ("m/s^2", Fraction(1)),
-            ("m/s2", Fraction(1)),
-            ("mm/s²", _MILLI),
-            ("mm/s^2", _MILLI),
-            ("mm/s2", _MILLI),
-        ),
-    ),
-    "H": DisplayUnit(
-        symbol="mH", si=_MILLI, spellings=(("H", Fraction(1)), ("µH", _MILLI**2), ("uH", _MILLI**2))
-    ),
-    "F": DisplayUnit(
-        symbol="nF",
-        si=_MILLI**3,
-        spellings=(("F", Fraction(1)), ("µF", _MILLI**2), ("uF", _MILLI**2), ("pF", _MILLI**4)),
-    ),
-    "kg": DisplayUnit(symbol="g", si=_MILLI, spellings=(("kg", Fraction(1)), ("mg", _MILLI**2))),
-    "A": DisplayUnit(symbol="mA", si=_MILLI, spellings=(("A", Fraction(1)),)),
-    "W": DisplayUnit(symbol="mW", si=_MILLI, spellings=(("W", Fraction(1)),)),
-    ARBITRARY_UNIT: DisplayUnit(
-        symbol=ARBITRARY_UNIT, spellings=(("au", Fraction(1)), ("a.u", Fraction(1)))
-    ),
-    "×": DisplayUnit(symbol="×", spellings=(("x", Fraction(1)),)),
+    "s": DisplayUnit("ms", _MILLI, {"s": _ONE, **_TIMES}),
+    "rad": DisplayUnit("°", _DEGREE, {"deg": _DEGREE, "rad": _ONE, "pi": _PI, "π": _PI}),
+    "m": DisplayUnit("mm", _MILLI, _LENGTHS),
+    "Hz": DisplayUnit("Hz", spellings={"kHz": 1 / _MILLI}),
+    "m/s²": DisplayUnit("m/s²", spellings=_ACCELERATIONS),
+    "H": DisplayUnit("mH", _MILLI, {"H": _ONE, "µH": _MICRO, "uH": _MICRO}),
+    "F": DisplayUnit("nF", _MILLI**3, {"F": _ONE, "µF": _MICRO, "uF": _MICRO, "pF": _MILLI**4}),
+    "kg": DisplayUnit("g", _MILLI, {"kg": _ONE, "mg": _MICRO}),
+    "A": DisplayUnit("mA", _MILLI, {"A": _ONE}),
+    "W": DisplayUnit("mW", _MILLI, {"W": _ONE}),
+    ARBITRARY_UNIT: DisplayUnit(ARBITRARY_UNIT, spellings={"au": _ONE, "a.u": _ONE}),
+    "×": DisplayUnit("×", spellings={"x": _ONE}),
 }
 # Long times are easier to read in seconds.
-_LONG_TIMES = DisplayUnit(
-    symbol="s",
-    spellings=(("ms", _MILLI), *(pair for pair in _DISPLAY_UNITS["s"].spellings if pair[0] != "s")),
-)
+_LONG_TIMES = DisplayUnit("s", spellings={"ms": _MILLI, **_TIMES})
 
 
 def display_unit(unit: str, value_si: float = 0.0) -> DisplayUnit:
@@ -162,7 +124,7 @@ def display_unit(unit: str, value_si: float = 0.0) -> DisplayUnit:
     """
     if unit == "s" and abs(value_si) >= LONG_S:
         return _LONG_TIMES
-    return _DISPLAY_UNITS.get(unit) or DisplayUnit(symbol=unit)
+    return _DISPLAY_UNITS.get(unit) or DisplayUnit(unit)
 
 
 @lru_cache(maxsize=512)
@@ -236,7 +198,7 @@ def parse_number(text: str, spec: NumberSpec, replaced_si: float = 0.0) -> float
         raise InvalidInputError(f"{spec.label}: “{typed}” is not a number. {allowed}")
     factor = _factor(match[2], unit)
     if factor is None:
-        symbols = ", ".join(name for name in (unit.symbol, *dict(unit.spellings)) if name)
+        symbols = ", ".join(name for name in (unit.symbol, *unit.spellings) if name)
         instead = sentence(f"Units: {symbols}") if symbols else "Type the number alone."
         raise InvalidInputError(f"{spec.label}: “{match[2]}” is not one of its units. {instead}")
     try:
@@ -254,7 +216,7 @@ def parse_number(text: str, spec: NumberSpec, replaced_si: float = 0.0) -> float
 
 def _factor(name: str, unit: DisplayUnit) -> Fraction | None:
     spellings = {"": unit.si, unit.symbol.casefold(): unit.si}
-    spellings |= {spelling.casefold(): si for spelling, si in unit.spellings}
+    spellings |= {spelling.casefold(): si for spelling, si in unit.spellings.items()}
     return spellings.get(name.strip().casefold())
 
 

@@ -15,13 +15,11 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QDialog,
     QFileDialog,
-    QHBoxLayout,
     QHeaderView,
     QLabel,
     QSplitter,
     QTableWidget,
     QTableWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -44,6 +42,7 @@ from skinsource.studies.accuracy.measuring import (
 from skinsource_gui.fields.choice_field import DropDown
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJob
@@ -216,15 +215,8 @@ class AccuracyPage(QDialog):
         split.setSizes([_SIZE_PX[0] // 2, _SIZE_PX[0] // 2])
         limb = QLabel("Limb")
         limb.setBuddy(self._limb)
-        below = QHBoxLayout()
-        below.addWidget(self.message, 1)
-        for widget in (limb, self._limb, self._measure, self._save, self._close):
-            below.addWidget(widget)
-        column = QVBoxLayout(self)
-        column.addWidget(meaning)
-        column.addWidget(self.now)
-        column.addWidget(split, 1)
-        column.addLayout(below)
+        below = in_row((self.message, 1), limb, self._limb, self._measure, self._save, self._close)
+        in_column(meaning, self.now, (split, 1), below, of=self)
 
     def _connect(self) -> None:
         self._status.changed.connect(self._refresh)

@@ -14,14 +14,12 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QDialog,
     QFileDialog,
     QHBoxLayout,
     QHeaderView,
     QLabel,
     QTableWidget,
     QTableWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -48,9 +46,11 @@ from skinsource.studies.checking import (
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import minus
+from skinsource_gui.pages.page import Page
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.fitting import LetterWidth
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, set_tone, tabular
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner, PageJob
@@ -381,15 +381,8 @@ class CheckList(QWidget):
         add = page_button("add_design", "Add design…", "Check another design as well")
         remove = page_button("remove_design", "Remove", "Take the selected design off")
         self._row_buttons, self._add = (recording, remove), add
-        self.bar = QHBoxLayout()
-        for button in (recording, add, remove):
-            self.bar.addWidget(button)
-        self.bar.addStretch(1)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(UNIT_PX)
-        column.addLayout(self.bar)
-        column.addWidget(self.table, 1)
+        self.bar = in_row(recording, add, remove, None)
+        in_column(self.bar, (self.table, 1), of=self, margins=0, gap_px=UNIT_PX)
         recording.clicked.connect(self._ask_recording)
         add.clicked.connect(self._ask_design)
         remove.clicked.connect(self._remove)
@@ -482,7 +475,7 @@ _REPORTED = "The paper reports errors {0}, differences in amplitude {1} and r {2
 _SIZE_PX = (1080, 620)
 
 
-class CheckingPage(QDialog):
+class CheckingPage(Page):
     """Compares predictions with measurements, as the paper's Fig. 4 does, and writes a report."""
 
     def __init__(
@@ -492,11 +485,7 @@ class CheckingPage(QDialog):
         preferences: Preferences,
         parent: QWidget,
     ) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("checking_page")
-        self.setWindowTitle(TITLE)
-        self.resize(*_SIZE_PX)
+        super().__init__(parent, "checking_page", TITLE, _SIZE_PX)
         self._preferences = preferences
         self.run = PageJob(runner, self)
         row = Row(name=_name_of(document), design=document.design)
@@ -545,15 +534,8 @@ class CheckingPage(QDialog):
         plots = QHBoxLayout()
         for box in self.boxes:
             plots.addWidget(box, 1)
-        below = QHBoxLayout()
-        below.addWidget(self.message, 1)
-        for button in (self._check, self._save, self._close):
-            below.addWidget(button)
-        column = QVBoxLayout(self)
-        column.setSpacing(UNIT_PX)
-        column.addWidget(self.list, 2)
-        column.addLayout(plots, 3)
-        column.addLayout(below)
+        below = in_row((self.message, 1), self._check, self._save, self._close)
+        in_column((self.list, 2), (plots, 3), below, of=self, gap_px=UNIT_PX)
 
     def _connect(self) -> None:
         self._check.clicked.connect(self.check)
@@ -563,7 +545,7 @@ class CheckingPage(QDialog):
         self.list.failed.connect(self._complain)
         self.list.recording_chosen.connect(self._say)
         # Results hold for the axes and the rate that they were computed with.
-        self.axes.chosen.connect(self._begin_anew)
+        self.axes.edited.connect(self._begin_anew)
         self.rate.edited.connect(self._begin_anew)
         for box in self.boxes:
             box.reading.connect(self._show_reading)

@@ -6,12 +6,9 @@ from typing import Any
 
 from PySide6.QtCore import QStandardPaths, Qt
 from PySide6.QtWidgets import (
-    QDialog,
     QFileDialog,
-    QHBoxLayout,
     QLabel,
     QProgressBar,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -21,7 +18,9 @@ from skinsource.limbs.dataset.download import fetch
 from skinsource.limbs.dataset.install import install
 from skinsource.limbs.dataset.published import published_files
 from skinsource.limbs.dataset.store import StoreInfo
+from skinsource_gui.pages.page import Page
 from skinsource_gui.qt.buttons import page_button, page_label
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 from skinsource_gui.state.preferences import INSTALLATIONS, InstalledLimbs
@@ -43,15 +42,11 @@ toolbox's folder <i>visualization</i>.<br>
 _MEASURED = "measured"
 
 
-class DatasetPage(QDialog):
+class DatasetPage(Page):
     """Starts an installation, and shows its progress; closing the page lets it run on."""
 
     def __init__(self, runner: JobRunner, limbs: InstalledLimbs, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("dataset_page")
-        self.setWindowTitle(TITLE)
-        self.resize(560, 320)
+        super().__init__(parent, "dataset_page", TITLE, (560, 320))
         self._runner, self._limbs = runner, limbs
         size_mb = round(sum(file.size_bytes for file in published_files()) / 1e6)
         about = page_label("page_text", _ABOUT.format(size=size_mb))
@@ -79,19 +74,8 @@ class DatasetPage(QDialog):
         self._show_state()
 
     def _lay_out(self, about: QLabel) -> None:
-        buttons = QHBoxLayout()
-        for button in (self._install, self._fetch):
-            buttons.addWidget(button)
-        buttons.addStretch(1)
-        for button in (self._cancel, self._close):
-            buttons.addWidget(button)
-        column = QVBoxLayout(self)
-        column.setSpacing(UNIT_PX)
-        column.addWidget(about)
-        column.addStretch(1)
-        column.addWidget(self._message)
-        column.addWidget(self._bar)
-        column.addLayout(buttons)
+        buttons = in_row(self._install, self._fetch, None, self._cancel, self._close)
+        in_column(about, None, self._message, self._bar, buttons, of=self, gap_px=UNIT_PX)
 
     def _ask_and_install(self) -> None:
         start = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DownloadLocation)

@@ -2,13 +2,11 @@
 
 from dataclasses import dataclass
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
-    QDialog,
     QDialogButtonBox,
     QFormLayout,
     QLineEdit,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -21,7 +19,9 @@ from skinsource.design.design import Design
 from skinsource.design.presets.presets import Preset, tags_of, whole_design
 from skinsource.design.view import View
 from skinsource_gui.fields.choice_field import DropDown
+from skinsource_gui.pages.page import Page
 from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.layouts import in_column
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -70,7 +70,7 @@ def _name(fragment: Fragment) -> str:
 TITLE = "Save to library"
 
 
-class SavePage(QDialog):
+class SavePage(Page):
     """Asks what is saved, and for its name, tags, description and source.
 
     Parameters
@@ -83,10 +83,7 @@ class SavePage(QDialog):
     chosen = Signal(object)
 
     def __init__(self, choices: tuple[Choice, ...], parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("save_to_library_page")
-        self.setWindowTitle(TITLE)
+        super().__init__(parent, "save_to_library_page", TITLE)
         self.setMinimumWidth(460)
         self._choices = choices
         self.what = DropDown()
@@ -126,11 +123,7 @@ class SavePage(QDialog):
             field.setObjectName(name)
             field.setAccessibleName(label)
             form.addRow(label, field)
-        column = QVBoxLayout(self)
-        column.addLayout(form)
-        column.addWidget(self.problem)
-        column.addStretch(1)
-        column.addWidget(self.buttons)
+        in_column(form, self.problem, None, self.buttons, of=self)
 
     def _suggest(self) -> None:
         suggested = {choice.name for choice in self._choices}

@@ -12,7 +12,6 @@ from time import monotonic
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import (
-    QDialog,
     QFileDialog,
     QFormLayout,
     QHBoxLayout,
@@ -20,7 +19,6 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QProgressBar,
     QStackedWidget,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -38,9 +36,11 @@ from skinsource.lab.playing.stream import Stream
 from skinsource.limbs.locations import input_name
 from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.pages.page import Page
 from skinsource_gui.qt.buttons import page_button, page_label
 from skinsource_gui.qt.fitting import LetterWidth
 from skinsource_gui.qt.keys import KEYS, Gesture
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.state.playing import end_sound, sound_worker
@@ -101,14 +101,8 @@ class RunView(QWidget):
         for name, button in self.buttons.items():
             button.clicked.connect(lambda _=False, name=name: self.requested.emit(name))
             row.addWidget(button, 2 if name == "store" else 1)
-        rows = QVBoxLayout(self)
-        rows.setContentsMargins(0, 0, 0, 0)
-        rows.setSpacing(2 * UNIT_PX)
-        for part in (self.progress, self.bar, question):
-            rows.addWidget(part)
-        rows.addLayout(sides, 1)
-        rows.addLayout(row)
-        rows.addWidget(self.note)
+        parts = (self.progress, self.bar, question, (sides, 1), row, self.note)
+        in_column(*parts, of=self, margins=0, gap_px=2 * UNIT_PX)
         self._shortcuts = [
             self._shortcut(name, key) for name in _BUTTONS for key in gestures[name].keys
         ]
@@ -237,9 +231,7 @@ class SetupForm(QWidget):
             tooltip("Table", "CSV that matches are added to; what it holds is not asked again")
         )
         self.browse = page_button("matching_browse", "Choose…", "Choose the table")
-        row = QHBoxLayout()
-        row.addWidget(self.table, 1)
-        row.addWidget(self.browse)
+        row = in_row((self.table, 1), self.browse)
         form.addRow("Table", row)
         self.table.setObjectName("matching_table")
         self.table.setAccessibleName("Table")
@@ -427,7 +419,7 @@ _POLL_MS = 40
 _HURRY_S = 1.0
 
 
-class MatchingPage(QDialog):
+class MatchingPage(Page):
     """Asks for a procedure, then plays it and stores the answers of the person.
 
     Parameters
@@ -449,11 +441,7 @@ class MatchingPage(QDialog):
         gain_db: float,
         parent: QWidget,
     ) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("matching_page")
-        self.setWindowTitle("Matching")
-        self.resize(680, 560)
+        super().__init__(parent, "matching_page", "Matching", (680, 560))
         self._limb = limb
         self.run: MatchingRun | None = None
         unit = amplitude_unit(Design(limb=limb))
@@ -495,23 +483,13 @@ class MatchingPage(QDialog):
 
     def _lay_out(self) -> None:
         setup = QWidget()
-        rows = QVBoxLayout(setup)
-        rows.setContentsMargins(0, 0, 0, 0)
-        rows.setSpacing(2 * UNIT_PX)
         about = QLabel(_INTRODUCTION)
         about.setWordWrap(True)
-        for part in (about, self.form, self._problem):
-            rows.addWidget(part)
-        rows.addStretch(1)
+        in_column(about, self.form, self._problem, None, of=setup, margins=0, gap_px=2 * UNIT_PX)
         self._stack.addWidget(setup)
         self._stack.addWidget(self.view)
-        whole = QVBoxLayout(self)
-        whole.addWidget(self._stack, 1)
-        foot = QHBoxLayout()
-        foot.addStretch(1)
-        for button in (self._begin, self._rehearse, self._close):
-            foot.addWidget(button)
-        whole.addLayout(foot)
+        foot = in_row(None, self._begin, self._rehearse, self._close)
+        in_column((self._stack, 1), foot, of=self)
 
     def _connect(self) -> None:
         self._begin.clicked.connect(lambda: self._start(rehearsal=False))

@@ -14,11 +14,9 @@ from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import (
     QApplication,
-    QDialog,
     QHBoxLayout,
     QLabel,
     QLineEdit,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -38,11 +36,13 @@ from skinsource.specs.numbers import ModelSpec, NumberSpec
 from skinsource.specs.spec import ChoiceSpec, Spec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
+from skinsource_gui.pages.page import Page
 from skinsource_gui.panels.hand.layout import HandLayout, Marker, paint_occupied
 from skinsource_gui.panels.hand.panel import HandDiagram
 from skinsource_gui.panels.hand.picture import drawing_of
 from skinsource_gui.plots.preview import ClipDrawings, ClipStrip, Lane
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
 from skinsource_gui.state.document import Document
 
@@ -329,15 +329,7 @@ class PathRow(QWidget):
     def _lay_out(self) -> None:
         label = QLabel("Path")
         label.setBuddy(self.field)
-        typed, buttons = QHBoxLayout(), QHBoxLayout()
-        typed.addWidget(label)
-        typed.addWidget(self.field, 1)
-        for button in self._buttons:
-            buttons.addWidget(button)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addLayout(typed)
-        column.addLayout(buttons)
+        in_column(in_row(label, (self.field, 1)), in_row(*self._buttons), of=self, margins=0)
 
     def _type(self, text: str) -> None:
         try:
@@ -403,14 +395,10 @@ class MotionFields(QObject):
 
     def show_refused(self, model: Any, name: str, reason: str) -> None:
         """Show the value of ``model`` in a field again, and why it was not changed."""
-        kind, *others = self._cells
-        if name == kind.name:
-            kind.set_value(type(model).__name__)
-            kind.show_reason(reason)
-        for cell in others:
+        for cell in self._cells:
             if cell.name == name:
-                cell.set_value(getattr(model, name))
-                cell.show_reason(reason)
+                kept = type(model).__name__ if cell is self._cells[0] else getattr(model, name)
+                cell.refuse(kept, reason)
 
     def _build(self, model: Any, kinds: ChoiceSpec) -> None:
         old = self._cells
@@ -418,15 +406,12 @@ class MotionFields(QObject):
         if self._built_for is not None and self._built_for[1] == kinds:
             kind = old[0]
         else:
-            kind = FieldCell("kind", kinds)
-            kind.edited.connect(self._tell_kind)
+            kind = FieldCell("kind", kinds, edited=self._tell_kind)
         cells = [kind]
         for name, spec in specs_of(model).items():
             adapted = self._adapt(name, spec)
             if adapted is not None:
-                cell = FieldCell(name, adapted)
-                cell.edited.connect(self._tell)
-                cells.append(cell)
+                cells.append(FieldCell(name, adapted, edited=self._tell))
         self._cells, self._built_for = tuple(cells), (type(model), kinds)
         removed = [cell for cell in old if cell not in cells]
         focused = QApplication.focusWidget()
@@ -452,15 +437,11 @@ _MOTION_KINDS = ChoiceSpec(
 _HEIGHT_PX = 660
 
 
-class MotionPage(QDialog):
+class MotionPage(Page):
     """Makes up a motion on a path of places, shows it, and adds it in one step."""
 
     def __init__(self, document: Document, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("motion_page")
-        self.setWindowTitle(TITLE)
-        self.resize(980, _HEIGHT_PX)
+        super().__init__(parent, "motion_page", TITLE, (980, _HEIGHT_PX))
         self._document = document
         self.draft = Draft(document.design, document.view.playhead_s, self)
         self.hand = HandDiagram(drawing_of(document.design.limb), self)
@@ -487,9 +468,7 @@ class MotionPage(QDialog):
         set_tone(self._about, "dim")
 
     def _lay_out(self) -> None:
-        left = QVBoxLayout()
-        left.addWidget(self.hand, 1)
-        left.addWidget(self.path_row)
+        left = in_column((self.hand, 1), self.path_row)
         grids = QHBoxLayout()
         grids.setSpacing(3 * UNIT_PX)
         for grid in (self.motion_fields.grid, self.waveform_fields.grid):
@@ -499,21 +478,11 @@ class MotionPage(QDialog):
         grids.setContentsMargins(0, 0, UNIT_PX, 0)
         scroll = scrolled(inside, "motion_fields")
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        ends = QHBoxLayout()
-        ends.addStretch(1)
-        ends.addWidget(self._add)
-        ends.addWidget(self._cancel)
-        right = QVBoxLayout()
-        right.setSpacing(UNIT_PX)
-        right.addWidget(scroll, 3)
-        right.addWidget(self._summary)
-        right.addWidget(self.strip, 2)
-        right.addWidget(self._about)
-        right.addLayout(ends)
-        columns = QHBoxLayout(self)
-        columns.setSpacing(2 * UNIT_PX)
-        columns.addLayout(left, 4)
-        columns.addLayout(right, 7)
+        ends = in_row(None, self._add, self._cancel)
+        right = in_column(
+            (scroll, 3), self._summary, (self.strip, 2), self._about, ends, gap_px=UNIT_PX
+        )
+        in_row((left, 4), (right, 7), of=self, gap_px=2 * UNIT_PX)
 
     def _connect(self) -> None:
         self.draft.changed.connect(self._show)

@@ -6,15 +6,12 @@ from html import escape
 from PySide6.QtCore import QPoint, QRect, QRectF, QSize, QSizeF, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPainter, QPaintEvent, QPen, QPixmap
 from PySide6.QtWidgets import (
-    QDialog,
     QDialogButtonBox,
-    QFrame,
     QHBoxLayout,
     QLabel,
     QListWidget,
     QListWidgetItem,
     QScrollArea,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -24,7 +21,9 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource.studies.scenes.catalog import all_scenes, open_scene, why_not_on
 from skinsource.studies.scenes.opened_scene import Scene
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.pages.page import Page
+from skinsource_gui.qt.buttons import page_label, scrolled
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.resources import resource_folder
 from skinsource_gui.qt.screen_fit import fit_by_guess
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
@@ -86,7 +85,7 @@ _PLAYED_ON = "On which limb the scenes are played: those of the paper, or one of
 _PICTURES = "Pictures are computed on synthetic limbs."
 
 
-class ScenesPage(QDialog):
+class ScenesPage(Page):
     """Shows the scenes of the paper, and emits which one is to be opened.
 
     Parameters
@@ -110,10 +109,7 @@ class ScenesPage(QDialog):
         *,
         limb: str = "",
     ) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("scenes_page")
-        self.setWindowTitle(TITLE)
+        super().__init__(parent, "scenes_page", TITLE)
         self._limbs, self._scenes = frozenset(limbs), all_scenes()
         own = [name for name in limbs if facts_of(name).own]
         titles = tuple((name, limb_label(name).title) for name in own)
@@ -144,7 +140,7 @@ class ScenesPage(QDialog):
         self.list.currentRowChanged.connect(self._show)
         # Not itemActivated: Return would count twice, for the list and for the button.
         self.list.itemDoubleClicked.connect(self._choose)
-        self.played_on.chosen.connect(self._show_limb)
+        self.played_on.edited.connect(self._show_limb)
         self.buttons.accepted.connect(self._choose)
         self.buttons.rejected.connect(self.reject)
         self._show_limb()
@@ -161,29 +157,18 @@ class ScenesPage(QDialog):
 
     def _lay_out(self) -> None:
         about = QWidget()
-        right = QVBoxLayout(about)
-        right.setContentsMargins(0, 0, 0, 0)
-        right.setSpacing(UNIT_PX)
-        right.addWidget(self.picture, 1)
-        right.addWidget(self.text)
+        in_column((self.picture, 1), self.text, of=about, margins=0, gap_px=UNIT_PX)
         columns = QHBoxLayout()
         columns.setSpacing(2 * UNIT_PX)
-        left = QVBoxLayout()
-        left.setSpacing(UNIT_PX)
-        left.addWidget(self.list, 1)
-        limb = QHBoxLayout()
         title = QLabel(self.played_on.accessibleName())
-        limb.addWidget(title)
-        limb.addWidget(self.played_on, 1)
-        left.addLayout(limb)
+        limb = in_row(title, (self.played_on, 1))
+        left = in_column((self.list, 1), limb, gap_px=UNIT_PX)
         for part in (title, self.played_on):
             part.setVisible(self._any_own)
         columns.addLayout(left)
         # What has no room on a small screen scrolls, so that the buttons below stay visible.
         columns.addWidget(_scrolled(about), 1)
-        rows = QVBoxLayout(self)
-        rows.addLayout(columns, 1)
-        rows.addWidget(self.buttons)
+        in_column((columns, 1), self.buttons, of=self)
         button = self.buttons.button(QDialogButtonBox.StandardButton.Open)
         button.setDefault(True)
         button.setToolTip("Open the scene in place of the present design")
@@ -243,11 +228,8 @@ class ScenesPage(QDialog):
 
 def _scrolled(inside: QWidget) -> QScrollArea:
     """Return an area without a frame that scrolls both ways."""
-    area = QScrollArea()
-    area.setObjectName("scene_area")
-    area.setFrameShape(QFrame.Shape.NoFrame)
-    area.setWidgetResizable(True)
-    area.setWidget(inside)
+    area = scrolled(inside, "scene_area")
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
     return area
 
 

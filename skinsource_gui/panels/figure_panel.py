@@ -4,20 +4,19 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QPoint, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter
-from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.plots.figure import Figure, NoteLabel, draw_figure, open_figure_menu
-from skinsource_gui.qt.labels import how_to_select_output
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme
-from skinsource_gui.state.panel import Panel
+from skinsource_gui.state.panel import COMPUTING, OutputsPanel
 
-#: Messages until there are results, and where nothing moves.
-COMPUTING = "Computing…"
+#: Message where nothing moves.
 SILENT = "Silent: nothing is driven"
 
 
-class FigurePanel(Panel):
+class FigurePanel(OutputsPanel):
     """A panel with choices above a figure, and a line of text below it.
 
     Parameters
@@ -40,30 +39,18 @@ class FigurePanel(Panel):
         self._copy: CopyButton | None = None
         self._above: NoteLabel | None = None
         self.note_label = NoteLabel(f"{self.name}_words")
-        self.choices = QHBoxLayout()
-        self.choices.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
-        self.choices.setSpacing(UNIT_PX // 2)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addLayout(self.choices)
+        self.choices = in_row(margins=(UNIT_PX // 2, 1, UNIT_PX // 2, 1), gap_px=UNIT_PX // 2)
         # Text on the figure that would have too little room beside the choices.
-        self.heads = QVBoxLayout()
-        self.heads.setContentsMargins(UNIT_PX, 0, UNIT_PX, 1)
-        column.addLayout(self.heads)
-        column.addWidget(figure, 1)
-        foot = QHBoxLayout()
-        foot.setContentsMargins(UNIT_PX, 1, UNIT_PX, 2)
-        foot.addWidget(self.note_label)
-        column.addLayout(foot)
+        self.heads = in_column(margins=(UNIT_PX, 0, UNIT_PX, 1))
+        foot = in_row(self.note_label, margins=(UNIT_PX, 1, UNIT_PX, 2))
+        in_column(self.choices, self.heads, (figure, 1), foot, of=self, margins=0, gap_px=0)
         figure.reading.connect(self._show_reading)
         figure.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         figure.customContextMenuRequested.connect(self._open_menu)
 
     @property
-    def no_outputs(self) -> str:
-        """Message while no output is selected."""
-        return how_to_select_output(self.in_sight)
+    def message(self) -> str:
+        return self.figure.message
 
     @property
     def picture_text(self) -> str:
@@ -100,14 +87,12 @@ class FigurePanel(Panel):
         return self._above
 
     def say_instead(self, message: str) -> None:
-        """Show a message in place of the figure."""
         self.figure.say(message)
         self.show_result("")
         if self._copy is not None:
             self._copy.offer(False)
 
     def await_results(self) -> None:
-        """Say in place of the figure that results are being computed."""
         self.figure.say(COMPUTING)
 
     def show_result(self, text: str) -> None:
@@ -116,17 +101,8 @@ class FigurePanel(Panel):
         if self.figure.cursor_at is None:
             self.note_label.say(text)
 
-    def show_in_sight(self, names: frozenset[str]) -> None:
-        shows_no_outputs = self.figure.message == self.no_outputs
-        super().show_in_sight(names)
-        if shows_no_outputs:
-            self.figure.say(self.no_outputs)
-
     def show_staleness(self, late: bool) -> None:
         self.figure.show_staleness(late)
-
-    def show_problem(self, reason: str) -> None:
-        self.say_instead(reason)
 
     def _open_menu(self, at: QPoint) -> None:
         if not self.figure.message:

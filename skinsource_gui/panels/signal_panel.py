@@ -1,17 +1,19 @@
 """The base of panels that show signals of the selected outputs."""
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtGui import QPainter
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.plots.signal_view import SignalView, draw_signals
-from skinsource_gui.qt.labels import how_to_select_output
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import LIGHT, Theme
-from skinsource_gui.state.panel import Panel
+from skinsource_gui.state.panel import OutputsPanel
 
 
-class SignalPanel(Panel):
+class SignalPanel(OutputsPanel):
     """A panel that is filled by one `SignalView`.
 
     Parameters
@@ -22,30 +24,26 @@ class SignalPanel(Panel):
 
     def __init__(self, plot_name: str, accessible_name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._results: Mapping[str, Any] | None = None
         self._plot = SignalView(plot_name, accessible_name, self, self._staleness)
         self.setFocusProxy(self._plot.plot)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self._plot)
+        in_column(self._plot, of=self, margins=0)
         self._plot.exports.failed.connect(self.failed)
         self._plot.exports.written.connect(self.written)
 
     @property
-    def no_outputs(self) -> str:
-        """Message while no output is selected."""
-        return how_to_select_output(self.in_sight)
+    def message(self) -> str:
+        return self._plot.plot.message
 
-    def show_in_sight(self, names: frozenset[str]) -> None:
-        shows_no_outputs = self._plot.plot.message == self.no_outputs
-        super().show_in_sight(names)
-        if shows_no_outputs:
-            self._plot.show_message(self.no_outputs)
+    def say_instead(self, message: str) -> None:
+        self._results = None
+        self._plot.show_message(message)
+
+    def await_results(self) -> None:
+        self._plot.wait_for_curves()
 
     def reset_range(self) -> None:
         self._plot.plot.reset_range()
-
-    def show_problem(self, reason: str) -> None:
-        self._plot.show_message(reason)
 
     def show_folder(self, folder: Path) -> None:
         self._plot.exports.folder = folder

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource_gui.plots.ranges import Range, Tick, log_ticks, readable_ticks
+from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import paint_focus_frame
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
 from skinsource_gui.qt.overlays import PALE, paint_updating
@@ -310,9 +311,7 @@ def open_figure_menu(
     parent: QWidget, at: QPoint, save: Callable[[], None], copy: Callable[[], None] | None
 ) -> QMenu:
     """Open the menu of a figure; ``copy`` is None where there are no numbers to copy."""
-    menu = QMenu(parent)
-    menu.setObjectName("figure_menu")
-    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    menu = passing_menu(parent, "figure_menu")
     if copy is not None:
         menu.addAction("Copy numbers").triggered.connect(copy)
     menu.addAction("Save picture as…").triggered.connect(save)

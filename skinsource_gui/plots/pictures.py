@@ -70,6 +70,7 @@ from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.inputs import duration_text, full_label
 from skinsource_gui.fields.number_field import FINISHERS, NumberField
 from skinsource_gui.fields.units import minus
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.theme import LIGHT, THEMES, Theme, on_paper, set_tone, theme_label
 
 #: Pixels in an inch of a page or a drawing, as in CSS.
@@ -756,9 +757,7 @@ class PictureDialog(QDialog):
             self._cells[name] = self._cell(name, spec)
         self.pixels = QLabel()
         form.addRow(self.pixels)
-        self.remark_label = QLabel()
-        self.remark_label.setObjectName("picture_remark")
-        self.remark_label.setWordWrap(True)
+        self.remark_label = page_label("picture_remark")
         form.addRow(self.remark_label)
         whether = f", and whether as {kinds}" if kinds else ""
         form.addRow(QLabel(f"The next step asks where to{whether}."))

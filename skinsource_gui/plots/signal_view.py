@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from PySide6.QtCore import QObject, QPoint, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
-from PySide6.QtWidgets import QApplication, QFileDialog, QMenu, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QToolButton, QWidget
 
 from skinsource.base.decibels import levels_for_tables
 from skinsource.base.errors import SkinSourceError
@@ -41,8 +41,10 @@ from skinsource_gui.plots.pictures import (
 from skinsource_gui.plots.plot import Plot
 from skinsource_gui.plots.ranges import Kind, Range, XAxis
 from skinsource_gui.plots.toolbar import PlotToolbar
+from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.fitting import VisibleHeight
 from skinsource_gui.qt.keys import KEYS, key_text
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.overlays import Staleness
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, current_theme, drawn_in, on_paper
 
@@ -350,12 +352,7 @@ class SignalView(QWidget):
         self.plot.setAccessibleDescription(
             "; ".join(KEYS["plot"].sentences("step", "zoom_in", "zoom_out", "whole"))
         )
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self.toolbar)
-        column.addWidget(self.legend)
-        column.addWidget(self.plot, 1)
+        in_column(self.toolbar, self.legend, (self.plot, 1), of=self, margins=0, gap_px=0)
         self.exports = SignalExports(self.plot, accessible_name, self)
         self._in_menu: list[QToolButton] = []
         self._staleness = lateness or Staleness(self)
@@ -421,9 +418,7 @@ class SignalView(QWidget):
         """Open the menu at a place on the screen; it is deleted when it closes."""
         if self.plot.curves is None:
             return
-        menu = QMenu(self)
-        menu.setObjectName("plot-menu")
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu = passing_menu(self, "plot-menu")
         # The plot handles the keys; the menu only shows them.
         view_all = menu.addAction(f"View all\t{key_text('plot', 'whole')}")
         view_all.triggered.connect(self._show_everything)

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import (
     QAbstractButton,
     QFrame,
     QLabel,
+    QMenu,
     QPushButton,
     QScrollArea,
     QSizePolicy,
@@ -26,13 +27,15 @@ def page_button(name: str, text: str, hint: str = "") -> QPushButton:
     return button
 
 
-def page_label(name: str, text: str = "", *, tone: str = "") -> QLabel:
+def page_label(name: str, text: str = "", *, tone: str = "", centred: bool = False) -> QLabel:
     """Return a label for sentences, which breaks lines."""
     label = QLabel(text)
     label.setObjectName(name)
     label.setWordWrap(True)
     if tone:
         set_tone(label, tone)
+    if centred:
+        label.setAlignment(Qt.AlignmentFlag.AlignCenter)
     return label
 
 
@@ -58,6 +61,14 @@ def tool_button(
     button.setCheckable(checkable)
     button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     return button
+
+
+def passing_menu(parent: QWidget, name: str = "") -> QMenu:
+    """Return a menu that is deleted when it is closed."""
+    menu = QMenu(parent)
+    menu.setObjectName(name)
+    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    return menu
 
 
 SWATCH_PX = 24

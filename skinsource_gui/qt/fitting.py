@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.theme import UNIT_PX, letter_scale, scaled
 from skinsource_gui.qt.wheel import areas_around, bars_px
 
@@ -229,12 +230,7 @@ class ButtonRow(QWidget):
         super().__init__(parent)
         self._buttons = tuple(buttons)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(UNIT_PX // 2)
-        for button in self._buttons:
-            row.addWidget(button)
-        row.addStretch(1)
+        row = in_row(*self._buttons, None, of=self, margins=0, gap_px=UNIT_PX // 2)
         self._gap_px = row.spacing()
         LayoutWatcher(self).changed.connect(self._fit)
 
@@ -296,13 +292,7 @@ class FoldingGroups(QWidget):
         self._box.setSpacing(spacing_px)
         self._rows: list[QHBoxLayout] = []
         for group in groups:
-            row = QHBoxLayout()
-            row.setSpacing(spacing_px)
-            for part in group:
-                if part is None:
-                    row.addStretch(1)
-                else:
-                    row.addWidget(part)
+            row = in_row(*group, gap_px=spacing_px)
             self._rows.append(row)
             # The last group gets the room that is left.
             self._box.addLayout(row, int(len(self._rows) == len(groups)))

@@ -28,6 +28,7 @@ from skinsource.limbs.own_limbs import drive_unit_known, facts_of, own_limb_name
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.dataset import TITLE
+from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 
 _LEAST_PX = 260
@@ -48,9 +49,7 @@ class SetupBar(QWidget):
         self._view: View | None = None
         self._limb_options: tuple[Word, ...] = LIMBS
         self._measured, self._drive_unit_known = "xyz", True
-        self._row = QHBoxLayout(self)
-        self._row.setContentsMargins(0, 0, 0, 0)
-        self._row.setSpacing(6)
+        self._row = in_row(of=self, margins=0, gap_px=6)
         self._limb, self._scaling, self._axes, self._method, self._span = (
             self._choice(label, sentence, options) for _, label, sentence, options in CHOICES
         )
@@ -64,7 +63,7 @@ class SetupBar(QWidget):
             (self._method, edits.look_by_method),
             (self._span, edits.level_over),
         ):
-            field.chosen.connect(partial(self._choose, edit))
+            field.edited.connect(partial(self._choose, edit))
 
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view."""
@@ -112,7 +111,7 @@ class SetupBar(QWidget):
         names = tuple(word.name for word in options)
         if options != self._limb_options:
             self._limb_options = options
-            self._limb.offer(_spec("Limb", "", options))
+            self._limb.set_spec(_spec("Limb", "", options))
             _explain(self._limb, options)
         for index, name in enumerate(names):
             there = name in limbs

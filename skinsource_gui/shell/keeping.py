@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QListWidget,
     QListWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -24,6 +23,7 @@ from skinsource.base.files import path_text, read_bytes, write_bytes
 from skinsource.design.recovery import Found, UnsavedWork
 from skinsource_gui.pages.files.autosave import Autosave, Recovery, WorkPicture
 from skinsource_gui.pages.files.file_actions import FileActions
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.shell.dock_layout import DockLayout
 from skinsource_gui.shell.notices import Choice, Notice, Reports
 from skinsource_gui.state.conductor import Conductor
@@ -93,9 +93,7 @@ class UnsavedWorkPage(QDialog):
         self.open_button.clicked.connect(self._open)
         self.discard_button.clicked.connect(self._give_up)
         buttons.rejected.connect(self.reject)
-        layout = QVBoxLayout(self)
-        for part in (self._text_label, self.rows, buttons):
-            layout.addWidget(part)
+        in_column(self._text_label, self.rows, buttons, of=self)
         self._fill()
 
     def _fill(self) -> None:

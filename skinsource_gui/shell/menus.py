@@ -25,12 +25,12 @@ from PySide6.QtWidgets import (
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
-    QVBoxLayout,
     QWidget,
 )
 
 from skinsource_gui.pages.files.file_actions import RecentFiles
 from skinsource_gui.qt.keys import shortcut_text
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.shell.actions import MENUS
 from skinsource_gui.shell.actions.spec import ActionSpec
 from skinsource_gui.state.document import Document
@@ -151,9 +151,7 @@ class Palette(QDialog):
         self.list.setItemDelegate(_KeysAtTheRight(self.list))
         # A long name is elided; keys never are.
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self.line)
-        layout.addWidget(self.list)
+        in_column(self.line, self.list, of=self)
         self.line.textChanged.connect(self._narrow)
         self.line.returnPressed.connect(self._run)
         self.line.installEventFilter(self)

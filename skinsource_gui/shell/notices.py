@@ -9,7 +9,6 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt, QTimer, Si
 from PySide6.QtGui import QAction, QPixmap
 from PySide6.QtWidgets import (
     QApplication,
-    QHBoxLayout,
     QLabel,
     QMainWindow,
     QPushButton,
@@ -25,6 +24,7 @@ from skinsource.design.labels import LIMBS
 from skinsource.design.signal_path import unplayable_text
 from skinsource.design.view import View
 from skinsource.limbs.dataset.store import StoreInfo
+from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import ClickGuard
@@ -75,9 +75,6 @@ class Notice(QObject):
         self._picture.setObjectName("notice_picture")
         self.buttons = QWidget(window)
         self.buttons.setObjectName("notice_buttons")
-        self._row = QHBoxLayout(self.buttons)
-        self._row.setContentsMargins(0, 0, 0, 0)
-        self._row.setSpacing(UNIT_PX)
         self._choices: list[QPushButton] = []
         self._close = QToolButton()
         self._close.setText("✕")
@@ -86,7 +83,7 @@ class Notice(QObject):
         self._close.setAccessibleName("Close this notice")
         self._close.clicked.connect(self._choose)
         self._close.clicked.connect(self.closed)
-        self._row.addWidget(self._close)
+        self._row = in_row(self._close, of=self.buttons, margins=0, gap_px=UNIT_PX)
         self._passing, self._watches = QTimer(self), False
         self._passing.setSingleShot(True)
         self._passing.timeout.connect(self.be_quiet)

@@ -7,11 +7,12 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QWidget
 
 from skinsource.version import __version__
 from skinsource_gui import pages
 from skinsource_gui.qt.keys import KEYS, MOUSE, native_text
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.actions.spec import ActionSpec
 from skinsource_gui.shell.menus import BESIDES, Palette
@@ -70,9 +71,7 @@ def _page(title: str, html: str, parent: QWidget) -> QDialog:
     browser.setOpenExternalLinks(True)
     buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
     buttons.rejected.connect(dialog.reject)
-    layout = QVBoxLayout(dialog)
-    layout.addWidget(browser)
-    layout.addWidget(buttons)
+    in_column(browser, buttons, of=dialog)
     return dialog
 
 

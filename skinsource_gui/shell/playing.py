@@ -10,10 +10,8 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QApplication,
     QFileDialog,
-    QHBoxLayout,
     QSizePolicy,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -32,6 +30,7 @@ from skinsource_gui.fields.units import minus
 from skinsource_gui.pages.actions import MatchingActions
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.labels import LevelMeter
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import play_icon, repeat_icon, stop_icon
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.shell.notices import Reports
@@ -227,17 +226,8 @@ class Transport(QWidget):
         self.gain.edited.connect(self._want_gain)
         self.meter = LevelMeter()
         self.meter.setFixedHeight(_METER_PX)
-        column = QVBoxLayout()
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self.gain)
-        column.addWidget(self.meter)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(0)
-        row.addWidget(self.play)
-        row.addWidget(self.repeat)
-        row.addLayout(column)
+        column = in_column(self.gain, self.meter, gap_px=0)
+        in_row(self.play, self.repeat, column, of=self, margins=0, gap_px=0)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self._show_icons()
 

@@ -26,7 +26,6 @@ from PySide6.QtWidgets import (
     QTextBrowser,
     QTextEdit,
     QToolBar,
-    QVBoxLayout,
     QWidget,
 )
 from shiboken6 import isValid
@@ -39,6 +38,7 @@ from skinsource.studies import scenes
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.plots.small_map import level_style, with_colours
 from skinsource_gui.qt.keys import KEYS, key_text, meaning_of, shortcut_text
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.shell.arrangement_spec import PRESENTATION
 from skinsource_gui.shell.dock_layout import Arrangements, DockLayout
@@ -109,11 +109,7 @@ class NotesWindow(QWidget):
         bold = QFont(large)
         bold.setBold(True)
         self.heading.setFont(bold)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(2 * UNIT_PX, 2 * UNIT_PX, 2 * UNIT_PX, 2 * UNIT_PX)
-        column.addWidget(self.heading)
-        column.addWidget(self.notes, 1)
-        column.addWidget(self.next)
+        in_column(self.heading, (self.notes, 1), self.next, of=self, margins=2 * UNIT_PX)
         self.resize(*_SIZE)
 
     def show_scene(self, heading: str, notes: str, following: str) -> None:

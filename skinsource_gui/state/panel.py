@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from importlib import import_module
 from pathlib import Path
@@ -14,11 +14,12 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.design.comparing import Snapshot
 from skinsource.design.design import Design
+from skinsource.design.panel_settings import with_settings
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.view import View
 from skinsource_gui.plots.preview import SharesPointedInput
 from skinsource_gui.qt.frames import DropPlace
-from skinsource_gui.qt.labels import USUALLY_VISIBLE
+from skinsource_gui.qt.labels import USUALLY_VISIBLE, how_to_select_output
 from skinsource_gui.qt.overlays import Cover, Staleness, StaleOverlay
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.state.compared import Compared
@@ -216,6 +217,68 @@ class Panel(ShowsStaleness):
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
         self.visibility_changed.emit()
+
+
+#: Message until there are results.
+COMPUTING = "Computing…"
+
+
+class OutputsPanel(Panel):
+    """A panel of the selected outputs, or a message, as long as there are none.
+
+    Attributes
+    ----------
+    settings
+        Those of the panel, a frozen dataclass, if it has any.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._view = View()
+        self.settings: Any = None
+
+    @property
+    def no_outputs(self) -> str:
+        """Message while no output is selected."""
+        return how_to_select_output(self.in_sight)
+
+    @property
+    def message(self) -> str:
+        """The message that is shown in place of results, or ""."""
+        raise NotImplementedError
+
+    def say_instead(self, message: str) -> None:
+        """Show a message in place of the results."""
+        raise NotImplementedError
+
+    def await_results(self) -> None:
+        """Say that results are being computed."""
+        self.say_instead(COMPUTING)
+
+    def show_selection(self, view: View, fewest: int = 1) -> bool:
+        """Ask for at least so many outputs, or stop that; return whether results are drawn."""
+        empty = len(view.outputs) < fewest
+        if empty:
+            self.say_instead(self.no_outputs)
+        elif self.message == self.no_outputs:
+            self.await_results()
+            empty = True
+        return not empty
+
+    def change_settings(self, **changes: Any) -> None:
+        """Emit the view with other settings, if they are others."""
+        settings = replace(self.settings, **changes)
+        if settings != self.settings:
+            self.view_changed.emit(with_settings(self._view, self.name, settings))
+
+    def show_in_sight(self, names: frozenset[str]) -> None:
+        was_empty = self.message == self.no_outputs
+        super().show_in_sight(names)
+        if was_empty:
+            self.say_instead(self.no_outputs)
+
+    def show_problem(self, reason: str) -> None:
+        self.say_instead(reason)
 
 
 def _nowhere(at: QPoint | None) -> None:

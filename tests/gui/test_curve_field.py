@@ -58,14 +58,14 @@ def test_a_press_on_the_curve_adds_a_point_there_without_changing_it(field):
     x, y, segment = field.value[1]
     assert y == pytest.approx(10 * x, abs=1e-9)
     assert segment == "straight"
-    assert field.points.chosen == 1
+    assert field.chosen == 1
     assert [points for points, _ in field.edits] == [field.value]
 
 
 def test_a_new_point_is_dragged_on_in_the_same_gesture(field):
     drag(field, QPointF(field.width() - 4, field.place_of(2).y()), (-2, -20))
     assert len(field.value) == 4
-    assert field.points.chosen == 3
+    assert field.chosen == 3
     assert len({gesture for _, gesture in field.edits}) == 1
     QTest.keyClick(field, Qt.Key.Key_Escape)
     assert len(field.value) == 4  # as the press had left it
@@ -89,19 +89,19 @@ def test_beside_the_curve_a_click_adds_nothing_and_a_double_click_a_point_just_t
     QTest.mouseDClick(field, LEFT, pos=beside)
     assert len(field.value) == 4
     assert (field.place_of(1) - QPointF(beside)).manhattanLength() < 2.0
-    assert field.points.chosen == 1
+    assert field.chosen == 1
 
 
 def test_keys_add_and_remove_as_in_the_clip_editor(field):
-    field.points.end_x = 0.5
+    field.end_x = 0.5
     field.setFocus()
     QTest.keyClick(field, Qt.Key.Key_End)
     QTest.keyClick(field, Qt.Key.Key_Insert)
     expected, number = with_point_after(START, 2, 0.5)
-    assert (field.value, field.points.chosen) == (expected, number)
+    assert (field.value, field.chosen) == (expected, number)
     assert field.value[3][0] == pytest.approx(0.35)
     QTest.keyClick(field, Qt.Key.Key_Delete)
-    assert (field.value, field.points.chosen) == (START, 2)
+    assert (field.value, field.chosen) == (START, 2)
 
 
 def test_a_point_that_is_added_bends_nothing(field):
@@ -117,7 +117,7 @@ def test_a_point_that_is_added_bends_nothing(field):
 def test_keys_choose_move_continue_add_and_remove(field):
     field.setFocus()
     QTest.keyClick(field, Qt.Key.Key_PageDown)
-    assert field.points.chosen == 1
+    assert field.chosen == 1
     assert field.text == "2/3 · 100 ms · 1 · smoothly on"
     for key, held in (
         (Qt.Key.Key_Right, Qt.KeyboardModifier.NoModifier),
@@ -131,7 +131,7 @@ def test_keys_choose_move_continue_add_and_remove(field):
     assert field.value[1][2] == "held"
     QTest.keyClick(field, Qt.Key.Key_Insert)
     assert [x for x, _, _ in field.value] == [0.0, 0.111, 0.1555, 0.2]
-    assert field.points.chosen == 2
+    assert field.chosen == 2
     QTest.keyClick(field, Qt.Key.Key_Delete)
     QTest.keyClick(field, Qt.Key.Key_End)
     QTest.keyClick(field, Qt.Key.Key_Delete)
@@ -148,7 +148,7 @@ def test_the_value_is_shown_without_telling_anybody(field):
     QTest.keyClick(field, Qt.Key.Key_End)
     field.set_value(START[:1])
     assert field.edits == []
-    assert field.points.chosen == 0
+    assert field.chosen == 0
     assert field.rect().contains(field.place_of(0).toPoint())
     assert not field.grab().isNull()
 

@@ -7,8 +7,7 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractButton, QTextBrowser, QWidget
 
-from skinsource_gui.fields.number_field import NumberGestures, begins_typing
-from skinsource_gui.panels.hand.panel import SiteKeys
+from skinsource_gui.fields.number_field import begins_typing, makes_step
 from skinsource_gui.panels.skin.scale import key_step_db
 from skinsource_gui.panels.skin.time import ScrubBar
 from skinsource_gui.panels.timeline.heads import ListKeys
@@ -42,15 +41,13 @@ HELD = [
 
 def claims(place, parent):
     """What says of an event whether the widget takes it."""
-    if place == "hand":
-        return SiteKeys(20, parent).claims
     if place == "inputs":
         parent.kept = ListKeys(parent)
         return parent.kept.claims
     if place == "skin":
         return OutputKeys(parent).claims
     if place == "number":
-        return lambda event: NumberGestures.knows(event) or begins_typing(event)
+        return lambda event: makes_step(event) or begins_typing(event)
     if place == "colour_bar":
         return lambda event: bool(key_step_db(event))
     return partial(meaning_of, place)

@@ -254,11 +254,11 @@ def test_times_of_points_are_shown_short_and_stay_exact_when_others_are_typed(qt
     edits = []
     cell.edited.connect(lambda name, value, gesture: edits.append(value))
     cell.set_value(((0.509010598, 1.0), (0.917761532, 0.0)))
-    assert cell.field.text() == "509.01 1; 917.76 0"
-    cell.field.setPlainText("509.01 1; 917.76 2")
+    assert cell.field.line.text() == "509.01 1; 917.76 0"
+    cell.field.line.setPlainText("509.01 1; 917.76 2")
     assert edits == [((0.509010598, 1.0), (0.917761532, 2.0))]
-    cell.field.setPlainText("509.02 1; 917.76 2")
+    cell.field.line.setPlainText("509.02 1; 917.76 2")
     assert edits[1:] == [((0.50902, 1.0), (0.917761532, 2.0))]
     # Rounded, these would be one.
     cell.set_value(((0.509010598, 1.0), (0.509010599, 0.0)))
-    assert cell.field.text() == "509.010598 1; 509.010599 0"
+    assert cell.field.line.text() == "509.010598 1; 509.010599 0"

@@ -180,10 +180,10 @@ class ChoiceForm(QWidget):
         for name, widget in self._widgets.items():
             self._form.addRow(labels.get(name, ""), widget)
         self._form.setRowVisible(self._missing, False)
-        self._signal.chosen.connect(self._choose_signal)
-        self._unit.chosen.connect(lambda unit, *_: self._scale.set_value(usual_scale(unit)))
+        self._signal.edited.connect(self._choose_signal)
+        self._unit.edited.connect(lambda unit, *_: self._scale.set_value(usual_scale(unit)))
         for field in (self._axes, self._timing, self._time_unit, self._unit, self._scale):
-            field.chosen.connect(self._take_over)
+            field.edited.connect(self._take_over)
         self._start.edited.connect(lambda *_: self._choose_part())
         self._duration.edited.connect(lambda length_s, *_: self._choose_part(length_s))
         self._rate.edited.connect(lambda *_: self._take_over(rate_typed=True))

@@ -7,11 +7,10 @@ from functools import partial
 from pathlib import Path
 from time import monotonic
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
-    QHBoxLayout,
     QLabel,
     QProgressBar,
     QVBoxLayout,
@@ -36,6 +35,8 @@ from skinsource_gui.pages.importing.form import (
     ImportPreview,
     OverviewStrip,
 )
+from skinsource_gui.pages.page import Page
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.worker import Worker, fault_text
 
@@ -166,7 +167,7 @@ _READING = "Reading…"
 _ASSUMED = f"The file does not say its sample rate; {ASSUMED_RATE_HZ:g} Hz is assumed."
 
 
-class ImportPage(QDialog):
+class ImportPage(Page):
     """Shows what a file holds, asks what it leaves open, and shows what will be imported.
 
     Parameters
@@ -189,11 +190,7 @@ class ImportPage(QDialog):
         places: tuple[tuple[str, str], ...],
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("import_page")
-        self.setWindowTitle(f"Import {path_text(Path(path.name))}")
-        self.resize(820, 520)
+        super().__init__(parent, "import_page", f"Import {path_text(Path(path.name))}", (820, 520))
         self._band_hz = limb.band_hz
         self._form: ChoiceForm | None = None
         self._taken: Taken | None = None
@@ -271,18 +268,9 @@ class ImportPage(QDialog):
         self._left.addStretch(1)
         self._left.addWidget(QLabel("Goes to"))
         self._left.addWidget(self._place)
-        columns = QHBoxLayout()
-        columns.setSpacing(2 * UNIT_PX)
-        columns.addWidget(left)
-        right = QVBoxLayout()
-        right.setSpacing(UNIT_PX)
-        right.addWidget(self._strip)
-        right.addWidget(self._preview, 1)
-        columns.addLayout(right, 1)
-        rows = QVBoxLayout(self)
-        rows.addLayout(columns, 1)
-        rows.addWidget(self._bar)
-        rows.addWidget(self._buttons)
+        right = in_column(self._strip, (self._preview, 1), gap_px=UNIT_PX)
+        columns = in_row(left, (right, 1), gap_px=2 * UNIT_PX)
+        in_column((columns, 1), self._bar, self._buttons, of=self)
         self._preview.show_message(_READING)
 
     def _connect(self) -> None:

@@ -22,7 +22,6 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import (
     QCheckBox,
     QFormLayout,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QPushButton,
@@ -42,6 +41,7 @@ from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.pages.limbs import photograph
 from skinsource_gui.qt.buttons import page_button
 from skinsource_gui.qt.labels import NameLine
+from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.state.worker import Worker
@@ -476,7 +476,7 @@ class LimbForm(QObject):
             field.textChanged.connect(self.changed)
             self._rows.addRow(label, field)
         self.order.setPlaceholderText("ioat")
-        self.axes.chosen.connect(self.changed)
+        self.axes.edited.connect(self.changed)
         self._rows.addRow("Axes", self.axes)
         self.synthetic.setToolTip(
             tooltip("Computed", "Pictures and files say that it is synthetic")
@@ -489,12 +489,9 @@ class LimbForm(QObject):
             field.set_value(_STARTS.get(name, 0.0))
             field.edited.connect(self._take_number(field))
             self._rows.addRow(_NUMBERS[name].label, field)
-        hands = QHBoxLayout()
         for box in (self.left, self.mirrored):
             box.toggled.connect(self.changed)
-            hands.addWidget(box)
-        hands.addStretch(1)
-        self._rows.addRow("Hand", hands)
+        self._rows.addRow("Hand", in_row(self.left, self.mirrored, None))
         for what in ("outline", "inputs", "outputs", "photograph"):
             self._add_file(what)
 
@@ -515,10 +512,7 @@ class LimbForm(QObject):
         chosen.setObjectName(f"chosen_{what}")
         set_tone(chosen, "dim")
         self._chosen[what] = chosen
-        row = QHBoxLayout()
-        row.addWidget(button)
-        row.addWidget(chosen, 1)
-        self._rows.addRow(label, row)
+        self._rows.addRow(label, in_row(button, (chosen, 1)))
 
 
 class LimbReader(QObject):

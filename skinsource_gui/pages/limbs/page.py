@@ -9,16 +9,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import (
-    QDialog,
     QFileDialog,
     QHBoxLayout,
     QLabel,
     QListWidget,
     QMessageBox,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -32,7 +30,9 @@ from skinsource.limbs.own_limbs import facts_of, mirror_limb, own_limb_names, re
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.limbs.form import Draft, LimbForm, LimbReader, PlacesCanvas
+from skinsource_gui.pages.page import Page
 from skinsource_gui.qt.buttons import page_button, page_label
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
@@ -101,12 +101,7 @@ class OwnList(QWidget):
             button.clicked.connect(action)
             row.addWidget(button)
         row.addStretch(1)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(UNIT_PX // 2)
-        column.addWidget(self.list)
-        column.addWidget(self.message)
-        column.addLayout(row)
+        in_column(self.list, self.message, row, of=self, margins=0, gap_px=UNIT_PX // 2)
         self.list.currentRowChanged.connect(self._show_chosen)
         self.show_limbs()
 
@@ -253,7 +248,7 @@ _KINDS = {
 }
 
 
-class LimbPage(QDialog):
+class LimbPage(Page):
     """Puts a limb together and imports it; lists the limbs that were imported."""
 
     def __init__(
@@ -262,11 +257,7 @@ class LimbPage(QDialog):
         limbs: InstalledLimbs,
         parent: QWidget,
     ) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("limb_page")
-        self.setWindowTitle(TITLE)
-        self.resize(940, 640)
+        super().__init__(parent, "limb_page", TITLE, (940, 640))
         self._limbs, self._jobs = limbs, PageJobs(runner, self)
         self.draft = Draft()
         self.reader = LimbReader(self)
@@ -284,29 +275,16 @@ class LimbPage(QDialog):
         self._show()
 
     def _lay_out(self) -> None:
-        left = QVBoxLayout()
-        left.addWidget(self.form.widget)
-        left.addStretch(1)
-        left.addWidget(self.own)
-        clicks = QHBoxLayout()
-        clicks.addWidget(QLabel(_CLICKS.label))
-        clicks.addWidget(self.click, 1)
-        clicks.addWidget(self._back)
+        left = in_column(self.form.widget, None, self.own)
+        clicks = in_row(QLabel(_CLICKS.label), (self.click, 1), self._back)
         ends = QHBoxLayout()
         ends.addStretch(1)
         # Cancel is left of Import, so that a double click on Import does not cancel the import.
         ends.addWidget(self._cancel)
         ends.addWidget(self._import)
         ends.addWidget(self._close)
-        right = QVBoxLayout()
-        right.addLayout(clicks)
-        right.addWidget(self.canvas, 1)
-        right.addWidget(self._message)
-        right.addLayout(ends)
-        columns = QHBoxLayout(self)
-        columns.setSpacing(2 * UNIT_PX)
-        columns.addLayout(left, 5)
-        columns.addLayout(right, 6)
+        right = in_column(clicks, (self.canvas, 1), self._message, ends)
+        in_row((left, 5), (right, 6), of=self, gap_px=2 * UNIT_PX)
 
     def _connect(self) -> None:
         self.form.changed.connect(self._show)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QProgressBar, QWidget
 
 from skinsource.actuators.actuator import Actuator
 from skinsource.actuators.catalog import names, profile
@@ -36,10 +36,12 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.units import minus
+from skinsource_gui.pages.page import Page
 from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
 from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.qt.buttons import page_button, page_label
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.playing import SoundSettings, end_sound, sound_worker
 
@@ -59,7 +61,8 @@ class MeasureFields(QObject):
         super().__init__(parent)
         self.setup = setup
         self.grid = FieldGrid()
-        self._cells = {name: self._cell(name, spec) for name, spec in specs_of(setup).items()}
+        specs = specs_of(setup).items()
+        self._cells = {name: FieldCell(name, spec, edited=self._edit) for name, spec in specs}
         self._cells[_DEVICE] = self._devices(())
         self._show()
 
@@ -75,11 +78,6 @@ class MeasureFields(QObject):
         old.label.deleteLater()
         old.deleteLater()
 
-    def _cell(self, name: str, spec: Any) -> FieldCell:
-        cell = FieldCell(name, spec)
-        cell.edited.connect(self._edit)
-        return cell
-
     def _devices(self, devices: Sequence[InputDevice]) -> FieldCell:
         titles = dict.fromkeys(device.title for device in devices)
         chosen = self.setup.input_device
@@ -87,7 +85,8 @@ class MeasureFields(QObject):
             # A chosen device that is not connected now may come back.
             titles.setdefault(chosen)
         options = (_SAME, *((title, title) for title in titles))
-        return self._cell(_DEVICE, ChoiceSpec(label="Input device", options=options))
+        spec = ChoiceSpec(label="Input device", options=options)
+        return FieldCell(_DEVICE, spec, edited=self._edit)
 
     def _show(self) -> None:
         self.grid.show_cells(list(self._cells.values()))
@@ -234,7 +233,7 @@ _START = "Play the sweeps, and record them"
 _READY = "Start plays on output {output}, at the level above."
 
 
-class MeasurePage(QDialog):
+class MeasurePage(Page):
     """Asks for the sensor, measures a channel, and emits the measurement where it is accepted.
 
     Parameters
@@ -261,11 +260,7 @@ class MeasurePage(QDialog):
         settings: SoundSettings,
         parent: QWidget,
     ) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("measure_page")
-        self.setWindowTitle(f"Measure place {channel.place}")
-        self.resize(760, 640)
+        super().__init__(parent, "measure_page", f"Measure place {channel.place}", (760, 640))
         self._channel, self._settings = channel, settings
         self._thread, self._stop = sound_worker(self), Event()
         self._running = self._looking = False
@@ -305,19 +300,10 @@ class MeasurePage(QDialog):
         policy.setRetainSizeWhenHidden(True)
         self._bar.setSizePolicy(policy)
         self._bar.setAccessibleName("Progress")
-        foot = QHBoxLayout()
-        for button in (self.start, self.stop):
-            foot.addWidget(button)
-        foot.addWidget(self._bar, 1)
-        for button in (self.keep, self._close):
-            foot.addWidget(button)
-        whole = QVBoxLayout(self)
-        whole.setSpacing(UNIT_PX)
-        whole.addWidget(about)
-        whole.addWidget(self.fields.grid)
-        whole.addWidget(self.plot, 1)
-        whole.addWidget(self.message)
-        whole.addLayout(foot)
+        foot = in_row(self.start, self.stop, (self._bar, 1), self.keep, self._close)
+        in_column(
+            about, self.fields.grid, (self.plot, 1), self.message, foot, of=self, gap_px=UNIT_PX
+        )
 
     def _connect(self) -> None:
         self.start.clicked.connect(self._start)

@@ -9,14 +9,12 @@ from typing import Any
 from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
-    QDialog,
     QFileDialog,
     QHBoxLayout,
     QLabel,
     QLineEdit,
     QListWidget,
     QPushButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -41,8 +39,10 @@ from skinsource.specs.spec import ChoiceSpec, Spec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.rig_field import RESPONSE_FILES
+from skinsource_gui.pages.page import Page
 from skinsource_gui.pages.rig.measuring import MeasurePage
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import ask_to_save
 from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.document import Document
@@ -116,16 +116,12 @@ class ChannelFields(QObject):
 
     def _laid_out(self) -> QWidget:
         widget = QWidget()
-        column = QVBoxLayout(widget)
-        column.setContentsMargins(0, 0, UNIT_PX, 0)
         own, limits = FieldGrid(), FieldGrid()
         own.show_cells([self._cells[name] for name in _FIELDS])
         limits.show_cells([cell for name, cell in self._cells.items() if name.startswith(_LIMIT)])
         heading = QLabel("Limits at the actuator; 0: not known")
         parts = (own, self.measured, self.measure, self.from_file, self.forget, heading, limits)
-        for part in parts:
-            column.addWidget(part)
-        column.addStretch(1)
+        in_column(*parts, None, of=widget, margins=(0, 0, UNIT_PX, 0))
         return widget
 
     def _edit(self, name: str, value: Any, _gesture: int | None) -> None:
@@ -297,7 +293,7 @@ _ENDS = (("open", "Open…"), ("save", "Save…"), ("close", "Close"))
 _NOTHING = "No channel yet: add one for each actuator."
 
 
-class RigPage(QDialog):
+class RigPage(Page):
     """Opens, edits and saves a rig file, channel by channel.
 
     Parameters
@@ -314,11 +310,7 @@ class RigPage(QDialog):
         settings: SoundSettings,
         parent: QWidget,
     ) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("rig_page")
-        self.setWindowTitle("Rig")
-        self.resize(860, 640)
+        super().__init__(parent, "rig_page", "Rig", (860, 640))
         self._document, self._settings, self._thread = document, settings, sound_worker(self)
         settings.look_for_rig()
         path = settings.rig_path if settings.rig is not None else None
@@ -351,23 +343,15 @@ class RigPage(QDialog):
         return self.findChildren(QPushButton, f"rig_{name}")[0]
 
     def _lay_out(self) -> None:
-        left = QVBoxLayout()
-        left.addWidget(self._title)
-        left.addWidget(self.channels, 1)
-        left.addLayout(_row(("add", "Add channel"), ("remove", "Remove channel")))
+        buttons = _row(("add", "Add channel"), ("remove", "Remove channel"))
+        left = in_column(self._title, (self.channels, 1), buttons)
         scroll = scrolled(self.fields.widget, "rig_fields")
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        both = QHBoxLayout()
-        both.setSpacing(2 * UNIT_PX)
-        both.addLayout(left, 2)
-        both.addWidget(scroll, 3)
-        whole = QVBoxLayout(self)
-        whole.addLayout(both, 1)
-        whole.addWidget(self.message)
+        both = in_row((left, 2), (scroll, 3), gap_px=2 * UNIT_PX)
         ends = _row(("predict", "Predict through it"), *_ENDS)
         ends.insertWidget(0, self._use)
         ends.insertStretch(1, 1)
-        whole.addLayout(ends)
+        in_column((both, 1), self.message, ends, of=self)
 
     def _connect(self) -> None:
         self.draft.changed.connect(self._show)
@@ -488,7 +472,4 @@ class RigPage(QDialog):
 
 
 def _row(*buttons: tuple[str, str]) -> QHBoxLayout:
-    row = QHBoxLayout()
-    for name, text in buttons:
-        row.addWidget(page_button(f"rig_{name}", text))
-    return row
+    return in_row(*(page_button(f"rig_{name}", text) for name, text in buttons))

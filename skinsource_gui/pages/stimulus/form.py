@@ -202,8 +202,8 @@ class RigFields(QObject):
         if self.chosen is not None:
             self._offer(self.chosen, design)
         self.rig_field.rig_chosen.connect(self.open_rig)
-        self.actuator_field.chosen.connect(self.changed)
-        self.equaliser_field.chosen.connect(self.changed)
+        self.actuator_field.edited.connect(self.changed)
+        self.equaliser_field.edited.connect(self.changed)
 
     def _offer(self, chosen: Actuation, design: Design) -> None:
         """Offer the actuation of the panel, and start with it."""
@@ -392,9 +392,9 @@ class StimulusForm(QWidget):
     def _connect(self) -> None:
         for name, field in self._fields.items():
             if name == "format":
-                field.chosen.connect(self.show_format)
+                field.edited.connect(self.show_format)
             else:
-                field.chosen.connect(self.emit_order)
+                field.edited.connect(self.emit_order)
         for number in self._numbers.values():
             number.edited.connect(self.emit_order)
         self.rigs.changed.connect(self.emit_order)
@@ -413,7 +413,7 @@ class StimulusForm(QWidget):
         for row, (name, spec) in enumerate(format.choices.items(), start=position[0] + 1):
             field = ChoiceField(spec)
             field.setObjectName(f"stimulus_choice_{name}")
-            field.chosen.connect(self.emit_order)
+            field.edited.connect(self.emit_order)
             self._form.insertRow(row, spec.label, field)
             self._choices[name] = field
         self._fields["rate"].set_value(str(format.rate_hz or RATES_HZ[0]))

@@ -19,7 +19,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QProgressBar,
     QSizePolicy,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -33,8 +32,10 @@ from skinsource.design.motions import ms_text
 from skinsource.design.view import View
 from skinsource.export.formats.format import ChannelOverview
 from skinsource.export.stimulus_export.preparing import PreparedStimulus, prepare_stimulus
+from skinsource_gui.pages.page import Page
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
 from skinsource_gui.qt.buttons import scrolled
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
 from skinsource_gui.state.worker import Worker, fault_text
@@ -182,12 +183,7 @@ class PreparingRow(QWidget):
         self._bar.setAccessibleName("Progress")
         self._bar.setTextVisible(False)
         self._bar.setFixedSize(_BAR_PX, UNIT_PX)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(UNIT_PX)
-        row.addWidget(self._label)
-        row.addWidget(self._bar)
-        row.addStretch(1)
+        in_row(self._label, self._bar, None, of=self, margins=0, gap_px=UNIT_PX)
         policy = self.sizePolicy()
         # The buttons next to it stay where they are.
         policy.setRetainSizeWhenHidden(True)
@@ -221,7 +217,7 @@ _LEFT_PX = 300
 _ORDER = "order"
 
 
-class StimulusPage(QDialog):
+class StimulusPage(Page):
     """Shows the channels as they will be written, and asks for format and options.
 
     Parameters
@@ -245,11 +241,7 @@ class StimulusPage(QDialog):
         last_settings: str = "",
         machine_rig: str = "",
     ) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setObjectName("stimulus_page")
-        self.setWindowTitle("Export stimulus")
-        self.resize(960, 680)
+        super().__init__(parent, "stimulus_page", "Export stimulus", (960, 680))
         self._colours = {track.id: track.colour for track in design.inputs}
         self._ordered: Order | None = None
         #: What is shown, and would be written; None while it is prepared.
@@ -312,24 +304,17 @@ class StimulusPage(QDialog):
         left = scrolled(self.form, "stimulus_fields")
         left.setFixedWidth(_LEFT_PX)
         left.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        right = QVBoxLayout()
-        right.setSpacing(UNIT_PX)
         pictures = scrolled(self.channels, "stimulus_scroll")
         pictures.setAccessibleName("Channels; arrow keys scroll")
-        right.addWidget(pictures, 1)
-        for part in (self._summary, self._loses, self._problem, self._confirm):
-            right.addWidget(part)
-        columns = QHBoxLayout()
-        columns.setSpacing(2 * UNIT_PX)
-        columns.addWidget(left)
-        columns.addLayout(right, 1)
-        rows = QVBoxLayout(self)
-        rows.addLayout(columns, 1)
+        right = in_column(
+            (pictures, 1), self._summary, self._loses, self._problem, self._confirm, gap_px=UNIT_PX
+        )
+        columns = in_row(left, (right, 1), gap_px=2 * UNIT_PX)
         foot = QHBoxLayout()
         foot.addSpacing(_LEFT_PX + columns.spacing())
         foot.addWidget(self._preparing, 1)
         foot.addWidget(self._buttons)
-        rows.addLayout(foot)
+        in_column((columns, 1), foot, of=self)
 
     def _connect(self) -> None:
         self.form.changed.connect(self._order)

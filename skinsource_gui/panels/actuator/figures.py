@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
 
 from skinsource.actuators.actuator import Actuator, ResponseShape
 from skinsource.actuators.equalising import curves
@@ -20,6 +20,7 @@ from skinsource.limbs.locations import input_name
 from skinsource_gui.fields.units import value_text
 from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
 from skinsource_gui.state.panel import PREPARING
 
@@ -280,12 +281,9 @@ class FiguresView(QWidget):
         self.centred = QPushButton("Use a centred tap")
         self.centred.setToolTip("Let the selected clips play a tap that leaves nothing moving")
         self.centred.clicked.connect(self.centred_requested)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(UNIT_PX // 4)
-        column.addWidget(self.heading)
-        column.addWidget(self.refusal)
-        column.addWidget(self.limits)
+        column = in_column(
+            self.heading, self.refusal, self.limits, of=self, margins=0, gap_px=UNIT_PX // 4
+        )
         column.addWidget(self.centred, 0, Qt.AlignmentFlag.AlignLeft)
         column.addWidget(self.table)
 

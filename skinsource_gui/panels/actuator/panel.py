@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QPushButton, QWidget
 
 from skinsource.actuators.equalising import followed_band
 from skinsource.base.measurement_conditions import Band
@@ -42,8 +42,10 @@ from skinsource_gui.panels.actuator.figures import (
     step_curves,
 )
 from skinsource_gui.plots.signal_view import SignalView
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.fitting import SteadyArea
-from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.qt.layouts import in_column
+from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.panel import Panel
 
 _OF_EQUALISER = {
@@ -79,10 +81,7 @@ class ActuatorChoices(QObject):
         self._cached_cells: dict[tuple[str, Spec], FieldCell] = {}
         self.grid, self._parameters = FieldGrid(), FieldGrid()
         self.details = QWidget()
-        self.about = QLabel()
-        self.about.setObjectName("actuator_about")
-        set_tone(self.about, "dim")
-        self.about.setWordWrap(True)
+        self.about = page_label("actuator_about", tone="dim")
         self.about.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
         self.reset = QPushButton("As listed")
         self.reset.setObjectName("actuator_reset")
@@ -95,11 +94,9 @@ class ActuatorChoices(QObject):
             "sweep and what the accelerometer said"
         )
         self.open.clicked.connect(self.measured_requested)
-        column = QVBoxLayout(self.details)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(UNIT_PX // 2)
-        column.addWidget(self._parameters)
-        column.addWidget(self.about)
+        column = in_column(
+            self._parameters, self.about, of=self.details, margins=0, gap_px=UNIT_PX // 2
+        )
         column.addWidget(self.reset, 0, Qt.AlignmentFlag.AlignLeft)
         column.addWidget(self.open, 0, Qt.AlignmentFlag.AlignLeft)
 
@@ -140,9 +137,7 @@ class ActuatorChoices(QObject):
             }
         for name, spec in specs.items():
             if (name, spec) not in self._cached_cells:
-                cell = FieldCell(name, spec)
-                cell.edited.connect(self._edit)
-                self._cached_cells[name, spec] = cell
+                self._cached_cells[name, spec] = FieldCell(name, spec, edited=self._edit)
         self._cells = tuple(self._cached_cells[key] for key in specs.items())
         parameters = tuple(cell for cell in self._cells if cell.name.startswith(_PARAMETER))
         self.grid.show_cells([cell for cell in self._cells if cell not in parameters])
@@ -204,18 +199,12 @@ class ThroughSwitch(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.box, self.text = QCheckBox(_TITLE), QLabel()
+        self.box = QCheckBox(_TITLE)
+        self.text = page_label("actuator_through_words", tone="dim")
         self.box.setObjectName("actuator_through")
         self.box.setToolTip(_HINT)
         self.box.clicked.connect(self.requested)
-        self.text.setObjectName("actuator_through_words")
-        set_tone(self.text, "dim")
-        self.text.setWordWrap(True)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(UNIT_PX // 4)
-        column.addWidget(self.box)
-        column.addWidget(self.text)
+        in_column(self.box, self.text, of=self, margins=0, gap_px=UNIT_PX // 4)
 
     def show_state(self, design: Design, settings: ActuatorSettings) -> None:
         """Show what the design is predicted through, beside what the panel shows."""
@@ -272,18 +261,9 @@ class ActuatorPanel(Panel):
         self.figures = FiguresView()
         self.figures.centred_requested.connect(self._use_centred_tap)
         self.computed = (self.figures.table,)
-        outside = QVBoxLayout(self)
-        outside.setContentsMargins(0, 0, 0, 0)
-        outside.addWidget(
-            _scrolled(
-                # An exceeded limit is visible without scrolling, in a small window too.
-                self.choices.grid,
-                self.through,
-                self.figures,
-                self.plot,
-                self.choices.details,
-            )
-        )
+        # An exceeded limit is visible without scrolling, in a small window too.
+        parts = (self.choices.grid, self.through, self.figures, self.plot, self.choices.details)
+        in_column(_scrolled(*parts), of=self, margins=0)
         self.plot.toolbar.layout_chosen.connect(partial(self._put, "layout"))
         self.plot.zoom_requested.connect(partial(self._put, "zoom"))
         self.plot.exports.failed.connect(self.failed)
@@ -391,12 +371,8 @@ def _band_of(limb: str) -> Band:
 def _scrolled(*parts: QWidget) -> SteadyArea:
     """Return a scroll area with the parts below each other."""
     inside = QWidget()
-    column = QVBoxLayout(inside)
-    column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX // 2, UNIT_PX)
-    column.setSpacing(UNIT_PX // 2)
-    for part in parts:
-        column.addWidget(part)
-    column.addStretch(1)
+    margins = (UNIT_PX, UNIT_PX // 2, UNIT_PX // 2, UNIT_PX)
+    in_column(*parts, None, of=inside, margins=margins, gap_px=UNIT_PX // 2)
     scroll = SteadyArea()
     scroll.setObjectName("actuator_scroll")
     scroll.setFrameShape(SteadyArea.Shape.NoFrame)

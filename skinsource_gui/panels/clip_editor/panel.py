@@ -8,13 +8,11 @@ from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
     QButtonGroup,
-    QHBoxLayout,
     QLabel,
     QMessageBox,
     QSizePolicy,
     QStackedLayout,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -41,6 +39,7 @@ from skinsource_gui.panels.clip_editor.tools import EnvelopeTool, GlideTool, Pen
 from skinsource_gui.panels.clip_editor.view import EditorView, SpectrumStrip, Tool
 from skinsource_gui.qt.keys import key_text, meaning_of
 from skinsource_gui.qt.labels import FittingLabel, how_to_select_clip
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import set_tone
 from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.state.panel import Panel
@@ -202,9 +201,7 @@ class EditorToolbar(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setStyleSheet("QToolButton { padding: 2px 8px; }")
-        row = QHBoxLayout(self)
-        row.setContentsMargins(4, 2, 4, 2)
-        row.setSpacing(2)
+        row = in_row(of=self, margins=(4, 2, 4, 2), gap_px=2)
         self._group = QButtonGroup(self)
         self._tools: dict[str, QToolButton] = {}
         for name, text, hint in _TOOLS:
@@ -443,11 +440,8 @@ class ClipEditorPanel(Panel):
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._empty.setWordWrap(True)
         inside = QWidget()
-        column = QVBoxLayout(inside)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self._toolbar)
-        column.addWidget(EditorBody(self._canvas, self._spectrum), 1)
+        body = EditorBody(self._canvas, self._spectrum)
+        in_column(self._toolbar, (body, 1), of=inside, margins=0, gap_px=0)
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self._empty)
         self._stack.addWidget(inside)

@@ -32,6 +32,7 @@ from skinsource_gui.plots.curves import visible_course
 from skinsource_gui.plots.plot import Canvas
 from skinsource_gui.plots.ranges import Points, columns_of, linear_ticks, visible_points, wave_of
 from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_wheel, within, zoomed
+from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import CachedPicture, Same
 from skinsource_gui.qt.theme import (
     Theme,
@@ -542,9 +543,7 @@ class EditorView(Canvas):
         if self.content is None:
             return
         by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
-        menu = QMenu(self)
-        menu.setObjectName("clip_editor_menu")
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu = passing_menu(self, "clip_editor_menu")
         self.tool.fill_menu(menu, self.content, None if by_key else QPointF(event.pos()))
         if menu.isEmpty():
             # The right button belongs to the tool.

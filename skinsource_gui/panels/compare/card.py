@@ -7,7 +7,7 @@ from math import ceil
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QHelpEvent, QKeyEvent, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QAbstractButton, QMenu, QSizePolicy, QToolTip, QWidget
+from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QToolTip, QWidget
 
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.quoting import printable
@@ -36,6 +36,7 @@ from skinsource_gui.plots.small_map import (
     scale_row_px,
     small_frame,
 )
+from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of, shortcut_text
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.state.compared import (
@@ -269,8 +270,7 @@ class Card(QAbstractButton):
         self.requested.emit(self.number, "show" if self.compared else "store")
 
     def _open_menu(self, at: QPoint) -> None:
-        menu = QMenu(self)
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu = passing_menu(self)
         if self.compared is not None:
             menu.addAction("Show it", lambda: self.requested.emit(self.number, "show"))
         if self.number:

@@ -36,7 +36,6 @@ from skinsource_gui.panels.compare.card import (
     matching_text,
     played_db,
 )
-from skinsource_gui.panels.figure_panel import COMPUTING
 from skinsource_gui.plots.small_map import (
     ColourScale,
     SmallMap,
@@ -55,7 +54,7 @@ from skinsource_gui.state.compared import (
     have_matching_level,
     is_silent,
 )
-from skinsource_gui.state.panel import Panel
+from skinsource_gui.state.panel import COMPUTING, Panel
 
 _NEEDS = frozenset({"limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db"})
 # From this width on the map is beside the cards, in px and in lines of text.

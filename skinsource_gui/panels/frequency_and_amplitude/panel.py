@@ -1,7 +1,7 @@
 """The panel of frequency and amplitude of the selected track, large, for presenting."""
 
 from PySide6.QtCore import QRect, Qt
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from skinsource.design import edits
 from skinsource.design.amplitudes import is_gain, peak_text
@@ -28,6 +28,7 @@ from skinsource_gui.panels.frequency_and_amplitude.settings import (
 )
 from skinsource_gui.qt.fitting import FoldingRow, LayoutWatcher
 from skinsource_gui.qt.labels import how_to_add, how_to_select_input
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
 
@@ -76,9 +77,7 @@ class _LabelledField(QWidget):
 
     def __init__(self, cell: FieldCell | None = None) -> None:
         super().__init__()
-        self._line = QHBoxLayout(self)
-        self._line.setContentsMargins(0, 0, 0, 0)
-        self._line.setSpacing(UNIT_PX)
+        self._line = in_row(of=self, margins=0, gap_px=UNIT_PX)
         if cell is not None:
             self.hold(cell.label, cell)
 
@@ -110,9 +109,9 @@ class FrequencyAndAmplitudePanel(Panel):
         self._control_label, self._control_part = QLabel(CONTROL.label), _LabelledField()
         set_tone(self._control_label, "dim")
         self._control_part.hold(self._control_label, self._control)
-        self._control.chosen.connect(self._choose_control)
-        self._amplitude = FieldCell("amplitude", DESIGN_AMPLITUDE)
-        self._onset = FieldCell(_ONSET, ONSET_S)
+        self._control.edited.connect(self._choose_control)
+        self._amplitude = FieldCell("amplitude", DESIGN_AMPLITUDE, edited=self._change)
+        self._onset = FieldCell(_ONSET, ONSET_S, edited=self._change)
         self._frequency: FieldCell | None = None
         self._spec: Spec | None = None
         self._frequency_part = _LabelledField()
@@ -120,14 +119,8 @@ class FrequencyAndAmplitudePanel(Panel):
         self._onset_part = _LabelledField(self._onset)
         parts = (self._frequency_part, self._amplitude_part, self._onset_part, self._control_part)
         self._row = FoldingRow(parts, UNIT_PX)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(UNIT_PX, 0, UNIT_PX, UNIT_PX)
-        column.setSpacing(UNIT_PX // 2)
-        column.addWidget(self._heading)
-        column.addWidget(self._row)
-        column.addStretch(1)
-        self._amplitude.edited.connect(self._change)
-        self._onset.edited.connect(self._change)
+        margins = (UNIT_PX, 0, UNIT_PX, UNIT_PX)
+        in_column(self._heading, self._row, None, of=self, margins=margins, gap_px=UNIT_PX // 2)
         self.setFocusProxy(self._amplitude)
 
     def show_state(self, design: Design, view: View) -> None:
@@ -179,8 +172,7 @@ class FrequencyAndAmplitudePanel(Panel):
                     part.deleteLater()
                 self._frequency = None
             if spec is not None:
-                self._frequency = FieldCell(_FREQUENCY, spec)
-                self._frequency.edited.connect(self._change)
+                self._frequency = FieldCell(_FREQUENCY, spec, edited=self._change)
                 self._frequency_part.hold(self._frequency.label, self._frequency)
         self._frequency_part.setVisible(self._frequency is not None)
         if self._frequency is not None and clip is not None:

@@ -18,7 +18,7 @@ from PySide6.QtGui import (
     QResizeEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QApplication, QLabel, QMenu, QStackedLayout, QToolTip, QWidget
+from PySide6.QtWidgets import QApplication, QStackedLayout, QToolTip, QWidget
 
 from skinsource.base.quoting import quoted
 from skinsource.design import edits
@@ -30,9 +30,10 @@ from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.inputs import EMPTY, fill_inputs_menu
 from skinsource_gui.panels.hand.layout import HandDrawing, HandState, Mark
 from skinsource_gui.panels.hand.picture import HandStage, drawing_of
+from skinsource_gui.qt.buttons import page_label, passing_menu
 from skinsource_gui.qt.frames import DropPlace, paint_focus_frame
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
-from skinsource_gui.qt.theme import current_theme, set_tone
+from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.qt.wheel import WHOLE
 from skinsource_gui.state.panel import Panel
 
@@ -50,124 +51,34 @@ _STEPS = {
 _DIGITS = {_Key(_Key.Key_0 + digit): digit for digit in range(10)}
 
 
-class SiteKeys(QObject):
-    """Translates key presses into actions on sites.
+class SiteCursor(QObject):
+    """The keyboard's cursor: it goes from site to site of a hand, and acts there.
 
     A number of several digits may be typed; all Shift+arrow presses until Shift is let go are one
     gesture.
 
-    Parameters
+    Attributes
     ----------
-    n_sites
-        Number of sites of the hand.
+    site
+        Where it is, whether or not it is shown.
     """
 
-    #: Direction (x right, y down).
-    stepped = Signal(int, int)
-    jumped = Signal(int)
-    #: Whether a further input shall be placed.
-    activated = Signal(bool)
-    #: Direction and gesture.
-    shifted = Signal(int, int, int)
-    removed = Signal()
-    all_selected = Signal()
+    #: The cursor or what is at its site has changed.
+    moved = Signal(int)
 
-    def __init__(self, n_sites: int, parent: QObject) -> None:
-        super().__init__(parent)
-        self._n_sites = n_sites
+    def __init__(self, hand: "HandDiagram") -> None:
+        super().__init__(hand)
+        self._hand, self._stage = hand, hand.stage
+        self.site = 1
         self._typed = 0
         self._gesture: int | None = None
         self._pause = QTimer(self, singleShot=True, interval=TYPING_MS)
         self._pause.setObjectName("typing")
         self._pause.timeout.connect(self._forget_digits)
 
-    def show_count(self, n_sites: int) -> None:
-        """Take over the number of sites of the hand."""
-        self._n_sites = n_sites
-        self._forget_digits()
-
-    def claims(self, event: QKeyEvent) -> bool:
-        """Return whether the diagram handles this key before any shortcut of the window."""
-        return bool(meaning_of(_PLACE, event))
-
-    def press(self, event: QKeyEvent) -> bool:
-        """Emit the signal of the key; return whether it has one."""
-        meaning, key = meaning_of(_PLACE, event), _Key(event.key())
-        if meaning == "move":
-            self._gesture = self._gesture or new_gesture()
-            self.shifted.emit(*_STEPS[key], self._gesture)
-        elif meaning == "go":
-            self.stepped.emit(*_STEPS[key])
-        elif meaning == "jump" and key in _DIGITS:
-            self._type(_DIGITS[key])
-        elif meaning == "jump":
-            self.jumped.emit(1 if key == _Key.Key_Home else self._n_sites)
-        elif meaning == "remove":
-            self.removed.emit()
-        elif meaning == "select_all":
-            self.all_selected.emit()
-        elif meaning:
-            self.activated.emit(meaning == "place_another")
-        return bool(meaning)
-
-    def release(self, event: QKeyEvent) -> None:
-        """End the gesture when Shift is released."""
-        if event.key() == _Key.Key_Shift:
-            self.end_gesture()
-
-    def end_gesture(self) -> None:
-        """Make the next Shift+arrow press an undo step of its own."""
-        self._gesture = None
-
-    def _type(self, digit: int) -> None:
-        number = 10 * self._typed + digit
-        self._typed = number if number <= self._n_sites else digit
-        self._pause.start()
-        if self._typed:
-            self.jumped.emit(self._typed)
-
-    def _forget_digits(self) -> None:
-        self._typed = 0
-
-
-class SiteCursor(QObject):
-    """The keyboard's cursor: it goes from site to site and acts there.
-
-    Parameters
-    ----------
-    stage
-        The hand; its cursor is changed here.
-
-    Attributes
-    ----------
-    site
-        Where it is, whether or not it is shown.
-    keys
-        What moves it.
-    """
-
-    #: The cursor or what is at its site has changed.
-    moved = Signal(int)
-    #: Site of a new input.
-    placed = Signal(int)
-    #: Number of an input.
-    selected = Signal(int)
-    #: Number of an input, its new site, gesture.
-    shifted = Signal(int, int, int)
-
-    def __init__(self, stage: HandStage) -> None:
-        super().__init__(stage)
-        self._stage = stage
-        self.site = 1
-        self.keys = SiteKeys(len(stage.layout.centres), self)
-        self.keys.stepped.connect(self._step)
-        self.keys.jumped.connect(self.go_to)
-        self.keys.activated.connect(self._activate)
-        self.keys.shifted.connect(self._shift)
-
     def show_hand(self) -> None:
         """Take over another hand, which may have no site where the cursor is."""
-        self.keys.show_count(self._stage.layout.n_sites)
+        self._forget_digits()
         if not self._stage.layout.has(self.site):
             self.site = 1
         self.moved.emit(self.site)
@@ -199,29 +110,65 @@ class SiteCursor(QObject):
         self._stage.change(cursor=site)
         self._stage.pan_zoom.reveal(self._stage.layout.centre(site))
 
-    def _step(self, x: int, y: int) -> None:
-        self.go_to(self._stage.layout.neighbour(self.site, (x, y)))
+    def press(self, event: QKeyEvent) -> bool:
+        """Do what a key means; return whether it means anything."""
+        meaning, key = meaning_of(_PLACE, event), _Key(event.key())
+        if meaning == "move":
+            self._gesture = self._gesture or new_gesture()
+            self._shift(_STEPS[key], self._gesture)
+        elif meaning == "go":
+            self.go_to(self._stage.layout.neighbour(self.site, _STEPS[key]))
+        elif meaning == "jump" and key in _DIGITS:
+            self._type(_DIGITS[key])
+        elif meaning == "jump":
+            self.go_to(1 if key == _Key.Key_Home else self._stage.layout.n_sites)
+        elif meaning == "remove":
+            self._hand.remove_requested.emit()
+        elif meaning == "select_all":
+            self._hand.all_requested.emit()
+        elif meaning:
+            self._activate(meaning == "place_another")
+        return bool(meaning)
+
+    def release(self, event: QKeyEvent) -> None:
+        """End the gesture when Shift is released."""
+        if event.key() == _Key.Key_Shift:
+            self.end_gesture()
+
+    def end_gesture(self) -> None:
+        """Make the next Shift+arrow press an undo step of its own."""
+        self._gesture = None
+
+    def _type(self, digit: int) -> None:
+        number = 10 * self._typed + digit
+        self._typed = number if number <= self._stage.layout.n_sites else digit
+        self._pause.start()
+        if self._typed:
+            self.go_to(self._typed)
+
+    def _forget_digits(self) -> None:
+        self._typed = 0
 
     def _activate(self, further: bool) -> None:
         self.go_to(self.site)
         following = self._stage.state.next_at(self.site)
         if further or following is None:
-            self.placed.emit(self.site)
+            self._hand.add_requested.emit(self.site)
         else:
-            self.selected.emit(following)
+            self._hand.select_requested.emit(following)
 
-    def _shift(self, x: int, y: int, gesture: int) -> None:
+    def _shift(self, direction: tuple[int, int], gesture: int) -> None:
         state = self._stage.state
         if state.selected is None:
             return
         origin = state.marks[state.selected].site
         if not self._stage.layout.has(origin):
             # An input from outside of the hand comes to the cursor.
-            self.shifted.emit(state.selected, self.site, gesture)
+            self._hand.move_requested.emit(state.selected, self.site, gesture)
             return
-        site = self._stage.layout.neighbour(origin, (x, y))
+        site = self._stage.layout.neighbour(origin, direction)
         if site != origin:
-            self.shifted.emit(state.selected, site, gesture)
+            self._hand.move_requested.emit(state.selected, site, gesture)
         self.go_to(site)
 
 
@@ -251,39 +198,22 @@ class SiteMouse(QObject):
     """Translates mouse presses, moves and releases on a hand into actions.
 
     A press selects an input, or at release places one; with Ctrl or Shift it adds an input, a new
-    one too, to the selected ones or takes it out; with both it places one more on a site that has
-    one. Moving farther drags the input, live, in one gesture. Dropped far from every site, or
-    cancelled, it goes back to where it came from.
-
-    A press selects an input, or at release places one; with Ctrl or Shift it adds an input, a new
     one too, to the selected ones or takes it out, with both it places one more on a site that has
-    one.  Moving
-    farther drags the input, live, in one gesture.  Dropped far from every site, or cancelled, it
-    goes back where it came from.
+    one.  Moving farther drags the input, live, in one gesture.  Dropped far from every site, or
+    cancelled, it goes back where it came from.
 
     Parameters
     ----------
-    stage
-        The hand; its hover, ghost and target are changed here.
-    widget
-        The widget; its mouse cursor is changed here.
+    hand
+        The hand; its mouse cursor, hover, ghost and target are changed here.
     """
 
     #: Site on which the button went down.
     pressed = Signal(int)
-    #: Site of a new input.
-    placed = Signal(int)
-    #: Site of a new input that is selected besides those that are.
-    placed_besides = Signal(int)
-    #: Number of an input.
-    selected = Signal(int)
-    toggled = Signal(int)
-    #: Number of an input, its new site, gesture.
-    moved = Signal(int, int, int)
 
-    def __init__(self, stage: HandStage, widget: QWidget) -> None:
-        super().__init__(widget)
-        self._stage, self._widget = stage, widget
+    def __init__(self, hand: "HandDiagram") -> None:
+        super().__init__(hand)
+        self._hand, self._stage = hand, hand.stage
         self._press: _Press | None = None
 
     @property
@@ -312,7 +242,7 @@ class SiteMouse(QObject):
         self._press = press
         self.pressed.emit(site)
         if front is not None and not press.was_selected and not held:
-            self.selected.emit(front)
+            self._hand.select_requested.emit(front)
 
     def move(self, event: QMouseEvent) -> None:
         """Handle a move of the mouse, whether or not the button is held."""
@@ -323,7 +253,7 @@ class SiteMouse(QObject):
             way = (event.position() - press.at).manhattanLength()
             if press.gesture is None and way >= QApplication.startDragDistance():
                 press.gesture = new_gesture()
-                self._widget.setCursor(Qt.CursorShape.ClosedHandCursor)
+                self._hand.setCursor(Qt.CursorShape.ClosedHandCursor)
             if press.gesture is not None:
                 self._drag(press, event.position())
 
@@ -341,11 +271,11 @@ class SiteMouse(QObject):
         """Show which site is under the mouse."""
         self._stage.change(hovered=site)
         if site is None:
-            self._widget.unsetCursor()
+            self._hand.unsetCursor()
         elif self._stage.state.at(site):
-            self._widget.setCursor(Qt.CursorShape.OpenHandCursor)
+            self._hand.setCursor(Qt.CursorShape.OpenHandCursor)
         else:
-            self._widget.setCursor(Qt.CursorShape.PointingHandCursor)
+            self._hand.setCursor(Qt.CursorShape.PointingHandCursor)
 
     def cancel(self) -> None:
         """Send a dragged input back to where it came from."""
@@ -373,24 +303,25 @@ class SiteMouse(QObject):
 
     def _drop(self) -> None:
         self._stage.change(moving=None, ghost=None, target=None)
-        self._widget.unsetCursor()
+        self._hand.unsetCursor()
 
     def _send(self, press: _Press, site: int) -> None:
         if site != press.target and press.index is not None and press.gesture is not None:
             press.target = site
             self.pressed.emit(site)
-            self.moved.emit(press.index, site, press.gesture)
+            self._hand.move_requested.emit(press.index, site, press.gesture)
 
     def _click(self, press: _Press) -> None:
         if press.index is None or press.further:
-            (self.placed_besides if press.toggles else self.placed).emit(press.site)
+            hand = self._hand
+            (hand.add_besides_requested if press.toggles else hand.add_requested).emit(press.site)
             return
         if press.toggles:
-            self.toggled.emit(press.index)
+            self._hand.toggle_requested.emit(press.index)
             return
         following = self._stage.state.next_at(press.site)
         if press.was_selected and following not in (None, press.index):
-            self.selected.emit(following)
+            self._hand.select_requested.emit(following)
 
 
 # Reasons of a focus change without a use of the keyboard here.
@@ -435,17 +366,8 @@ class HandDiagram(QWidget):
         super().__init__(parent)
         self.stage = HandStage(drawing, self)
         self.stage.changed.connect(self.update)
-        self._mouse, self._cursor = SiteMouse(self.stage, self), SiteCursor(self.stage)
+        self._mouse, self._cursor = SiteMouse(self), SiteCursor(self)
         self._mouse.pressed.connect(self._cursor.follow)
-        for source in (self._mouse, self._cursor):
-            source.placed.connect(self.add_requested)
-            source.selected.connect(self.select_requested)
-        self._mouse.placed_besides.connect(self.add_besides_requested)
-        self._mouse.toggled.connect(self.toggle_requested)
-        self._mouse.moved.connect(self.move_requested)
-        self._cursor.shifted.connect(self.move_requested)
-        self._cursor.keys.removed.connect(self.remove_requested)
-        self._cursor.keys.all_selected.connect(self.all_requested)
         self._cursor.moved.connect(self._describe)
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -563,11 +485,11 @@ class HandDiagram(QWidget):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self._mouse.busy:
             self._mouse.cancel()
-        elif self._mouse.busy or not self._cursor.keys.press(event):
+        elif self._mouse.busy or not self._cursor.press(event):
             super().keyPressEvent(event)
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        self._cursor.keys.release(event)
+        self._cursor.release(event)
         super().keyReleaseEvent(event)
 
     def focusInEvent(self, event: QFocusEvent) -> None:
@@ -579,7 +501,7 @@ class HandDiagram(QWidget):
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         self.update()
-        self._cursor.keys.end_gesture()
+        self._cursor.end_gesture()
         if event.reason() != Qt.FocusReason.PopupFocusReason:
             self.stage.change(cursor=None)
 
@@ -596,7 +518,7 @@ class HandDiagram(QWidget):
         # Until keys are used here, Space belongs to the window.
         if event.key() == Qt.Key.Key_Space and self.state.cursor is None:
             return False
-        return self._cursor.keys.claims(event)
+        return bool(meaning_of(_PLACE, event))
 
     def _show_tooltip(self, event: QHelpEvent) -> None:
         site = self.stage.site_at(QPointF(event.pos()))
@@ -680,11 +602,7 @@ class HandPanel(Panel):
         self._pointing = Pointing(self.diagram.stage)
         self._pointing.pointed_at.connect(self.input_pointed_at)
         # The hand of a missing limb is unknown, and another hand has other places.
-        self._missing = QLabel()
-        self._missing.setObjectName("hand_missing")
-        set_tone(self._missing, "dim")
-        self._missing.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._missing.setWordWrap(True)
+        self._missing = page_label("hand_missing", tone="dim", centred=True)
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self.diagram)
         self._stack.addWidget(self._missing)
@@ -777,9 +695,7 @@ class HandPanel(Panel):
 
     def _open_menu(self, site: int, at: QPoint) -> None:
         index = self.diagram.state.front_at(site)
-        menu = QMenu(self)
-        menu.setObjectName("hand_menu")
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu = passing_menu(self, "hand_menu")
         add = f"Add input here\t{key_text('hand', 'place_another')}"
         menu.addAction(add, partial(self._add, site))
         menu.addSeparator()

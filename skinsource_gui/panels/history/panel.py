@@ -21,11 +21,11 @@ from PySide6.QtWidgets import (
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
-    QVBoxLayout,
     QWidget,
 )
 
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.state.history import History, Step
 from skinsource_gui.state.panel import Panel
@@ -181,9 +181,7 @@ class HistoryPanel(Panel):
         self.rows.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.rows.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.rows.clicked.connect(self._go)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
-        column.addWidget(self.rows)
+        in_column(self.rows, of=self, margins=(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2))
         self.setMinimumSize(204, 120)
         self.setFocusProxy(self.rows)
 

@@ -1,6 +1,6 @@
 """The inspector: fields of the selected inputs and clips, their preview and their effects."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import lru_cache, partial
 from typing import Any
@@ -9,13 +9,11 @@ from PySide6.QtCore import QObject, QSize, Qt, Signal
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import (
     QApplication,
-    QHBoxLayout,
     QLabel,
     QPushButton,
     QSizePolicy,
     QStackedLayout,
     QStyle,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -54,11 +52,12 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import LABEL_PX, FieldGrid, LabelledCell, TextCell
 from skinsource_gui.fields.inputs import FieldChanges, fixed_length_text, played_length_text
-from skinsource_gui.panels.inspector.effects import ChainEdits, EffectChain
+from skinsource_gui.panels.inspector.effects import EffectChain
 from skinsource_gui.plots.preview import WaveformPreview
-from skinsource_gui.qt.buttons import Swatch, mute_button, solo_button
+from skinsource_gui.qt.buttons import Swatch, mute_button, page_label, solo_button
 from skinsource_gui.qt.fitting import LayoutWatcher, SteadyArea
 from skinsource_gui.qt.labels import how_to_add, how_to_select_input
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 from skinsource_gui.state.panel import Panel
@@ -91,18 +90,6 @@ class ButtonCell(LabelledCell):
         self.setFocusProxy(self.button)
 
 
-def pen_cell() -> ButtonCell:
-    """Return a button that shows a drawn waveform large, to be drawn with the pen."""
-    hint = "Show the clip large, and draw on it with the pen"
-    return ButtonCell("Pen", "Draw", hint, name="draw_button")
-
-
-def file_cell() -> ButtonCell:
-    """Return a button that imports a recording."""
-    hint = "Import a recording, in place of these samples or beside them"
-    return ButtonCell("File", "Choose file…", hint, name="recording_button")
-
-
 def _places_of(limb: str) -> ChoiceSpec:
     return _places(limb, facts_of(limb))
 
@@ -119,9 +106,6 @@ def _places(limb: str, facts: LimbFacts) -> ChoiceSpec:
 
 class InputFields(QObject):
     """Fields of an input and a clip of it: kind, the waveform's own, amplitude, onset, place.
-
-    The gain of a clip is shown where its track has several clips, the gain curve of a track where
-    it has one.
 
     The gain of a clip is shown where it has others beside it, the gain curve of a track where
     there is one.
@@ -154,12 +138,10 @@ class InputFields(QObject):
         self.grid = FieldGrid()
         self.kind = FieldCell("kind", kind_spec())
         self.place = FieldCell("location", self._places)
-        self._amplitude = FieldCell("amplitude", AMPLITUDE)
-        self._onset = FieldCell("onset_s", ONSET)
-        self._gain = FieldCell("gain", GAIN)
-        self._curve = FieldCell("gain_curve", GAIN_CURVE)
-        for cell in (self._amplitude, self._onset, self._gain, self._curve):
-            cell.edited.connect(self.edited)
+        self._amplitude = FieldCell("amplitude", AMPLITUDE, edited=self.edited)
+        self._onset = FieldCell("onset_s", ONSET, edited=self.edited)
+        self._gain = FieldCell("gain", GAIN, edited=self.edited)
+        self._curve = FieldCell("gain_curve", GAIN_CURVE, edited=self.edited)
         self._peak = TextCell("Peak", "")
         self._peak.text_label.setObjectName("peak")
         self._peak.text_label.setToolTip("Of all that the track plays, with its gain")
@@ -237,8 +219,7 @@ class InputFields(QObject):
     def show_refused(self, track: Input, name: str, reason: str) -> None:
         """Show the value of this field again, and the reason why it did not change."""
         cell = next(cell for cell in self._fields() if cell.name == name)
-        cell.set_value(_values(track, clip_of(track, self._view)).get(name))
-        cell.show_reason(reason)
+        cell.refuse(_values(track, clip_of(track, self._view)).get(name), reason)
 
     def forget_typing(self) -> None:
         """Close an open editor without committing."""
@@ -271,18 +252,18 @@ class InputFields(QObject):
         cells: list[LabelledCell] = []
         self._length = None
         for name, spec in (specs_of(waveform) if waveform else {}).items():
-            own = FieldCell(name, spec.at_rate(*self._played_at))
-            own.edited.connect(self.edited)
-            cells.append(own)
+            cells.append(FieldCell(name, spec.at_rate(*self._played_at), edited=self.edited))
         if waveform and fixed_length_text(waveform):
             self._length = TextCell("Duration", fixed_length_text(waveform))
             cells.append(self._length)
         if isinstance(waveform, Drawn):
-            pen = pen_cell()
+            hint = "Show the clip large, and draw on it with the pen"
+            pen = ButtonCell("Pen", "Draw", hint, name="draw_button")
             pen.clicked.connect(self.pen_requested)
             cells.append(pen)
         if isinstance(waveform, Recording):
-            file = file_cell()
+            hint = "Import a recording, in place of these samples or beside them"
+            file = ButtonCell("File", "Choose file…", hint, name="recording_button")
             file.clicked.connect(self.file_requested)
             cells.append(file)
         self._own = tuple(cells)
@@ -322,15 +303,9 @@ class InputHeading(QWidget):
         self._state = QLabel()
         set_tone(self._state, "warning")
         self._mute, self._solo = mute_button(), solo_button()
-        self._row = layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(UNIT_PX // 2)
-        layout.addWidget(self._swatch)
-        layout.addSpacing(UNIT_PX // 2)
-        layout.addWidget(self._title, 1)
-        layout.addWidget(self._state)
-        layout.addWidget(self._mute)
-        layout.addWidget(self._solo)
+        parts = (self._swatch, (self._title, 1), self._state, self._mute, self._solo)
+        self._row = in_row(*parts, of=self, margins=0, gap_px=UNIT_PX // 2)
+        self._row.insertSpacing(1, UNIT_PX // 2)
         LayoutWatcher(self).changed.connect(self._fit_title)
         self._mute.clicked.connect(self.mute_toggled)
         self._solo.clicked.connect(self.solo_toggled)
@@ -365,73 +340,6 @@ class InputHeading(QWidget):
         self._title.setText(name)
 
 
-class Selection(QObject):
-    """Holds the selected inputs, and translates what fields and buttons emit into edits of them."""
-
-    #: `Edit` or `Refusal`, number of the gesture or None.
-    edited = Signal(object, object)
-    #: Name of a field whose new value does not fit the others, and the reason.
-    field_refused = Signal(str, str)
-
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self._design = Design(limb="")
-        self._view = View()
-        #: The input that was selected last.
-        self.last: Input | None = None
-        self._changes = FieldChanges()
-
-    @property
-    def batch(self) -> tuple[Input, ...]:
-        """All selected inputs, in the order of the design."""
-        return tuple(track for track in self._design.inputs if track.id in self._ids)
-
-    def show_state(self, design: Design, view: View) -> None:
-        """Take over the present design and view."""
-        self._design, self._view = design, view
-        self.last = leading_input(design, view)
-
-    def change_kind(self, _: str, kind: str, gesture: int | None) -> None:
-        """Give all selected inputs another kind of waveform."""
-        self._tell(edits.change_kind(self._design, self._view, self._ids, kind), gesture)
-
-    def change_place(self, _: str, number: str, gesture: int | None) -> None:
-        """Move all selected inputs to a place."""
-        self._tell(edits.move_inputs(self._design, self._view, self._ids, int(number)), gesture)
-
-    def change_field(self, name: str, value: object, gesture: int | None) -> None:
-        """Change a field of all selected inputs, by typing or dragging."""
-        if self.last is None:
-            return
-        ids = self._ids
-        changed = self._changes.change(
-            self._design, self._view, ids, name, value, lead=ids[-1], gesture=gesture
-        )
-        if isinstance(changed, Refusal):
-            self.field_refused.emit(name, changed.sentence)
-        else:
-            self._tell(changed, gesture)
-
-    def toggle_mute(self) -> None:
-        """Mute all, or none if all are."""
-        self._tell(edits.toggle_mute(self._design, self._view, self._ids), None)
-
-    def toggle_solo(self) -> None:
-        """Make all solo, or none if all are."""
-        self._tell(edits.toggle_solo(self._design, self._view, self._ids), None)
-
-    @property
-    def _ids(self) -> tuple[int, ...]:
-        return self._view.selected_inputs
-
-    def _tell(self, outcome: Edit | Refusal, gesture: int | None) -> None:
-        # A field may still be dragged while its input is removed.
-        if self.last is not None and (
-            isinstance(outcome, Refusal) or outcome.design != self._design
-        ):
-            self.edited.emit(outcome, gesture)
-
-
 _NEEDS = frozenset({"input_waveforms", "sample_rate_hz"})
 # Smallest size with letters of any size, px.
 _LEAST = QSize(204, 224)
@@ -455,20 +363,20 @@ class InspectorPanel(Panel):
         self._view = View()
         self._results: Mapping[str, Any] | None = None
         self._problems: Mapping[int, str] = {}
-        self._selection = Selection(self)
-        self._selection.edited.connect(self.edited)
-        self._selection.field_refused.connect(self._show_refused)
+        self._changes = FieldChanges()
+        # The input that was selected last.
+        self._last: Input | None = None
         self._fields = InputFields(self)
-        self._fields.kind.edited.connect(self._selection.change_kind)
-        self._fields.place.edited.connect(self._selection.change_place)
-        self._fields.edited.connect(self._selection.change_field)
+        self._fields.kind.edited.connect(self._change_kind)
+        self._fields.place.edited.connect(self._change_place)
+        self._fields.edited.connect(self._change_field)
         self._fields.pen_requested.connect(partial(self.action_requested.emit, "draw_clip"))
         self._fields.file_requested.connect(partial(self.action_requested.emit, "import_recording"))
-        self._chain, self._chain_edits = EffectChain(), ChainEdits(self)
-        self._connect_chain()
+        self._chain = EffectChain()
+        self._chain.edited.connect(self.edited)
         self._heading = InputHeading()
-        self._heading.mute_toggled.connect(self._selection.toggle_mute)
-        self._heading.solo_toggled.connect(self._selection.toggle_solo)
+        self._heading.mute_toggled.connect(partial(self._change, edits.toggle_mute))
+        self._heading.solo_toggled.connect(partial(self._change, edits.toggle_solo))
         self._preview = WaveformPreview(axis=True)
         self._preview.setMaximumHeight(160)
         self.computed = (self._preview,)
@@ -487,8 +395,7 @@ class InspectorPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
-        self._selection.show_state(design, view)
-        track = self._selection.last
+        track = self._last = leading_input(design, view)
         if track is None:
             self._fields.forget_typing()
             self._chain.forget_typing()
@@ -522,14 +429,14 @@ class InspectorPanel(Panel):
 
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
         self._problems = {input_problem.id: input_problem.problem for input_problem in unplayable}
-        if self._selection.last is not None:
-            self._show_style(self._selection.last)
+        if self._last is not None:
+            self._show_style(self._last)
 
     def _show_waveform(self) -> None:
         results = self._results or {"input_waveforms": ()}
         waveforms = results["input_waveforms"]
         # Results of an older design may have another number of inputs; new ones come soon.
-        track = self._selection.last
+        track = self._last
         if track is not None and len(waveforms) == len(self._design.inputs):
             samples = waveforms[self._design.index_of(track.id)]
             if samples is None:
@@ -545,38 +452,27 @@ class InspectorPanel(Panel):
 
     def _lay_out(self) -> None:
         self._scrolled = inside = QWidget()
-        fields = QVBoxLayout(inside)
-        fields.setContentsMargins(UNIT_PX, 0, UNIT_PX, UNIT_PX)
-        fields.addWidget(self._fields.grid)
-        fields.addWidget(self._chain)
-        fields.addStretch(1)
+        in_column(
+            self._fields.grid, self._chain, None, of=inside, margins=(UNIT_PX, 0, UNIT_PX, UNIT_PX)
+        )
         scroll = SteadyArea()
         scroll.setObjectName("inspector_fields")
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         scroll.setWidget(inside)
         self._editor = QWidget()
-        column = QVBoxLayout(self._editor)
-        column.setContentsMargins(0, UNIT_PX // 2, 0, 0)
-        column.setSpacing(UNIT_PX // 2)
-        top = QVBoxLayout()
-        top.setContentsMargins(UNIT_PX, 0, UNIT_PX, 0)
-        top.addWidget(self._heading)
-        top.addWidget(self._preview)
-        column.addLayout(top, 1)
-        column.addWidget(scroll, 3)
-        self._empty = QLabel()
-        self._empty.setObjectName("inspector_empty")
-        set_tone(self._empty, "dim")
-        self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._empty.setWordWrap(True)
+        top = in_column(self._heading, self._preview, margins=(UNIT_PX, 0, UNIT_PX, 0))
+        margins = (0, UNIT_PX // 2, 0, 0)
+        in_column((top, 1), (scroll, 3), of=self._editor, margins=margins, gap_px=UNIT_PX // 2)
+        self._empty = page_label("inspector_empty", tone="dim", centred=True)
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self._empty)
         self._stack.addWidget(self._editor)
         self.setFocusProxy(self._fields.kind)
 
     def _show_input(self, track: Input, *, silent: bool) -> None:
-        batch = self._selection.batch
+        # In the order of the design.
+        batch = tuple(each for each in self._design.inputs if each.id in self._view.selected_inputs)
         self._heading.show_input(track, self._design.limb, silent=silent, batch=batch)
         amplitude, peak = amplitude_spec(self._design), ""
         if is_gain(self._design, track):
@@ -593,23 +489,37 @@ class InspectorPanel(Panel):
     def _show_chain(self, track: Input, batch: tuple[Input, ...]) -> None:
         clip = clip_of(track, self._view)
         ids = tuple(each.id for other in batch for each in clips_of(other, self._view))
-        self._chain_edits.show_state(self._design, self._view, clip, ids)
-        if clip is None:
-            self._chain.show_chain(None, ())
+        self._chain.show_chain(self._design, self._view, clip, ids)
+
+    def _change_kind(self, _: str, kind: str, gesture: int | None) -> None:
+        self._change(edits.change_kind, kind, gesture=gesture)
+
+    def _change_place(self, _: str, number: str, gesture: int | None) -> None:
+        self._change(edits.move_inputs, int(number), gesture=gesture)
+
+    def _change_field(self, name: str, value: Any, gesture: int | None) -> None:
+        """Change a field of all selected inputs, by typing or dragging."""
+        track, ids = self._last, self._view.selected_inputs
+        if track is None:
+            return
+        outcome = self._changes.change(
+            self._design, self._view, ids, name, value, lead=ids[-1], gesture=gesture
+        )
+        if isinstance(outcome, Refusal):
+            # Each number is allowed alone, but not together with the others.
+            self._fields.show_refused(track, name, outcome.sentence)
         else:
-            self._chain.show_chain(clip.id, clip.effects, clip.duration_s)
+            self._tell(outcome, gesture)
 
-    def _connect_chain(self) -> None:
-        chain, changes = self._chain, self._chain_edits
-        chain.added.connect(changes.add)
-        chain.removed.connect(changes.remove)
-        chain.moved.connect(changes.move)
-        chain.switched.connect(changes.switch)
-        chain.edited.connect(changes.change_field)
-        changes.edited.connect(self.edited)
-        changes.field_refused.connect(chain.show_refused)
+    def _change(
+        self, edit: Callable[..., Edit | Refusal], *arguments: object, gesture: int | None = None
+    ) -> None:
+        """Edit all selected inputs."""
+        self._tell(edit(self._design, self._view, self._view.selected_inputs, *arguments), gesture)
 
-    def _show_refused(self, name: str, reason: str) -> None:
-        # Each number is allowed alone, but not together with the others.
-        if self._selection.last is not None:
-            self._fields.show_refused(self._selection.last, name, reason)
+    def _tell(self, outcome: Edit | Refusal, gesture: int | None) -> None:
+        # A field may still be dragged while its input is removed.
+        if self._last is not None and (
+            isinstance(outcome, Refusal) or outcome.design != self._design
+        ):
+            self.edited.emit(outcome, gesture)

@@ -33,14 +33,11 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QFrame,
     QLabel,
     QListView,
-    QScrollArea,
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -51,7 +48,9 @@ from skinsource.design.presets.presets import Entry, Preset, mixed
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.plots.preview import ClipStrip, SpectrumPreview, strip_lanes
+from skinsource_gui.qt.buttons import scrolled
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 
 _Role = Qt.ItemDataRole
@@ -357,13 +356,8 @@ class PresetPreview(QWidget):
         self._limb = ""
         self.strip, self.spectrum, self.text = ClipStrip(), SpectrumPreview(), QLabel()
         self.strip.setAccessibleName("Clips of the preset")
-        scroll = QScrollArea()
-        scroll.setObjectName("preset_about")
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
+        scroll = scrolled(self.text, "preset_about")
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setWidgetResizable(True)
-        scroll.setWidget(self.text)
         scroll.viewport().setAutoFillBackground(False)
         for part, least, most in (
             (self.strip, _LEAST_STRIP_PX, _MOST_STRIP_PX),
@@ -377,12 +371,7 @@ class PresetPreview(QWidget):
         self.text.setWordWrap(True)
         self.text.setTextFormat(Qt.TextFormat.RichText)
         self.text.setAlignment(Qt.AlignmentFlag.AlignTop)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(2)
-        column.addWidget(self.strip, 3)
-        column.addWidget(self.spectrum, 4)
-        column.addWidget(scroll, 3)
+        in_column((self.strip, 3), (self.spectrum, 4), (scroll, 3), of=self, margins=0, gap_px=2)
 
     @property
     def preset(self) -> Preset | None:

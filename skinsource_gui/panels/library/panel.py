@@ -8,8 +8,6 @@ from PySide6.QtCore import QEvent, QFileSystemWatcher, QObject, QPoint, QSize, Q
 from PySide6.QtGui import QHideEvent, QKeyEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
-    QHBoxLayout,
-    QLabel,
     QLineEdit,
     QMenu,
     QMessageBox,
@@ -27,10 +25,12 @@ from skinsource.design.presets.presets import Entry, Fault, PresetFolder, matchi
 from skinsource.design.view import View
 from skinsource_gui.fields.choice_field import DropDown
 from skinsource_gui.panels.library.list import PresetList, PresetPreview, PresetsModel
+from skinsource_gui.qt.buttons import page_button, page_label, passing_menu
 from skinsource_gui.qt.fitting import FoldingRow
 from skinsource_gui.qt.keys import KEYS, key_text
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import ask_yes
-from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.panel import Panel
 
 _PLACE = "library"
@@ -56,9 +56,8 @@ class LibraryButtons(QWidget):
         self.delete = self._button(
             "Delete", "preset_delete", f"Only your own ({key_text(_PLACE, 'remove')})"
         )
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(FoldingRow((self.place, self.save, self.rename, self.delete), 4))
+        row = FoldingRow((self.place, self.save, self.rename, self.delete), 4)
+        in_column(row, of=self, margins=0)
         self.show_current(False, False)
 
     def show_current(self, exists: bool, own: bool) -> None:
@@ -76,10 +75,7 @@ class LibraryButtons(QWidget):
         menu.addAction(self.save.text(), self.save.click)
 
     def _button(self, text: str, name: str, hint: str) -> QPushButton:
-        button = QPushButton(text)
-        button.setObjectName(name)
-        button.setToolTip(hint)
-        return button
+        return page_button(name, text, hint)
 
 
 _ALL = "All tags"
@@ -112,10 +108,7 @@ class SearchRow(QWidget):
         self.tags.setToolTip("Only presets with this tag")
         self.tags.addItem(_ALL)
         self.tags.currentIndexChanged.connect(self.changed)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.addWidget(self.line, 3)
-        row.addWidget(self.tags, 2)
+        in_row((self.line, 3), (self.tags, 2), of=self, margins=0)
 
     @property
     def text(self) -> str:
@@ -169,9 +162,7 @@ class FolderWatch(QObject):
         super().__init__(parent)
         self._suffix = suffix
         self._watcher: QFileSystemWatcher | None = None
-        self._pause = QTimer(self)
-        self._pause.setSingleShot(True)
-        self._pause.setInterval(_BATCH_MS)
+        self._pause = QTimer(self, singleShot=True, interval=_BATCH_MS)
         self._pause.timeout.connect(self.changed)
 
     def watch(self, folder: Path) -> None:
@@ -279,10 +270,7 @@ class LibraryPanel(Panel):
         self.model = PresetsModel(self)
         self.search, self.rows = SearchRow(), PresetList(self.model)
         self.preview, self.buttons = PresetPreview(), LibraryButtons()
-        self.faults = QLabel()
-        self.faults.setObjectName("library_faults")
-        set_tone(self.faults, "warning")
-        self.faults.setWordWrap(True)
+        self.faults = page_label("library_faults", tone="warning")
         self.faults.hide()
         column = QVBoxLayout(self)
         column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
@@ -404,7 +392,6 @@ class LibraryPanel(Panel):
     def _open_menu(self, at: QPoint) -> None:
         if self.rows.current is None:
             return
-        menu = QMenu(self)
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu = passing_menu(self)
         self.buttons.fill(menu)
         menu.popup(self.rows.viewport().mapToGlobal(at))

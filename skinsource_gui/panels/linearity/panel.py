@@ -1,7 +1,7 @@
 """The panel that checks stored designs: strengths in proportion, or inputs that add up."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
@@ -11,7 +11,7 @@ from skinsource.base.arrays import Floats
 from skinsource.design.amplitudes import amplitude_unit, is_gain
 from skinsource.design.comparing import EDITED, NUMBERS, Snapshot
 from skinsource.design.design import Design
-from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.panel_settings import settings_of
 from skinsource.design.view import View
 from skinsource.limbs.own_limbs import axes_on, facts_of
 from skinsource.specs.spec import SwitchSpec
@@ -192,7 +192,7 @@ class LinearityPanel(FigurePanel):
     def __init__(self, parent: QWidget | None = None) -> None:
         self.picture = DiagramsPicture("linearity_picture", "Linearity of snapshots")
         super().__init__(self.picture, parent)
-        self._view, self._settings = View(), LinearitySettings()
+        self.settings = LinearitySettings()
         self._unit = of_amplitudes("")
         self._drawn: tuple[Any, ...] = ()
         self._outputs: tuple[int, ...] = ()
@@ -204,9 +204,11 @@ class LinearityPanel(FigurePanel):
             "Snapshots as they were stored. Over time the part is drawn to which Traces is zoomed, "
             "else the loudest one; all the rest counts whole."
         )
-        self.velocity = self._new_switch(VELOCITY, lambda on: self._change(velocity=on))
-        self.bands = self._new_switch(BANDS, lambda on: self._change(bands=on))
-        self.every_output = self._new_switch(EVERY_OUTPUT, lambda on: self._change(every_output=on))
+        self.velocity = self._new_switch(VELOCITY, lambda on: self.change_settings(velocity=on))
+        self.bands = self._new_switch(BANDS, lambda on: self.change_settings(bands=on))
+        self.every_output = self._new_switch(
+            EVERY_OUTPUT, lambda on: self.change_settings(every_output=on)
+        )
         self._switches = self.velocity, self.bands, self.every_output
         self.choices.addWidget(ButtonRow(self._switches, self), 1)
         self.copy = self.add_copy(self.table)
@@ -217,21 +219,18 @@ class LinearityPanel(FigurePanel):
     def needs_of_snapshots(self) -> frozenset[str]:
         if not self._view.outputs:
             return frozenset()
-        return _NEEDS | {_BAND_RMS} if self._settings.every_output else _NEEDS
+        return _NEEDS | {_BAND_RMS} if self.settings.every_output else _NEEDS
 
     def snapshots_drawn(self, snapshots: Sequence[Snapshot]) -> Sequence[Snapshot]:
         designs = compared_designs([Compared(snapshot=snapshot) for snapshot in snapshots])
         return [side.snapshot for side in designs.compared]
 
     def show_state(self, design: Design, view: View) -> None:
-        self._view, self._settings = view, settings_of(view, self.name, LinearitySettings)
-        self.velocity.setChecked(self._settings.velocity)
-        self.bands.setChecked(self._settings.bands)
-        self.every_output.setChecked(self._settings.every_output)
-        if not view.outputs:
-            self.say_instead(self.no_outputs)
-        elif self.figure.message == self.no_outputs:
-            self.await_results()
+        self._view, self.settings = view, settings_of(view, self.name, LinearitySettings)
+        self.velocity.setChecked(self.settings.velocity)
+        self.bands.setChecked(self.settings.bands)
+        self.every_output.setChecked(self.settings.every_output)
+        self.show_selection(view)
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
         designs = compared_designs(compared)
@@ -250,7 +249,7 @@ class LinearityPanel(FigurePanel):
             else:
                 self.show_stale(True)
         else:
-            settings, view = self._settings, self._view
+            settings, view = self.settings, self._view
             switched = settings.velocity, settings.bands, settings.every_output, designs.note
             how = view.time_range_s, view.delay_removed, *switched
             if not self._is_drawn((*how, *(values["axis_traces"] for values in complete))):
@@ -272,7 +271,7 @@ class LinearityPanel(FigurePanel):
         """Return the numbers, with tabs between the columns."""
         if self.result is None:
             return ""
-        unit, bands = self._unit, self._settings.bands
+        unit, bands = self._unit, self.settings.bands
         all_outputs = self.all_outputs
         return tab_separated(
             self.result, self._outputs, self._axes, unit, bands=bands, all_outputs=all_outputs
@@ -293,10 +292,6 @@ class LinearityPanel(FigurePanel):
         switch.clicked.connect(chosen)
         switch.hide()
         return switch
-
-    def _change(self, **changes: Any) -> None:
-        settings = replace(self._settings, **changes)
-        self.view_changed.emit(with_settings(self._view, self.name, settings))
 
     def _show(self, designs: ComparedDesigns, results: Sequence[Mapping[str, Any]]) -> None:
         """Draw what is known of all designs."""
@@ -324,10 +319,10 @@ class LinearityPanel(FigurePanel):
             self.velocity.setVisible(bool(fastest))
             factors = any(is_gain(design, track) for track in design.inputs)
             self._unit = of_amplitudes("×" if factors else amplitude_unit(design))
-            if fastest and self._settings.velocity:
+            if fastest and self.settings.velocity:
                 self._unit = of_velocities(fastest / strengths[0])
             self.all_outputs = (
-                _straightness(strengths, results) if self._settings.every_output else None
+                _straightness(strengths, results) if self.settings.every_output else None
             )
             drawing = diagrams_of_proportion(
                 shown,
@@ -335,7 +330,7 @@ class LinearityPanel(FigurePanel):
                 time_s,
                 zoom,
                 self._unit,
-                bands=self._settings.bands,
+                bands=self.settings.bands,
                 all_outputs=None
                 if self.all_outputs is None
                 else self.all_outputs.adjusted_r2[:, axes.index(along)],

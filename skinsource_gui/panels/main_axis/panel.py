@@ -203,10 +203,7 @@ class MainAxisPanel(FigurePanel):
         return frozenset({"output_main_axes", "shown_outputs", "axis_numbers", "limb_data"})
 
     def show_state(self, design: Design, view: View) -> None:
-        if not view.outputs:
-            self.say_instead(self.no_outputs)
-        elif self.figure.message == self.no_outputs:
-            self.await_results()
+        self.show_selection(view)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         if not results["shown_outputs"]:

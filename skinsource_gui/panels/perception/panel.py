@@ -1,7 +1,6 @@
 """The perception panel: levels above threshold, and the ISO 5349-1 weighting of contacts."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -13,7 +12,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QTableWidget,
     QTableWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -21,7 +19,7 @@ from skinsource.base.errors import SkinSourceError
 from skinsource.base.quoting import printable
 from skinsource.design.comparing import match_text
 from skinsource.design.design import Design
-from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.panel_settings import settings_of
 from skinsource.design.view import View
 from skinsource.engine.analysis_rules import SILENT_DB, Sensation
 from skinsource.limbs.locations import output_name
@@ -33,18 +31,17 @@ from skinsource.perception.thresholds import (
     settings_table,
 )
 from skinsource_gui.fields.number_field import NumberField
-from skinsource_gui.panels.figure_panel import COMPUTING
-from skinsource_gui.qt.buttons import tool_button
+from skinsource_gui.qt.buttons import page_label, tool_button
 from skinsource_gui.qt.fitting import FoldingGroups, LetterWidth
 from skinsource_gui.qt.labels import (
     SHORT_NAME,
     fit_name_column,
-    how_to_select_output,
     set_table_look,
 )
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.questions import CopyButton, copied_level
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
-from skinsource_gui.state.panel import Panel
+from skinsource_gui.state.panel import OutputsPanel
 
 #: Weighted RMS of each place in use, m/s²; None: drives are no accelerations of the probe.
 Weighted = tuple[tuple[int, float], ...] | None
@@ -198,7 +195,7 @@ _IMPORT_HINT = "Take thresholds from a CSV file: frequency_hz, threshold_m_per_s
 _MOST_NAME_PX, _MOST_AREA_PX = 120, 96
 
 
-class PerceptionPanel(Panel):
+class PerceptionPanel(OutputsPanel):
     """A table of levels above threshold, the limits of such numbers, and the health weighting."""
 
     title: ClassVar[str] = "Perception"
@@ -207,7 +204,7 @@ class PerceptionPanel(Panel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setMinimumSize(240, 160)
-        self._view, self._settings = View(), PerceptionSettings()
+        self.settings = PerceptionSettings()
         self._sensation: Sensation | None = None
         self._outputs: tuple[int, ...] = ()
         self._limb = ""
@@ -225,21 +222,18 @@ class PerceptionPanel(Panel):
         self.model = tool_button(self, "perception_model", "Use the model", hint)
         self.copy = CopyButton(self.name, self._numbers, self)
         self.table = LevelTable()
-        self.message, self.contact, self.limits = QLabel(), QLabel(), QLabel(LIMITS)
-        for label, name in (
-            (self.message, "perception_message"),
-            (self.contact, "perception_contact"),
-            (self.limits, "perception_limits"),
-        ):
-            label.setObjectName(name)
-            label.setWordWrap(True)
-            set_tone(label, "dim")
-        self.message.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._message = page_label("perception_message", tone="dim", centred=True)
+        self.contact = page_label("perception_contact", tone="dim")
+        self.limits = page_label("perception_limits", LIMITS, tone="dim")
         self.computed = (self.table,)
         self._lay_out()
         self._connect()
         self.setFocusProxy(self.table)
-        self._show_message(how_to_select_output(self.in_sight))
+        self.say_instead(self.no_outputs)
+
+    @property
+    def message(self) -> str:
+        return self._message.text()
 
     @property
     def needs(self) -> frozenset[str]:
@@ -256,21 +250,18 @@ class PerceptionPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         self._view = view
-        self._settings = settings_of(view, self.name, PerceptionSettings)
-        own = bool(self._settings.thresholds)
-        self.area.set_value(self._settings.area_cm2)
+        self.settings = settings_of(view, self.name, PerceptionSettings)
+        own = bool(self.settings.thresholds)
+        self.area.set_value(self.settings.area_cm2)
         self.area.setEnabled(not own)
         self.model.setVisible(own)
-        name = self._settings.source or "Own table"
+        name = self.settings.source or "Own table"
         middle = Qt.TextElideMode.ElideMiddle
         short = self.fontMetrics().elidedText(name, middle, _MOST_NAME_PX)
         self.own.setText(short if own else "Own thresholds…")
         self.own.setToolTip(f"{name}. {_IMPORT_HINT}" if own else _IMPORT_HINT)
-        self.limits.setText(_limits(self._settings, self._sensation, self._matched))
-        if not view.outputs:
-            self._show_message(how_to_select_output(self.in_sight))
-        elif self.message.text() == how_to_select_output(self.in_sight):
-            self._show_message(COMPUTING)
+        self.limits.setText(_limits(self.settings, self._sensation, self._matched))
+        self.show_selection(view)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         sensation, outputs = results["sensation"], results["shown_outputs"]
@@ -279,17 +270,17 @@ class PerceptionPanel(Panel):
         self.contact.setText(contact_text(self._weighted, as_stored=bool(self._matched)))
         self.contact.setToolTip(contact_list(self._weighted))
         if sensation.problem or not outputs:
-            self._show_message(sensation.problem or how_to_select_output(self.in_sight))
+            self.say_instead(sensation.problem or self.no_outputs)
             return
         self._sensation, self._outputs, self._limb = sensation, outputs, results["limb_data"].name
-        self.limits.setText(_limits(self._settings, self._sensation, self._matched))
+        self.limits.setText(_limits(self.settings, self._sensation, self._matched))
         self.table.fill(header(sensation), outputs, rows(sensation, outputs, self._limb))
         loudest = int(np.argmax(sensation.level_db))
         synthetic = " Synthetic limb." if results["limb_data"].synthetic else ""
         self.limits.setToolTip(
             f"Highest: {sensation.level_db[loudest]:z.1f} dB at output {loudest + 1}.{synthetic}"
         )
-        self.message.hide()
+        self._message.hide()
         self.table.show()
         self.copy.offer(True)
 
@@ -299,15 +290,9 @@ class PerceptionPanel(Panel):
         self.contact.setHidden(late)
 
     def show_problem(self, reason: str) -> None:
-        self._show_message(reason)
+        super().show_problem(reason)
         self.contact.setText("")
         self.contact.setToolTip("")
-
-    def show_in_sight(self, names: frozenset[str]) -> None:
-        shows_hint = self.message.text() == how_to_select_output(self.in_sight)
-        super().show_in_sight(names)
-        if shows_hint:
-            self.message.setText(how_to_select_output(self.in_sight))
 
     def show_folder(self, folder: Path) -> None:
         self._folder = folder
@@ -325,14 +310,9 @@ class PerceptionPanel(Panel):
     def _lay_out(self) -> None:
         thresholds = (self.own, self.model, None, self.copy)
         bar = FoldingGroups((self.area_label, self.area, None), thresholds, spacing_px=UNIT_PX // 2)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, UNIT_PX // 2)
-        column.setSpacing(UNIT_PX // 2)
-        column.addWidget(bar)
-        column.addWidget(self.table, 1)
-        column.addWidget(self.message, 1)
-        column.addWidget(self.contact)
-        column.addWidget(self.limits)
+        parts = (bar, (self.table, 1), (self._message, 1), self.contact, self.limits)
+        margins = (UNIT_PX // 2, 1, UNIT_PX // 2, UNIT_PX // 2)
+        in_column(*parts, of=self, margins=margins, gap_px=UNIT_PX // 2)
 
     def _connect(self) -> None:
         self.area.edited.connect(lambda area_cm2, _: self._change(area_cm2=area_cm2))
@@ -347,12 +327,12 @@ class PerceptionPanel(Panel):
         if chosen:
             self.import_thresholds(Path(chosen))
 
-    def _show_message(self, message: str) -> None:
+    def say_instead(self, message: str) -> None:
         self._sensation, self._matched = None, ""
-        self.limits.setText(_limits(self._settings, self._sensation, self._matched))
+        self.limits.setText(_limits(self.settings, self._sensation, self._matched))
         self.table.hide()
-        self.message.setText(message)
-        self.message.show()
+        self._message.setText(message)
+        self._message.show()
         self.copy.offer(False)
 
     def _numbers(self) -> str:
@@ -366,9 +346,7 @@ class PerceptionPanel(Panel):
         """Change settings; ``message`` is shown in any case, changed or not."""
         if message:
             self.done.emit(message)
-        settings = replace(self._settings, **changes)
-        if settings != self._settings:
-            self.view_changed.emit(with_settings(self._view, self.name, settings))
+        self.change_settings(**changes)
 
 
 def _limits(settings: PerceptionSettings, sensation: Sensation | None, matched: str) -> str:

@@ -3,15 +3,13 @@
 from dataclasses import replace
 from typing import Any, ClassVar
 
-from PySide6.QtCore import QObject, QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtCore import QObject, QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
     QStyle,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -32,10 +30,12 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.fitting import LetterWidth, SteadyArea
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.labels import FittingLabel, LevelMeter
-from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
+from skinsource_gui.qt.layouts import in_column, in_row
+from skinsource_gui.qt.theme import UNIT_PX, tabular
 from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.state.panel import Panel
 from skinsource_gui.state.playing import Played
@@ -75,17 +75,17 @@ class DeviceFields(QObject):
         self._output = Output()
         self._played: tuple[object, ...] = ()
         self.device = ChoiceField(ChoiceSpec(label="Device", options=(("", _SYSTEM),)))
-        self.device.chosen.connect(self._choose_device)
+        self.device.edited.connect(self._choose_device)
         self.rescan = QToolButton()
         self.rescan.setText("Look again")
         self.rescan.setObjectName("look_for_devices")
         self.rescan.setToolTip("Look for devices that were connected since; ends what is played")
         self.rescan.clicked.connect(self.devices_requested)
         self.rate = ChoiceField(ChoiceSpec(label="Sample rate", options=()))
-        self.rate.chosen.connect(self._choose_rate)
+        self.rate.edited.connect(lambda rate, _: self._want(sample_rate_hz=int(rate)))
         self.latency = NumberField(_LATENCY)
         self.latency.setToolTip(_LATENCY.hint)
-        self.latency.edited.connect(self._choose_latency)
+        self.latency.edited.connect(lambda latency_s, _: self._want(latency_s=latency_s))
         self.stand_in = QToolButton()
         self.stand_in.setText("Stand-in for the ears")
         self.stand_in.setCheckable(True)
@@ -94,10 +94,10 @@ class DeviceFields(QObject):
             "For people without actuators: all channels, from left to right in their order, with "
             "all frequencies shifted up by as many hertz"
         )
-        self.stand_in.clicked.connect(self._choose_stand_in)
+        self.stand_in.clicked.connect(lambda on: self._want(stand_in=on))
         self.shift = NumberField(_SHIFT)
         self.shift.setToolTip(_SHIFT.hint)
-        self.shift.edited.connect(self._choose_shift)
+        self.shift.edited.connect(lambda shift_hz, _: self._want(shift_hz=shift_hz))
         self.rig = RigField()
         self.rig.rig_chosen.connect(self.rig_requested)
         for widget, name in (
@@ -146,18 +146,6 @@ class DeviceFields(QObject):
         name, _, host_api = key.partition(_BETWEEN)
         self._want(device=name, host_api=host_api)
 
-    def _choose_rate(self, rate: str, _gesture: int | None) -> None:
-        self._want(sample_rate_hz=int(rate))
-
-    def _choose_latency(self, latency_s: float, _gesture: int | None) -> None:
-        self._want(latency_s=latency_s)
-
-    def _choose_stand_in(self, on: bool) -> None:
-        self._want(stand_in=on)
-
-    def _choose_shift(self, shift_hz: float, _gesture: int | None) -> None:
-        self._want(shift_hz=shift_hz)
-
     def _want(self, **changes: Any) -> None:
         self.output_requested.emit(replace(self._output, **changes))
 
@@ -165,11 +153,7 @@ class DeviceFields(QObject):
 def _row(*parts: QWidget) -> QWidget:
     """Return widgets beside each other, as wide as they prefer."""
     row = QWidget()
-    layout = QHBoxLayout(row)
-    layout.setContentsMargins(0, 0, 0, 0)
-    for part in parts:
-        layout.addWidget(part)
-    layout.addStretch(1)
+    in_row(*parts, None, of=row, margins=0)
     return row
 
 
@@ -188,11 +172,8 @@ def _key_of(played: Played) -> str:
 
 def _fill(field: ChoiceField, options: list[tuple[str, str]], chosen: str) -> None:
     """Offer other choices."""
-    with QSignalBlocker(field):
-        field.clear()
-        for option, title in options:
-            field.addItem(title, option)
-        field.set_value(chosen)
+    field.set_options(options)
+    field.set_value(chosen)
 
 
 _METER_PX, _LEAST_METER_PX, _OUTPUT_NUMBER_PX = 8, 48, 56
@@ -314,11 +295,7 @@ class _Loudness(QWidget):
     def __init__(self, meter: LevelMeter, level: QLabel) -> None:
         super().__init__()
         self._level = level
-        below = QVBoxLayout(self)
-        below.setContentsMargins(0, 0, 0, 0)
-        below.setSpacing(2)
-        below.addWidget(meter)
-        below.addWidget(level)
+        in_column(meter, level, of=self, margins=0, gap_px=2)
 
     def minimumSizeHint(self) -> QSize:
         # This room is also kept in silence; otherwise rows would widen and cut other widgets.
@@ -354,17 +331,9 @@ class PlaybackPanel(Panel):
         self._in_volts = False
         self._limb = ""
         self._content = content = QWidget()
-        column = QVBoxLayout(content)
-        column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX)
-        column.setSpacing(UNIT_PX)
-        self.problem = QLabel()
-        self.problem.setObjectName("playback_problem")
-        set_tone(self.problem, "error")
-        self.text = QLabel()
-        self.text.setObjectName("playback_words")
-        set_tone(self.text, "dim")
+        self.problem = page_label("playback_problem", tone="error")
+        self.text = page_label("playback_words", tone="dim")
         for label in (self.problem, self.text):
-            label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         device = QGridLayout()
         device.setColumnStretch(1, 1)
@@ -377,18 +346,14 @@ class PlaybackPanel(Panel):
         self._table = QGridLayout()
         self._table.setColumnStretch(_METER_COLUMN, 1)
         self._table.setHorizontalSpacing(UNIT_PX)
-        column.addWidget(self.problem)
-        column.addLayout(device)
-        column.addLayout(self._table)
-        column.addWidget(self.text)
-        column.addStretch(1)
+        parts = (self.problem, device, self._table, self.text, None)
+        margins = (UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX)
+        in_column(*parts, of=content, margins=margins, gap_px=UNIT_PX)
         area = SteadyArea()
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setWidget(content)
-        outside = QVBoxLayout(self)
-        outside.setContentsMargins(0, 0, 0, 0)
-        outside.addWidget(area)
+        in_column(area, of=self, margins=0)
         self.setFocusProxy(self.fields.device)
         self.show_played(self._played)
 

@@ -11,11 +11,9 @@ from PySide6.QtGui import QFont, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QBoxLayout,
-    QHBoxLayout,
     QSizePolicy,
     QTableWidget,
     QTableWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -32,10 +30,10 @@ from skinsource.design.view import View
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.own_limbs import missing_limb
 from skinsource_gui.fields.units import minus
-from skinsource_gui.panels.figure_panel import COMPUTING
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.fitting import SteadyArea
 from skinsource_gui.qt.labels import set_table_look
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import CopyButton, copied_level
 from skinsource_gui.qt.theme import UNIT_PX, scaled, tabular
 from skinsource_gui.state.compared import (
@@ -46,7 +44,7 @@ from skinsource_gui.state.compared import (
     have_matching_level,
     matched_text,
 )
-from skinsource_gui.state.panel import Panel
+from skinsource_gui.state.panel import COMPUTING, Panel
 
 #: Message for own limbs.
 NO_REGIONS = "Of an own limb it is not known which outputs lie in which region"
@@ -310,15 +308,8 @@ class RegionsPanel(Panel):
         self.stored = RegionTable("regions_stored", "RMS levels of snapshots by region")
         self.table = RegionTable("regions_table", "RMS levels of people by region")
         self._tables = (self.stored, self.table)
-        bar = QHBoxLayout()
-        bar.setContentsMargins(UNIT_PX, 1, UNIT_PX // 2, 1)
-        bar.addWidget(self.about, 1)
-        bar.addWidget(self.copy)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addLayout(bar)
-        column.addWidget(self._scrolled(), 1)
+        bar = in_row((self.about, 1), self.copy, margins=(UNIT_PX, 1, UNIT_PX // 2, 1))
+        in_column(bar, (self._scrolled(), 1), of=self, margins=0, gap_px=0)
         self.setFocusProxy(self.table)
         self.computed = (self.table,)
 

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
 from skinsource.design import edits
 from skinsource.design.comparing import MOST_SIDE_BY_SIDE
@@ -33,6 +33,7 @@ from skinsource_gui.panels.side_by_side.view import MapsView, paint_page
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.fitting import FoldingRow, VisibleHeight, shrinking_fonts
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper, tabular
 from skinsource_gui.state.compared import Compared
@@ -128,8 +129,8 @@ class ChoicesBar(QWidget):
         self.of, self.shown = ChoiceField(OF, self), ChoiceField(SHOWN, self)
         self.of.setObjectName("side_by_side_of")
         self.shown.setObjectName("side_by_side_shown")
-        self.of.chosen.connect(lambda of, _: self._change(of=of))
-        self.shown.chosen.connect(lambda what, _: self._change(shown=what))
+        self.of.edited.connect(lambda of, _: self._change(of=of))
+        self.shown.edited.connect(lambda what, _: self._change(shown=what))
         own = OWN_MAXIMUM
         self.own_maximum = tool_button(
             self, "side_by_side_own_maximum", own.label, own.hint, checkable=True
@@ -144,9 +145,7 @@ class ChoicesBar(QWidget):
         self._row = FoldingRow(self._parts, UNIT_PX // 2)
         self._in_sight = VisibleHeight(parent)
         self._in_sight.changed.connect(self._check_room)
-        around = QVBoxLayout(self)
-        around.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
-        around.addWidget(self._row)
+        in_column(self._row, of=self, margins=(UNIT_PX // 2, 1, UNIT_PX // 2, 1))
 
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view."""
@@ -233,16 +232,8 @@ class SideBySidePanel(Panel):
         self._staleness.changed.connect(self.maps.show_stale)
         self.text_label = NoteLabel("side_by_side_words", self)
         self.copy = CopyButton(self.name, lambda: tab_separated(self.maps.content), self)
-        foot = QHBoxLayout()
-        foot.setContentsMargins(UNIT_PX, 1, UNIT_PX // 2, 1)
-        foot.addWidget(self.text_label)
-        foot.addWidget(self.copy)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self.bar)
-        column.addWidget(self.maps, 1)
-        column.addLayout(foot)
+        foot = in_row(self.text_label, self.copy, margins=(UNIT_PX, 1, UNIT_PX // 2, 1))
+        in_column(self.bar, (self.maps, 1), foot, of=self, margins=0, gap_px=0)
         self.setFocusProxy(self.maps)
         self.guessed = self.maps, self.text_label
 

@@ -49,7 +49,7 @@ from skinsource_gui.panels.skin.settings import (
 from skinsource_gui.panels.skin.time import TimeView
 from skinsource_gui.plots.pictures import with_caption
 from skinsource_gui.plots.small_map import COLOURS, field_image
-from skinsource_gui.qt.buttons import tool_button
+from skinsource_gui.qt.buttons import passing_menu, tool_button
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.overlays import Staleness
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, current_theme, drawn_icon
@@ -175,9 +175,7 @@ def open_map_menu(
     colours
         Name of the colour map of levels, and what is called with another one.
     """
-    menu = QMenu(shown)
-    menu.setObjectName("skin_menu")
-    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    menu = passing_menu(shown, "skin_menu")
     for title, fit, key in (("Fit hand", HAND, "hand"), ("Fit hand and arm", WHOLE, "whole")):
         menu.addAction(f"{title}\t{key_text('skin', key)}", partial(shown.stage.pan_zoom.show, fit))
     menu.addSeparator()
@@ -194,9 +192,7 @@ def open_colours_menu(
     over: QWidget, at: QPoint, chosen: str, choose: Callable[[str], None]
 ) -> None:
     """Open the menu of colour maps over a widget, at a point of the screen."""
-    menu = QMenu(over)
-    menu.setObjectName("colours_menu")
-    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    menu = passing_menu(over, "colours_menu")
     _add_colours(menu, chosen, choose)
     menu.popup(at)
 

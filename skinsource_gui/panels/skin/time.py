@@ -10,12 +10,10 @@ import numpy as np
 from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import (
-    QHBoxLayout,
     QLabel,
     QSizePolicy,
     QSlider,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -47,6 +45,7 @@ from skinsource_gui.panels.skin.settings import (
 from skinsource_gui.plots.colour_maps import DIVERGING, colour_table
 from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.keys import shortcut_text
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, play_icon, tabular
 from skinsource_gui.qt.tooltips import tooltip
 
@@ -233,15 +232,12 @@ class QuantityRow(QWidget):
         self.pace = ChoiceField(PACE, self)
         self.pace.setObjectName("skin_pace")
         self.pace.setMinimumContentsLength(4)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(UNIT_PX // 2)
-        row.addWidget(self.quantity, 1)
-        row.addWidget(self.rms_window)
-        row.addWidget(self.pace)
+        in_row(
+            (self.quantity, 1), self.rms_window, self.pace, of=self, margins=0, gap_px=UNIT_PX // 2
+        )
         self._fit()
-        self.quantity.chosen.connect(self._choose_quantity)
-        self.pace.chosen.connect(self._choose_pace)
+        self.quantity.edited.connect(self._choose_quantity)
+        self.pace.edited.connect(self._choose_pace)
         self.rms_window.edited.connect(self._choose_window)
 
     def changeEvent(self, event: QEvent) -> None:
@@ -311,12 +307,7 @@ class ScrubBar(QWidget):
         self.time = QLabel(self)
         self.time.setFont(tabular(self.time.font()))
         self.time.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(UNIT_PX // 2)
-        row.addWidget(self.play)
-        row.addWidget(self.slider, 1)
-        row.addWidget(self.time)
+        in_row(self.play, (self.slider, 1), self.time, of=self, margins=0, gap_px=UNIT_PX // 2)
         self.play.setIcon(play_icon())
 
     def show_time(self, time_s: float, end_s: float) -> None:
@@ -412,12 +403,9 @@ class SignedBar(QWidget):
             "The limit follows the design: a quarter of the largest acceleration along z anywhere",
             self,
         )
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(UNIT_PX // 2)
-        column.addWidget(self.limit)
-        column.addWidget(self.strip, 1)
-        column.addWidget(self.auto_button)
+        in_column(
+            self.limit, (self.strip, 1), self.auto_button, of=self, margins=0, gap_px=UNIT_PX // 2
+        )
         self.setFixedWidth(self._width())
         self.limit.edited.connect(self._choose)
         self.auto_button.clicked.connect(self._switch)
@@ -465,8 +453,8 @@ class TimeView(QObject):
         self.row, self.scrub, self.bar = QuantityRow(parent), ScrubBar(parent), SignedBar(parent)
         self._requested_block = -1
         # Otherwise Space, which plays, would open the list again.
-        self.row.quantity.chosen.connect(self._leave_lists)
-        self.row.pace.chosen.connect(self._leave_lists)
+        self.row.quantity.edited.connect(self._leave_lists)
+        self.row.pace.edited.connect(self._leave_lists)
 
     def put_behind(self, widget: QWidget) -> None:
         """Put the controls below the map behind ``widget`` in the order of the Tab key."""

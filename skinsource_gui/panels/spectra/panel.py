@@ -14,7 +14,7 @@ from skinsource.base.decibels import decibels
 from skinsource.base.measurement_conditions import Band
 from skinsource.design.comparing import match_text
 from skinsource.design.design import Design
-from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.panel_settings import settings_of
 from skinsource.design.view import View
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.loudest_window import HOLD_WINDOW_S, LOUDEST_WINDOW_S, Span
@@ -210,50 +210,49 @@ class SpectraPanel(SignalPanel):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("spectra-plot", "Spectra of the selected outputs", parent)
-        self._view, self._settings = View(), SpectraSettings()
+        self.settings = SpectraSettings()
         limb = facts_of("")
         self._axis, self._log_axis = _axes(limb.sample_rate_hz, limb.band_hz)
-        self._results: Mapping[str, Any] | None = None
         self._plot.toolbar.add_layout("axes", "Axes", AXES_HINT)
         self._log_frequency = self._plot.toolbar.add_switch(
             "log-frequency",
             "Log f",
             f"Logarithmic frequency axis from {_LOWEST_HZ:g} Hz",
-            lambda on: self._change(log_frequency=on),
+            lambda on: self.change_settings(log_frequency=on),
         )
         self._log_frequency.setAccessibleName("Log frequency")
         self._log_magnitude = self._plot.toolbar.add_switch(
             "log-magnitude",
             "dB",
             "Logarithmic magnitude: dB re 1 m/s², the uppermost 80 dB",
-            lambda on: self._change(log_magnitude=on),
+            lambda on: self.change_settings(log_magnitude=on),
         )
         self._log_magnitude.setAccessibleName("Log magnitude")
         self._relative = self._plot.toolbar.add_switch(
-            "relative", RELATIVE.label, RELATIVE.hint, lambda on: self._change(relative=on)
+            "relative", RELATIVE.label, RELATIVE.hint, lambda on: self.change_settings(relative=on)
         )
         # Few want it, and seven switches have room on wide screens alone.
         self._averaged = self._plot.add_switch_in_menu(
-            "averaged", AVERAGED.label, AVERAGED.hint, lambda on: self._change(averaged=on)
+            "averaged", AVERAGED.label, AVERAGED.hint, lambda on: self.change_settings(averaged=on)
         )
-        self._plot.toolbar.layout_chosen.connect(lambda layout: self._change(layout=layout))
+        self._plot.toolbar.layout_chosen.connect(lambda layout: self.change_settings(layout=layout))
         self._plot.zoom_requested.connect(
-            lambda shown_hz: self._change(frequency_range_hz=shown_hz)
+            lambda shown_hz: self.change_settings(frequency_range_hz=shown_hz)
         )
 
     @property
     def needs(self) -> frozenset[str]:
         # Texts around the curves come with the curves.
-        spectra = quantity_of(self._settings, self._view.span)
+        spectra = quantity_of(self.settings, self._view.span)
         return frozenset({spectra, "outputs", "sample_rate_hz"}) | DESCRIPTION_QUANTITIES
 
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, SpectraSettings)
-        before = self._settings
+        before = self.settings
         rescaled = settings != before and (
             replace(settings, **_OF_AXIS) != replace(before, **_OF_AXIS)
         )
-        self._view, self._settings = view, settings
+        self._view, self.settings = view, settings
         self._log_frequency.setChecked(settings.log_frequency)
         self._log_magnitude.setChecked(settings.log_magnitude)
         self._relative.setChecked(settings.relative)
@@ -262,11 +261,7 @@ class SpectraPanel(SignalPanel):
             layout=settings.layout, zoomed=settings.frequency_range_hz is not None
         )
         self._show_axis()
-        if not view.outputs:
-            self._show_message(self.no_outputs)
-        elif self._plot.plot.message == self.no_outputs:
-            self._plot.wait_for_curves()
-        elif rescaled and self._results is not None:
+        if self.show_selection(view) and rescaled and self._results is not None:
             self._draw(self._results)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
@@ -278,24 +273,17 @@ class SpectraPanel(SignalPanel):
                 self._show_axis()
             self._draw(results)
         else:
-            self._show_message(self.no_outputs)
-
-    def show_problem(self, reason: str) -> None:
-        self._show_message(reason)
+            self.say_instead(self.no_outputs)
 
     def _show_axis(self) -> None:
-        settings = self._settings
+        settings = self.settings
         axis = self._log_axis if settings.log_frequency else self._axis
         stacked = settings.layout != "overlaid"
         axis = _visible_axis(axis, settings.frequency_range_hz)
         self._plot.set_view(axis, settings.frequency_range_hz, stacked=stacked)
 
-    def _show_message(self, message: str) -> None:
-        self._results = None
-        self._plot.show_message(message)
-
     def _draw(self, results: Mapping[str, Any]) -> None:
-        settings = self._settings
+        settings = self.settings
         if quantity_of(settings, results["span"]) not in results:
             # The results of another layout are still being computed.
             return
@@ -304,11 +292,6 @@ class SpectraPanel(SignalPanel):
             synthetic=facts_of(results["limb"]).synthetic,
             notes=notes_of(results, settings),
         )
-
-    def _change(self, **changes: Any) -> None:
-        settings = replace(self._settings, **changes)
-        if settings != self._settings:
-            self.view_changed.emit(with_settings(self._view, self.name, settings))
 
 
 @cache

@@ -1,7 +1,7 @@
 """The panel of the spectrogram of one selected output."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
@@ -20,7 +20,6 @@ from skinsource.design.panel_settings import (
     WINDOW,
     SpectrogramSettings,
     settings_of,
-    with_settings,
 )
 from skinsource.design.view import View
 from skinsource.limbs.locations import output_name
@@ -239,7 +238,7 @@ class SpectrogramPanel(FigurePanel):
     def __init__(self, parent: QWidget | None = None) -> None:
         self.picture = SpectrogramPicture()
         super().__init__(self.picture, parent)
-        self._view, self._settings = View(), SpectrogramSettings()
+        self.settings = SpectrogramSettings()
         self._results: Mapping[str, Any] | None = None
         self.output = ChoiceField(ChoiceSpec(label="Output", options=()), empty="Select outputs")
         self.output.setObjectName("spectrogram_output")
@@ -259,10 +258,12 @@ class SpectrogramPanel(FigurePanel):
             (self.floor, QLabel("–"), self.ceiling, None),
         )
         self.choices.addWidget(FoldingGroups(what, band, spacing_px=UNIT_PX // 2))
-        self.output.chosen.connect(lambda number, _: self._change(output=float(number)))
-        self.window_length.chosen.connect(lambda window_ms, _: self._change(window_ms=window_ms))
-        self.floor.edited.connect(lambda value_hz, _: self._change(floor_hz=value_hz))
-        self.ceiling.edited.connect(lambda value_hz, _: self._change(ceiling_hz=value_hz))
+        self.output.edited.connect(lambda number, _: self.change_settings(output=float(number)))
+        self.window_length.edited.connect(
+            lambda window_ms, _: self.change_settings(window_ms=window_ms)
+        )
+        self.floor.edited.connect(lambda value_hz, _: self.change_settings(floor_hz=value_hz))
+        self.ceiling.edited.connect(lambda value_hz, _: self.change_settings(ceiling_hz=value_hz))
         self.figure.say(self.no_outputs)
 
     @property
@@ -281,17 +282,13 @@ class SpectrogramPanel(FigurePanel):
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, SpectrogramSettings)
         redrawn = (settings.floor_hz, settings.ceiling_hz) != (
-            self._settings.floor_hz,
-            self._settings.ceiling_hz,
+            self.settings.floor_hz,
+            self.settings.ceiling_hz,
         )
-        self._view, self._settings = view, settings
+        self._view, self.settings = view, settings
         self._show_choices(design.limb)
         self.picture.show_playhead(view.playhead_s)
-        if not view.outputs:
-            self.say_instead(self.no_outputs)
-        elif self.figure.message == self.no_outputs:
-            self.await_results()
-        elif redrawn and self._results is not None:
+        if self.show_selection(view) and redrawn and self._results is not None:
             self._draw(self._results)
 
     def show_playhead(self, view: View) -> None:
@@ -313,7 +310,7 @@ class SpectrogramPanel(FigurePanel):
         super().say_instead(message)
 
     def _show_choices(self, limb: str) -> None:
-        settings, outputs = self._settings, self._view.outputs
+        settings, outputs = self.settings, self._view.outputs
         known = [self.output.itemText(k) for k in range(self.output.count())]
         names = [f"{number} {output_name(number, limb).short_name}" for number in outputs]
         if known != names:
@@ -329,7 +326,7 @@ class SpectrogramPanel(FigurePanel):
 
     def _draw(self, results: Mapping[str, Any]) -> None:
         spectrogram = results["output_spectrogram"]
-        band = _band(self._settings, results["sample_rate_hz"] / 2.0)
+        band = _band(self.settings, results["sample_rate_hz"] / 2.0)
         first_s = float(results["response_time_s"][0])
         matched = match_text(results["match_gain"])
         self.picture.show_spectrogram(
@@ -346,11 +343,6 @@ class SpectrogramPanel(FigurePanel):
         if limb.synthetic:
             parts.append("synthetic limb")
         self.show_result(" · ".join(parts))
-
-    def _change(self, **changes: Any) -> None:
-        settings = replace(self._settings, **changes)
-        if settings != self._settings:
-            self.view_changed.emit(with_settings(self._view, self.name, settings))
 
 
 def _band(settings: SpectrogramSettings, highest_hz: float) -> Range:

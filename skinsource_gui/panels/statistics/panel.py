@@ -18,11 +18,8 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QColor, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QHBoxLayout,
-    QLabel,
     QStackedWidget,
     QTableView,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -34,18 +31,18 @@ from skinsource.design.view import View
 from skinsource.limbs.locations import output_name
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.analysis.statistics import BEGUN_SHARE, Statistics
-from skinsource_gui.panels.figure_panel import COMPUTING
 from skinsource_gui.plots.figure import NoteLabel
+from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.keys import claims_shortcut
 from skinsource_gui.qt.labels import (
     SHORT_NAME,
     fit_name_column,
-    how_to_select_output,
     set_table_look,
 )
+from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import CopyButton, copied_number
-from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
-from skinsource_gui.state.panel import Panel
+from skinsource_gui.qt.theme import UNIT_PX, current_theme
+from skinsource_gui.state.panel import OutputsPanel
 
 #: Titles, as narrow as they can be, and what they mean.
 COLUMNS = (
@@ -204,7 +201,7 @@ class FigureTable(QTableView):
             super().keyPressEvent(event)
 
 
-class StatisticsPanel(Panel):
+class StatisticsPanel(OutputsPanel):
     """RMS, peak, crest factor, main frequency and delay of each selected output."""
 
     title: ClassVar[str] = "Statistics"
@@ -223,11 +220,7 @@ class StatisticsPanel(Panel):
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         header = self.table.horizontalHeader()
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self._message = QLabel()
-        self._message.setObjectName("statistics_message")
-        set_tone(self._message, "dim")
-        self._message.setWordWrap(True)
-        self._message.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._message = page_label("statistics_message", tone="dim", centred=True)
         self._stack = QStackedWidget()
         self._stack.addWidget(self._message)
         self._stack.addWidget(self.table)
@@ -235,17 +228,10 @@ class StatisticsPanel(Panel):
         self.copy = CopyButton(self.name, lambda: tab_separated(self.model.rows))
         self.table.copy_requested.connect(self.copy.click)
         self.computed = (self.table,)
-        bar = QHBoxLayout()
-        bar.setContentsMargins(UNIT_PX, 1, UNIT_PX // 2, 1)
-        bar.addWidget(self.about, 1)
-        bar.addWidget(self.copy)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addLayout(bar)
-        column.addWidget(self._stack, 1)
+        bar = in_row((self.about, 1), self.copy, margins=(UNIT_PX, 1, UNIT_PX // 2, 1))
+        in_column(bar, (self._stack, 1), of=self, margins=0, gap_px=0)
         self.setFocusProxy(self.table)
-        self._show_message(self.no_outputs)
+        self.say_instead(self.no_outputs)
 
     @property
     def needs(self) -> frozenset[str]:
@@ -253,23 +239,19 @@ class StatisticsPanel(Panel):
         return frozenset(drawn | {"axes", "match_gain", "method", "span"})
 
     @property
-    def no_outputs(self) -> str:
-        """The message while no output is selected."""
-        return how_to_select_output(self.in_sight)
+    def message(self) -> str:
+        return self._message.text()
 
     def sizeHint(self) -> QSize:
         return QSize(460, 260)
 
     def show_state(self, design: Design, view: View) -> None:
-        if not view.outputs:
-            self._show_message(self.no_outputs)
-        elif self._message.text() == self.no_outputs:
-            self._message.setText(COMPUTING)
+        self.show_selection(view)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         outputs = results["shown_outputs"]
         if not outputs:
-            self._show_message(self.no_outputs)
+            self.say_instead(self.no_outputs)
             return
         figures, above_noise_db = results["output_statistics"], results["above_noise_db"]
         rows = rows_of(outputs, figures, above_noise_db, results["limb_data"].name)
@@ -284,16 +266,7 @@ class StatisticsPanel(Panel):
         self.copy.offer(True)
         self._stack.setCurrentWidget(self.table)
 
-    def show_problem(self, reason: str) -> None:
-        self._show_message(reason)
-
-    def show_in_sight(self, names: frozenset[str]) -> None:
-        was_empty = self._message.text() == self.no_outputs
-        super().show_in_sight(names)
-        if was_empty:
-            self._message.setText(self.no_outputs)
-
-    def _show_message(self, message: str) -> None:
+    def say_instead(self, message: str) -> None:
         self.model.show_rows(())
         self.about.say("")
         self.copy.offer(False)

@@ -14,7 +14,7 @@ from PySide6.QtGui import (
     QResizeEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QApplication, QFrame, QMenu, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QFrame, QScrollArea, QWidget
 
 from skinsource.design import edits
 from skinsource.design.amplitudes import is_gain, peak_text
@@ -31,7 +31,9 @@ from skinsource_gui.fields.inputs import (
 )
 from skinsource_gui.panels.timeline.content import shown_gain_curves, toggle_gain_curves
 from skinsource_gui.panels.timeline.head_row import InputRow, RowSignals, RowState
+from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
+from skinsource_gui.qt.layouts import in_column
 
 
 class CachedRows:
@@ -46,10 +48,7 @@ class CachedRows:
     def __init__(self, column: QWidget, signals: RowSignals) -> None:
         self._column, self._signals = column, signals
         self._rows: dict[int, InputRow] = {}
-        self._layout = QVBoxLayout(column)
-        self._layout.setContentsMargins(0, 0, 0, 0)
-        self._layout.setSpacing(0)
-        self._layout.addStretch(1)
+        self._layout = in_column(None, of=column, margins=0, gap_px=0)
 
     @property
     def rows(self) -> tuple[InputRow, ...]:
@@ -88,7 +87,7 @@ class CachedRows:
         focused = QApplication.focusWidget()
         had_focus = focused is not None and row.isAncestorOf(focused)
         self._layout.removeWidget(row)
-        row.amplitude.cancel_editing()
+        row.amplitude.cancel()
         row.hide()
         row.deleteLater()
         return had_focus
@@ -615,9 +614,7 @@ class Heads(QObject):
 
     def _open_menu(self, track_id: int, at: QPoint) -> None:
         self._selection.enter(track_id)
-        menu = QMenu(self.list)
-        menu.setObjectName("inputs_menu")
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu = passing_menu(self.list, "inputs_menu")
         ids = self._edits.affected(track_id)
         chosen = [row.state.track for row in self.list.rows.rows if row.id in ids]
         act = partial(self._edits.edit, ids)

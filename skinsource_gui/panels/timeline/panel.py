@@ -22,12 +22,10 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QInputDialog,
-    QLabel,
     QMenu,
     QScrollBar,
     QStackedLayout,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -59,11 +57,13 @@ from skinsource_gui.panels.timeline.head_row import InputRow, heads_px, row_plac
 from skinsource_gui.panels.timeline.heads import Heads, InputList
 from skinsource_gui.panels.timeline.lanes import LanesView, marker_at
 from skinsource_gui.plots.time_scale import Range
+from skinsource_gui.qt.buttons import page_label, passing_menu
 from skinsource_gui.qt.fitting import LayoutWatcher, fitting_font, set_fonts
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import KEYS, key_text
 from skinsource_gui.qt.labels import how_to_add
-from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.qt.layouts import in_column
+from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.state.panel import Panel
 
 _MIME = "application/x-skinsource-clips"
@@ -208,9 +208,7 @@ class LanesMenu(QObject):
         """Open the menu of a place, at a place of the screen."""
         content = self._content()
         box = content.box_at(place)
-        menu = QMenu(self._parent)
-        menu.setObjectName("lanes_menu")
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu = passing_menu(self._parent, "lanes_menu")
         time_s = max(content.scale.time(place.x()), 0.0)
         if place.y() < content.ruler_px:
             self._fill_ruler(menu, content, place, time_s)
@@ -607,25 +605,15 @@ class TimelinePanel(Panel):
         self._list = self._heads.list
         self._rows = self._list.rows
         self._table = TrackTable(self._list)
-        self._empty = QLabel(how_to_add(self.in_sight, "a track"))
-        self._empty.setObjectName("inputs_empty")
-        set_tone(self._empty, "dim")
-        self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._empty.setWordWrap(True)
-        self._foot = QLabel()
-        self._foot.setObjectName("inputs_problem")
-        set_tone(self._foot, "error")
-        self._foot.setWordWrap(True)
+        how_to = how_to_add(self.in_sight, "a track")
+        self._empty = page_label("inputs_empty", how_to, tone="dim", centred=True)
+        self._foot = page_label("inputs_problem", tone="error")
         self._foot.setMargin(UNIT_PX)
         self._foot.hide()
         self._stack = QStackedLayout()
         self._stack.addWidget(self._empty)
         self._stack.addWidget(self._table)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addLayout(self._stack, 1)
-        column.addWidget(self._foot)
+        in_column((self._stack, 1), self._foot, of=self, margins=0, gap_px=0)
         self.setFocusProxy(self._rows)
         self._connect()
 

@@ -13,7 +13,7 @@ from skinsource.base.arrays import Floats
 from skinsource.design import edits
 from skinsource.design.comparing import match_text
 from skinsource.design.design import Design
-from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.panel_settings import settings_of
 from skinsource.design.view import View
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.resampling import finer
@@ -83,20 +83,19 @@ class TracesPanel(SignalPanel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("traces-plot", "Traces of the selected outputs", parent)
         self._design: Design | None = None
-        self._view, self._settings = View(), TracesSettings()
+        self.settings = TracesSettings()
         self._delay = self._plot.toolbar.add_switch(
             "remove-delay",
             *_switch_text(facts_of("").pre_trigger_delay_s),
             self._remove_delay,
         )
         self._relative = self._plot.toolbar.add_switch(
-            "relative", RELATIVE.label, RELATIVE.hint, lambda on: self._change(relative=on)
+            "relative", RELATIVE.label, RELATIVE.hint, lambda on: self.change_settings(relative=on)
         )
         self._fitted = self._plot.add_switch_in_menu(
-            "fitted", FITTED.label, FITTED.hint, lambda on: self._change(fitted=on)
+            "fitted", FITTED.label, FITTED.hint, lambda on: self.change_settings(fitted=on)
         )
-        self._results: Mapping[str, Any] | None = None
-        self._plot.toolbar.layout_chosen.connect(lambda layout: self._change(layout=layout))
+        self._plot.toolbar.layout_chosen.connect(lambda layout: self.change_settings(layout=layout))
         self._plot.zoom_requested.connect(self._zoom)
         self._plot.plot.playhead.dragged_to.connect(self.playhead_requested)
         self._plot.plot.playhead_key.connect(self._press)
@@ -121,20 +120,16 @@ class TracesPanel(SignalPanel):
     def show_state(self, design: Design, view: View) -> None:
         self._design = design
         settings = settings_of(view, self.name, TracesSettings)
-        rescaled = settings.relative != self._settings.relative
-        self._view, self._settings = view, settings
+        rescaled = settings.relative != self.settings.relative
+        self._view, self.settings = view, settings
         self._relative.setChecked(settings.relative)
         self._plot.toolbar.show_passing(self._fitted, settings.fitted)
         self._delay.setChecked(view.delay_removed)
         self._show_delay(facts_of(design.limb).pre_trigger_delay_s)
         zoomed = view.time_range_s is not None
-        self._plot.toolbar.show_state(layout=self._settings.layout, zoomed=zoomed)
+        self._plot.toolbar.show_state(layout=self.settings.layout, zoomed=zoomed)
         self._plot.plot.playhead.show_at(view.playhead_s)
-        if not view.outputs:
-            self._results = None
-            self._plot.show_message(self.no_outputs)
-        elif self._plot.plot.message == self.no_outputs:
-            self._plot.wait_for_curves()
+        self.show_selection(view)
         if self._drawn_removed == view.delay_removed:
             self._apply_view()
         if rescaled and self._results is not None:
@@ -156,12 +151,8 @@ class TracesPanel(SignalPanel):
         else:
             self._draw(self._results)
 
-    def show_problem(self, reason: str) -> None:
-        self._results = None
-        super().show_problem(reason)
-
     def _draw(self, results: Mapping[str, Any]) -> None:
-        relative = self._settings.relative
+        relative = self.settings.relative
         scale = _peaks(results["selected_traces"]) if relative else None
         curves = Curves(
             x=results["response_time_s"],
@@ -197,13 +188,8 @@ class TracesPanel(SignalPanel):
         if self._early_s >= _LEAST_EARLY_S:
             shift_s = self._delay_s if self._drawn_removed else 0.0
             axis = _without_beginning(axis, self._early_s, (-shift_s, self._end_s))
-        stacked, fitted = self._settings.layout == "stacked", self._settings.fitted
+        stacked, fitted = self.settings.layout == "stacked", self.settings.fitted
         self._plot.set_view(axis, view.time_range_s, stacked=stacked, fitted=fitted)
-
-    def _change(self, **changes: Any) -> None:
-        settings = replace(self._settings, **changes)
-        if settings != self._settings:
-            self.view_changed.emit(with_settings(self._view, self.name, settings))
 
     def _remove_delay(self, removed: bool) -> None:
         if self._design is not None:

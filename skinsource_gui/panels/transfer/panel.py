@@ -1,7 +1,7 @@
 """The panel of transfer functions from the selected track's place to the selected outputs."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.base.decibels import decibels
 from skinsource.design.design import Design
-from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.panel_settings import settings_of
 from skinsource.design.view import View
 from skinsource.limbs.locations import input_name
 from skinsource.signals.analysis.transfer import LEAST_COHERENCE, Transfer
@@ -180,7 +180,7 @@ class TransferPanel(FigurePanel):
     def __init__(self, parent: QWidget | None = None) -> None:
         self.picture = TransferPicture()
         super().__init__(self.picture, parent)
-        self._view, self._settings = View(), TransferSettings()
+        self.settings = TransferSettings()
         self._results: Mapping[str, Any] | None = None
         self._has_inputs = True
         hint = "Draw the share of the power that is not noise, in place of the magnitude"
@@ -202,8 +202,8 @@ class TransferPanel(FigurePanel):
 
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, TransferSettings)
-        redrawn = settings != self._settings
-        self._view, self._settings = view, settings
+        redrawn = settings != self.settings
+        self._view, self.settings = view, settings
         self.coherence.setChecked(settings.coherence)
         self._has_inputs = bool(design.inputs)
         if not view.outputs or not design.inputs:
@@ -253,7 +253,7 @@ class TransferPanel(FigurePanel):
         unit = transfer_unit(results)
         self.picture.show_transfer(
             TransferContent(
-                transfer=transfer, outputs=outputs, unit=unit, coherence=self._settings.coherence
+                transfer=transfer, outputs=outputs, unit=unit, coherence=self.settings.coherence
             )
         )
         place, limb = results["transfer_place"], results["limb_data"]
@@ -263,13 +263,12 @@ class TransferPanel(FigurePanel):
             note = " · noise not known"
         else:
             # Of a coherence nothing dotted is drawn.
-            note = "" if self._settings.coherence else " · dotted: noise"
+            note = "" if self.settings.coherence else " · dotted: noise"
         self.place.say(f"From place {place}, {input_name(place, limb.name).name}{note}")
         self.show_result(_usable_text(transfer, outputs))
 
     def _show_coherence(self, coherence: bool) -> None:
-        settings = replace(self._settings, coherence=coherence)
-        self.view_changed.emit(with_settings(self._view, self.name, settings))
+        self.change_settings(coherence=coherence)
 
 
 def _usable_text(transfer: Transfer, outputs: tuple[int, ...]) -> str:

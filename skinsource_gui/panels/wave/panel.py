@@ -160,22 +160,19 @@ class WavePanel(FigurePanel):
         )
         self.choices.addWidget(self.about, 1)
         self.copy = self.add_copy(self.table)
-        self.say_instead(self._too_few())
+        self.say_instead(self.no_outputs)
 
     @property
     def needs(self) -> frozenset[str]:
         return frozenset({"line_wave", "shown_outputs", "limb_data", "match_gain", "voices"})
 
     def show_state(self, design: Design, view: View) -> None:
-        if len(view.outputs) < 2:
-            self.say_instead(self._too_few())
-        elif self.figure.message == self._too_few():
-            self.await_results()
+        self.show_selection(view, fewest=2)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         line: LineWave | None = results["line_wave"]
         if line is None:
-            self.say_instead(self._too_few())
+            self.say_instead(self.no_outputs)
             return
         if not line.wave.similarity.any():
             self.say_instead(SILENT)
@@ -190,12 +187,6 @@ class WavePanel(FigurePanel):
         synthetic = " · synthetic limb" if results["limb_data"].synthetic else ""
         several = f" · {_OVERLAP}" if _has_several_places(results["voices"]) else ""
         self.show_result(f"{wave_text(line.wave)}{several}{note}{synthetic}")
-
-    def show_in_sight(self, names: frozenset[str]) -> None:
-        was_empty = self.figure.message == self._too_few()
-        super().show_in_sight(names)
-        if was_empty:
-            self.figure.say(self._too_few())
 
     def table(self) -> str:
         """Return the numbers, with tabs between the columns."""
@@ -218,7 +209,8 @@ class WavePanel(FigurePanel):
             lines.append("\t".join((str(output), *numbers, *used)))
         return "\n".join(lines) + "\n"
 
-    def _too_few(self) -> str:
+    @property
+    def no_outputs(self) -> str:
         if SKIN in self.in_sight:
             return (
                 "Select two or more outputs on the skin map, one after the other along a line: "

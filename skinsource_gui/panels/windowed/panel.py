@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 import numpy as np
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QPainter
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.comparing import match_text
@@ -25,6 +25,7 @@ from skinsource_gui.panels.windowed.view import (
 )
 from skinsource_gui.plots.small_map import SmallMaps, level_style
 from skinsource_gui.qt.fitting import FoldingGroups
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper
 from skinsource_gui.state.panel import Panel
 
@@ -47,20 +48,14 @@ class WindowedPanel(Panel):
         self._maps = SmallMaps()
         self.strip = StripView(self)
         self.cells = {
-            "windows_cut": FieldCell("windows_cut", WINDOWS_CUT, self),
-            "window_count": FieldCell("window_count", WINDOW_COUNT, self),
-            "window_s": FieldCell("window_s", WINDOW_LENGTH, self),
+            "windows_cut": FieldCell("windows_cut", WINDOWS_CUT, self, edited=self._change),
+            "window_count": FieldCell("window_count", WINDOW_COUNT, self, edited=self._change),
+            "window_s": FieldCell("window_s", WINDOW_LENGTH, self, edited=self._change),
         }
         cut, *others = self.cells.values()
-        for cell in self.cells.values():
-            cell.edited.connect(self._change)
         fields = [part for cell in others for part in (cell.label, cell)]
         row = FoldingGroups((cut.label, cut, None), (*fields, None), spacing_px=UNIT_PX // 2)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(UNIT_PX // 2, UNIT_PX // 2, UNIT_PX // 2, UNIT_PX // 2)
-        column.setSpacing(UNIT_PX // 2)
-        column.addWidget(row)
-        column.addWidget(self.strip, 1)
+        in_column(row, (self.strip, 1), of=self, margins=UNIT_PX // 2, gap_px=UNIT_PX // 2)
         self.setFocusProxy(self.strip)
         self.guessed = (self.strip,)
         self.strip.time_chosen.connect(self.playhead_requested)

@@ -66,7 +66,7 @@ def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
     document.look(replace(document.view, outputs=()))
     settle()
     assert not panel.table.isVisible()
-    assert "on the skin map" in panel.message.text()
+    assert "on the skin map" in panel.message
     window.docks["perception"].toggleViewAction().trigger()
     before = runs["sensation"]
     louder = document.design.with_input(0, amplitude=3.0)

@@ -82,7 +82,7 @@ def test_what_was_added_is_in_sight_and_has_the_keyboard(bench, qtbot):
         qtbot.waitUntil(whole)
     # One that comes back by undo leaves the keyboard where it is.
     before = bench.design
-    bench.chain.removed.emit(0)
+    bench.chain.rows[0].removed.emit()
     field = bench.panel.findChild(QToolButton, "add_effect")
     field.setFocus()
     bench.show(before)
@@ -219,4 +219,4 @@ def test_an_envelope_is_drawn_in_its_row(bench):
     assert bench.effects[-1] == Envelope(((0.0, 0.95, "straight"), (0.4, 1.0, "straight")))
     assert bench.labels[-1] == "Change points of clip at 7 (II pad)"
     # What a key adds ends with the clip, as in its editor.
-    assert field.points.end_x == bench.track.clips[0].duration_s
+    assert field.end_x == bench.track.clips[0].duration_s

@@ -164,7 +164,7 @@ def test_a_new_kind_stands_under_more_with_a_picture(menu, monkeypatch):
 
 def test_the_field_opens_the_menu_and_takes_what_is_chosen_there(qtbot, field):
     chosen = []
-    field.chosen.connect(lambda kind, gesture: chosen.append(kind))
+    field.edited.connect(lambda kind, gesture: chosen.append(kind))
     field.set_value("Tone")
     QTest.mouseClick(field, Qt.MouseButton.LeftButton)
     menu = field.findChild(QMenu, "kind_menu")
@@ -182,7 +182,7 @@ def test_the_field_opens_the_menu_and_takes_what_is_chosen_there(qtbot, field):
 
 def test_keys_choose_among_all_kinds_as_in_any_list(field):
     chosen = []
-    field.chosen.connect(lambda kind, gesture: chosen.append(kind))
+    field.edited.connect(lambda kind, gesture: chosen.append(kind))
     field.set_value("Formula")
     QTest.keyClick(field, Qt.Key.Key_Down)
     QTest.keyClick(field, Qt.Key.Key_Up)

@@ -38,7 +38,7 @@ class PartsBench(Bench):
 
     @property
     def editor(self) -> PartsEditor:
-        return self.cell.editor
+        return self.cell.field
 
     @property
     def rows(self):
@@ -53,7 +53,7 @@ class PartsBench(Bench):
         return self.track.clips[0].waveform.parts
 
     def add(self, title, editor=None):
-        add = (editor or self.editor).field.findChild(QToolButton, "add_part")
+        add = (editor or self.editor).findChild(QToolButton, "add_part")
         menu = add.menu()
         menu.aboutToShow.emit()
         menus = [menu, *menu.findChildren(QMenu)]
@@ -88,7 +88,7 @@ def test_a_part_of_any_waveform_is_added_and_stands_open(bench):
     assert [row.open for row in bench.rows] == [False] * 3 + [True] * 2
     assert bench.labels == ["Add to parts of input at 7 (II pad)"] * 2
     # Layers in layers have a list of their own.
-    inner = bench.opened(4)["parts"].editor
+    inner = bench.opened(4)["parts"].field
     bench.add("Noise", inner)
     assert [type(part.waveform) for part in bench.parts[4].waveform.parts] == [Tone, Noise]
 
@@ -194,7 +194,7 @@ def test_another_kind_of_waveform_brings_its_own_fields(bench):
 
 def test_effects_of_a_part_are_a_list_too_and_fit_it(bench):
     bench.opened(0)
-    effects = next(c for c in bench.rows[0].fields.cells if c.name == "effects").editor
+    effects = next(c for c in bench.rows[0].fields.cells if c.name == "effects").field
     bench.add("Fade", effects)
     assert bench.parts[0].effects == (Fade(0.02, 0.02),)
     effects.rows[0].findChild(LetterButton, "remove_button").click()
@@ -218,7 +218,7 @@ def test_the_last_part_stays_and_that_is_said(bench):
 
 def test_a_full_list_takes_no_more_and_says_so(qtbot):
     bench = PartsBench(qtbot, design_of(Layers((A,) * MAX_PARTS)))
-    add = bench.editor.field.findChild(QToolButton, "add_part")
+    add = bench.editor.findChild(QToolButton, "add_part")
     assert not add.isEnabled()
     assert add.toolTip() == f"There are at most {MAX_PARTS}; remove one first"
 
@@ -245,7 +245,7 @@ def test_what_no_design_may_hold_is_refused_below_the_list(bench):
     while isinstance(innermost.rows[0].part.waveform, Layers):
         innermost.rows[0].set_open(True)
         cells = innermost.rows[0].fields.cells
-        innermost = next(cell for cell in cells if cell.name == "parts").editor
+        innermost = next(cell for cell in cells if cell.name == "parts").field
     before = bench.design
     bench.add("Layers", innermost)
     assert bench.design == before
@@ -256,7 +256,7 @@ def test_what_no_design_may_hold_is_refused_below_the_list(bench):
 
 
 def test_the_tab_key_goes_along_the_rows(bench):
-    bench.editor.field.findChild(QToolButton, "add_part").setFocus()
+    bench.editor.findChild(QToolButton, "add_part").setFocus()
     visited = []
     for _ in range(4):
         QTest.keyClick(QApplication.focusWidget(), _Key.Key_Tab)

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication, QToolTip
 from skinsource.base.errors import InvalidInputError
 from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.fields.number_field import NumberDisplay, NumberField
+from skinsource_gui.fields.number_field import NumberField, fitting_text, help_text
 from skinsource_gui.fields.units import number_text, parse_number, value_text
 from tests.gui.number_field.bench import (
     AMPLITUDE,
@@ -156,7 +156,7 @@ def test_leaving_with_what_is_not_allowed_says_why_as_return_does(make_bench, qt
     QTest.keyClick(bench.field, Qt.Key.Key_Tab)
     assert (bench.field.text(), bench.edits, bench.field.editing) == ("100", [], False)
     qtbot.waitUntil(lambda: "Allowed: 1 to 649 Hz." in QToolTip.text())
-    assert bench.field.toolTip() == NumberDisplay(spec=FREQUENCY, value_si=100.0).help()
+    assert bench.field.toolTip() == help_text(FREQUENCY)
     QToolTip.hideText()
 
 
@@ -255,10 +255,9 @@ def test_a_reason_that_stands_beside_the_field_is_not_in_its_tooltip_too(qtbot):
 
 @pytest.mark.parametrize("value", [2.45, 2.45678, -2.45, 20.0, 649.5, 0.0123])
 def test_a_number_with_too_little_room_is_never_shown_as_another_one(make_bench, value):
-    number = NumberDisplay(spec=AMPLITUDE, value_si=value)
     shown = make_bench(AMPLITUDE, value)
     metrics = shown.field.fontMetrics()
-    texts = {number.fitting_text(metrics, room_px) for room_px in range(60)}
+    texts = {fitting_text(value, AMPLITUDE, metrics, room_px) for room_px in range(60)}
     assert "…" in texts
     for text in texts - {"…"}:
         assert metrics.horizontalAdvance(text) <= 60

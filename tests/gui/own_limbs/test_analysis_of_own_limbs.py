@@ -82,7 +82,7 @@ def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
     assert windowed.strip.message == ""
     assert "Lab 1" in windowed._heading()
     assert "not known" in panels["regions"].about.text
-    assert "published limbs only" in panels["perception"].message.text()
+    assert "published limbs only" in panels["perception"].message
     assert panels["side_by_side"].maps.content.message.startswith("There is no other limb")
 
 

@@ -72,8 +72,7 @@ def move_playhead(design: Design, view: View, time_s: float) -> Edit | Refusal:
     return Edit(label="Move playhead", design=design, view=after)
 
 
-NO_CLIP = Refusal(sentence="No clip is selected; click one in the timeline.")
-NO_TIME = Refusal(sentence="A time is a number of seconds.")
+NO_TIME = "A time is a number of seconds."
 _TOO_MANY_CLIPS = Refusal(
     sentence=f"A track holds at most {MAX_CLIPS} clips; put some of them on another track."
 )
@@ -101,9 +100,7 @@ def add_clip(
 @refusing
 def remove_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Remove clips; the nearest clip on the track of the last one is selected."""
-    chosen = present_clips(design, ids)
-    if not chosen:
-        return NO_CLIP
+    chosen = chosen_clips(design, ids)
     after = _without_clips(design, chosen)
     last = chosen[-1]
     others = list(after.input(design.track_of(last.id).id).clips)
@@ -121,8 +118,6 @@ def move_clips(
 ) -> Edit | Refusal:
     """Move clips together in time and to other tracks, as far as all of them can move."""
     moved = _moved_clips(design, ids, by_s, by_tracks)
-    if isinstance(moved, Refusal):
-        return moved
     return _with_moved_clips(design, view, f"Move {_text_of(design, moved)}", moved)
 
 
@@ -132,8 +127,6 @@ def copy_clips(
 ) -> Edit | Refusal:
     """Put copies of clips at another time and on other tracks, and select the copies."""
     moved = _moved_clips(design, ids, by_s, by_tracks)
-    if isinstance(moved, Refusal):
-        return moved
     return _with_new_clips(design, view, f"Copy {_text_of(design, moved)}", moved)
 
 
@@ -149,9 +142,7 @@ def duplicate_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Re
 @refusing
 def repeat_clips(design: Design, view: View, ids: Iterable[int], times: int) -> Edit | Refusal:
     """Repeat clips as a group, ``times`` times in a row, and select the copies."""
-    chosen = present_clips(design, ids)
-    if not chosen:
-        return NO_CLIP
+    chosen = chosen_clips(design, ids)
     if isinstance(times, bool) or not isinstance(times, int) or not 2 <= times <= MAX_CLIPS:
         return Refusal(sentence=f"Clips can be repeated 2 to {MAX_CLIPS} times.")
     length_s = max(clip.end_s for clip in chosen) - min(clip.onset_s for clip in chosen)
@@ -168,9 +159,7 @@ def set_clips(
     design: Design, view: View, ids: Iterable[int], name: str, value: Any
 ) -> Edit | Refusal:
     """Set onset, gain, label or mute of clips: the field is called ``name``."""
-    chosen = present_clips(design, ids)
-    if not chosen:
-        return NO_CLIP
+    chosen = chosen_clips(design, ids)
     if name not in _FIELDS:
         return Refusal(sentence=f"Of clips, one can set {', '.join(_FIELDS)}.")
     after = change_clips(design, {clip.id: {name: value} for clip in chosen})
@@ -192,6 +181,14 @@ def present_clips(design: Design, ids: Iterable[int]) -> tuple[Clip, ...]:
     """Return those clips that ``design`` has, track by track."""
     wanted_ids = set(listed(ids))
     return tuple(clip for clip in design.clips if clip.id in wanted_ids)
+
+
+def chosen_clips(design: Design, ids: Iterable[int]) -> tuple[Clip, ...]:
+    """Return those clips that ``design`` has, track by track; `InvalidInputError` without any."""
+    chosen = present_clips(design, ids)
+    if not chosen:
+        raise InvalidInputError("No clip is selected; click one in the timeline.")
+    return chosen
 
 
 def clips_text(design: Design, chosen: tuple[Clip, ...]) -> str:
@@ -262,15 +259,13 @@ def _with_moved_clips(
 
 def _moved_clips(
     design: Design, ids: Iterable[int], by_s: float, by_tracks: int
-) -> list[tuple[int, Clip]] | Refusal:
-    """Return clips at their new places, see `_moved`, or why they cannot be moved."""
-    chosen = present_clips(design, ids)
-    if not chosen:
-        return NO_CLIP
+) -> list[tuple[int, Clip]]:
+    """Return clips at their new places, see `_moved`."""
+    chosen = chosen_clips(design, ids)
     if isinstance(by_s, bool) or not isinstance(by_s, int | float) or by_s != by_s:
-        return NO_TIME
+        raise InvalidInputError(NO_TIME)
     if isinstance(by_tracks, bool) or not isinstance(by_tracks, int):
-        return Refusal(sentence="Tracks are counted in whole numbers.")
+        raise InvalidInputError("Tracks are counted in whole numbers.")
     return _moved(design, chosen, by_s, by_tracks)
 
 
@@ -319,9 +314,7 @@ def move_clips_to_place(
     Of several tracks at the place the selected one gets them, else the first.  If there is none, a
     new track is made, with the amplitude of the track of the last clip.
     """
-    chosen = present_clips(design, ids)
-    if not chosen:
-        return NO_CLIP
+    chosen = chosen_clips(design, ids)
     target = _track_at(design, view, location)
     if target is None:
         if len(design.inputs) >= MAX_INPUTS:
@@ -377,9 +370,7 @@ def fragment_of(design: Design, ids: Iterable[int]) -> Fragment | None:
 @refusing
 def cut_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Remove clips that were copied as a fragment; no clip is selected afterwards."""
-    chosen = present_clips(design, ids)
-    if not chosen:
-        return NO_CLIP
+    chosen = chosen_clips(design, ids)
     return Edit(
         label=f"Cut {clips_text(design, chosen)}",
         design=_without_clips(design, chosen),

@@ -15,8 +15,8 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.design.clips import LATEST_S, MAX_CLIPS, MAX_EFFECTS, ONSET, Clip, Marker, numbered
 from skinsource.design.design import Design, Input
 from skinsource.design.edits.clips import (
-    NO_CLIP,
     NO_TIME,
+    chosen_clips,
     clips_selected,
     clips_text,
     present_clips,
@@ -28,7 +28,6 @@ from skinsource.design.edits.edit import (
     Refusal,
     change_clips,
     kept_selection,
-    refusal_of,
     refusing,
 )
 from skinsource.design.effects.effect import Effect
@@ -43,29 +42,21 @@ from skinsource.specs.models import specs_of
 SAME_S = 1e-9
 #: Shortest clip that dragging an end can make.
 SHORTEST_S = 0.001
-_TOO_MANY_EFFECTS = Refusal(
-    sentence=f"A clip has at most {MAX_EFFECTS} effects, and cut in two it needs one more; remove "
-    "one first."
+_TOO_MANY_EFFECTS = (
+    f"A clip has at most {MAX_EFFECTS} effects, and cut in two it needs one more; remove one first."
 )
-_NO_CLIP_THERE = Refusal(sentence="That clip is no longer there; choose another one.")
 
 
 @refusing
 def split_clips(design: Design, view: View, ids: Iterable[int], at_s: float) -> Edit | Refusal:
     """Cut clips in two at a time of the design, and select the later parts."""
-    chosen = present_clips(design, ids)
-    if not chosen:
-        return NO_CLIP
+    chosen = chosen_clips(design, ids)
     if not _is_time(at_s):
-        return NO_TIME
+        raise InvalidInputError(NO_TIME)
     cut = parts_by_id(chosen, at_s)
-    if isinstance(cut, Refusal):
-        return cut
     if not cut:
         return Refusal(sentence=_why_uncut(chosen, at_s))
     after = with_parts(design, cut)
-    if isinstance(after, Refusal):
-        return after
     known = {clip.id for clip in design.clips}
     later = tuple(clip.id for clip in after.clips if clip.id not in known)
     text = clips_text(design, tuple(clip for clip in chosen if clip.id in cut))
@@ -85,9 +76,7 @@ def _why_uncut(chosen: Sequence[Clip], at_s: float) -> str:
 @refusing
 def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Join parts of one clip again where they follow each other."""
-    chosen_ids = {clip.id for clip in present_clips(design, ids)}
-    if not chosen_ids:
-        return NO_CLIP
+    chosen_ids = {clip.id for clip in chosen_clips(design, ids)}
     inputs, joined = [], []
     for track in design.inputs:
         clips = {clip.id: clip for clip in track.clips}
@@ -120,8 +109,6 @@ def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal
 def trim_clip(design: Design, view: View, id: int, start_s: float, end_s: float) -> Edit | Refusal:
     """Trim a clip to begin and end at times of the design, within what it plays."""
     clip = _one_clip(design, id, start_s, end_s)
-    if isinstance(clip, Refusal):
-        return clip
     before, fades = _without_fades(clip.effects)
     old = before[-1] if before and isinstance(before[-1], Trim) and before[-1].on else None
     inner = before if old is None else before[:-1]
@@ -145,8 +132,6 @@ def stretch_clip(
 ) -> Edit | Refusal:
     """Stretch a clip in time so that it begins and ends at times of the design."""
     clip = _one_clip(design, id, start_s, end_s)
-    if isinstance(clip, Refusal):
-        return clip
     if clip.duration_s == 0.0:
         return Refusal(sentence="This clip cannot be stretched; change its duration instead.")
     start_s = max(start_s, 0.0)
@@ -171,8 +156,6 @@ def stretch_clip(
 def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) -> Edit | Refusal:
     """Set how long a clip fades in and out; 0: it does not."""
     clip = _one_clip(design, id, in_s, out_s)
-    if isinstance(clip, Refusal):
-        return clip
     in_s = short(min(max(in_s, 0.0), clip.duration_s))
     out_s = short(min(max(out_s, 0.0), clip.duration_s - in_s))
     effects: list[Any] = list(clip.effects)
@@ -184,12 +167,14 @@ def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) ->
     return _with_clip(design, view, "Fade", clip, {"effects": tuple(effects)})
 
 
-def _one_clip(design: Design, id: int, *times_s: float) -> Clip | Refusal:
-    """Return the clip with this id, or why it cannot be changed to these times."""
+def _one_clip(design: Design, id: int, *times_s: float) -> Clip:
+    """Return the clip with this id, which shall be changed to these times."""
     chosen = present_clips(design, (id,))
     if not chosen:
-        return _NO_CLIP_THERE
-    return chosen[0] if all(_is_time(time_s) for time_s in times_s) else NO_TIME
+        raise InvalidInputError("That clip is no longer there; choose another one.")
+    if not all(map(_is_time, times_s)):
+        raise InvalidInputError(NO_TIME)
+    return chosen[0]
 
 
 def fades_of(clip: Clip) -> tuple[float, float]:
@@ -200,18 +185,20 @@ def fades_of(clip: Clip) -> tuple[float, float]:
     return (last.in_s, last.out_s)
 
 
-def parts_by_id(clips: Sequence[Clip], at_s: float) -> dict[int, tuple[Clip, Clip]] | Refusal:
+def parts_by_id(clips: Sequence[Clip], at_s: float) -> dict[int, tuple[Clip, Clip]]:
     """Return the two parts of each clip that plays at a time, see `parts_of`."""
     try:
         parts_of_clip = {clip.id: parts_of(clip, at_s) for clip in clips}
     except InvalidInputError as error:
+        reason = str(error)
         if at_s > ONSET.maximum:
-            return Refusal(
-                sentence=f"A clip plays at {at_s:.6g} s, and none can begin after "
-                f"{ONSET.maximum:g} s; cut it before that."
+            reason = (
+                f"A clip plays at {at_s:.6g} s, and none can begin after {ONSET.maximum:g} s; cut "
+                "it before that."
             )
-        is_full = any(len(clip.effects) == MAX_EFFECTS for clip in clips)
-        return _TOO_MANY_EFFECTS if is_full else refusal_of(error)
+        elif any(len(clip.effects) == MAX_EFFECTS for clip in clips):
+            reason = _TOO_MANY_EFFECTS
+        raise InvalidInputError(reason) from error
     return {id: parts for id, parts in parts_of_clip.items() if parts is not None}
 
 
@@ -237,8 +224,7 @@ def parts_of(clip: Clip, at_s: float) -> tuple[Clip, Clip] | None:
     )
 
 
-@refusing
-def with_parts(design: Design, cut: dict[int, tuple[Clip, Clip]]) -> Design | Refusal:
+def with_parts(design: Design, cut: dict[int, tuple[Clip, Clip]]) -> Design:
     """Return the design with clips replaced by pairs; the later of each pair gets a new id."""
     known = [clip.id for clip in design.clips]
     ids = iter(numbered([*known, *(0 for _ in cut)], "clips")[len(known) :])
@@ -249,7 +235,7 @@ def with_parts(design: Design, cut: dict[int, tuple[Clip, Clip]]) -> Design | Re
             first, *rest = cut.get(clip.id, (clip,))
             clips += [first, *(replace(part, id=next(ids)) for part in rest)]
         if len(clips) > MAX_CLIPS:
-            return Refusal(sentence=f"A track holds at most {MAX_CLIPS} clips.")
+            raise InvalidInputError(f"A track holds at most {MAX_CLIPS} clips.")
         inputs.append(replace_clips(track, clips))
     return replace(design, inputs=tuple(inputs))
 
@@ -330,8 +316,6 @@ def _shifted(
 ) -> Edit | Refusal:
     """Remove what begins in between, and move what begins at ``end_s`` or later by ``by_s``."""
     cut = _cut(_cut(design, end_s), start_s)
-    if isinstance(cut, Refusal):
-        return cut
 
     def shift(time_s: float) -> float | None:
         if time_s < start_s - SAME_S:
@@ -347,12 +331,8 @@ def _shifted(
     return Edit(label=label, design=after, view=kept_selection(view, design, after))
 
 
-def _cut(design: Design | Refusal, at_s: float) -> Design | Refusal:
-    if isinstance(design, Refusal):
-        return design
+def _cut(design: Design, at_s: float) -> Design:
     cut = parts_by_id(design.clips, at_s)
-    if isinstance(cut, Refusal):
-        return cut
     return with_parts(design, cut) if cut else design
 
 

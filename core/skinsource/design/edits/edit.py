@@ -55,7 +55,7 @@ class Refusal:
     sentence: str
 
 
-NOTHING_CHOSEN = Refusal(sentence="No input is selected; click one, on the hand or in the list.")
+NOTHING_CHOSEN = "No input is selected; click one, on the hand or in the list."
 
 
 def refusal_of(error: InvalidInputError) -> Refusal:
@@ -98,6 +98,14 @@ def present_inputs(design: Design, ids: Iterable[int]) -> tuple[Input, ...]:
     return tuple(track for track in design.inputs if track.id in wanted_ids)
 
 
+def chosen_inputs(design: Design, ids: Iterable[int]) -> tuple[Input, ...]:
+    """Return those inputs that ``design`` has, in its order; `InvalidInputError` without any."""
+    chosen = present_inputs(design, ids)
+    if not chosen:
+        raise InvalidInputError(NOTHING_CHOSEN)
+    return chosen
+
+
 def tracks_text(chosen: tuple[Input, ...], limb: str) -> str:
     """Return the name of inputs in the history: "input at 7 (II pad)", or "3 inputs"."""
     if len(chosen) != 1:
@@ -120,9 +128,7 @@ def change_inputs(
     clip_changes: dict[int, dict[str, Any]] | None = None,
 ) -> Edit | Refusal:
     """Change fields of inputs and of their clips, by id."""
-    chosen = present_inputs(design, changes)
-    if not chosen:
-        return NOTHING_CHOSEN
+    chosen = chosen_inputs(design, changes)
     inputs = tuple(
         _with_clips(_replaced(track, changes.get(track.id, {})), clip_changes or {})
         for track in design.inputs

@@ -8,7 +8,7 @@ set with `change_field`, as any other value of a field.
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from math import isfinite
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import quoted, sentence
 from skinsource.design.clips import GAIN, LABEL, MAX_EFFECTS, ONSET, Clip
 from skinsource.design.design import AMPLITUDE, GAIN_CURVE, Design, Input
-from skinsource.design.edits.clips import NO_CLIP, clips_text, present_clips
+from skinsource.design.edits.clips import chosen_clips, clips_text, present_clips
 from skinsource.design.edits.edit import (
     NOTHING_CHOSEN,
     Edit,
@@ -54,9 +54,10 @@ from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec
 from skinsource.specs.samples import Samples
 from skinsource.specs.spec import ChoiceSpec, Spec
 
-_NO_EFFECT = Refusal(sentence="That effect is no longer there; choose another one.")
+_NO_EFFECT = "That effect is no longer there; choose another one."
 _TOO_MANY_EFFECTS = Refusal(sentence=f"A clip has at most {MAX_EFFECTS} effects; remove one first.")
 _FADE_S = 0.02
+Kind = TypeVar("Kind")
 
 
 @refusing
@@ -64,15 +65,11 @@ def add_effect(
     design: Design, view: View, ids: Iterable[int], kind: str, index: int | None = None
 ) -> Edit | Refusal:
     """Add a new effect to clips, before the ``index``-th effect of each; None: at the end."""
-    effect_kind = next(
-        (candidate for candidate in effect_kinds() if candidate.__name__ == kind), None
-    )
+    effect_kind = _kind_called(kind, effect_kinds())
     if effect_kind is None:
-        known = ", ".join(candidate.__name__ for candidate in effect_kinds())
+        known = _names(effect_kinds())
         return Refusal(sentence=f"No effect is called {quoted(kind)}; there are {known}.")
-    chosen = present_clips(design, ids)
-    if not chosen:
-        return NO_CLIP
+    chosen = chosen_clips(design, ids)
     if any(len(clip.effects) >= MAX_EFFECTS for clip in chosen):
         return _TOO_MANY_EFFECTS
     effects_by_clip = {}
@@ -90,8 +87,6 @@ def add_effect(
 def remove_effect(design: Design, view: View, id: int, index: int) -> Edit | Refusal:
     """Remove an effect from a clip."""
     clip = _with_effect(design, id, index)
-    if clip is None:
-        return _NO_EFFECT
     verb = f"Remove {clip.effects[index].title.lower()} from"
     return _with_effects(design, view, verb, (clip,), {id: without_part(clip.effects, index)})
 
@@ -100,8 +95,6 @@ def remove_effect(design: Design, view: View, id: int, index: int) -> Edit | Ref
 def move_effect(design: Design, view: View, id: int, index: int, to: int) -> Edit | Refusal:
     """Move an effect to another place among the effects of its clip, from 0, within the list."""
     clip = _with_effect(design, id, index)
-    if clip is None:
-        return _NO_EFFECT
     effects = moved_part(clip.effects, index, to)
     return _with_effects(design, view, "Reorder effects of", (clip,), {id: effects})
 
@@ -110,8 +103,6 @@ def move_effect(design: Design, view: View, id: int, index: int, to: int) -> Edi
 def switch_effect(design: Design, view: View, id: int, index: int, on: bool) -> Edit | Refusal:
     """Switch an effect on or off."""
     clip = _with_effect(design, id, index)
-    if clip is None:
-        return _NO_EFFECT
     verb = f"Switch {clip.effects[index].title.lower()} {'on' if on else 'off'} in"
     return _with_effect_field(design, view, verb, clip, index, "on", on)
 
@@ -122,8 +113,8 @@ def change_effect_field(
 ) -> Edit | Refusal:
     """Set a field of an effect."""
     clip = _with_effect(design, id, index)
-    if clip is None or name not in specs_of(clip.effects[index]):
-        return _NO_EFFECT
+    if name not in specs_of(clip.effects[index]):
+        raise InvalidInputError(_NO_EFFECT)
     label = specs_of(clip.effects[index])[name].label.lower()
     verb = f"Change {label} of"
     return _with_effect_field(design, view, verb, clip, index, name, value)
@@ -134,9 +125,7 @@ def set_envelope(
     design: Design, view: View, id: int, points: tuple[Breakpoint, ...]
 ) -> Edit | Refusal:
     """Set the points of the last envelope of a clip; a clip without one gets it as last effect."""
-    chosen = present_clips(design, (id,))
-    if not chosen:
-        return NO_CLIP
+    chosen = chosen_clips(design, (id,))
     [clip] = chosen
     envelope = Envelope(points)
     places = [k for k, effect in enumerate(clip.effects) if isinstance(effect, Envelope)]
@@ -162,12 +151,12 @@ def _new_effect(kind: type[Effect], clip: Clip) -> Effect:
     return kind()
 
 
-def _with_effect(design: Design, id: int, index: int) -> Clip | None:
-    """Return the clip, if it has an effect with this index."""
+def _with_effect(design: Design, id: int, index: int) -> Clip:
+    """Return the clip that has an effect with this index."""
     for clip in present_clips(design, (id,)):
         if 0 <= index < len(clip.effects):
             return clip
-    return None
+    raise InvalidInputError(_NO_EFFECT)
 
 
 @refusing
@@ -218,10 +207,9 @@ def new_part(spec: ModelSpec, name: str, holder: Any = None) -> Any:
         No kind that can be chosen has this name.
     """
     kinds, chosen = spec.kinds(), _kinds_to_choose(spec)
-    kind = next((candidate for candidate in chosen if candidate.__name__ == name), None)
+    kind: type | None = _kind_called(name, chosen)
     if kind is None:
-        known = ", ".join(candidate.__name__ for candidate in chosen)
-        raise InvalidInputError(f"{spec.label} is {quoted(name)}, expected one of {known}")
+        raise InvalidInputError(f"{spec.label} is {quoted(name)}, expected one of {_names(chosen)}")
     inner = _inner_field(kinds[0])
     if kind not in kinds and inner is not None:
         return kinds[0](**{inner[0]: kind()})
@@ -269,6 +257,14 @@ def change_text(spec: Spec, before: Any, after: Any) -> str:
     return f"Change {label} of"
 
 
+def _kind_called(name: str, kinds: tuple[type[Kind], ...]) -> type[Kind] | None:
+    return next((kind for kind in kinds if kind.__name__ == name), None)
+
+
+def _names(kinds: tuple[type, ...]) -> str:
+    return ", ".join(kind.__name__ for kind in kinds)
+
+
 def _kinds_to_choose(spec: ModelSpec) -> tuple[type, ...]:
     kinds = spec.kinds()
     inner = _inner_field(kinds[0]) if len(kinds) == 1 else None
@@ -292,11 +288,9 @@ _OF_CLIP: dict[str, Spec] = {"onset_s": ONSET, "gain": GAIN, "label": LABEL}
 @refusing
 def change_kind(design: Design, view: View, ids: Iterable[int], kind: str) -> Edit | Refusal:
     """Give clips of inputs another kind of waveform, which keeps what both kinds share."""
-    waveform_kind = next(
-        (candidate for candidate in waveform_kinds() if candidate.__name__ == kind), None
-    )
+    waveform_kind = _kind_called(kind, waveform_kinds())
     if waveform_kind is None:
-        known = ", ".join(candidate.__name__ for candidate in waveform_kinds())
+        known = _names(waveform_kinds())
         return Refusal(sentence=f"No waveform is called {quoted(kind)}; there are {known}.")
     rate_hz = facts_of(design.limb).sample_rate_hz
     return _with_waveforms(
@@ -322,7 +316,7 @@ def change_field(
     """
     targets = _targets(design, view, ids, name)
     if not targets:
-        return NOTHING_CHOSEN
+        return Refusal(sentence=NOTHING_CHOSEN)
     return _with_values(design, view, name, [(target, value) for target in targets])
 
 

@@ -10,7 +10,7 @@ from skinsource.base.work import counted
 from skinsource.design.clips import Clip
 from skinsource.design.design import MAX_INPUTS, Design, track
 from skinsource.design.edits.clips import (
-    NO_CLIP,
+    chosen_clips,
     clips_selected,
     clips_text,
     present_clips,
@@ -18,10 +18,10 @@ from skinsource.design.edits.clips import (
     short,
 )
 from skinsource.design.edits.edit import (
-    NOTHING_CHOSEN,
     Edit,
     Refusal,
     change_inputs,
+    chosen_inputs,
     clip_of,
     kept_selection,
     leading_input,
@@ -106,9 +106,7 @@ def move_inputs(design: Design, view: View, ids: Iterable[int], location: int) -
 @refusing
 def duplicate_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Add a copy of each input at the end, and select the copies."""
-    chosen = present_inputs(design, ids)
-    if not chosen:
-        return NOTHING_CHOSEN
+    chosen = chosen_inputs(design, ids)
     if len(design.inputs) + len(chosen) > MAX_INPUTS:
         return _TOO_MANY_INPUTS
     after = design
@@ -121,9 +119,7 @@ def duplicate_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | R
 @refusing
 def remove_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Remove inputs; if no selected input is left, the next one is selected."""
-    chosen = present_inputs(design, ids)
-    if not chosen:
-        return NOTHING_CHOSEN
+    chosen = chosen_inputs(design, ids)
     after = replace(design, inputs=tuple(track for track in design.inputs if track not in chosen))
     return Edit(
         label=f"Remove {tracks_text(chosen, design.limb)}",
@@ -193,9 +189,7 @@ def group_clips(
     design: Design, view: View, ids: Iterable[int], mode: Mode = "sum"
 ) -> Edit | Refusal:
     """Combine clips of one track into one clip, which adds or multiplies them."""
-    chosen = present_clips(design, ids)
-    if not chosen:
-        return NO_CLIP
+    chosen = chosen_clips(design, ids)
     owner = design.track_of(chosen[0].id)
     chosen_ids = {clip.id for clip in chosen}
     if not chosen_ids <= {clip.id for clip in owner.clips}:
@@ -304,9 +298,7 @@ def put_inputs_before(design: Design, view: View, ids: Iterable[int], index: int
 
     The number of all inputs moves them to the end.
     """
-    chosen = present_inputs(design, ids)
-    if not chosen:
-        return NOTHING_CHOSEN
+    chosen = chosen_inputs(design, ids)
     before = [track for track in design.inputs[: max(index, 0)] if track not in chosen]
     after = [track for track in design.inputs[max(index, 0) :] if track not in chosen]
     return Edit(
@@ -319,9 +311,7 @@ def put_inputs_before(design: Design, view: View, ids: Iterable[int], index: int
 @refusing
 def shift_inputs(design: Design, view: View, ids: Iterable[int], down: bool) -> Edit | Refusal:
     """Move each input one row up or down in the list, within the list."""
-    chosen = present_inputs(design, ids)
-    if not chosen:
-        return NOTHING_CHOSEN
+    chosen = chosen_inputs(design, ids)
     order = list(design.inputs[::-1] if down else design.inputs)
     for row in range(1, len(order)):
         if order[row] in chosen and order[row - 1] not in chosen:

@@ -1,0 +1,59 @@
+"""Rows and columns of widgets."""
+
+from typing import TypeVar
+
+from PySide6.QtWidgets import QBoxLayout, QHBoxLayout, QLayout, QVBoxLayout, QWidget
+
+#: A widget or a layout, with its share of the spare room if it gets some; None: empty room.
+Part = QWidget | QLayout | tuple[QWidget | QLayout, int] | None
+#: Left, top, right and bottom, px, or the same at all sides.
+Margins = int | tuple[int, int, int, int]
+Box = TypeVar("Box", bound=QBoxLayout)
+
+
+def in_column(
+    *parts: Part,
+    of: QWidget | None = None,
+    margins: Margins | None = None,
+    gap_px: int | None = None,
+) -> QVBoxLayout:
+    """Lay out parts below each other.
+
+    Parameters
+    ----------
+    parts
+        From the top down.
+    of
+        The widget that gets them; None: the column is a part of another layout.
+    margins, gap_px
+        Around the parts and between them; None: those of the style.
+    """
+    return _filled(QVBoxLayout() if of is None else QVBoxLayout(of), parts, margins, gap_px)
+
+
+def in_row(
+    *parts: Part,
+    of: QWidget | None = None,
+    margins: Margins | None = None,
+    gap_px: int | None = None,
+) -> QHBoxLayout:
+    """Lay out parts from left to right, see `in_column`."""
+    return _filled(QHBoxLayout() if of is None else QHBoxLayout(of), parts, margins, gap_px)
+
+
+def _filled(
+    layout: Box, parts: tuple[Part, ...], margins: Margins | None, gap_px: int | None
+) -> Box:
+    if margins is not None:
+        layout.setContentsMargins(*(4 * (margins,) if isinstance(margins, int) else margins))
+    if gap_px is not None:
+        layout.setSpacing(gap_px)
+    for part in parts:
+        item, share = part if isinstance(part, tuple) else (part, 0)
+        if item is None:
+            layout.addStretch(1)
+        elif isinstance(item, QLayout):
+            layout.addLayout(item, share)
+        else:
+            layout.addWidget(item, share)
+    return layout
