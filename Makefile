@@ -8,7 +8,7 @@ AT_ONCE := -n auto --maxprocesses 8 --dist worksteal
 
 BENCHMARKS := "engine_speed.py --long" predict_speed.py slots.py frequency_drag.py slider_storm.py start.py long_design.py import_hour.py sweeps.py
 
-.PHONY: run test checks types tests fix pictures bench nightly growth clean
+.PHONY: run test checks types tests fix pictures bench nightly faults growth clean
 
 run: .venv/ready-to-run  ## open the studio
 	@$(BIN)/python -m skinsource_gui
@@ -47,6 +47,9 @@ nightly: .venv/ready-to-test  ## damaged recordings and limbs, killed exports, d
 	$(BIN)/python -m tests.nightly.limb_mutants
 	$(BIN)/python -m tests.nightly.killed_exports
 	$(BIN)/python -m tests.nightly.monkey
+
+faults: .venv/ready-to-test  ## do the tests still notice the faults that they noticed once? (an hour or more)
+	$(BIN)/python -m tests.nightly.planted_faults again
 
 growth: .venv/ready-to-test  ## how cost grows with length, inputs and outputs: build/growth
 	$(BIN)/python benchmarks/growth.py
