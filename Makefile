@@ -46,6 +46,7 @@ nightly: .venv/ready-to-test  ## damaged recordings and limbs, killed exports, d
 	$(BIN)/python -m tests.nightly.recording_mutants
 	$(BIN)/python -m tests.nightly.limb_mutants
 	$(BIN)/python -m tests.nightly.killed_exports
+	$(BIN)/python -m tests.nightly.short_lives
 	$(BIN)/python -m tests.nightly.monkey
 
 growth: .venv/ready-to-test  ## how cost grows with length, inputs and outputs: build/growth

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from skinsource.base.assets import data_folder
 from skinsource.base.job import stop_if
+from skinsource.base.quoting import cell_text
 from skinsource.export.formats.audio import WAV, write_wav
 from skinsource.export.formats.format import SAMPLES, Facts, Outgoing, StimulusFormat, channel_names
 from skinsource.export.formats.text import number
@@ -86,9 +87,7 @@ def write_psychopy(outgoing: Outgoing, folder: Path) -> Facts:
     table = io.StringIO()
     writer = csv.writer(table, lineterminator="\n")
     writer.writerow(_COLUMNS)
-    title = outgoing.design.title
-    # A spreadsheet would read a title that begins like this as a formula.
-    title = f"'{title}" if title[:1] in ("=", "+", "-", "@", "\t") else title
+    title = cell_text(outgoing.design.title)
     writer.writerow(
         (sound, 1, title, len(stimulus.channels), outgoing.rate_hz, f"{stimulus.duration_s:.17g}")
     )
