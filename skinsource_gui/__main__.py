@@ -4,6 +4,7 @@ Nothing here imports Qt before it is known that Qt can start.
 """
 
 import argparse
+import atexit
 import gc
 import importlib
 import importlib.util
@@ -45,13 +46,31 @@ def main(arguments: Sequence[str] | None = None) -> int:
     leave_sources_unread()
     make_lazy()
     if on_a_screen:
-        return int(importlib.import_module("skinsource_gui.app.app").run(options.design))
+        result = int(importlib.import_module("skinsource_gui.app.app").run(options.design))
+        return _ending_at_once(result)
     folder = options.render or _FIRST_RUN
     if options.render is None:
         shown = "the start design" if options.design is None else escaped(str(options.design))
         sys.stdout.write(f"There is no display here. Rendering {shown} to {folder} instead.\n")
     os.environ["QT_QPA_PLATFORM"] = "offscreen"
-    return int(importlib.import_module("skinsource_gui.app.headless").run(folder, options.design))
+    headless = importlib.import_module("skinsource_gui.app.headless")
+    return _ending_at_once(int(headless.run(folder, options.design)))
+
+
+def _ending_at_once(result: int) -> int:
+    """Have the process end after Python's threads, with windows left to the system.
+
+    PySide would take them apart in any order, and Qt call their event filters meanwhile: that
+    crashes where a window was closed right after its start.
+    """
+    atexit.register(_end, result)
+    return result
+
+
+def _end(result: int) -> None:
+    sys.stdout.flush()
+    sys.stderr.flush()
+    os._exit(result)
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -303,12 +303,13 @@ class ShortcutsInFields(QObject):
         return super().eventFilter(watched, event)
 
     def _watch(self, _old: QWidget | None, new: QWidget | None) -> None:
-        if self._watched is not None:
+        # While a widget with the keyboard is deleted, the next one gets it before that is told.
+        if self._watched is not None and shiboken6.isValid(self._watched):
             self._watched.removeEventFilter(self)
             self._watched.destroyed.disconnect(self._forget)
             if isinstance(self._watched, QComboBox):
                 self._watched.activated.disconnect(self._note_used)
-            self._watched = None
+        self._watched = None
         if new is not None and new is not self._used and not _is_popup_of(self._used, new):
             self._used = None
         # A clicked button has the keyboard too, but the next key is not meant for it.
@@ -328,7 +329,8 @@ class ShortcutsInFields(QObject):
             self._used = self._watched
 
     def _forget(self) -> None:
-        self._watched = self._used = None
+        if self._watched is not None and not shiboken6.isValid(self._watched):
+            self._watched = self._used = None
 
 
 def _is_popup_of(field: QComboBox | None, widget: QWidget) -> bool:

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QToolButton,
     QWidget,
 )
+from shiboken6 import isValid
 
 from skinsource import actuators
 from skinsource.base.quoting import printable
@@ -115,13 +116,15 @@ class EscapeTwice(QObject):
         self._watched.destroyed.connect(self._note_destroyed)
 
     def _forget(self) -> None:
-        if self._watched is not None:
+        # While a widget with the keyboard is deleted, the next one gets it before that is told.
+        if self._watched is not None and isValid(self._watched):
             self._watched.removeEventFilter(self)
             self._watched.destroyed.disconnect(self._note_destroyed)
-            self._watched = None
+        self._watched = None
 
     def _note_destroyed(self) -> None:
-        self._watched = None
+        if self._watched is not None and not isValid(self._watched):
+            self._watched = None
 
 
 # The panel that it is looked at in, and the longest title there.

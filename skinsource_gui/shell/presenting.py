@@ -206,7 +206,8 @@ class PresentingKeys(QObject):
         return True
 
     def _watch(self, _old: QWidget | None, new: QWidget | None) -> None:
-        if self._watched is not None:
+        # While a widget with the keyboard is deleted, the next one gets it before that is told.
+        if self._watched is not None and isValid(self._watched):
             self._watched.removeEventFilter(self)
             self._watched.destroyed.disconnect(self._forget)
         self._watched = new
@@ -215,7 +216,8 @@ class PresentingKeys(QObject):
             new.destroyed.connect(self._forget)
 
     def _forget(self) -> None:
-        self._watched = None
+        if self._watched is not None and not isValid(self._watched):
+            self._watched = None
 
 
 def _belongs_to_presenter(watched: QObject, meaning: str) -> bool:

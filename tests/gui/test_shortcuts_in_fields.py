@@ -1,6 +1,7 @@
 from itertools import product
 
 import pytest
+import shiboken6
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtTest import QTest
@@ -78,3 +79,13 @@ def test_ctrl_e_in_a_number_field_exports(window, field, monkeypatch):
     monkeypatch.setattr(window.files, "ask_where", lambda *arguments: asked.append(arguments[0]))
     QTest.keyClick(field, Qt.Key.Key_E, CONTROL)
     assert asked == ["Export traces as CSV"]
+
+
+def test_a_field_that_dies_with_the_keyboard_leaves_the_next_one_watched(window, field):
+    dying, following = GreedyLine(window), GreedyLine(window)
+    for line in (dying, following):
+        line.show()
+    dying.setFocus()
+    shiboken6.delete(dying)
+    following.setFocus()
+    assert not takes(following, "Ctrl+E")

@@ -21,10 +21,13 @@ from skinsource_gui.state.preferences import Preferences, start_design
 from tests.gui.monkey.monkey import Monkey
 from tests.gui.monkey.test_monkey import recording
 
+#: Caches fill up to about 0.9 GB.
+_MOST_BYTES = 1e9
+
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--count", type=int, default=20_000)
+    parser.add_argument("--count", type=int, default=2000, help="20000 take some hours")
     parser.add_argument("--seed", type=int, default=secrets.randbelow(2**31))
     options = parser.parse_args()
     print(f"seed {options.seed}", flush=True)
@@ -54,6 +57,10 @@ def main() -> None:
             print(fault)
         if tally.faults:
             print(f"after\n{monkey.last_deeds}\nseed {options.seed}")
+        resident = resident_bytes(os.getpid())
+        if resident > _MOST_BYTES:
+            tally.faults.append(f"{resident / 1e6:.0f} MB")
+            print(tally.faults[-1])
         window.close_unasked()
         sys.stdout.flush()
     # Python would take a thousand widgets apart in any order.

@@ -59,3 +59,12 @@ def first_sentence(text: str) -> str:
     'The level is 0.5 dB.'
     """
     return sentence(text.split(". ", 1)[0])
+
+
+def cell_text(text: str) -> str:
+    """Return a text for a cell of CSV; a spreadsheet would read some beginnings as formulas.
+
+    >>> cell_text("=1+1")
+    "'=1+1"
+    """
+    return f"'{text}" if text.startswith(("=", "+", "-", "@", "\t", "\r")) else text

@@ -119,17 +119,16 @@ def _rows_of_numbers(
     rows = [k for k, line in enumerate(lines) if not _is_comment(line)]
     ends = [lines[k].rstrip("\r\n ").endswith(separator) for k in rows[-_ROWS:]]
     trailing = separator != " " and bool(ends) and all(ends)
-    columns, first = 0, None
+    columns, first, has_number = 0, None, False
     for k in reversed(rows):
         cells = _split(lines[k], separator, trailing)
         values = [_number(cell, decimal) for cell in cells]
-        numeric = all(value is not None for value in values) and any(
-            cell.lower() not in _MISSING for cell in cells
-        )
+        numeric = all(value is not None for value in values)
         if not numeric or (first is not None and len(cells) != columns):
             break
+        has_number = has_number or any(cell.lower() not in _MISSING for cell in cells)
         first, columns = k, len(cells)
-    if first is None or columns > limits.MOST_SERIES:
+    if first is None or not has_number or columns > limits.MOST_SERIES:
         return None
     return first, columns, trailing
 

@@ -110,7 +110,10 @@ def equal_captions(present: Compared, other: Compared) -> tuple[str, str]:
     mine, theirs = present.snapshot, other.snapshot
     if mine.design == theirs.design:
         return heading, "dB, the same inputs, scaling and limb"
-    if same_but_rounding(louder(mine.design, present.gain), louder(theirs.design, other.gain)):
+    # The louder one is turned down: an amplitude may be the largest there is.
+    ratio = present.gain / other.gain
+    turned_down = louder(mine.design, min(ratio, 1.0)), louder(theirs.design, min(1.0 / ratio, 1.0))
+    if same_but_rounding(*turned_down):
         return heading, "dB, the same inputs once levels match"
     return heading, "dB, the same levels by other inputs"
 

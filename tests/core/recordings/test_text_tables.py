@@ -147,3 +147,17 @@ def test_what_is_written_with_all_digits_is_read_to_the_last_bit(
         text = text.replace(".", ",")
     path.write_text(text)
     np.testing.assert_array_equal(numbers_of(path), values)
+
+
+@pytest.mark.parametrize("missing", ["NaN,NaN", "NA,na", ","])
+@pytest.mark.parametrize("heading", ["", "time [s],acc [g]\n"])
+def test_missing_numbers_before_the_first_are_samples(missing, heading, tmp_path):
+    path = tmp_path / "table.csv"
+    path.write_text(heading + 50 * f"{missing}\n" + TABLES["commas"])
+    values = numbers_of(path)
+    assert np.isnan(values[:50]).all()
+    np.testing.assert_array_equal(values[50:], NUMBERS)
+
+
+def test_a_table_of_missing_numbers_alone_is_none():
+    assert layout_of(["NaN,NaN\n"] * 3) is None

@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -43,6 +44,12 @@ def test_the_table_has_a_row_for_each_stimulus(tmp_path):
     assert [float(row["output_19_rms"]) for row in written] == table.column(
         "output_19_rms"
     ).tolist()
+
+
+def test_titles_are_no_formulas_of_a_spreadsheet(tmp_path):
+    titles = ("=1+1", "plain")
+    ss.sweep([replace(DESIGN, title=title) for title in titles], out=tmp_path, processes=1)
+    assert [row["design"] for row in csv_rows(tmp_path)] == ["'=1+1", "plain"]
 
 
 def test_a_bad_row_is_reported_and_the_rest_is_measured(tmp_path):

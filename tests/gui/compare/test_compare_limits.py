@@ -7,10 +7,11 @@ from PySide6.QtCore import QEvent
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication
 
+from skinsource.design.comparing import Snapshot
 from skinsource.design.design import Design, track
-from skinsource_gui.panels.compare.card import matching_text
+from skinsource_gui.panels.compare.card import equal_captions, matching_text
 from skinsource_gui.plots.colour_maps import colour_table
-from skinsource_gui.state.compared import SILENCE, is_silent
+from skinsource_gui.state.compared import SILENCE, Compared, is_silent
 
 
 @pytest.fixture
@@ -97,3 +98,17 @@ def test_a_silent_snapshot_has_no_colours(window, settle, panel):
         for y in range(picture.height() // 4, picture.height() * 3 // 4)
     }
     assert lowest not in colours
+
+
+def test_the_largest_amplitude_is_compared_with_what_is_matched_to_it():
+    loud, soft = (
+        Design(limb="synthetic-1", inputs=(track(7, amplitude=size),)) for size in (1000.0, 500.0)
+    )
+    first, second = Snapshot(number=1, design=loud), Snapshot(number=2, design=soft)
+    for gains in ((2.0, 4.0), (0.5, 1.0)):
+        sides = [
+            Compared(snapshot=side, gain=gain)
+            for side, gain in zip((first, second), gains, strict=True)
+        ]
+        assert "once levels match" in equal_captions(*sides)[1]
+        assert "once levels match" in equal_captions(*sides[::-1])[1]

@@ -1,6 +1,6 @@
 """Hundreds of deeds at random: nothing fails, and what is shown is what is predicted.
 
-Twenty thousand are done at night: ``python -m tests.nightly.monkey``.
+More are done at night: ``python -m tests.nightly.monkey``.
 """
 
 import os

@@ -1,6 +1,7 @@
 """Edits of a design and of the view on it: pure functions that return an `Edit`.
 
-They raise nothing, whatever they get: an edit that cannot be done is a `Refusal` with one sentence.
+An edit that cannot be done is a `Refusal` with one sentence, whatever it gets.  Selections and
+questions raise an `InvalidInputError` for arguments of wrong types.
 To add one, write a function in the module of its subject, and name it here.
 """
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import ClassVar
 
 from skinsource.base.assets import data_folder
+from skinsource.base.quoting import cell_text
 from skinsource.export.formats.audio import Wav
 from skinsource.export.formats.format import (
     SAMPLES,
@@ -94,9 +95,7 @@ class PsychoPy(Wav):
         (path / _SOUNDS).mkdir()
         sound = f"{_SOUNDS}/{Path(file.name).stem or 'stimulus'}.wav"
         facts = super().write(replace(file, choices=Wav().chosen(file.choices)), path / sound)
-        stimulus, title = file.stimulus, file.design.title
-        # A spreadsheet would read a title that begins like this as a formula.
-        title = f"'{title}" if title[:1] in ("=", "+", "-", "@", "\t") else title
+        stimulus, title = file.stimulus, cell_text(file.design.title)
         duration_s = f"{stimulus.duration_s:.17g}"
         table = io.StringIO()
         csv.writer(table, lineterminator="\n").writerows(

@@ -35,7 +35,7 @@ from skinsource.base.files import (
 )
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.lock import Lock
-from skinsource.base.quoting import quoted
+from skinsource.base.quoting import cell_text, quoted
 from skinsource.design.design import Design
 from skinsource.export.formats import format_named
 from skinsource.export.stimulus_export.export import export_stimulus
@@ -144,6 +144,8 @@ def _cell(value: Any) -> Cell:
 
 
 def _as_text(value: Cell) -> str:
+    if isinstance(value, str):
+        return cell_text(value)
     if not isinstance(value, float):
         return str(value)
     # The shortest digits that read back as the same number.
