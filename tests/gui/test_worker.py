@@ -85,6 +85,15 @@ def test_after_a_wait_what_is_done_has_arrived(worker):
     assert arrived == [5]
 
 
+def test_what_arrived_together_with_something_that_failed_still_arrives(worker, qtbot):
+    arrived = []
+    worker.run(lambda: 1, lambda *_: arrived[0])
+    last = worker.run(lambda: 2, lambda result, _: arrived.append(result))
+    with pytest.raises(IndexError):
+        worker.wait(last, 20.0)
+    qtbot.waitUntil(lambda: arrived == [2])
+
+
 def test_nothing_arrives_once_it_is_closed_and_what_waits_is_dropped(qtbot, gate):
     worker, done = Worker("test-worker"), []
     worker.run(partial(done.append, "first"), lambda *_: done.append("arrived"))
