@@ -1,5 +1,5 @@
 from functools import partial
-from threading import Event, current_thread
+from threading import Event, Timer, current_thread
 
 import pytest
 
@@ -85,10 +85,11 @@ def test_after_a_wait_what_is_done_has_arrived(worker):
     assert arrived == [5]
 
 
-def test_what_arrived_together_with_something_that_failed_still_arrives(worker, qtbot):
+def test_what_arrived_together_with_something_that_failed_still_arrives(worker, qtbot, gate):
     arrived = []
-    worker.run(lambda: 1, lambda *_: arrived[0])
+    worker.run(gate.wait, lambda *_: arrived[0])
     last = worker.run(lambda: 2, lambda result, _: arrived.append(result))
+    Timer(0.05, gate.set).start()  # once it is waited for: until then each sends an event
     with pytest.raises(IndexError):
         worker.wait(last, 20.0)
     qtbot.waitUntil(lambda: arrived == [2])
