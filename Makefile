@@ -6,7 +6,7 @@ PYTEST_OPTIONS ?=
 # Neighbours stay with one worker, which keeps what they share, until another has nothing to do.
 AT_ONCE := -n auto --maxprocesses 8 --dist worksteal
 
-BENCHMARKS := "engine_speed.py --long" predict_speed.py slots.py frequency_drag.py slider_storm.py start.py long_design.py import_hour.py sweeps.py
+BENCHMARKS := "engine_speed.py --long" predict_speed.py slots.py frequency_drag.py hops.py slider_storm.py start.py long_design.py import_hour.py sweeps.py
 
 .PHONY: run test checks types tests fix pictures bench nightly faults growth clean
 

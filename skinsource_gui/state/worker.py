@@ -99,8 +99,7 @@ class Worker(QObject):
             future.result(longest_s)
         with self._lock:
             self._awaited = False
-        while self._outbox:
-            self._deliver()
+        self._deliver()
 
     def close(
         self, last: Work | None = None, *, finish: bool = False, longest_s: float | None = None
@@ -173,8 +172,13 @@ class Worker(QObject):
             self._arrived.emit()
 
     def _deliver(self) -> None:
-        if self._outbox and not self.closed:
-            self._outbox.popleft()()
+        try:
+            while self._outbox and not self.closed:
+                self._outbox.popleft()()
+        finally:
+            if self._outbox and not self.closed:
+                # One of them failed; the others still arrive.
+                self._arrived.emit()
 
 
 def fault_text(error: Exception) -> str:

@@ -1,5 +1,5 @@
 from functools import partial
-from threading import Event, current_thread
+from threading import Event, Timer, current_thread
 
 import pytest
 
@@ -83,6 +83,16 @@ def test_after_a_wait_what_is_done_has_arrived(worker):
     arrived = []
     worker.wait(worker.run(lambda: 5, lambda result, _: arrived.append(result)), 20.0)
     assert arrived == [5]
+
+
+def test_what_arrived_together_with_something_that_failed_still_arrives(worker, qtbot, gate):
+    arrived = []
+    worker.run(gate.wait, lambda *_: arrived[0])
+    last = worker.run(lambda: 2, lambda result, _: arrived.append(result))
+    Timer(0.05, gate.set).start()  # once it is waited for: until then each sends an event
+    with pytest.raises(IndexError):
+        worker.wait(last, 20.0)
+    qtbot.waitUntil(lambda: arrived == [2])
 
 
 def test_nothing_arrives_once_it_is_closed_and_what_waits_is_dropped(qtbot, gate):
