@@ -13,8 +13,8 @@ from pathlib import Path
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
+from skinsource.base.run_limited import resident_bytes
 from skinsource.limbs.catalog import available_limbs
-from skinsource.readers.reading_process import resident_bytes
 from skinsource_gui.app.app import make_application, manage_garbage_collection
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences, start_design

@@ -5,6 +5,7 @@ import sys
 from collections.abc import Sequence
 
 from skinsource.base.errors import SkinSourceError, Stopped
+from skinsource.base.run_limited import serve_if_asked
 from skinsource.cli import (
     bench_command,
     check_command,
@@ -50,6 +51,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         0: done.  1: failed, the reason is one line on stderr.  130: stopped by the user.
         (A wrong call ends in `SystemExit` 2, as usual with argparse.)
     """
+    if serve_if_asked(sys.argv[1:] if argv is None else argv):
+        return 0
     arguments = _parser().parse_args(argv)
     try:
         return int(arguments.run(arguments))

@@ -1,7 +1,7 @@
 """Import a limb from files of a lab.
 
-Foreign files are read in a child process, which calls `look` and `blocks`; all else runs in the
-process of the caller.
+Functions of `skinsource.limbs.limb_layout` read the foreign files in a process of their own; all
+else runs in the process of the caller.
 """
 
 from collections.abc import Iterator
@@ -17,19 +17,18 @@ from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.base.files import is_file, path_text
 from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.base.quoting import quoted
-from skinsource.limbs import limb_layout
+from skinsource.base.run_limited import LimitedProcess, run_limited
 from skinsource.limbs.limb import LimbFacts
 from skinsource.limbs.limb_layout import (
     POINT_FIELDS,
     USUAL_ORDERS,
     hull_around,
     limb_file_error,
-    points_of,
 )
 from skinsource.limbs.own_limbs import OwnLimb, facts_of, install_limb, own_limb_path
-from skinsource.readers.readers import reader_of
-from skinsource.readers.reading_process import ReadingProcess
 
+_LAYOUT = "skinsource.limbs.limb_layout"
+_EXPECTED = "responses in the layout of docs/limbs.md, or in NPY, NPZ, MATLAB or HDF5"
 _HULL_NOTE = "the outline is a hull around the places, not measured"
 
 
@@ -66,10 +65,11 @@ class LimbSource:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PreparedLimb:
-    """A limb whose responses have not been read yet: ``request`` asks the child for them."""
+    """A limb whose responses have not been read yet; ``array`` and ``order`` are those to read."""
 
     limb: OwnLimb
-    request: dict[str, Any]
+    array: str
+    order: str
 
 
 def import_limb(
@@ -101,7 +101,7 @@ def import_limb(
     Stopped
         ``stop`` returned true; nothing is left behind.
     """
-    with ReadingProcess() as process:
+    with LimitedProcess() as process:
         prepared = prepare_limb(source, process, stop=stop)
         if not replace:
             _check_name_free(prepared.limb.name)
@@ -123,13 +123,13 @@ def _check_name_free(name: str) -> None:
 
 
 def prepare_limb(
-    source: LimbSource, process: ReadingProcess, *, stop: Stop = never
+    source: LimbSource, process: LimitedProcess, *, stop: Stop = never
 ) -> PreparedLimb:
     """Read all but the responses, and check it; raises as `import_limb`."""
     path = source.responses
-    about = process.ask(path, {"do": "limb"}, stop=stop)["limb"]
+    about = read_description(path, process, stop=stop)
     header: dict[str, Any] = about["header"] or {}
-    shape, request = _array_request(source, about)
+    shape, array, order = _array_to_read(source, about)
     values: dict[str, Any] = {
         "name": "",
         **_layout_values(path, header),
@@ -152,7 +152,7 @@ def prepare_limb(
     values["n_taps"] = shape[3]
     try:
         _complete(values, shape)
-        return PreparedLimb(limb=OwnLimb(**values), request=request)
+        return PreparedLimb(limb=OwnLimb(**values), array=array, order=order)
     except InvalidInputError as error:
         raise InvalidInputError(f"{path_text(Path(path.name))}: {error}") from error
 
@@ -166,27 +166,34 @@ class Points:
     y_down: bool
 
 
-def read_points(path: Path, process: ReadingProcess, *, stop: Stop = never) -> Points:
+def read_points(path: Path, process: LimitedProcess, *, stop: Stop = never) -> Points:
     """Read the places of a CSV file, or the outline of a CSV or SVG file."""
-    answer = process.ask(path, {"do": "points"}, stop=stop)["points"]
-    try:
-        rows = [(np.nan, np.nan) if row is None else row for row in answer["points"]]
-        points = np.array(rows, np.float64).reshape(-1, 2)
-        names = tuple(map(str, answer["names"]))
-    except (TypeError, ValueError, KeyError) as error:
-        raise FileFormatError(
-            f"{path_text(Path(path.name))}: its points make no sense, expected rows of x and y."
-        ) from error
-    return Points(points=points, names=names, y_down=bool(answer["y_down"]))
+    (answer,) = run_limited(
+        f"{_LAYOUT}:points_of", path, expected="a CSV or SVG file", process=process, stop=stop
+    )
+    rows = [(np.nan, np.nan) if row is None else row for row in answer["points"]]
+    points = np.array(rows, np.float64).reshape(-1, 2)
+    return Points(points=points, names=tuple(answer["names"]), y_down=answer["y_down"])
 
 
-def _array_request(
+def read_description(path: Path, process: LimitedProcess, *, stop: Stop = never) -> dict[str, Any]:
+    """Return what `skinsource.limbs.limb_layout.description_of` says of a file of responses."""
+    (answer,) = run_limited(
+        f"{_LAYOUT}:description_of", path, expected=_EXPECTED, process=process, stop=stop
+    )
+    return dict(answer)
+
+
+def _array_to_read(
     source: LimbSource, about: dict[str, Any]
-) -> tuple[tuple[int, int, int, int], dict[str, Any]]:
-    """Return the shape of the responses, (inputs, outputs, axes, taps), and their request."""
+) -> tuple[tuple[int, int, int, int], str, str]:
+    """Return the shape of the responses, (inputs, outputs, axes, taps), their array and order.
+
+    Array and order are empty for a file in the layout.
+    """
     if about["header"] is not None:
         inputs, outputs, axes, taps = about["header"]["shape"]
-        return (inputs, outputs, axes, taps), {"do": "responses", "array": None, "order": ""}
+        return (inputs, outputs, axes, taps), "", ""
     arrays = [array for array in about["arrays"] if source.array in ("", array["name"])]
     if not arrays:
         names = ", ".join(quoted(array["name"]) for array in about["arrays"][:10])
@@ -204,7 +211,7 @@ def _array_request(
         )
     size = dict(zip(order, map(int, array["shape"]), strict=True))
     shape = size["i"], size["o"], size.get("a", 1), size["t"]
-    return shape, {"do": "responses", "array": array["name"], "order": order}
+    return shape, array["name"], order
 
 
 def _layout_values(path: Path, header: dict[str, Any]) -> dict[str, Any]:
@@ -287,9 +294,18 @@ def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:
 
 
 def _responses(
-    path: Path, prepared: PreparedLimb, process: ReadingProcess, stop: Stop
+    path: Path, prepared: PreparedLimb, process: LimitedProcess, stop: Stop
 ) -> Iterator[Floats]:
-    for block in process.stream(path, prepared.request, stop=stop):
+    for block in run_limited(
+        f"{_LAYOUT}:response_blocks",
+        path,
+        expected=_EXPECTED,
+        process=process,
+        most_bytes=8 * prod(prepared.limb.shape),
+        stop=stop,
+        array=prepared.array,
+        order=prepared.order,
+    ):
         rows = prepared.limb.n_outputs * len(prepared.limb.axes)
         if block.shape != (rows, prepared.limb.n_taps):
             raise FileFormatError(
@@ -297,31 +313,3 @@ def _responses(
                 f"{(rows, prepared.limb.n_taps)}. The file has changed, or is damaged."
             )
         yield block.reshape(prepared.limb.shape[1:])
-
-
-_HDF5 = "HDF5", "MATLAB 7.3"
-#: Kinds of files that each request expects.
-EXPECTED = {
-    "limb": "responses in the layout of docs/limbs.md, or in NPY, NPZ, MATLAB or HDF5",
-    "points": "a CSV or SVG file",
-    "responses": "responses in the layout of docs/limbs.md, or in NPY, NPZ, MATLAB or HDF5",
-    "arrays": "a table of numbers, NPY, NPZ, MATLAB or HDF5",
-}
-
-
-def look(request: dict[str, Any], path: Path) -> dict[str, Any]:
-    """Answer what a file says besides its responses."""
-    if request["do"] == "points":
-        return {"points": points_of(path)}
-    if request["do"] == "arrays":
-        return limb_layout.offered_by(path)
-    if reader_of(path).name in _HDF5 and limb_layout.is_limb_file(path):
-        return {"limb": {"header": limb_layout.header_of(path), "arrays": []}}
-    return {"limb": {"header": None, "arrays": limb_layout.arrays_of(path)}}
-
-
-def blocks(request: dict[str, Any], path: Path) -> Iterator[Floats]:
-    """Give the responses to one input after another, (n_channels, n_taps)."""
-    if request["array"] is None:
-        return limb_layout.response_blocks(path)
-    return limb_layout.array_blocks(path, str(request["array"]), str(request["order"]))

@@ -1,7 +1,7 @@
 """Files of labs: limbs in HDF5, arrays of responses, tables of places, and outlines.
 
-Most of it runs in the child process that reads foreign files.  ``docs/limbs.md`` describes the
-layout of a limb for people::
+What reads them runs in a process of its own, see `skinsource.base.run_limited`.
+``docs/limbs.md`` describes the layout of a limb for people::
 
     /                  format, format_version, name, title, note, sample_rate_hz, axes,
                        pre_trigger_delay_s, band_hz, answers, hand, hand_length_mm, synthetic
@@ -63,8 +63,15 @@ _LONGEST_TEXT, _MOST_NAMES, _MOST_ROWS = 4000, 512, 20_001
 _HEADER_BYTES = 2**20
 
 
-def is_limb_file(path: Path) -> bool:
-    """Whether an HDF5 file says that it holds a limb; for the child process.
+def description_of(path: Path) -> dict[str, Any]:
+    """Return all but the responses, for JSON: ``header`` of a file in the layout, or ``arrays``."""
+    if reader_of(path).name in ("HDF5", "MATLAB 7.3") and _is_limb_file(path):
+        return {"header": _header_of(path), "arrays": []}
+    return {"header": None, "arrays": _arrays_of(path)}
+
+
+def _is_limb_file(path: Path) -> bool:
+    """Whether an HDF5 file says that it holds a limb.
 
     Raises
     ------
@@ -80,8 +87,8 @@ def is_limb_file(path: Path) -> bool:
         return False
 
 
-def header_of(path: Path) -> dict[str, Any]:
-    """Return all but the responses, ready for JSON; for the child process.
+def _header_of(path: Path) -> dict[str, Any]:
+    """Return all but the responses of a file in the layout.
 
     Raises
     ------
@@ -110,15 +117,6 @@ def header_of(path: Path) -> dict[str, Any]:
         for name, field in _NAMES.items():
             header[field] = [] if names is None else _names(names, path, name)
         return header
-
-
-def response_blocks(path: Path) -> Iterator[Floats]:
-    """Yield the responses to each input, (n_outputs x n_axes, n_taps); for the child process."""
-    with files.File(path, "r", locking=False) as file:
-        responses = _responses(file, path)
-        for number in range(responses.shape[0]):
-            response = np.asarray(responses[number], np.float64)
-            yield response.reshape(-1, response.shape[-1])
 
 
 def export_limb(name: str, path: Path, *, progress: Progress = silent, stop: Stop = never) -> None:
@@ -279,7 +277,7 @@ USUAL_ORDERS = {3: "iot", 4: "ioat"}
 _KINDS, _MOST_ARRAYS = "iuf", 200
 
 
-def arrays_of(path: Path) -> list[dict[str, Any]]:
+def _arrays_of(path: Path) -> list[dict[str, Any]]:
     """Return the name and shape of each array of numbers with three or four dimensions."""
     with _open_arrays(path) as members:
         descriptions = [
@@ -317,25 +315,31 @@ def offered_by(path: Path) -> dict[str, Any]:
         return {"arrays": descriptions[:_MOST_ARRAYS], "rate_hz": stated[1] if stated else None}
 
 
-def array_blocks(path: Path, name: str, order: str) -> Iterator[Floats]:
+def response_blocks(path: Path, array: str, order: str) -> Iterator[Floats]:
     """Yield the responses to one input after another, (n_outputs x n_axes, n_taps).
 
     Parameters
     ----------
-    name
-        Of the array; empty: the only one, or the largest.
+    array
+        Name of the array; empty: the responses of a file in the layout.
     order
-        A letter for each dimension, in the order of the file: i input, o output, a axis, t tap.
+        A letter for each dimension of the array, in the order of the file: i input, o output,
+        a axis, t tap.
     """
+    if array:
+        yield from _array_blocks(path, array, order)
+        return
+    with files.File(path, "r", locking=False) as file:
+        responses = _responses(file, path)
+        for number in range(responses.shape[0]):
+            response = np.asarray(responses[number], np.float64)
+            yield response.reshape(-1, response.shape[-1])
+
+
+def _array_blocks(path: Path, name: str, order: str) -> Iterator[Floats]:
     with _open_arrays(path) as members:
-        array = _chosen_array(path, members, name)
+        array = next(member.array for member in members.members if member.name == name)
         shape = tuple(int(n) for n in array.shape)
-        if sorted(order) != sorted(USUAL_ORDERS[len(shape)]):
-            raise limb_file_error(
-                path,
-                f"the order of its {len(shape)} dimensions is {quoted(order)}",
-                "i, o, a and t, each once (without a where there are three)",
-            )
         for number in range(shape[order.index("i")]):
             at: list[Any] = [slice(None)] * len(shape)
             at[order.index("i")] = number
@@ -345,15 +349,6 @@ def array_blocks(path: Path, name: str, order: str) -> Iterator[Floats]:
                 response, rest = response[..., None], f"{rest}a"
             response = response.transpose([rest.index(letter) for letter in "oat"])
             yield response.reshape(-1, response.shape[-1])
-
-
-def _chosen_array(path: Path, members: Members, name: str) -> Any:
-    offered = [member for member in members.members if len(member.array.shape) in (3, 4)]
-    named = [member for member in offered if member.name == name] if name else offered
-    if not named:
-        names = ", ".join(quoted(member.name) for member in offered[:10]) or "none"
-        raise limb_file_error(path, f"it has no array {quoted(name)}", f"one of {names}")
-    return max(named, key=lambda member: int(np.prod(member.array.shape))).array
 
 
 def _open_arrays(path: Path) -> AbstractContextManager[Members]:

@@ -17,5 +17,3 @@ MOST_TEXT_BYTES = 200 * 10**6
 MOST_DEPTH = 16
 #: Samples that are read at a time.
 BLOCK = 2**16
-#: Most memory of the process that reads.
-MEMORY_BYTES = 2**30

@@ -5,8 +5,8 @@ by DFT321.
 """
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -109,24 +109,12 @@ class Found:
         )
 
 
-def to_tree(content: Found) -> dict[str, Any]:
-    """Return ``content`` as a tree for JSON."""
-    return asdict(content)
-
-
 def from_tree(tree: Mapping[str, Any]) -> Found:
-    """Return what `to_tree` made; raise `TypeError` or `KeyError` on anything else."""
+    """Return what was made a tree for JSON by ``asdict``."""
     series = tuple(
-        Series(**{**fields, "shape": tuple(int(n) for n in fields["shape"])})
-        for fields in tree["series"]
+        Series(**{**fields, "shape": tuple(fields["shape"])}) for fields in tree["series"]
     )
-    return Found(**{**tree, "series": series, "notes": tuple(map(str, _list(tree["notes"])))})
-
-
-def _list(value: Iterable[object]) -> Iterable[object]:
-    if isinstance(value, str):
-        raise TypeError("expected a list")
-    return value
+    return Found(**{**tree, "series": series, "notes": tuple(tree["notes"])})
 
 
 #: Consecutive samples, (n_series, n), float32 where that holds all of the file's digits.

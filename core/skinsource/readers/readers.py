@@ -1,13 +1,16 @@
 """The readers of all formats of recordings, and the choice of one by the content of a file."""
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import asdict
 from functools import partial
 from pathlib import Path
+from typing import Any
 
+from skinsource.base.arrays import Floats
 from skinsource.base.errors import StorageError
 from skinsource.base.files import is_file, path_text
 from skinsource.readers import arrays, audio, text
-from skinsource.readers.reader import Block, Found, Reader
+from skinsource.readers.reader import Block, Found, Overview, Reader
 
 _HDF5 = b"\x89HDF\r\n\x1a\n"
 _BEGINNING_BYTES = 4096
@@ -102,6 +105,19 @@ def look(path: Path) -> Found:
     return reader_of(path).look(path)
 
 
-def blocks(path: Path, keys: Sequence[str], start: int, stop: int) -> Iterator[Block]:
-    """Give samples of some of its signals; see `Reader`."""
-    return reader_of(path).blocks(path, keys, start, stop)
+def look_tree(path: Path) -> dict[str, Any]:
+    """Return what a file holds as a tree for JSON."""
+    return asdict(look(path))
+
+
+def blocks(path: Path, keys: Sequence[str], start: int, end: int) -> Iterator[Block]:
+    """Give samples ``start`` to ``end`` of some of its signals; see `Reader`."""
+    return reader_of(path).blocks(path, keys, start, end)
+
+
+def overview(path: Path, key: str, n_samples: int, columns: int) -> Iterator[Floats]:
+    """Give the extremes of stretches of a signal, (2, columns), as far as they are known."""
+    extremes = Overview(n_samples, columns)
+    for block in blocks(path, [key], 0, n_samples):
+        extremes.add(block)
+        yield extremes.extremes

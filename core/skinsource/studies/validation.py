@@ -23,6 +23,7 @@ from skinsource.base.errors import InvalidInputError, RecordingError
 from skinsource.base.files import path_text
 from skinsource.base.job import Stop, never
 from skinsource.base.measurement_conditions import BAND_HZ, Band
+from skinsource.base.run_limited import run_limited
 from skinsource.base.work import counted
 from skinsource.readers import limits
 from skinsource.readers.reader import Found, Series
@@ -30,6 +31,8 @@ from skinsource.readers.reading_process import ReadingProcess
 from skinsource.readers.timestamps import sample_clock
 from skinsource.signals.analysis.statistics import band_rms
 from skinsource.signals.resampling import resample
+
+_EXPECTED = "a table of numbers, NPY, NPZ, MATLAB or HDF5"
 
 #: A channel counts if its measured RMS is at least so many times that of the noise.
 LEAST_OVER_NOISE = 2.0
@@ -330,7 +333,13 @@ def _read_responses(
     reader: ReadingProcess, file: Path, n_outputs: int, n_axes: int, stop: Stop
 ) -> tuple[Floats, float | None]:
     """Return the responses, and their rate; None: the file states none."""
-    offered = reader.ask(file, {"do": "arrays"}, stop=stop)
+    (offered,) = run_limited(
+        "skinsource.limbs.limb_layout:offered_by",
+        file,
+        expected=_EXPECTED,
+        process=reader,
+        stop=stop,
+    )
     for array in offered["arrays"]:
         order = _order_of([int(n) for n in array["shape"]], n_outputs, n_axes)
         if order:
@@ -368,8 +377,17 @@ def _from_array(
             file, f"{prod(shape)} samples are too many, expected at most {limits.MOST_BYTES // 8}"
         )
     # One axis after another, as the responses of a limb come: input by input.
-    request = {"do": "responses", "array": array["name"], "order": order.replace("a", "i")}
-    along_each = list(reader.stream(file, request, stop=stop))
+    along_each = list(
+        run_limited(
+            "skinsource.limbs.limb_layout:response_blocks",
+            file,
+            expected=_EXPECTED,
+            process=reader,
+            stop=stop,
+            array=array["name"],
+            order=order.replace("a", "i"),
+        )
+    )
     if len(along_each) != shape[order.index("a")]:
         raise _recording_error(file, "it ends too early, expected all axes")
     return np.stack(along_each, axis=1)

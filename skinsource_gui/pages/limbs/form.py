@@ -31,11 +31,11 @@ from PySide6.QtWidgets import (
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import SkinSourceError
+from skinsource.base.run_limited import LimitedProcess
 from skinsource.base.work import counted
 from skinsource.design.labels import AXES
-from skinsource.limbs.limb_import import LimbSource, read_points
+from skinsource.limbs.limb_import import LimbSource, read_description, read_points
 from skinsource.limbs.own_limbs import NAME_RULE
-from skinsource.readers.reading_process import ReadingProcess
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
@@ -522,7 +522,7 @@ class LimbForm(QObject):
 
 
 class LimbReader(QObject):
-    """Reads files of a limb one after another, in a thread and in child processes with limits."""
+    """Reads files of a limb one after another, in a thread and in a process with limits."""
 
     #: Path, and content of the file: ``header`` and ``arrays``.
     inspected = Signal(object, object)
@@ -536,8 +536,7 @@ class LimbReader(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._process = ReadingProcess()
-        self._pictures = photograph.reading_process()
+        self._process = LimitedProcess()
         self._pool = ThreadPoolExecutor(1, thread_name_prefix="skinsource-limb")
         self._waiting = 0
         self._finished.connect(self._emit, Qt.ConnectionType.QueuedConnection)
@@ -549,7 +548,7 @@ class LimbReader(QObject):
 
     def look(self, path: Path) -> None:
         """Read header and shapes of a file of responses."""
-        self._do(lambda: (self.inspected, (path, self._process.ask(path, {"do": "limb"})["limb"])))
+        self._do(lambda: (self.inspected, (path, read_description(path, self._process))))
 
     def read_points(self, path: Path, what: str) -> None:
         """Read an outline, or places."""
@@ -557,12 +556,11 @@ class LimbReader(QObject):
 
     def read_photograph(self, path: Path) -> None:
         """Read a picture."""
-        self._do(lambda: (self.pictured, (path, photograph.read(path, self._pictures))))
+        self._do(lambda: (self.pictured, (path, photograph.read(path, self._process))))
 
     def end(self) -> None:
         """Stop reading."""
         self._process.close()
-        self._pictures.close()
         self._pool.shutdown(wait=True, cancel_futures=True)
 
     def _do(self, work: Callable[[], tuple[Any, tuple[Any, ...]]]) -> None:

@@ -1,6 +1,5 @@
 """What the tests of recordings share: one process that reads, and files of every format."""
 
-import sys
 import wave
 from pathlib import Path
 
@@ -89,8 +88,3 @@ def files(tmp_path_factory, signal) -> dict[str, Path]:
         paths[file_format] = folder / name
         write(folder / name, signal)
     return paths
-
-
-def talker(script):
-    """The command of a child that is not ours."""
-    return (sys.executable, "-c", "print('{\"ready\": true}', flush=True)\n" + script)

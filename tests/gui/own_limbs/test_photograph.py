@@ -7,12 +7,13 @@ import pytest
 from PySide6.QtGui import QColor, QImage
 
 from skinsource.base.errors import RecordingError
+from skinsource.base.run_limited import LimitedProcess
 from skinsource_gui.pages.limbs import photograph
 
 
 @pytest.fixture(scope="module")
 def process():
-    with photograph.reading_process() as process:
+    with LimitedProcess() as process:
         yield process
 
 
