@@ -10,7 +10,14 @@ import psutil
 import pytest
 
 from skinsource.base.errors import FileFormatError, StorageError
-from skinsource.base.files import make_folder, path_exists, read_bytes, write_bytes
+from skinsource.base.files import (
+    make_folder,
+    path_exists,
+    read_bytes,
+    replacing,
+    temporary_path,
+    write_bytes,
+)
 
 ADVICE = {
     errno.ENOSPC: "Free some space",
@@ -121,26 +128,50 @@ def old(path: Path, days: float) -> Path:
     return path
 
 
-def test_what_killed_writers_left_long_ago_is_deleted_at_the_next_writing(tmp_path):
-    stale = [old(tmp_path / f".{name}.0123abcd.part", 1.1) for name in ("x.csv", "ä ö", ".y")]
+def left(path: Path, pid: int | str, computer: str = "") -> Path:
+    """The name of what a process was writing to take the place of ``path``."""
+    own = temporary_path(path).name.removeprefix(f".{path.name}.")
+    number = pid if isinstance(pid, str) else f"{pid:08x}"
+    return path.with_name(f".{path.name}.{computer or own[:4]}{number}{own[12:]}")
+
+
+ENDED = 2**31  # no system has such a number
+
+
+def test_what_ended_writers_left_is_deleted_at_the_next_writing(tmp_path):
+    stale = [old(left(tmp_path / name, ENDED), 0.0) for name in ("x.csv", "ä ö", ".y")]
+    # It had the number of a process that was started later.
+    stale.append(old(left(tmp_path / "x.csv", os.getppid()), 0.9))
+    os.utime(stale[-1], times=(psutil.Process(os.getppid()).create_time() - 60.0,) * 2)
+    stale += [old(left(tmp_path / "x.csv", number), 1.1) for number in (os.getpid(), os.getppid())]
+    stale.append(old(left(tmp_path / "x.csv", ENDED, "0123"), 1.1))
     unchanged = [
-        old(tmp_path / ".x.csv.89abcdef.part", 0.9),
+        old(left(tmp_path / "x.csv", os.getpid()), 0.9),
+        old(left(tmp_path / "x.csv", os.getppid()), 0.0),
+        old(left(tmp_path / "x.csv", ENDED, "0123"), 0.9),
+        old(left(tmp_path / "x.csv", "0000123g"), 9),
         old(tmp_path / "x.csv.0123abcd.part", 9),
-        old(tmp_path / ".x.csv.0123abcg.part", 9),
         old(tmp_path / ".x.csv.part", 9),
         old(tmp_path / "x.csv", 9),
     ]
-    folder = tmp_path / ".folder.0123abcd.part"
+    folder = left(tmp_path / "folder", ENDED)
     folder.mkdir()
-    os.utime(folder, times=(0, 0))
+    (folder / "inside").write_bytes(b"")
     write_bytes(tmp_path / "new", b"")
-    assert not any(path.exists() for path in stale)
-    assert all(path.exists() for path in (*unchanged, folder))
+    assert not any(path.exists() for path in (*stale, folder))
+    assert all(path.exists() for path in unchanged)
+
+
+@posix
+def test_what_others_may_not_read_is_written_so(tmp_path):
+    with replacing(tmp_path / "file", private=True) as temporary:
+        assert temporary.stat().st_mode & 0o777 == 0o600
+    assert (tmp_path / "file").stat().st_mode & 0o777 == 0o600
 
 
 @posix
 def test_a_link_that_looks_like_a_leftover_leads_nowhere(tmp_path):
-    aim, link = old(tmp_path / "precious", 9), tmp_path / ".x.0123abcd.part"
+    aim, link = old(tmp_path / "precious", 9), left(tmp_path / "x", ENDED)
     link.symlink_to(aim)
     os.utime(link, times=(0, 0), follow_symlinks=False)
     write_bytes(tmp_path / "new", b"")
@@ -149,7 +180,7 @@ def test_a_link_that_looks_like_a_leftover_leads_nowhere(tmp_path):
 
 
 def test_leftovers_that_cannot_be_deleted_do_not_matter(tmp_path, monkeypatch):
-    old(tmp_path / ".x.0123abcd.part", 9)
+    old(left(tmp_path / "x", ENDED), 9)
     monkeypatch.setattr(Path, "unlink", lambda *_, **__: (_ for _ in ()).throw(PermissionError()))
     monkeypatch.setattr(os, "scandir", lambda _: (_ for _ in ()).throw(PermissionError()))
     write_bytes(tmp_path / "new", b"written")

@@ -8,11 +8,13 @@ takes tens of milliseconds, and neither the window nor a synthetic limb needs it
 import errno
 import importlib
 import os
+import platform
 import re
 import secrets
 import shutil
 import stat
 import time
+import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -22,8 +24,12 @@ from typing import Any
 from skinsource.base.errors import FileFormatError, StorageError
 from skinsource.base.quoting import escaped, printable
 
-_TEMPORARY_NAME = re.compile(r"\..+\.[0-9a-f]{8}\.part", re.DOTALL)
+# Four digits of the computer, eight of the process that writes, four at random.
+_TEMPORARY_NAME = re.compile(r"\..+\.([0-9a-f]{4})([0-9a-f]{8})[0-9a-f]{4}\.part", re.DOTALL)
+_COMPUTER = f"{zlib.crc32(platform.node().encode()) & 0xFFFF:04x}"
 _A_DAY_S = 24 * 3600.0
+# Clocks of file systems differ a little from those of processes.
+_CLOCK_S = 5.0
 
 _MOST_CHARACTERS = 400
 _FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
@@ -31,31 +37,59 @@ _FORBIDDEN = {errno.EACCES, errno.EPERM, errno.EROFS}
 _ABSENT = {errno.ENOENT, errno.ENOTDIR}
 
 
-def _temporary_path(path: Path) -> Path:
-    """Return a new path beside ``path`` for what shall replace it."""
-    return path.parent / f".{path.name}.{secrets.token_hex(4)}.part"
+def temporary_path(path: Path) -> Path:
+    """Return a new path beside ``path``, whose name says that this process writes there."""
+    return path.parent / f".{path.name}.{_COMPUTER}{os.getpid():08x}{secrets.token_hex(2)}.part"
 
 
-def _delete_stale(folder: Path, *, folders: bool) -> None:
-    """Delete the user's temporary files, or folders, in ``folder`` that are older than a day.
+def delete_abandoned(folder: Path, *, below: bool = False) -> None:
+    """Delete the temporary files and folders of the user in ``folder`` that nobody writes any more.
 
-    Killed writers left them.  What cannot be examined or deleted stays: the writing that follows
-    is what matters.
+    They are those of processes of this computer that have ended, and all that are older than a
+    day.  What cannot be examined or deleted stays.
+
+    Parameters
+    ----------
+    folder
+        The folder.
+    below
+        Whether folders in it are searched too.
     """
-    oldest_s = time.time() - _A_DAY_S
     # Windows has no numbers of users.
     user = os.getuid() if hasattr(os, "getuid") else None
     with suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:
-            if _TEMPORARY_NAME.fullmatch(entry.name):
-                with suppress(OSError):
-                    status = entry.stat(follow_symlinks=False)
-                    if user not in (None, status.st_uid) or status.st_mtime >= oldest_s:
-                        continue
-                    if folders and stat.S_ISDIR(status.st_mode):
-                        shutil.rmtree(entry.path, ignore_errors=True)
-                    elif not folders and stat.S_ISREG(status.st_mode):
-                        Path(entry.path).unlink()
+            with suppress(OSError):
+                name = _TEMPORARY_NAME.fullmatch(entry.name)
+                is_folder = entry.is_dir(follow_symlinks=False)
+                if name is None:
+                    if below and is_folder:
+                        delete_abandoned(Path(entry.path), below=True)
+                    continue
+                status = entry.stat(follow_symlinks=False)
+                if user not in (None, status.st_uid) or not _is_abandoned(name, status.st_mtime):
+                    continue
+                if is_folder:
+                    shutil.rmtree(entry.path, ignore_errors=True)
+                elif stat.S_ISREG(status.st_mode):
+                    Path(entry.path).unlink()
+
+
+def _is_abandoned(name: re.Match[str], written_s: float) -> bool:
+    if written_s < time.time() - _A_DAY_S:
+        return True
+    computer, pid = name[1], int(name[2], 16)
+    if computer != _COMPUTER or pid == os.getpid():
+        return False
+    # Most programs never write where another one left something.
+    psutil = importlib.import_module("psutil")
+    try:
+        # The system uses numbers of processes again.
+        return bool(psutil.Process(pid).create_time() > written_s + _CLOCK_S)
+    except psutil.NoSuchProcess:
+        return True
+    except psutil.Error:
+        return False
 
 
 def path_text(path: Path) -> str:
@@ -174,13 +208,14 @@ def _open_at_once(path: str, flags: int) -> int:
 
 
 @contextmanager
-def replacing(path: Path) -> Iterator[Path]:
+def replacing(path: Path, *, private: bool = False) -> Iterator[Path]:
     """Give a temporary path beside ``path`` to write to; move it into place at the end.
 
     The temporary file is flushed to disk before the move.  On any error it is deleted, and the
     old file stays.  Where ``path`` is a link, its target is replaced and the link stays.  The new
-    file has the permissions of the old one, or those that new files usually have.  Temporary files
-    that killed writers left in the folder are deleted after a day.
+    file has the permissions of the old one, or those that new files usually have; a ``private`` one
+    is for the user alone.  What killed writers left in the folder is deleted, see
+    `delete_abandoned`.
 
     Raises
     ------
@@ -189,9 +224,9 @@ def replacing(path: Path) -> Iterator[Path]:
     """
     with storage_errors_of(path):
         target = _link_target(path)
-        mode = _permissions_of(target)
-        _delete_stale(target.parent, folders=False)
-        temporary = _temporary_path(target)
+        mode = 0o600 if private else _permissions_of(target)
+        delete_abandoned(target.parent)
+        temporary = temporary_path(target)
         _create(temporary, private=mode is not None)
     try:
         with storage_errors_of(path):
@@ -205,9 +240,9 @@ def replacing(path: Path) -> Iterator[Path]:
         _discard(temporary)
 
 
-def write_bytes(path: Path, content: bytes) -> None:
-    """Write ``content`` to ``path``, whole or not at all."""
-    with replacing(path) as temporary:
+def write_bytes(path: Path, content: bytes, *, private: bool = False) -> None:
+    """Write ``content`` to ``path``, whole or not at all; ``private``: for the user alone."""
+    with replacing(path, private=private) as temporary:
         temporary.write_bytes(content)
 
 
@@ -295,7 +330,7 @@ def replacing_folder(path: Path, mark: str, kept: str = "") -> Iterator[Path]:
 
     All files in it are flushed to disk before the move.  On any error it is deleted, and the old
     folder stays.  While the old folder is replaced, there is none for a moment, but never half of
-    one.  Temporary folders that killed writers left are deleted after a day.
+    one.  What killed writers left beside it is deleted, see `delete_abandoned`.
 
     Parameters
     ----------
@@ -315,8 +350,8 @@ def replacing_folder(path: Path, mark: str, kept: str = "") -> Iterator[Path]:
     """
     _check_own_folder(path, mark)
     with storage_errors_of(path):
-        _delete_stale(path.parent, folders=True)
-        temporary = _temporary_path(path)
+        delete_abandoned(path.parent)
+        temporary = temporary_path(path)
         temporary.mkdir()
     try:
         with storage_errors_of(path):
@@ -332,7 +367,7 @@ def replacing_folder(path: Path, mark: str, kept: str = "") -> Iterator[Path]:
             _flush_folder(temporary)
             _check_own_folder(path, mark)
             if path.exists():
-                old = _temporary_path(path)
+                old = temporary_path(path)
                 path.replace(old)
                 temporary.replace(path)
                 shutil.rmtree(old, ignore_errors=True)

@@ -7,7 +7,6 @@ not hold on every network folder, and tell nobody's name.
 import getpass
 import os
 import platform
-import secrets
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -19,7 +18,13 @@ from threading import RLock
 import psutil
 
 from skinsource.base.errors import FileFormatError, SkinSourceError, StorageError
-from skinsource.base.files import advice_on_writing, path_text, read_bytes, reason_of
+from skinsource.base.files import (
+    advice_on_writing,
+    path_text,
+    read_bytes,
+    reason_of,
+    temporary_path,
+)
 from skinsource.base.json_text import dumped, loaded
 from skinsource.base.quoting import printable
 
@@ -29,7 +34,7 @@ _MOST_BYTES = 2**14
 _SAME_START_S = 5.0
 # How often a lock is tried again after another process was quicker.
 _TRIES = 10
-# Where files cannot be linked, a lock is empty for a moment while it is written.
+# A lock is empty for a moment while it is written.
 _WRITTEN_AFTER_S = 5.0
 _ASK_EVERY_S = 0.005
 # Threads of one process wait for each other here: a lock belongs to the process.
@@ -176,6 +181,9 @@ class Lock:
             if owner is not None:
                 if owner.is_same(this_process()):
                     return None
+                if not from_other and owner is _UNKNOWN:
+                    time.sleep(_ASK_EVERY_S)  # it is being written, most likely
+                    continue
                 if not from_other and not _has_ended(owner):
                     return owner
                 self._remove(owner)
@@ -227,18 +235,12 @@ class Lock:
 
     def _create(self) -> bool:
         """Write the lock unless there is one; return whether it was written."""
-        temporary = self.path.with_name(f"{self.path.name}.{secrets.token_hex(4)}.part")
         try:
-            temporary.write_bytes(to_bytes(this_process()))
-            try:
-                # The lock appears with its whole content, or not at all.
-                os.link(temporary, self.path)
-            except FileExistsError:
-                return False
-            except OSError:
-                return self._create_empty_first()
-            finally:
-                temporary.unlink(missing_ok=True)
+            handle = os.open(self.path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+            with os.fdopen(handle, "wb") as file:
+                file.write(to_bytes(this_process()))
+        except FileExistsError:
+            return False
         except (OSError, ValueError) as error:
             raise StorageError(
                 f"{path_text(self.path)}: cannot be written ({reason_of(error)}). "
@@ -246,18 +248,9 @@ class Lock:
             ) from error
         return True
 
-    def _create_empty_first(self) -> bool:
-        try:
-            handle = os.open(self.path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)
-        except FileExistsError:
-            return False
-        with os.fdopen(handle, "wb") as file:
-            file.write(to_bytes(this_process()))
-        return True
-
     def _remove(self, ended: Owner) -> None:
         """Delete the lock of ``ended``, but not that of a process which was quicker."""
-        moved = self.path.with_name(f"{self.path.name}.{secrets.token_hex(4)}.part")
+        moved = temporary_path(self.path)
         with suppress(OSError):
             self.path.rename(moved)
             owner = read_owner(moved)

@@ -74,7 +74,12 @@ def save_design(
         The design is larger than any file may be.
     """
     content = DesignFile(design=design, view=View() if view is None else view, layout=layout)
-    write_bytes(Path(path), image.to_image(models.encode(content), VERSION))
+    write_bytes(Path(path), to_bytes(content))
+
+
+def to_bytes(content: DesignFile) -> bytes:
+    """Return the content of a file; raise `InvalidInputError` where it would be too large."""
+    return image.to_image(models.encode(content), VERSION)
 
 
 def open_design(path: str | os.PathLike[str]) -> DesignFile:

@@ -1,6 +1,6 @@
 """Copies of unsaved work, and finding those of studios that ended before the work was saved.
 
-::
+Only the user may read them::
 
     unsaved/<when>-<pid>-<random>/    one folder for each running studio
         owner                         the process, see `skinsource.base.lock`
@@ -20,10 +20,17 @@ from pathlib import Path
 import psutil
 
 from skinsource.base.errors import SkinSourceError
-from skinsource.base.files import make_folder, path_exists, read_bytes, write_bytes
+from skinsource.base.files import (
+    delete_abandoned,
+    make_folder,
+    path_exists,
+    read_bytes,
+    write_bytes,
+)
 from skinsource.base.lock import read_owner, still_runs, this_process, to_bytes
 from skinsource.base.work import counted
-from skinsource.design.design_file import SUFFIX, DesignFile, save_design
+from skinsource.design import design_file
+from skinsource.design.design_file import SUFFIX, DesignFile
 
 #: Name of the folder of copies within the folder of the user's data.
 FOLDER = "unsaved"
@@ -80,11 +87,11 @@ class Session:
         self._number += 1
         stem = file.stem[:_LONGEST_STEM] if file else "untitled"
         path = self.folder / f"{stem}.{self._number}{SUFFIX}"
-        save_design(path, content.design, content.view, layout=content.layout)
+        write_bytes(path, design_file.to_bytes(content), private=True)
         self._copies.append(path)
         self._last = content
         if picture:
-            write_bytes(path.with_suffix(PICTURE), picture)
+            write_bytes(path.with_suffix(PICTURE), picture, private=True)
         for old in self._copies[: -self._most]:
             _delete(old, old.with_suffix(PICTURE))
         del self._copies[: -self._most]
@@ -103,8 +110,8 @@ class Session:
             return
         make_folder(self.folder)
         # The owner comes first: a folder without one counts as abandoned.
-        write_bytes(self.folder / OWNER, to_bytes(this_process()))
-        write_bytes(self.folder / FILE, file)
+        write_bytes(self.folder / OWNER, to_bytes(this_process()), private=True)
+        write_bytes(self.folder / FILE, file, private=True)
         self._file_written = file
 
 
@@ -175,7 +182,7 @@ class Found:
 def find(folder: Path) -> Found:
     """Find the unsaved work of ended studios, without opening a copy.
 
-    Partial files of killed writers are deleted.  A copy whose opening never ended is set aside,
+    What killed writers left is deleted.  A copy whose opening never ended is set aside,
     because it would crash this studio too.
 
     Parameters
@@ -183,6 +190,7 @@ def find(folder: Path) -> Found:
     folder
         The user's data folder.
     """
+    delete_abandoned(folder, below=True)
     works: list[UnsavedWork] = []
     aside: list[Path] = []
     for session_folder in _ended_sessions(folder / FOLDER):
@@ -204,7 +212,7 @@ def find(folder: Path) -> Found:
 def mark_opening(copy: Path) -> None:
     """Write a mark that ``copy`` is being opened, if the folder can be written."""
     with suppress(SkinSourceError):
-        write_bytes(_mark(copy), to_bytes(this_process()))
+        write_bytes(_mark(copy), to_bytes(this_process()), private=True)
 
 
 def mark_opened(copy: Path) -> None:
@@ -245,15 +253,12 @@ def age_text(seconds: float) -> str:
 
 
 def _ended_sessions(root: Path) -> list[Path]:
-    """Return the folders of studios that have ended, without their partial files."""
+    """Return the folders of studios that have ended."""
     try:
         folders = sorted(path for path in root.iterdir() if path.is_dir() and path.name != ASIDE)
     except OSError:
         return []
-    ended = [folder for folder in folders if _has_ended(folder)]
-    for folder in ended:
-        _delete(*folder.glob(".*.part"))
-    return ended
+    return [folder for folder in folders if _has_ended(folder)]
 
 
 def _has_ended(folder: Path) -> bool:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from skinsource.base.files import temporary_path
 from skinsource.base.lock import to_bytes
 from skinsource.design import recovery
 from skinsource.design.design_file import open_design
@@ -88,12 +89,20 @@ def test_copies_of_one_name_are_set_aside_beside_each_other(tmp_path, left_by_a_
     assert all(path.is_file() for path in moved)
 
 
-def test_what_killed_writers_left_is_cleared_away(tmp_path, left_by_a_killed_studio):
+def half_written(path):
+    """What a process that has ended was writing."""
+    partial = temporary_path(path)
+    name = partial.name.replace(f"{os.getpid():08x}", "80000000")
+    partial.with_name(name).write_bytes(b"half")
+
+
+def test_what_killed_writers_left_anywhere_is_cleared_away(tmp_path, left_by_a_killed_studio):
     folder = left_by_a_killed_studio(1)
-    (folder / ".tap.2.skinsource.0123abcd.part").write_bytes(b"half")
+    half_written(folder / "tap.2.skinsource")
+    half_written(tmp_path / "settings.json")
     empty = folder.with_name("20260101-000000-999999999-abcdef")
     empty.mkdir()
-    (empty / ".owner.0123abcd.part").write_bytes(b"")
+    half_written(empty / "owner")
     begun = folder.with_name(f"20260101-000000-{os.getpid()}-abcdef")
     begun.mkdir()
     recovery.find(tmp_path)

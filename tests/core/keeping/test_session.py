@@ -1,10 +1,13 @@
 """Copies rotate, and go when the work is saved."""
 
+import sys
+
 import pytest
 
 from skinsource.base.errors import StorageError
+from skinsource.base.lock import Lock
 from skinsource.design.design_file import open_design
-from skinsource.design.recovery import MOST_COPIES, Session
+from skinsource.design.recovery import MOST_COPIES, Session, mark_opening
 
 
 def amplitudes(session):
@@ -49,3 +52,15 @@ def test_a_folder_that_cannot_be_written_is_told(tmp_path, work):
     (tmp_path / "unsaved").write_text("a file stands there")
     with pytest.raises(StorageError):
         Session(tmp_path).keep(work(1))
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has other rights")
+def test_nobody_else_may_read_copies_and_locks(tmp_path, work):
+    session = Session(tmp_path)
+    copy = session.keep(work(1), tmp_path / "tap.skinsource", b"picture")
+    mark_opening(copy)
+    lock = Lock(tmp_path / "tap.skinsource")
+    lock.take()
+    files = [lock.path, *(path for path in tmp_path.rglob("*") if path.is_file())]
+    assert len(files) >= 6
+    assert {path.stat().st_mode & 0o777 for path in files} == {0o600}
