@@ -8,7 +8,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import h5py
 import pytest
 
 from skinsource.base.errors import Stopped
@@ -16,6 +15,7 @@ from skinsource.cli.command_line import main
 from skinsource.limbs.dataset import commands
 from skinsource.limbs.dataset.commands import ProgressBar
 from skinsource.version import __version__
+from tests.core.dataset_bench import flip, offset_of
 
 
 @pytest.fixture
@@ -76,7 +76,7 @@ def test_limbs_lists_installed_limbs_first(run, synthetic_installed):
 
 def test_install_list_verify_remove(run, synthetic_download, user_data):
     code, out, err = run("dataset", "install", synthetic_download, "--unpublished")
-    store = user_data / "measured.h5"
+    store = user_data / "measured.npz"
     assert (code, err) == (0, "")
     first, second = out.splitlines()
     assert first == f"Installed measured-1 to measured-4 (73.4 MB) in {store}"
@@ -111,12 +111,11 @@ def test_list_says_how_to_get_the_dataset_when_there_is_none(run):
 
 
 def test_verify_names_what_is_damaged_and_ends_with_code_1(run, synthetic_installed):
-    with h5py.File(synthetic_installed, "r+") as store:
-        store["responses/limb-4"][18, 0, 0, 0] += 1e-9
+    flip(synthetic_installed, offset_of(synthetic_installed, "responses/4-19") + 12_345)
     code, out, err = run("dataset", "verify")
     assert (code, out) == (1, "")
     first, second = err.splitlines()
-    assert "limb 4, input 19: checksum" in first
+    assert "limb 4, input 19 is damaged" in first
     assert "dataset is damaged" in second
 
 
@@ -145,7 +144,7 @@ def test_an_error_is_one_line_on_stderr_with_code_1(run, tmp_path):
 
 
 def test_fetch_from_a_mirror_that_is_down_is_one_line_with_code_1(run, monkeypatch):
-    for package in ("pooch", "requests", "matio"):
+    for package in ("requests", "matio"):
         pytest.importorskip(package, reason=f"{package} is not installed")
     monkeypatch.setenv("NO_PROXY", "127.0.0.1")
     with socket.socket() as reserved:

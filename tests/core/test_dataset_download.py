@@ -2,7 +2,6 @@
 
 import hashlib
 import http.server
-import os
 import re
 import socket
 import sys
@@ -14,12 +13,12 @@ import pytest
 
 from skinsource.base.errors import DownloadError, MissingExtraError, Stopped, StorageError
 from skinsource.base.extras import extra_line
-from skinsource.limbs.dataset import download, published, store
+from skinsource.limbs.dataset import download, published
 from skinsource.limbs.dataset.download import fetch
 from skinsource.limbs.dataset.store import is_installed, load_measured_limb
 from tests.core.misbehaving_server import RESPONSES, Handler, Served
 
-for _package in ("pooch", "requests", "matio"):
+for _package in ("requests", "matio"):
     pytest.importorskip(_package, reason=f"{_package} is not installed")
 
 #: What arrives is kept in pieces of this many bytes.
@@ -88,7 +87,7 @@ def test_the_sizes_and_checksums_of_the_map_files_are_those_of_the_real_files(da
 def test_a_complete_download_is_installed_and_not_downloaded_again(served, files, user_data):
     progress = []
     info = fetch(files=files, progress=lambda *report: progress.append(report))
-    assert info.path == user_data / "measured.h5"
+    assert info.path == user_data / "measured.npz"
     assert load_measured_limb(2).response_to(3)[0, 0, 0] == 2.03
     assert len(served.asked) == 9
     total = sum(file.size_bytes for file in files)
@@ -234,7 +233,7 @@ def test_a_full_disk_while_downloading_is_one_clear_error(served, files):
     assert not is_installed()
 
 
-@pytest.mark.parametrize("package", ["pooch", "requests", "matio"])
+@pytest.mark.parametrize("package", ["requests", "matio"])
 def test_a_missing_package_is_found_out_before_anything_is_downloaded(
     served, files, monkeypatch, package
 ):
@@ -264,17 +263,3 @@ def test_a_stop_is_heard_while_a_server_dribbles(served, files):
 
     with pytest.raises(Stopped):
         fetch(files=files, stop=stop)
-
-
-def test_old_leftovers_of_downloads_are_swept_and_young_ones_stay(served, files, user_data):
-    folder = user_data / "measured-download" / "visualization"
-    folder.mkdir(parents=True)
-    old, young, other = folder / "tmpab_c12xy", folder / "tmpzz9zz9zz", folder / "tmpnotes.txt"
-    for path in (old, young, other):
-        path.write_bytes(b"x")
-    os.utime(old, (0, 0))
-    os.utime(other, (0, 0))
-    fetch(files=files)
-    assert [path.exists() for path in (old, young, other)] == [False, True, True]
-    store.remove()
-    assert [path.exists() for path in (young, other)] == [False, True]

@@ -5,25 +5,19 @@ import os
 import shutil
 import sys
 
-import h5py
 import numpy as np
 import pytest
 
 from skinsource.base.errors import DatasetError, Stopped, StorageError
 from skinsource.limbs.dataset.install import install
+from skinsource.limbs.dataset.published import ARRAYS
 from skinsource.limbs.dataset.store import describe, is_installed, load_mask, load_measured_limb
 
 
 def _everything(path):
     """Give all arrays of a store, by name."""
-    arrays = {}
-    with h5py.File(path) as store:
-        store.visititems(
-            lambda name, part: (
-                arrays.__setitem__(name, part[()]) if isinstance(part, h5py.Dataset) else None
-            )
-        )
-    return arrays
+    with np.load(path) as store:
+        return {name: store[name] for name in store.files if name in ARRAYS}
 
 
 def _assert_same_content(path, other):
@@ -72,7 +66,7 @@ def test_the_measured_dataset_in_v7_gives_the_same_bits(
     assert b"MATLAB 5.0" in path.read_bytes()[:128]
     store = install(folder, unpublished=True).path
     path.unlink()
-    _assert_same_content(store, installed_dataset / "measured.h5")
+    _assert_same_content(store, installed_dataset / "measured.npz")
 
 
 @pytest.mark.parametrize(
@@ -94,7 +88,7 @@ def test_the_files_are_found_where_a_download_puts_them(
     shutil.copytree(synthetic_download / "visualization", folder / maps)
     (folder / responses).parent.mkdir(parents=True, exist_ok=True)
     shutil.copy(synthetic_download / "impulseResponses.mat", folder / responses)
-    assert install(folder / given, unpublished=True).path == user_data / "measured.h5"
+    assert install(folder / given, unpublished=True).path == user_data / "measured.npz"
 
 
 def test_progress_ends_at_its_total_and_never_goes_back(synthetic_download, user_data):
@@ -132,7 +126,7 @@ def test_writing_that_fails_midway_leaves_nothing(synthetic_download, user_data)
     usual = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (20_000_000, usual[1]))
     try:
-        with pytest.raises(StorageError, match=r"measured\.h5: cannot be written \(.*Free some"):
+        with pytest.raises(StorageError, match=r"measured\.npz: cannot be written \(.*Free some"):
             install(synthetic_download, unpublished=True)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, usual)
@@ -180,7 +174,7 @@ def test_a_failure_keeps_the_old_store(synthetic_download, synthetic_installed, 
     with pytest.raises(Stopped):
         install(synthetic_download, unpublished=True, stop=lambda: next(answers, True))
     assert synthetic_installed.read_bytes() == before
-    assert [path.name for path in synthetic_installed.parent.iterdir()] == ["measured.h5"]
+    assert [path.name for path in synthetic_installed.parent.iterdir()] == ["measured.npz"]
 
 
 def test_a_second_installation_replaces_the_first(
@@ -192,7 +186,7 @@ def test_a_second_installation_replaces_the_first(
     write_table(folder / "impulseResponses.mat", rows)
     install(folder, unpublished=True)
     assert load_measured_limb(1).response_to(1)[0, 0, 0] == 2.01
-    assert [path.name for path in synthetic_installed.parent.iterdir()] == ["measured.h5"]
+    assert [path.name for path in synthetic_installed.parent.iterdir()] == ["measured.npz"]
 
 
 def test_map_files_that_are_not_the_published_ones_are_refused_unless_meant(
@@ -245,14 +239,14 @@ def test_the_source_may_have_any_name(synthetic_download, user_data, tmp_path, n
 def test_a_store_that_is_a_link_is_replaced_behind_the_link(
     synthetic_download, synthetic_store, user_data, tmp_path
 ):
-    elsewhere = tmp_path / "elsewhere.h5"
+    elsewhere = tmp_path / "elsewhere.npz"
     elsewhere.write_bytes(b"an old store")
     try:
-        (user_data / "measured.h5").symlink_to(elsewhere)
+        (user_data / "measured.npz").symlink_to(elsewhere)
     except OSError as error:
         pytest.skip(f"links cannot be made here: {error}")
     install(synthetic_download, unpublished=True)
-    assert (user_data / "measured.h5").is_symlink()
+    assert (user_data / "measured.npz").is_symlink()
     _assert_same_content(elsewhere, synthetic_store)
 
 

@@ -1,16 +1,10 @@
 """What a store knows of the files it was made from."""
 
-import h5py
-import numpy as np
 import pytest
 
 from skinsource.base.errors import DatasetError
 from skinsource.limbs.dataset import store
-
-
-def _set_attribute(path, name, value):
-    with h5py.File(path, "r+") as opened:
-        opened.attrs[name] = value
+from tests.core.dataset_bench import rewrite
 
 
 def test_a_store_says_which_files_were_not_the_published_ones(synthetic_installed):
@@ -28,13 +22,12 @@ def test_the_measured_dataset_here_is_noted_as_another_file_with_the_published_m
 
 
 def test_a_store_made_of_the_published_files_has_no_note(synthetic_installed):
-    _set_attribute(synthetic_installed, "unpublished", np.bytes_(b"none"))
+    rewrite(synthetic_installed, unpublished=[])
     assert store.describe().unpublished == ()
     assert store.load_measured_limb(1).note == ""
 
 
 def test_a_store_that_does_not_say_so_is_refused(synthetic_installed):
-    with h5py.File(synthetic_installed, "r+", libver=("v110", "v110")) as opened:
-        del opened.attrs["unpublished"]
-    with pytest.raises(DatasetError, match="lacks unpublished"):
+    rewrite(synthetic_installed, unpublished=None)
+    with pytest.raises(DatasetError, match="the store is damaged"):
         store.describe()

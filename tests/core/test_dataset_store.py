@@ -2,9 +2,9 @@
 
 import os
 import sys
+import zipfile
 from pathlib import Path
 
-import h5py
 import numpy as np
 import pytest
 
@@ -17,29 +17,10 @@ from skinsource.base.errors import (
     UnknownLimbError,
 )
 from skinsource.limbs.dataset import store
-from skinsource.limbs.dataset import store as upkeep
+from skinsource.limbs.dataset.published import ARRAYS, response_name
+from tests.core.dataset_bench import flip, offset_of, rewrite
 
-CHUNK_BYTES = 72 * 3 * 522 * 8
-
-
-def _chunk_offset(path, limb, place):
-    with h5py.File(path) as opened:
-        info = opened[f"responses/limb-{limb}"].id.get_chunk_info_by_coord((place - 1, 0, 0, 0))
-    assert info.size == CHUNK_BYTES
-    return info.byte_offset
-
-
-def _flip(path, offset):
-    with path.open("r+b") as opened:
-        opened.seek(offset)
-        byte = opened.read(1)[0]
-        opened.seek(offset)
-        opened.write(bytes([byte ^ 1]))
-
-
-def _set_attribute(path, name, value):
-    with h5py.File(path, "r+") as opened:
-        opened.attrs[name] = value
+RESPONSE_BYTES = 72 * 3 * 522 * 8
 
 
 @pytest.mark.usefixtures("user_data")
@@ -49,7 +30,7 @@ def _set_attribute(path, name, value):
         lambda: store.load_measured_limb(1),
         lambda: store.load_mask(1),
         store.describe,
-        upkeep.verify,
+        store.verify,
     ],
 )
 def test_without_a_store_the_message_says_how_to_get_it(call):
@@ -85,9 +66,9 @@ def test_opening_a_limb_reads_no_responses_and_one_input_reads_one_chunk(synthet
     assert limb.bytes_read == 0
     limb.response_to(7)
     limb.response_to(7)
-    assert limb.bytes_read == CHUNK_BYTES
+    assert limb.bytes_read == RESPONSE_BYTES
     limb.response_to(8)
-    assert limb.bytes_read == 2 * CHUNK_BYTES
+    assert limb.bytes_read == 2 * RESPONSE_BYTES
 
 
 @pytest.mark.skipif(not Path("/proc/self/io").exists(), reason="only Linux counts bytes read")
@@ -98,83 +79,73 @@ def test_the_operating_system_agrees_that_one_input_reads_one_chunk(synthetic_in
     limb = store.load_measured_limb(2)
     before = bytes_read()
     limb.response_to(7)
-    assert CHUNK_BYTES <= bytes_read() - before < 1.1 * CHUNK_BYTES
+    assert RESPONSE_BYTES <= bytes_read() - before < 1.1 * RESPONSE_BYTES
 
 
 def test_an_input_is_read_although_all_others_are_destroyed(synthetic_installed, make_response):
-    with h5py.File(synthetic_installed, "r+") as opened:
-        for limb in (1, 2, 3, 4):
-            responses = opened[f"responses/limb-{limb}"]
-            assert responses.chunks == (1, 72, 3, 522)
-            assert responses.compression is None
-            assert responses.dtype == np.float64
-            for k in range(20):
-                if (limb, k) != (3, 10):
-                    responses[k] = np.nan
+    for name in ARRAYS:
+        if name.startswith("responses") and name != response_name(3, 11):
+            flip(synthetic_installed, offset_of(synthetic_installed, name) + 12_345)
     response = store.load_measured_limb(3).response_to(11)
     np.testing.assert_array_equal(response, make_response(3, 11).transpose(1, 2, 0))
+    assert len(store.verify()) == 79
 
 
 def test_one_flipped_bit_is_noticed_when_that_input_is_read(synthetic_installed):
-    _flip(synthetic_installed, _chunk_offset(synthetic_installed, 1, 5) + 12_345)
+    flip(synthetic_installed, offset_of(synthetic_installed, response_name(1, 5)) + 12_345)
     limb = store.load_measured_limb(1)
     limb.response_to(4)
     limb.response_to(6)
     with pytest.raises(DatasetError, match=r"limb 1, input 5 is damaged.*dataset fetch"):
         limb.response_to(5)
-    (problem,) = upkeep.verify()
-    assert "limb 1, input 5: checksum" in problem
+    (problem,) = store.verify()
+    assert "limb 1, input 5 is damaged: it has another checksum" in problem
 
 
 @pytest.mark.parametrize("part", ["outline", "output_positions", "input_positions", "visibility"])
 def test_one_flipped_bit_in_the_map_is_noticed_when_a_limb_is_opened(synthetic_installed, part):
-    with h5py.File(synthetic_installed) as opened:
-        offset = opened[f"map/{part}"].id.get_offset()
-    _flip(synthetic_installed, offset)
+    flip(synthetic_installed, offset_of(synthetic_installed, f"map/{part}") + 200)
     with pytest.raises(DatasetError, match=f"map/{part} is damaged"):
         store.load_measured_limb(1)
-    assert [part in problem for problem in upkeep.verify()] == [True]
+    assert [part in problem for problem in store.verify()] == [True]
 
 
 def test_one_flipped_bit_in_a_mask_is_noticed(synthetic_installed):
-    with h5py.File(synthetic_installed) as opened:
-        offset = opened["masks/limb-2"].id.get_offset()
-    _flip(synthetic_installed, offset)
-    with pytest.raises(DatasetError, match="masks/limb-2 is damaged"):
+    flip(synthetic_installed, offset_of(synthetic_installed, "masks/2") + 200)
+    with pytest.raises(DatasetError, match="masks/2 is damaged"):
         store.load_mask(2)
     assert store.load_mask(1).dtype == np.bool_
 
 
 def test_verify_counts_every_checksum_and_finds_a_whole_store_whole(synthetic_installed):
     progress = []
-    assert upkeep.verify(progress=lambda *report: progress.append(report)) == ()
+    assert store.verify(progress=lambda *report: progress.append(report)) == ()
     assert [done for done, _, _ in progress] == list(range(1, 89))
     assert progress[-1][1] == 88
 
 
 def test_verify_can_be_stopped(synthetic_installed):
     with pytest.raises(Stopped):
-        upkeep.verify(stop=lambda: True)
+        store.verify(stop=lambda: True)
 
 
-@pytest.mark.parametrize("version", [1, 3])
+@pytest.mark.parametrize("version", [2, 4])
 def test_another_format_version_is_refused(synthetic_installed, version):
-    _set_attribute(synthetic_installed, "format_version", version)
-    with pytest.raises(DatasetError, match=rf"version {version}, expected 2\. Install it again"):
+    rewrite(synthetic_installed, format_version=version)
+    with pytest.raises(DatasetError, match=rf"version {version}, expected 3\. Install it again"):
         store.load_measured_limb(1)
 
 
 def test_a_file_of_another_kind_is_refused(synthetic_installed):
-    _set_attribute(synthetic_installed, "format", np.bytes_("something else"))
+    rewrite(synthetic_installed, format="something else")
     with pytest.raises(DatasetError, match="is no store of the measured dataset"):
         store.describe()
 
 
 @pytest.mark.parametrize("name", ["format", "format_version"])
-def test_an_hdf5_file_that_names_no_format_is_refused(synthetic_installed, name):
-    with h5py.File(synthetic_installed, "r+") as opened:
-        del opened.attrs[name]
-    with pytest.raises(DatasetError, match="is no store of the measured dataset"):
+def test_a_store_that_names_no_format_is_refused(synthetic_installed, name):
+    rewrite(synthetic_installed, **{name: None})
+    with pytest.raises(DatasetError, match="the store is damaged"):
         store.describe()
 
 
@@ -187,8 +158,7 @@ def test_a_store_that_was_cut_off_is_one_clear_error(synthetic_installed, share)
 
 
 def test_a_store_that_lacks_a_part_is_one_clear_error(synthetic_installed):
-    with h5py.File(synthetic_installed, "r+") as opened:
-        del opened["responses/limb-1"]
+    rewrite(synthetic_installed, "responses/1-20.npy")
     with pytest.raises(DatasetError, match="the store is damaged"):
         store.load_measured_limb(1)
 
@@ -197,23 +167,26 @@ def test_a_store_that_may_not_be_read_is_one_clear_error(synthetic_installed, mo
     def refuse(*_, **__):
         raise PermissionError("Permission denied")
 
-    monkeypatch.setattr(h5py, "File", refuse)
+    monkeypatch.setattr(zipfile.io, "open", refuse)
     with pytest.raises(StorageError, match="may not be read"):
         store.load_measured_limb(1)
 
 
 def test_a_limb_in_use_notices_that_the_store_is_gone(synthetic_installed):
     limb = store.load_measured_limb(1)
-    upkeep.remove()
+    store.remove()
     with pytest.raises(DatasetMissingError):
         limb.response_to(1)
 
 
 def test_a_limb_in_use_notices_that_other_data_took_the_place(synthetic_installed):
     limb = store.load_measured_limb(1)
-    with h5py.File(synthetic_installed, "r+") as opened:
-        attributes = opened["responses/limb-1"].attrs
-        attributes["sha256"] = np.array(["0" * 64] * 20, dtype="S64")
+    with zipfile.ZipFile(synthetic_installed) as opened:
+        contents = {name: opened.read(name) for name in opened.namelist()}
+    with zipfile.ZipFile(synthetic_installed, "w") as opened:
+        for name, content in contents.items():
+            other = name == "responses/1-7.npy"
+            opened.writestr(name, content[:-1] + b"!" if other else content)
     with pytest.raises(DatasetError, match="Open the limb again"):
         limb.response_to(1)
 
@@ -227,7 +200,7 @@ def test_no_file_stays_open_after_reading(synthetic_installed):
         for handle in os.listdir("/proc/self/fd")
         if os.path.lexists(f"/proc/self/fd/{handle}")
     ]
-    assert not [name for name in handles if name.endswith("measured.h5")]
+    assert not [name for name in handles if name.endswith("measured.npz")]
 
 
 def test_a_response_and_the_map_cannot_be_written_to(synthetic_installed):
@@ -256,11 +229,11 @@ def test_remove_deletes_the_store_its_downloads_and_remains_but_nothing_else(syn
     (downloads / "visualization").mkdir(parents=True)
     for name in ("impulseResponses.mat", "visualization/mask1.mat", "impulseResponses.mat.part"):
         (downloads / name).write_bytes(b"x")
-    (folder / ".measured.h5.abc.part").write_bytes(b"x")
+    (folder / ".measured.npz.abc.part").write_bytes(b"x")
     (folder / "design.skinsource").write_bytes(b"mine")
     (downloads / "notes.txt").write_bytes(b"mine")
-    assert len(upkeep.installed_files()) == 5
-    upkeep.remove()
+    assert len(store.installed_files()) == 5
+    store.remove()
     left = sorted(path.name for path in folder.rglob("*"))
     assert left == ["design.skinsource", "measured-download", "notes.txt"]
 
@@ -271,4 +244,4 @@ def test_a_file_that_cannot_be_deleted_is_one_clear_error(synthetic_installed, m
 
     monkeypatch.setattr(Path, "unlink", refuse)
     with pytest.raises(StorageError, match="cannot be deleted"):
-        upkeep.remove()
+        store.remove()

@@ -1,13 +1,12 @@
 from dataclasses import replace
 
-import h5py
-import numpy as np
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QApplication, QComboBox
 
 from skinsource.limbs.dataset.install import install
 from skinsource.limbs.dataset.store import NOT_INSTALLED
 from skinsource_gui.shell.limb_note import LimbNote
+from tests.core.dataset_bench import rewrite
 
 
 def come_back_to(window):
@@ -49,8 +48,7 @@ def test_limbs_that_are_installed_while_the_studio_runs_can_be_used_at_once(
 def test_of_a_limb_made_from_the_published_files_there_is_nothing_to_note(
     window, settle, synthetic_installed
 ):
-    with h5py.File(synthetic_installed, "r+") as store:
-        store.attrs["unpublished"] = np.bytes_(b"none")
+    rewrite(synthetic_installed, unpublished=[])
     come_back_to(window)
     window.document.edit("a", replace(window.document.design, limb="measured-1"))
     settle()

@@ -34,7 +34,6 @@ UNNEEDED = (
     "matplotlib",
     "pandas",
     "matio",
-    "pooch",
     "requests",
 )
 #: What only the worker needs, once the window is painted.

@@ -183,7 +183,7 @@ class MainAxes:
     covariance : (n_outputs, n_axes, n_axes)
         Mean products of the centred axes, m²/s⁴.
     direction : (n_outputs, n_axes)
-        Unit vector along which an output varies most; its largest component is positive.
+        Principal axis, as `principal_axis` has it.
     deviation : (n_outputs, n_axes)
         Standard deviation along the axes of the ellipsoid, m/s², largest first.
     share : (n_outputs,)
@@ -223,16 +223,12 @@ def main_axes(traces: ArrayLike) -> MainAxes:
     mean = data.mean(axis=-1)
     second = np.matmul(data, data.transpose(0, 2, 1)) / data.shape[-1]
     covariance = second - mean[:, :, None] * mean[:, None, :]
-    values, vectors = np.linalg.eigh(covariance)
-    values = np.maximum(values[:, ::-1], 0.0)
-    direction = vectors[:, :, -1]
-    rows = np.arange(len(direction))
-    leading = direction[rows, np.abs(direction).argmax(axis=1)]
+    values = np.maximum(np.linalg.eigvalsh(covariance)[:, ::-1], 0.0)
     total = values.sum(axis=1)
     silent = np.full(total.shape, np.nan)
     return MainAxes(
         covariance=covariance,
-        direction=direction * np.where(leading < 0.0, -1.0, 1.0)[:, None],
+        direction=principal_axis_of(covariance),
         deviation=np.sqrt(values),
         share=np.divide(values[:, 0], total, out=silent, where=total > 0.0),
         none=no_main_axis(covariance),

@@ -1,15 +1,14 @@
 """Download the published files, each continued where it was cut, and install them."""
 
-import logging
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
-from skinsource.base.errors import DownloadError, StorageError
+from skinsource.base.errors import DownloadError
 from skinsource.base.extras import package_of_extra
-from skinsource.base.files import make_folder
+from skinsource.base.files import is_file, make_folder, storage_errors_of
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.quoting import printable
 from skinsource.limbs.dataset.install import install
@@ -17,7 +16,6 @@ from skinsource.limbs.dataset.published import (
     RemoteFile,
     checksum_of,
     download_folder,
-    leftovers,
     published_files,
 )
 from skinsource.limbs.dataset.store import StoreInfo
@@ -91,12 +89,15 @@ def _receive(
             return False
         _check_answer(answer, file, have)
         have = have if answer.status_code == _PART else 0
-        with _opened(part, "ab" if have else "wb") as out:
+        with storage_errors_of(part):
+            out = part.open("ab" if have else "wb")
+        with out:
             speed = _SpeedCheck(file)
-            for piece in _pieces(answer):
+            # What has come, at once: for a larger piece a slow server would keep the user waiting.
+            while piece := answer.raw.read1(_PIECE_BYTES, decode_content=True):
                 stop_if(stop, STOPPED)
                 speed.note(len(piece))
-                with _explained(part):
+                with storage_errors_of(part):
                     out.write(piece)
                     out.flush()
                 have += len(piece)
@@ -104,12 +105,6 @@ def _receive(
                 if have > file.size_bytes:
                     break
     return True
-
-
-def _pieces(answer: Any) -> Iterator[bytes]:
-    # What has come, at once: a slow server would keep a larger piece, and the user, waiting.
-    while piece := answer.raw.read1(_PIECE_BYTES, decode_content=True):
-        yield piece
 
 
 class _SpeedCheck:
@@ -131,22 +126,6 @@ class _SpeedCheck:
                     f"expected at least {_LEAST_BYTES}); what has arrived is kept. {_GO_ON}."
                 )
             self._since_s, self._n_bytes = now_s, 0
-
-
-def _opened(part: Path, mode: str) -> IO[bytes]:
-    with _explained(part):
-        return part.open(mode)
-
-
-@contextmanager
-def _explained(part: Path) -> Iterator[None]:
-    try:
-        yield
-    except OSError as error:
-        raise StorageError(
-            f"{part}: cannot be written ({error.strerror or error}). Free some space or choose a "
-            "folder you may write to, then try again."
-        ) from error
 
 
 def _check_answer(answer: Any, file: RemoteFile, have: int) -> None:
@@ -184,10 +163,6 @@ def _size(part: Path) -> int:
     return part.stat().st_size if part.exists() else 0
 
 
-# Younger temporary files may belong to a download that runs.
-_A_DAY_S = 24 * 3600.0
-
-
 def fetch(
     *,
     files: tuple[RemoteFile, ...] | None = None,
@@ -221,80 +196,44 @@ def fetch(
     Stopped
         ``stop`` returned true; what has arrived is kept for the next time.
     """
-    pooch = package_of_extra("pooch", "dataset")
     for name in ("requests", "matio"):
         package_of_extra(name, "dataset")
     files = published_files() if files is None else files
     downloads = download_folder() if downloads is None else downloads
-    make_folder(downloads)
-    _remove_leftovers(downloads)
-    # pooch would tell of each file on stderr, in the middle of the progress bar
-    pooch.get_logger().setLevel(logging.WARNING)
-    registry = pooch.create(
-        path=downloads,
-        base_url="",
-        registry={file.name: file.checksum for file in files},
-        urls={file.name: file.url for file in files},
-    )
-    total, done = sum(file.size_bytes for file in files), 0
+    total, before = sum(file.size_bytes for file in files), 0
     for file in files:
-        progress(done, total, f"Downloading {file.name}")
-        downloader = _OneDownload(file, downloads, _progress_of_all(progress, done, total), stop)
-        _fetch_one(registry, file, downloads, downloader)
-        done += file.size_bytes
+        text = f"Downloading {file.name}"
+        progress(before, total, text)
+        path = downloads / file.name
+        make_folder(path.parent)
+        if not is_file(path) or _checksum_of(path, file) != file.checksum:
+            part = path.with_name(f"{path.name}.part")
+            report = partial(_report_all, progress, before, total, text)
+            download(file, part, report=report, stop=stop)
+            _check_content(file, part)
+            with storage_errors_of(path):
+                part.replace(path)
+        before += file.size_bytes
     progress(total, total, "Downloaded")
     # Each file was compared with ``files`` when it came.
     return install(downloads, folder=folder, unpublished=True, progress=progress, stop=stop)
 
 
-def _remove_leftovers(downloads: Path) -> None:
-    for path in leftovers(downloads):
-        with suppress(OSError):
-            if path.stat().st_mtime < time.time() - _A_DAY_S:
-                path.unlink()
+def _report_all(progress: Progress, before: int, total: int, text: str, n_bytes: int) -> None:
+    progress(before + n_bytes, total, text)
 
 
-class _OneDownload:
-    """What pooch calls to have one file brought to a temporary path."""
-
-    def __init__(self, file: RemoteFile, downloads: Path, progress: Progress, stop: Stop) -> None:
-        self._file = file
-        self._part = downloads / f"{file.name}.part"
-        self._progress = progress
-        self._stop = stop
-
-    def __call__(self, _url: str, output_file: str, _pooch: Any) -> None:
-        download(self._file, self._part, report=self._report, stop=self._stop)
-        self._check_content()
-        self._part.replace(output_file)
-
-    def _report(self, n_bytes: int) -> None:
-        self._progress(n_bytes, self._file.size_bytes, f"Downloading {self._file.name}")
-
-    def _check_content(self) -> None:
-        algorithm, _, expected = self._file.checksum.partition(":")
-        digest = checksum_of(self._part, algorithm).partition(":")[2]
-        if digest != expected:
-            self._part.unlink()
-            raise DownloadError(
-                f"{self._file.url}: what was downloaded is not the published file: its "
-                f"{algorithm} is {digest}, expected {expected}. It was deleted; run 'skinsource "
-                "dataset fetch' again."
-            )
+def _checksum_of(path: Path, file: RemoteFile) -> str:
+    return checksum_of(path, file.checksum.partition(":")[0])
 
 
-def _progress_of_all(progress: Progress, before: int, total: int) -> Progress:
-    def of_all(done: int, _: int, text: str) -> None:
-        progress(before + done, total, text)
-
-    return of_all
-
-
-def _fetch_one(registry: Any, file: RemoteFile, downloads: Path, downloader: _OneDownload) -> None:
-    try:
-        registry.fetch(file.name, downloader=downloader)
-    except OSError as error:
-        raise StorageError(
-            f"{downloads / file.name}: cannot be written ({error.strerror or error}). Free some "
-            "space or choose a folder you may write to, then try again."
-        ) from error
+def _check_content(file: RemoteFile, part: Path) -> None:
+    checksum = _checksum_of(part, file)
+    if checksum != file.checksum:
+        part.unlink()
+        algorithm, _, expected = file.checksum.partition(":")
+        raise DownloadError(
+            f"{file.url}: what was downloaded is not the published file: its {algorithm} is "
+            f"{checksum.partition(':')[2]}, expected {expected}. It was deleted; run 'skinsource "
+            "dataset fetch' again."
+        )

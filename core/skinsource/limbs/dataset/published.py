@@ -1,36 +1,29 @@
-"""The layout of the store ``measured.h5``, and the published files that it is made from.
+"""The layout of the store ``measured.npz``, and the published files that it is made from.
 
-The file is in the format of HDF5 1.10, which checks sums of all that is not an array; each array
-has a SHA-256 of its own.  All texts are of fixed length: HDF5 leaves others unchecked.
-::
+The store is a ZIP archive of arrays as NumPy writes them, not compressed; the archive has a
+checksum (CRC-32) of each::
 
-    /                        format, format_version, installed_at, source_name,
-                             source_sha256, source_bytes, unpublished
-    /responses/limb-1 … -4   (20 inputs, 72 outputs, 3 axes, 522 taps) float64, one
-                             chunk per input, not compressed; sha256: one per input
-    /map/outline …           float64, each with its sha256
-    /masks/limb-1 … -4       (rows, columns) uint8, each with its sha256
+    about.json                   format, format_version, installed_at, source_name,
+                                 source_sha256, source_bytes, unpublished
+    responses/1-1.npy … 4-20     of limb and input, (72 outputs, 3 axes, 522 taps) float64
+    map/outline.npy …            float64
+    masks/1.npy … 4.npy          (rows, columns) uint8
 """
 
 import hashlib
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
-
-import numpy as np
-from numpy.typing import NDArray
 
 from skinsource.base.assets import user_folder
 from skinsource.base.errors import DatasetError, StorageError
 from skinsource.base.files import is_file, is_folder
 from skinsource.base.measurement_conditions import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS
 
-FILE_NAME = "measured.h5"
+FILE_NAME = "measured.npz"
 FORMAT = "skinsource measured dataset"
-FORMAT_VERSION = 2
+FORMAT_VERSION = 3
+ABOUT = "about.json"
 LIMBS = (1, 2, 3, 4)
-RESPONSES_SHAPE = (N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS)
-CHUNK = (1, N_OUTPUTS, N_AXES, N_TAPS)
 N_VERTICES = 1505
 #: (rows, columns) of 1 mm each, for the hand lengths of limbs 1 to 4.
 MASK_SHAPES = ((464, 174), (437, 164), (490, 184), (437, 164))
@@ -40,37 +33,33 @@ MAP_SHAPES = {
     "input_positions": (N_INPUTS, 2),
     "visibility": (N_VERTICES, N_OUTPUTS),
 }
-#: All that is stored in one piece: name in the store, shape.
-WHOLE_SHAPES = {f"map/{part}": shape for part, shape in MAP_SHAPES.items()} | {
-    f"masks/limb-{limb}": shape for limb, shape in zip(LIMBS, MASK_SHAPES, strict=True)
-}
-_LIMB_NAMES = tuple(f"limb-{limb}" for limb in LIMBS)
-#: Groups of the store, and what is in each.
-GROUPS = {"responses": _LIMB_NAMES, "map": tuple(MAP_SHAPES), "masks": _LIMB_NAMES}
-#: Value of ``unpublished`` where all files were the published ones; else their names, with commas.
-ALL_PUBLISHED = "none"
-FLOATS, BYTES = "<f8", "u1"
 
 
-def responses_name(limb: int) -> str:
-    """Return the name of the impulse responses of one limb in the store."""
-    return f"responses/limb-{limb}"
+def map_name(part: str) -> str:
+    """Return the name of a part of the map in the store."""
+    return f"map/{part}"
+
+
+def response_name(limb: int, location: int) -> str:
+    """Return the name of the responses of one limb to one input in the store."""
+    return f"responses/{limb}-{location}"
 
 
 def mask_name(limb: int) -> str:
     """Return the name of the mask of one limb in the store."""
-    return f"masks/limb-{limb}"
+    return f"masks/{limb}"
 
 
-def stored_type(name: str) -> str:
-    """Return the type of the values of what is stored in one piece."""
-    return BYTES if name.startswith("masks/") else FLOATS
-
-
-def checksum(array: NDArray[Any]) -> str:
-    """Return the SHA-256 of the values as they lie in the store: C order, little-endian."""
-    stored = np.ascontiguousarray(array, dtype=array.dtype.newbyteorder("<"))
-    return hashlib.sha256(stored.data).hexdigest()
+#: Shape and type of each array in the store.
+ARRAYS = {
+    **{map_name(part): (shape, "<f8") for part, shape in MAP_SHAPES.items()},
+    **{mask_name(limb): (MASK_SHAPES[limb - 1], "|u1") for limb in LIMBS},
+    **{
+        response_name(limb, location): ((N_OUTPUTS, N_AXES, N_TAPS), "<f8")
+        for limb in LIMBS
+        for location in range(1, N_INPUTS + 1)
+    },
+}
 
 
 RESPONSES_FILE = "impulseResponses.mat"
@@ -91,8 +80,6 @@ _FOLDERS = (
     "*/visualization",
     "*/source/visualization",
 )
-# Pattern of the names that Python gives to temporary files.
-_TEMPORARY = "tmp" + "[a-z0-9_]" * 8
 _RESPONSES_FOLDERS = ("", "*", "*/source")
 
 
@@ -115,12 +102,6 @@ class DownloadedFiles:
 def download_folder() -> Path:
     """Return the folder of the files that ``skinsource dataset fetch`` downloads."""
     return user_folder() / "measured-download"
-
-
-def leftovers(downloads: Path) -> tuple[Path, ...]:
-    """Return the temporary files of the package pooch that killed downloads left behind."""
-    folders = (folder for folder in (downloads, downloads / MAP_FOLDER) if is_folder(folder))
-    return tuple(path for folder in folders for path in sorted(folder.glob(_TEMPORARY)))
 
 
 def find_downloaded(path: Path) -> DownloadedFiles:
