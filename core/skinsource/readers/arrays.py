@@ -1,29 +1,26 @@
 """Signals of files that hold named arrays: NPY, NPZ, MAT and HDF5.
 
 Foreign files are not trusted.  Of NPY and NPZ the header is read first, and nothing is unpickled.
-Of MATLAB files before 7.3 the lengths of all elements are checked before scipy reads them.  HDF5,
+Of MATLAB files before 7.3 the sizes of all variables are read before their values.  HDF5,
 which MATLAB 7.3 files are too, is read link by link: links to other files are not followed, and a
 dataset that declares much more than the file can hold is left out.
 """
 
 import re
-import struct
 import zipfile
-import zlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import prod
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 import numpy as np
 import scipy
 from numpy.lib import format as npy
 
 from skinsource.base import files
-from skinsource.base.errors import RecordingError
 from skinsource.base.quoting import printable, quoted
 from skinsource.readers import limits
 from skinsource.readers.reader import Block, Found, Series, reading_error, unknown_series_error
@@ -34,12 +31,7 @@ _RATE_NAMES = re.compile(
 )
 _KINDS = "iuf"
 _MOST_MEMBERS = 4096
-_NPY_ADVICE = "The file is damaged or incomplete; save it again with numpy.save."
-
-_HEADER_BYTES = 128
-_MATRIX, _COMPRESSED = 14, 15
-_MOST_ELEMENTS = 4096
-_MATLAB_ADVICE = "The file is damaged or incomplete; save it again in MATLAB, with -v7 or -v7.3."
+_ITEM_BYTES = 8
 
 # deflate, shuffle, checksum, szip, nbit, scale and offset, lzf: the filters of the library itself.
 _FILTERS = frozenset({1, 2, 3, 4, 5, 6, 32000})
@@ -210,45 +202,12 @@ def _rate_named(name: str, value: object) -> float | None:
     return rate_hz if limits.LEAST_RATE_HZ <= rate_hz <= limits.MOST_RATE_HZ else None
 
 
-@dataclass(frozen=True, slots=True)
-class _Header:
-    shape: tuple[int, ...]
-    fortran_order: bool
-    dtype: np.dtype[Any]
-
-    @property
-    def n_bytes(self) -> int:
-        return prod(self.shape) * self.dtype.itemsize
-
-
 @contextmanager
 def opened_npy(path: Path) -> Iterator[Members]:
     """Give the array of an NPY file; parts are read when they are needed."""
-    with path.open("rb") as file:
-        header = _header(path, file)
-        offset = file.tell()
-    n_bytes = path.stat().st_size - offset
-    members = Members()
-    if header.dtype.hasobject:
-        members.leave_out("the array", "it holds Python objects")
-    elif header.n_bytes > n_bytes:
-        raise reading_error(
-            path,
-            f"its header promises {header.n_bytes} bytes and {n_bytes} are there",
-            "all of them",
-            _NPY_ADVICE,
-        )
-    elif header.n_bytes:
-        array = np.memmap(
-            path,
-            dtype=header.dtype,
-            mode="r",
-            offset=offset,
-            shape=header.shape,
-            order="F" if header.fortran_order else "C",
-        )
-        members.members.append(Member(name="the array", array=array))
-    yield members
+    # NumPy compares its header with the length of the file.
+    array = np.load(path, mmap_mode="r", allow_pickle=False)
+    yield Members([Member(name="the array", array=array)])
 
 
 @contextmanager
@@ -256,98 +215,61 @@ def opened_npz(path: Path) -> Iterator[Members]:
     """Give the arrays of an NPZ file; each is unpacked when it is first read."""
     members = Members()
     with zipfile.ZipFile(path) as archive:
-        infos = archive.infolist()
-        if len(infos) > _MOST_MEMBERS:
-            raise reading_error(
-                path, f"it holds {len(infos)} files", f"at most {_MOST_MEMBERS}", _NPY_ADVICE
-            )
-        for info in infos:
+        for info in archive.infolist()[:_MOST_MEMBERS]:
             if info.is_dir() or not info.filename.endswith(".npy"):
                 continue
             name = info.filename.removesuffix(".npy")
             if info.flag_bits & 1:
                 members.leave_out(name, "it is encrypted")
                 continue
-            with archive.open(info) as file:
-                header = _header(path, file)
-                start = file.tell()
-            if header.dtype.hasobject:
+            array = _PackedArray(archive, info)
+            n_bytes = prod(array.shape) * array.dtype.itemsize
+            if array.dtype.hasobject:
                 members.leave_out(name, "it holds Python objects")
-                continue
-            if start + header.n_bytes != info.file_size:
-                raise reading_error(
-                    path,
-                    f"the header of {quoted(name)} promises {header.n_bytes} bytes and "
-                    f"{info.file_size - start} are there",
-                    "all of them",
-                    _NPY_ADVICE,
-                )
-            if _is_bomb(info, header):
-                members.leave_out(
-                    name, f"it would unpack to {header.n_bytes} bytes, which is too much"
-                )
-                continue
-            members.members.append(
-                Member(name=name, array=_PackedArray(path, archive, info, header))
-            )
+            elif _is_bomb(n_bytes, info.compress_size):
+                members.leave_out(name, f"it would unpack to {n_bytes} bytes, which is too much")
+            else:
+                members.members.append(Member(name=name, array=array))
         yield members
 
 
 class _PackedArray:
     """An array in an archive, which is unpacked when it is first read."""
 
-    def __init__(
-        self, path: Path, archive: zipfile.ZipFile, info: zipfile.ZipInfo, header: _Header
-    ) -> None:
-        self._path, self._archive, self._info, self._header = path, archive, info, header
-        self.shape, self.dtype = header.shape, header.dtype
+    def __init__(self, archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> None:
+        self._archive, self._info = archive, info
+        with archive.open(info) as file:
+            first = npy.read_magic(file) == (1, 0)
+            read = npy.read_array_header_1_0 if first else npy.read_array_header_2_0
+            self.shape, _, self.dtype = read(file)
 
     def __getitem__(self, index: Any) -> Any:
         return self._array[index]
 
     @cached_property
     def _array(self) -> np.ndarray:
-        header = self._header
         with self._archive.open(self._info) as file:
-            _header(self._path, file)
-            content = file.read(header.n_bytes)
-            file.read(1)  # at the end zipfile checks the checksum
-        if len(content) != header.n_bytes:
-            raise reading_error(
-                self._path, "it ends too early", f"{header.n_bytes} bytes", _NPY_ADVICE
-            )
-        flat = np.frombuffer(content, header.dtype)
-        return flat.reshape(header.shape, order="F" if header.fortran_order else "C")
+            array = npy.read_array(file, allow_pickle=False)
+            file.read(1)  # at the end zipfile compares the checksum
+        return np.asarray(array)
 
 
-def _is_bomb(info: zipfile.ZipInfo, header: _Header) -> bool:
-    ratio = header.n_bytes / max(info.compress_size, 1)
-    suspicious = header.n_bytes > limits.SUSPICIOUS_BYTES and ratio > limits.MOST_RATIO
-    return header.n_bytes > limits.MOST_BYTES or suspicious
-
-
-def _header(path: Path, file: IO[bytes]) -> _Header:
-    version = npy.read_magic(file)
-    read = {(1, 0): npy.read_array_header_1_0, (2, 0): npy.read_array_header_2_0}.get(version)
-    if read is None:
-        raise reading_error(
-            path,
-            f"its NPY version is {version[0]}.{version[1]}",
-            "1.0 or 2.0",
-            "Save it as a plain array with numpy.save.",
-        )
-    shape, fortran_order, dtype = read(file)
-    if any(n < 0 for n in shape):
-        raise reading_error(
-            path, f"its shape is {quoted(shape)}", "lengths of 0 or more", _NPY_ADVICE
-        )
-    return _Header(tuple(int(n) for n in shape), bool(fortran_order), dtype)
+def _is_bomb(unpacked_bytes: int, packed_bytes: int) -> bool:
+    suspicious = unpacked_bytes > max(limits.SUSPICIOUS_BYTES, limits.MOST_RATIO * packed_bytes)
+    return unpacked_bytes > limits.MOST_BYTES or suspicious
 
 
 @contextmanager
 def opened_matlab(path: Path) -> Iterator[Members]:
     """Give the arrays of a MATLAB file before 7.3, also those in structures."""
-    _check_elements(path)
+    unpacked_bytes = sum(_ITEM_BYTES * prod(shape) for _, shape, _ in scipy.io.whosmat(path))
+    if _is_bomb(unpacked_bytes, path.stat().st_size):
+        raise reading_error(
+            path,
+            f"it would unpack to {unpacked_bytes} bytes",
+            f"at most {limits.MOST_BYTES}, and {limits.MOST_RATIO} times its own size",
+            "Save the part that you need, or save it with -v7.3.",
+        )
     members = Members()
     for name, value in scipy.io.loadmat(path, simplify_cells=True).items():
         if not name.startswith("__"):
@@ -355,67 +277,11 @@ def opened_matlab(path: Path) -> Iterator[Members]:
     yield members
 
 
-def _check_elements(path: Path) -> None:
-    """Raise an error if elements of a file have impossible sizes; allocate nothing before."""
-    size = path.stat().st_size
-    with path.open("rb") as file:
-        header = file.read(_HEADER_BYTES)
-        order = {b"IM": "<", b"MI": ">"}.get(header[126:128])
-        if len(header) < _HEADER_BYTES or order is None:
-            raise _matlab_error(path, "it has no MATLAB header", "MATLAB v5, v7 or v7.3")
-        unpacked = 0
-        for _ in range(_MOST_ELEMENTS):
-            tag = file.read(8)
-            if not tag:
-                return
-            if len(tag) < 8:
-                raise _matlab_error(path, "it ends within a tag", "whole elements")
-            kind, length = struct.unpack(f"{order}II", tag)
-            after = file.tell() + length
-            if kind not in (_MATRIX, _COMPRESSED) or after > size:
-                raise _matlab_error(
-                    path,
-                    f"an element of kind {kind} declares {length} bytes and {size - file.tell()} "
-                    "are left",
-                    "variables that lie within the file",
-                )
-            if kind == _COMPRESSED:
-                unpacked += _unpacked_bytes(path, file, length, order)
-                _check_size(path, unpacked, size)
-            file.seek(after)
-    raise _matlab_error(path, f"it has over {_MOST_ELEMENTS} variables", "fewer")
-
-
-def _unpacked_bytes(path: Path, file: IO[bytes], length: int, order: str) -> int:
-    beginning = zlib.decompressobj().decompress(file.read(min(length, 4096)), 8)
-    if len(beginning) < 8:
-        raise _matlab_error(path, "a variable cannot be unpacked", "whole variables")
-    kind, inner = struct.unpack(f"{order}II", beginning)
-    if kind != _MATRIX:
-        raise _matlab_error(path, f"a variable is of kind {kind}", f"kind {_MATRIX}")
-    return int(inner)
-
-
-def _matlab_error(path: Path, actual: str, expected: str) -> RecordingError:
-    return reading_error(path, actual, expected, _MATLAB_ADVICE)
-
-
-def _check_size(path: Path, unpacked: int, size: int) -> None:
-    suspicious = unpacked > limits.SUSPICIOUS_BYTES and unpacked > limits.MOST_RATIO * size
-    if unpacked > limits.MOST_BYTES or suspicious:
-        raise reading_error(
-            path,
-            f"it would unpack to {unpacked} bytes",
-            f"at most {limits.MOST_BYTES}, and {limits.MOST_RATIO} times its own size",
-            "Save the part that you need, or save it with -v7.3.",
-        )
-
-
 def _collect(name: str, value: Any, members: Members, depth: int) -> None:
     if depth >= limits.MOST_DEPTH:
         members.leave_out(name, f"it is more than {limits.MOST_DEPTH} structures deep")
     elif isinstance(value, Mapping):
-        for inner, part in list(value.items())[:_MOST_ELEMENTS]:
+        for inner, part in list(value.items())[:_MOST_MEMBERS]:
             _collect(f"{name}/{inner}", part, members, depth + 1)
     elif isinstance(value, str):
         return  # a comment, such as the unit

@@ -145,7 +145,7 @@ def test_objects_are_never_unpickled(tmp_path, process):
         (b"RIFF\x24\0\0\0WAVEfmt ", "cannot be read"),
         (b"\x93NUMPY\x01\0", "cannot be read"),
         (b"PK\x03\x04nonsense", "cannot be read"),
-        (b"MATLAB 5.0 MAT-file", "no MATLAB header"),
+        (b"MATLAB 5.0 MAT-file", "cannot be read"),
         (b"\x89HDF\r\n\x1a\n" + bytes(50), "cannot be read"),
         (b"<html>nothing here</html>", "no rows of numbers"),
     ],
