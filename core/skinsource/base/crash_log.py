@@ -10,8 +10,6 @@ import platform
 import sys
 import threading
 import time
-import traceback
-from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
@@ -47,86 +45,75 @@ class CrashLog:
         started = time.strftime("%Y%m%d-%H%M%S")
         name = f"{_PREFIX}{started}-{this_process().pid}{_SUFFIX}"
         self.path = folder / FOLDER / name
-        self._file: TextIO | None = None
-        self._written = 0
+        self._log: _Log | None = None
         self._had_handler = False
-        self._hooks: tuple[Callable[..., object], Callable[..., object]] | None = None
-        self._handler: logging.Handler | None = None
+        self._hooks = sys.excepthook, threading.excepthook
 
     def open(self) -> None:
         """Start to log errors of this process; do nothing where no log can be written."""
         try:
             make_folder(self.path.parent)
-            self._file = self.path.open("a", encoding="utf-8", buffering=1)
+            self._log = _Log(self.path)
         except (SkinSourceError, OSError):
             return
-        self._file.write(
+        self._log.stream.write(
             f"SkinSource studio {__version__}, Python {platform.python_version()}, "
             f"{platform.platform()}\n"
             f"{to_bytes(this_process()).decode()}\n{time.strftime('%Y-%m-%d %H:%M:%S')}\n"
         )
+        self._log.flush()
         self._had_handler = faulthandler.is_enabled()
-        faulthandler.enable(self._file)
+        faulthandler.enable(self._log.stream)
         self._hooks = sys.excepthook, threading.excepthook
         sys.excepthook = self._log_exception
         threading.excepthook = self._log_thread_exception
-        self._handler = _Handler(self._write)
-        logging.getLogger().addHandler(self._handler)
+        logging.getLogger().addHandler(self._log)
         for old in _logs(self.path.parent)[MOST_LOGS:]:
             with suppress(OSError):
                 old.unlink()
 
     def close(self) -> None:
         """Note that the process ends as it should, and stop logging."""
-        file, self._file = self._file, None
-        if file is None or self._hooks is None or self._handler is None:
+        log, self._log = self._log, None
+        if log is None:
             return
-        logging.getLogger().removeHandler(self._handler)
+        logging.getLogger().removeHandler(log)
         sys.excepthook, threading.excepthook = self._hooks
         faulthandler.disable()
         if self._had_handler:
             faulthandler.enable()
-        file.write(f"{_ENDED}\n")
-        file.close()
-        if not self._written:
+        log.stream.write(f"{_ENDED}\n")
+        log.stream.close()
+        if not log.used:
             with suppress(OSError):
                 self.path.unlink()
-
-    def _write(self, text: str) -> None:
-        if self._file is None or self._written > MOST_BYTES:
-            return
-        self._written += len(text)
-        with suppress(OSError):
-            self._file.write(text)
 
     def _log_exception(
         self, kind: type[BaseException], error: BaseException, where: TracebackType | None
     ) -> None:
         if not issubclass(kind, KeyboardInterrupt):
-            self._write_fault("".join(traceback.format_exception(kind, error, where)))
-        if self._hooks is not None:
-            self._hooks[0](kind, error, where)
+            logging.getLogger(__name__).critical("", exc_info=(kind, error, where))
+        self._hooks[0](kind, error, where)
 
     def _log_thread_exception(self, arguments: threading.ExceptHookArgs) -> None:
         if arguments.exc_value is not None:
-            self._write_fault("".join(traceback.format_exception(arguments.exc_value)))
-        if self._hooks is not None:
-            self._hooks[1](arguments)
-
-    def _write_fault(self, text: str) -> None:
-        self._write(f"{time.strftime('%H:%M:%S')} {text}")
+            logging.getLogger(__name__).critical("", exc_info=arguments.exc_value)
+        self._hooks[1](arguments)
 
 
-class _Handler(logging.Handler):
-    """Passes warnings and errors to the log."""
+class _Log(logging.StreamHandler[TextIO]):
+    """Writes warnings and errors up to `MOST_BYTES`; ``used`` says whether there were any."""
 
-    def __init__(self, write: Callable[[str], None]) -> None:
-        super().__init__(logging.WARNING)
+    def __init__(self, path: Path) -> None:
+        super().__init__(path.open("a", encoding="utf-8"))
+        self.used = False
+        self.setLevel(logging.WARNING)
         self.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
-        self._write_line = write
 
     def emit(self, record: logging.LogRecord) -> None:
-        self._write_line(f"{self.format(record)}\n")
+        self.used = True
+        if self.stream.tell() < MOST_BYTES:
+            super().emit(record)
 
 
 def crashed_logs(folder: Path) -> tuple[Path, ...]:
