@@ -153,8 +153,18 @@ def test_a_file_that_was_cut_off_is_refused(
     [
         ("outputLocations", "outputLocations", np.zeros((71, 2)), r"shape \(71, 2\)"),
         ("outputLocations", "outputLocations", np.zeros((72, 2)), "expected NaN"),
-        ("outputLocations", "outputLocations", np.full((72, 2), np.nan), "found NaN"),
-        ("inputLocations", "inputLocations", np.full((20, 2), np.nan), "found NaN"),
+        (
+            "outputLocations",
+            "outputLocations",
+            np.full((72, 2), np.nan),
+            "expected finite",
+        ),
+        (
+            "inputLocations",
+            "inputLocations",
+            np.full((20, 2), np.nan),
+            "expected finite",
+        ),
         ("inputLocations", "inputLocations", np.zeros((2, 20)), r"expected \(20, 2\)"),
         ("adjacencyMatrix", "adjacencyMatrix", np.zeros((5, 72)), r"expected \(1505, 72\)"),
         ("adjacencyMatrix", "adjacencyMatrix", -np.ones((1505, 72)), "expected distances"),

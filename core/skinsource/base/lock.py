@@ -111,18 +111,13 @@ def read_owner(path: Path) -> Owner | None:
 def owner_of(text: bytes) -> Owner | None:
     """Return the process that ``text`` names; None where it names none."""
     with suppress(FileFormatError):
-        fields = loaded(text)
-        if isinstance(fields, dict):
-            host, user = fields.get("host"), fields.get("user")
-            pid, started_s = fields.get("pid"), fields.get("started_s")
-            if (
-                isinstance(host, str)
-                and isinstance(user, str)
-                and type(pid) is int
-                and pid > 0
-                and isinstance(started_s, float)
-                and 0.0 <= started_s < 2.0**40
-            ):
+        match loaded(text):
+            case {
+                "host": str(host),
+                "user": str(user),
+                "pid": int(pid),
+                "started_s": float(started_s),
+            } if pid > 0 and 0.0 <= started_s < 2.0**40:
                 return Owner(host=host, user=user, pid=pid, started_s=started_s)
     return None
 

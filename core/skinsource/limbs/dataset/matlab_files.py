@@ -221,73 +221,60 @@ def read_map_files(folder: Path) -> MapFiles:
     DatasetError
         A file is not what it should be.
     """
-    return MapFiles(
-        outline=_outline(folder / "surface.mat"),
-        output_positions=_output_positions(folder / "outputLocations.mat"),
-        input_positions=_finite(
-            folder / "inputLocations.mat", "inputLocations", (N_INPUTS, 2), "inputs, x and y"
-        ),
-        visibility=_visibility(folder / "adjacencyMatrix.mat"),
-        masks=tuple(
-            _mask(folder / name, shape) for name, shape in zip(MASK_FILES, MASK_SHAPES, strict=True)
-        ),
-    )
-
-
-def _outline(path: Path) -> Floats:
-    surface = read_variable(path, "surface")
+    volar = np.isin(np.arange(1, N_OUTPUTS + 1), VOLAR_OUTPUTS)
+    surface = folder / "surface.mat"
+    shape = read_variable(surface, "surface")
     try:
-        vertices = surface.properties["any"][0, 0]["Vertices"]
+        vertices = shape.properties["any"][0, 0]["Vertices"]
     except (AttributeError, KeyError, IndexError, TypeError, ValueError) as error:
         raise DatasetError(
-            f"{path.name}: 'surface' is no polyshape with Vertices. Is this the right file? "
+            f"{surface.name}: 'surface' is no polyshape with Vertices. Is this the right file? "
             f"{WHAT_TO_DO}"
         ) from error
-    outline = _numbers(path, vertices, (N_VERTICES, 2), "vertices, x and y")
-    return _check_finite(path, outline)
+    outline = _numbers(surface, vertices, (N_VERTICES, 2), "vertices, x and y")
+    _check(surface, np.isfinite(outline).all(), "finite coordinates")
 
-
-def _output_positions(path: Path) -> Floats:
-    positions = _numbers(
-        path, read_variable(path, "outputLocations"), (N_OUTPUTS, 2), "outputs, x and y"
-    )
-    volar = np.isin(np.arange(1, N_OUTPUTS + 1), VOLAR_OUTPUTS)
-    _check_finite(path, positions[~volar])
-    if not np.isnan(positions[volar]).all():
-        raise DatasetError(
-            f"{path.name}: gives places to the outputs {VOLAR_OUTPUTS[0]} to {VOLAR_OUTPUTS[-1]}, "
-            f"expected NaN: they lie on the other side of the hand. {WHAT_TO_DO}"
-        )
-    return positions
-
-
-def _visibility(path: Path) -> Floats:
-    distance = _numbers(
+    path = folder / "outputLocations.mat"
+    outputs = _read(path, "outputLocations", (N_OUTPUTS, 2), "outputs, x and y")
+    _check(path, np.isfinite(outputs[~volar]).all(), "finite coordinates")
+    _check(
         path,
-        read_variable(path, "adjacencyMatrix"),
-        (N_VERTICES, N_OUTPUTS),
-        "vertices, outputs",
+        np.isnan(outputs[volar]).all(),
+        f"NaN for the outputs {VOLAR_OUTPUTS[0]} to {VOLAR_OUTPUTS[-1]}, which lie on the other "
+        "side of the hand",
     )
-    visible = ~np.isnan(distance)
-    if np.isinf(distance).any() or (distance[visible] < 0).any() or not visible.any(axis=1).all():
-        raise DatasetError(
-            f"{path.name}: expected distances of 0 px or more, NaN where a vertex does not see an "
-            f"output, and at least one output seen from each vertex. {WHAT_TO_DO}"
-        )
-    return distance
+
+    path = folder / "inputLocations.mat"
+    inputs = _read(path, "inputLocations", (N_INPUTS, 2), "inputs, x and y")
+    _check(path, np.isfinite(inputs).all(), "finite coordinates")
+
+    path = folder / "adjacencyMatrix.mat"
+    visibility = _read(path, "adjacencyMatrix", (N_VERTICES, N_OUTPUTS), "vertices, outputs")
+    seen = ~np.isnan(visibility)
+    distances = visibility[seen]
+    _check(
+        path,
+        np.isfinite(distances).all() and (distances >= 0).all() and seen.any(axis=1).all(),
+        "distances of 0 px or more, NaN where a vertex does not see an output, and at least one "
+        "output seen from each vertex",
+    )
+
+    masks = []
+    for name, mask_shape in zip(MASK_FILES, MASK_SHAPES, strict=True):
+        mask = _read(folder / name, "mask", mask_shape, "rows, columns of 1 mm")
+        _check(folder / name, np.isin(mask, (0.0, 1.0)).all(), "a mask of zeros and ones")
+        masks.append(mask.astype(np.uint8))
+    return MapFiles(
+        outline=outline,
+        output_positions=outputs,
+        input_positions=inputs,
+        visibility=visibility,
+        masks=tuple(masks),
+    )
 
 
-def _mask(path: Path, shape: tuple[int, int]) -> NDArray[np.uint8]:
-    mask = _numbers(path, read_variable(path, "mask"), shape, "rows, columns of 1 mm")
-    if not np.isin(mask, (0.0, 1.0)).all():
-        raise DatasetError(
-            f"{path.name}: expected a mask of zeros and ones, found other values. {WHAT_TO_DO}"
-        )
-    return mask.astype(np.uint8)
-
-
-def _finite(path: Path, name: str, shape: tuple[int, ...], axes: str) -> Floats:
-    return _check_finite(path, _numbers(path, read_variable(path, name), shape, axes))
+def _read(path: Path, name: str, shape: tuple[int, ...], axes: str) -> Floats:
+    return _numbers(path, read_variable(path, name), shape, axes)
 
 
 def _numbers(path: Path, value: Any, shape: tuple[int, ...], axes: str) -> Floats:
@@ -300,10 +287,9 @@ def _numbers(path: Path, value: Any, shape: tuple[int, ...], axes: str) -> Float
     return np.ascontiguousarray(array, dtype=np.float64)
 
 
-def _check_finite(path: Path, array: Floats) -> Floats:
-    if not np.isfinite(array).all():
-        raise DatasetError(f"{path.name}: expected finite coordinates, found NaN. {WHAT_TO_DO}")
-    return array
+def _check(path: Path, right: np.bool_, expected: str) -> None:
+    if not right:
+        raise DatasetError(f"{path.name}: holds other numbers, expected {expected}. {WHAT_TO_DO}")
 
 
 TABLE = "dataTable"
