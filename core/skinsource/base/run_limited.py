@@ -30,9 +30,9 @@ import numpy as np
 import psutil
 
 from skinsource.base import errors
-from skinsource.base.errors import RecordingError, SkinSourceError, StorageError
+from skinsource.base.errors import RecordingError, SkinSourceError, Stopped, StorageError
 from skinsource.base.files import path_text
-from skinsource.base.job import Stop, never, stop_if
+from skinsource.base.job import Stop, never
 from skinsource.base.quoting import printable
 
 #: Argument with which a frozen program starts itself as the process that reads.
@@ -215,7 +215,7 @@ class LimitedProcess:
         while not reason:
             if stop():
                 self.close()
-                stop_if(stop)
+                raise Stopped("Stopped.")
             try:
                 answer = self._answers.get(timeout=_BETWEEN_LOOKS_S)
             except Empty:
@@ -223,11 +223,13 @@ class LimitedProcess:
                     reason = "reading it takes too long"
                 elif (resident_bytes(self.pid) or 0) > self.memory_bytes:
                     reason = "reading it takes too much memory"
-                continue
-            if answer is not None:
-                self._busy = not ("end" in answer or "error" in answer)
-                return answer
-            reason = "reading it crashed"
+            else:
+                if answer is not None:
+                    self._busy = not ("end" in answer or "error" in answer)
+                    return answer
+                reason = "reading it crashed"
+            if self._process is None:
+                reason = "its reader was closed"  # by another thread
         self.close()
         raise _LostError(reason)
 

@@ -17,7 +17,6 @@ import csv
 import io
 import shutil
 from collections.abc import Iterator
-from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any
 
@@ -33,7 +32,7 @@ from skinsource.base.quoting import quoted
 from skinsource.limbs.own_limbs import LimbFile, OwnLimb, existing_path
 from skinsource.limbs.svg_path import outline_of
 from skinsource.readers import arrays
-from skinsource.readers.arrays import Members, reason_against, stated_rate
+from skinsource.readers.arrays import reason_against, stated_rate
 from skinsource.readers.readers import reader_of
 
 _ADVICE = "docs/limbs.md says what a limb consists of."
@@ -65,9 +64,19 @@ _HEADER_BYTES = 2**20
 
 def description_of(path: Path) -> dict[str, Any]:
     """Return all but the responses, for JSON: ``header`` of a file in the layout, or ``arrays``."""
-    if reader_of(path).name in ("HDF5", "MATLAB 7.3") and _is_limb_file(path):
+    name = reader_of(path).name
+    if name not in _OPENERS:
+        raise limb_file_error(path, f"it is a {name} file", "NPY, NPZ, MATLAB or HDF5")
+    if name in ("HDF5", "MATLAB 7.3") and _is_limb_file(path):
         return {"header": _header_of(path), "arrays": []}
-    return {"header": None, "arrays": _arrays_of(path)}
+    offered = arrays_of(path)
+    if not offered["arrays"]:
+        raise limb_file_error(
+            path,
+            f"it holds no array of 3 or 4 dimensions. {' '.join(offered['notes'])}".rstrip(" ."),
+            "responses: inputs, outputs, axes and taps in some order",
+        )
+    return {"header": None, "arrays": offered["arrays"]}
 
 
 def _is_limb_file(path: Path) -> bool:
@@ -277,31 +286,14 @@ USUAL_ORDERS = {3: "iot", 4: "ioat"}
 _KINDS, _MOST_ARRAYS = "iuf", 200
 
 
-def _arrays_of(path: Path) -> list[dict[str, Any]]:
-    """Return the name and shape of each array of numbers with three or four dimensions."""
-    with _open_arrays(path) as members:
-        descriptions = [
-            {"name": member.name, "shape": [int(n) for n in member.array.shape]}
-            for member in members.members
-            if len(member.array.shape) in (3, 4) and np.dtype(member.array.dtype).kind in _KINDS
-        ]
-        if not descriptions:
-            raise limb_file_error(
-                path,
-                f"it holds no array of 3 or 4 dimensions. {' '.join(members.notes)}".rstrip(" ."),
-                "responses: inputs, outputs, axes and taps in some order",
-            )
-        return descriptions[:_MOST_ARRAYS]
-
-
-def offered_by(path: Path) -> dict[str, Any]:
-    """Return the name, shape and rate of each array of three dimensions, and the rate of the file.
+def arrays_of(path: Path) -> dict[str, Any]:
+    """Return name, shape and rate of each array of three or four dimensions, rate and notes.
 
     None of tables and sound, which are read signal by signal.
     """
     if reader_of(path).name not in _OPENERS:
-        return {"arrays": [], "rate_hz": None}
-    with _open_arrays(path) as members:
+        return {"arrays": [], "rate_hz": None, "notes": []}
+    with _OPENERS[reader_of(path).name](path) as members:
         descriptions = [
             {
                 "name": member.name,
@@ -309,10 +301,14 @@ def offered_by(path: Path) -> dict[str, Any]:
                 "rate_hz": member.rate_hz,
             }
             for member in members.members
-            if len(member.array.shape) == 3 and np.dtype(member.array.dtype).kind in _KINDS
+            if len(member.array.shape) in (3, 4) and np.dtype(member.array.dtype).kind in _KINDS
         ]
         stated = stated_rate(members)
-        return {"arrays": descriptions[:_MOST_ARRAYS], "rate_hz": stated[1] if stated else None}
+        return {
+            "arrays": descriptions[:_MOST_ARRAYS],
+            "rate_hz": stated[1] if stated else None,
+            "notes": members.notes,
+        }
 
 
 def response_blocks(path: Path, array: str, order: str) -> Iterator[Floats]:
@@ -337,7 +333,7 @@ def response_blocks(path: Path, array: str, order: str) -> Iterator[Floats]:
 
 
 def _array_blocks(path: Path, name: str, order: str) -> Iterator[Floats]:
-    with _open_arrays(path) as members:
+    with _OPENERS[reader_of(path).name](path) as members:
         array = next(member.array for member in members.members if member.name == name)
         shape = tuple(int(n) for n in array.shape)
         for number in range(shape[order.index("i")]):
@@ -349,13 +345,6 @@ def _array_blocks(path: Path, name: str, order: str) -> Iterator[Floats]:
                 response, rest = response[..., None], f"{rest}a"
             response = response.transpose([rest.index(letter) for letter in "oat"])
             yield response.reshape(-1, response.shape[-1])
-
-
-def _open_arrays(path: Path) -> AbstractContextManager[Members]:
-    file_format = reader_of(path).name
-    if file_format not in _OPENERS:
-        raise limb_file_error(path, f"it is a {file_format} file", "NPY, NPZ, MATLAB or HDF5")
-    return _OPENERS[file_format](path)
 
 
 _MOST_BYTES = 8 * 2**20

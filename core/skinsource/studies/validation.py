@@ -334,19 +334,20 @@ def _read_responses(
 ) -> tuple[Floats, float | None]:
     """Return the responses, and their rate; None: the file states none."""
     (offered,) = run_limited(
-        "skinsource.limbs.limb_layout:offered_by",
+        "skinsource.limbs.limb_layout:arrays_of",
         file,
         expected=_EXPECTED,
         process=reader,
         stop=stop,
     )
-    for array in offered["arrays"]:
+    arrays = [array for array in offered["arrays"] if len(array["shape"]) == 3]
+    for array in arrays:
         order = _order_of([int(n) for n in array["shape"]], n_outputs, n_axes)
         if order:
             rate_hz = array["rate_hz"] or offered["rate_hz"]
             field = _from_array(reader, file, array, order, stop)
             return field, None if rate_hz is None else float(rate_hz)
-    shapes = ", ".join(" × ".join(map(str, array["shape"])) for array in offered["arrays"][:5])
+    shapes = ", ".join(" × ".join(map(str, array["shape"])) for array in arrays[:5])
     try:
         contents = reader.look(file, stop=stop)
     except RecordingError:

@@ -3,6 +3,7 @@
 import subprocess
 import sys
 import threading
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -103,6 +104,16 @@ def test_a_stop_ends_the_process_at_once():
             list(run("hang", process, stop=stop))
         assert asked.is_set()
         assert process.pid is None
+
+
+def test_closing_in_another_thread_ends_what_waits():
+    with ThreadPoolExecutor(1) as pool:
+        waiting = pool.submit(list, run("hang", process := LimitedProcess(silence_s=60.0)))
+        while process.pid is None:
+            assert not waiting.done()
+        process.close()
+        with pytest.raises(RecordingError, match="its reader was closed"):
+            waiting.result()
 
 
 def test_closing_ends_the_process(files):
