@@ -6,10 +6,11 @@ largest sample so far: the result is that of the full search, from few channels.
 
 import math
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import chain, repeat
 from sys import getsizeof
+from threading import Lock
 from typing import NamedTuple
 from weakref import ref
 
@@ -324,37 +325,25 @@ class Sounding:
 
 
 class Gains:
-    """Gains of unit voices under upstream's scaling, in bounded memory."""
+    """Gains under upstream's scaling, for all threads, in bounded memory."""
 
-    def __init__(self, drives: Drives) -> None:
-        self._drives = drives
-        self._known = Memory[float](GAINS_BYTES, getsizeof)
+    def __init__(self, budget_bytes: int = GAINS_BYTES) -> None:
+        self._known = Memory[float](budget_bytes, getsizeof)
+        self._lock = Lock()
 
     def of(
-        self, limb: Limb, voices: Sequence[Sounding], *, in_blocks: bool, stop: Stop = never
+        self, keys: Sequence[Hashable], compute: Callable[[list[int]], list[float]]
     ) -> list[float]:
-        """Return the gain of each voice; unknown gains are computed in one search.
-
-        With ``in_blocks`` responses have the length of blocks, otherwise one common length that
-        holds each drive and its response.
-        """
-        # A weak reference in the key does not keep the responses of the limb in memory.
-        keys = [(ref(limb), voice.unit, voice.response.n_fft, in_blocks) for voice in voices]
-        known = {key: gain for key in keys if (gain := self._known.find(key)) is not None}
-        pairs = zip(keys, voices, strict=True)
-        missing = {key: voice for key, voice in pairs if key not in known}
+        """Return the gain of each key; ``compute`` those at the given positions in one search."""
+        with self._lock:
+            known = {key: gain for key in keys if (gain := self._known.find(key)) is not None}
+        missing = {key: k for k, key in enumerate(keys) if key not in known}
         if missing:
-            rate, new = limb.sample_rate_hz, list(missing.values())
-            spectra = [
-                self._drives.spectrum(voice.unit, voice.drive, rate, voice.response.n_fft)
-                for voice in new
-                if not in_blocks
-            ]
-            drives, responses = [voice.drive for voice in new], [voice.response for voice in new]
-            gains = unit_gains(drives, spectra, responses, stop)
-            for key, gain in zip(missing, gains, strict=True):
-                known[key] = gain
-                self._known.add(key, gain)
+            known |= zip(missing, compute(list(missing.values())), strict=True)
+            with self._lock:
+                for key in missing:
+                    if self._known.find(key) is None:
+                        self._known.add(key, known[key])
         return [known[key] for key in keys]
 
 
@@ -369,7 +358,7 @@ class EngineMemory:
         self.chains = PlacedChains()
         self.drives = Drives()
         self.clip_waveforms = ClipWaveforms(self.drives.clips)
-        self.gains = Gains(self.drives)
+        self.gains = Gains()
         self.exact_spectra = ExactSpectra()
 
 
@@ -614,4 +603,15 @@ class Responses:
         if self.scaling != "upstream":
             return [voice.drive.factor for voice in voices]
         in_blocks = self.n_fft is None
-        return self.remembered.gains.of(self.limb, voices, in_blocks=in_blocks, stop=stop)
+        # A weak reference in the key does not keep the responses of the limb in memory.
+        keys = [(ref(self.limb), voice.unit, voice.response.n_fft, in_blocks) for voice in voices]
+
+        def compute(which: list[int]) -> list[float]:
+            new = [voices[k] for k in which]
+            spectra = (
+                [] if in_blocks else [self.drive_spectrum(each.unit, each.drive) for each in new]
+            )
+            drives, responses = [each.drive for each in new], [each.response for each in new]
+            return unit_gains(drives, spectra, responses, stop)
+
+        return self.remembered.gains.of(keys, compute)

@@ -11,7 +11,6 @@ from functools import cache, partial
 from hashlib import sha256
 from itertools import islice
 from math import prod
-from sys import getsizeof
 from threading import Lock
 from weakref import WeakKeyDictionary, ref
 
@@ -27,8 +26,8 @@ from skinsource.base.quoting import quoted
 from skinsource.base.work import tally
 from skinsource.design.signal_path import LARGEST, Drive, check_drive, drive_of, first_unusable
 from skinsource.engine.drives import active_samples
-from skinsource.engine.gains import exceeds_rounding, unit_gains
-from skinsource.engine.memory import PREDICT_BYTES, PREDICT_GAINS_BYTES, Memory, untouched_array
+from skinsource.engine.gains import Gains, exceeds_rounding, unit_gains
+from skinsource.engine.memory import PREDICT_BYTES, PREDICT_GAINS_BYTES, untouched_array
 from skinsource.engine.spectra import (
     Norms,
     ResponseSpectra,
@@ -260,50 +259,35 @@ def _spectra_in_parts(
 _SAMPLES_AT_ONCE = 2**16
 
 
-class GainsOfDrives:
-    """Gains of drives at locations, for all threads, in bounded memory."""
+def _gains_of(
+    limb: Limb,
+    locations: Sequence[int],
+    drives: Sequence[Drive],
+    spectra: Sequence[Complexes],
+    responses: Sequence[ResponseSpectrum],
+) -> list[float]:
+    """Return the gain of each drive at its location; arguments as those of `unit_gains`."""
+    keys = [
+        (
+            ref(limb),
+            location,
+            response.n_fft,
+            drive.factor,
+            sha256(drive.samples.tobytes()).digest(),
+        )
+        for location, drive, response in zip(locations, drives, responses, strict=True)
+    ]
 
-    def __init__(self) -> None:
-        self._known = Memory[float](PREDICT_GAINS_BYTES, getsizeof)
-        self._lock = Lock()
+    def compute(which: list[int]) -> list[float]:
+        return unit_gains(
+            [drives[k] for k in which],
+            [spectra[k] for k in which],
+            [responses[k] for k in which],
+            # Bounds by frequency cost more to prepare than the channels that they spare.
+            tight=False,
+        )
 
-    def of(
-        self,
-        limb: Limb,
-        locations: Sequence[int],
-        drives: Sequence[Drive],
-        spectra: Sequence[Complexes],
-        responses: Sequence[ResponseSpectrum],
-    ) -> list[float]:
-        """Return the gain of each drive at its location; arguments as those of `unit_gains`."""
-        keys = [
-            (
-                ref(limb),
-                location,
-                response.n_fft,
-                drive.factor,
-                sha256(drive.samples.tobytes()).digest(),
-            )
-            for location, drive, response in zip(locations, drives, responses, strict=True)
-        ]
-        with self._lock:
-            known = {key: gain for key in keys if (gain := self._known.find(key)) is not None}
-        missing = {key: k for k, key in enumerate(keys) if key not in known}
-        new = list(missing.values())
-        if new:
-            gains = unit_gains(
-                [drives[k] for k in new],
-                [spectra[k] for k in new],
-                [responses[k] for k in new],
-                # Bounds by frequency cost more to prepare than the channels that they spare.
-                tight=False,
-            )
-            known |= zip(missing, gains, strict=True)
-            with self._lock:
-                for key in missing:
-                    if self._known.find(key) is None:
-                        self._known.add(key, known[key])
-        return [known[key] for key in keys]
+    return _cached_gains().of(keys, compute)
 
 
 @checking
@@ -462,7 +446,7 @@ def _response_to_drives(
     responses = _cached_spectra().of(limb, locations, scaling, n_fft)
     gains = [drive.factor for drive in drives]
     if scaling == "upstream":
-        gains = _cached_gains().of(limb, locations, drives, played, responses)
+        gains = _gains_of(limb, locations, drives, played, responses)
     weighted = [
         spectrum * (gain * amplitude)
         for spectrum, gain, (_, _, amplitude) in zip(played, gains, placed_drives, strict=True)
@@ -511,8 +495,8 @@ def _cached_spectra() -> SpectraOfLimbs:
 
 
 @cache
-def _cached_gains() -> GainsOfDrives:
-    return GainsOfDrives()
+def _cached_gains() -> Gains:
+    return Gains(PREDICT_GAINS_BYTES)
 
 
 def _checked_drives(drives: ArrayLike) -> Floats:
