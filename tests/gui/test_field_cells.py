@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QTextCursor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QLabel
 
 from skinsource.design.waveforms.samples import Formula
 from skinsource.specs.numbers import NumberSpec
@@ -121,29 +121,3 @@ def test_a_formula_that_is_refused_stays_as_it_is_typed(make_cell):
     assert "column" not in cell.note
     cell.set_value("another")
     assert cell.field.text() == "another"
-
-
-def test_quick_keys_of_a_formula_are_one_gesture_until_enter(make_cell, qtbot):
-    cell = make_cell(FORMULA, "t")
-    gestures = []
-    cell.edited.connect(lambda name, value, gesture: gestures.append(gesture))
-    cell.field.moveCursor(QTextCursor.MoveOperation.End)
-    QTest.keyClicks(cell.field, "+12")
-    QTest.keyClick(cell.field, Qt.Key.Key_Return)
-    QTest.keyClicks(cell.field, "3")
-    assert cell.field.text() == "t+123"
-    assert gestures[0] == gestures[1] != gestures[2]
-    assert None not in gestures
-
-
-def test_a_long_formula_is_wrapped_and_pasted_lines_become_one(make_cell):
-    cell = make_cell(FORMULA, "t")
-    cell.resize(200, 60)
-    flat = cell.field.height()
-    cell.set_value("+".join(["sin(2*pi*100*t)"] * 8))
-    assert cell.field.height() > 3 * flat / 2
-    cell.field.selectAll()
-    QApplication.clipboard().setText("1 +\n 2*t\n")
-    cell.field.paste()
-    assert cell.edits[-1] == ("one", "1 + 2*t")
-    assert cell.field.height() == flat

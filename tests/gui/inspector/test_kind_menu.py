@@ -13,10 +13,8 @@ from PySide6.QtWidgets import QMenu, QWidget
 from skinsource.design import waveforms
 from skinsource.design.edits.edit import kind_spec
 from skinsource.design.waveforms.catalog import COMMON, KINDS, MORE
-from skinsource.design.waveforms.tones import Tone
-from skinsource_gui.fields import kinds
 from skinsource_gui.fields.kinds import PICTURE_PX, KindField, fill_kind_menu, waveform_icon
-from skinsource_gui.qt.theme import LIGHT, THEMES
+from skinsource_gui.qt.theme import THEMES
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,53 +75,6 @@ def test_every_kind_has_a_picture_of_its_own(theme, use_theme):
         assert (picture.max(axis=0) > 0).sum() >= PICTURE_PX.width() - 8
         assert picture[0].max() < 128 > picture[-1].max()
     assert len({picture.tobytes() for picture in pictures.values()}) == len(KINDS)
-
-
-@pytest.mark.parametrize("size_px", [16, 24, 30])
-def test_no_picture_is_a_blob(size_px):
-    for kind in KINDS:
-        image = waveform_icon(kind).pixmap(size_px, size_px).toImage()
-        width, height = image.width(), image.height()
-        covered = np.mean(
-            [image.pixelColor(x, y).alpha() > 128 for x in range(width) for y in range(height)]
-        )
-        assert covered < 0.5, kind
-
-
-@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
-def test_a_picture_has_the_colour_of_the_words_beside_it(theme, use_theme):
-    use_theme(theme)
-    icon = waveform_icon(Tone)
-    for mode, colour in ((QIcon.Mode.Normal, theme.text), (QIcon.Mode.Active, theme.on_accent)):
-        image = icon.pixmap(PICTURE_PX, 1.0, mode).toImage()
-        drawn = [image.pixelColor(x, y) for x in range(30) for y in range(18)]
-        darkest = max(drawn, key=lambda colour: colour.alpha())
-        assert darkest.alpha() > 128
-        assert all(
-            abs(channel - expected) <= 2
-            for channel, expected in zip(
-                darkest.getRgb()[:3], bytes.fromhex(colour.removeprefix("#")), strict=True
-            )
-        )
-
-
-def test_a_picture_is_drawn_when_it_is_seen_and_as_sharp_as_the_screen(monkeypatch):
-    drawn = []
-    really = kinds._drawn
-
-    def noted(samples, colour, per_px):
-        drawn.append((colour.name(), per_px))
-        return really(samples, colour, per_px)
-
-    monkeypatch.setattr(kinds, "_drawn", noted)
-    icon = QIcon(waveform_icon.__wrapped__(Tone))
-    assert drawn == []
-    for mode, colour in ((QIcon.Mode.Normal, LIGHT.text), (QIcon.Mode.Disabled, LIGHT.dim)):
-        for ratio, per_px in ((1.0, 1), (1.5, 2), (5.0, 3)):
-            picture = icon.pixmap(PICTURE_PX, ratio, mode)
-            assert picture.size() == PICTURE_PX * per_px
-            assert drawn.pop() == (colour, per_px)
-    assert icon.actualSize(PICTURE_PX * 4) == PICTURE_PX
 
 
 def test_eight_kinds_are_seen_at_once_and_the_rest_under_more(menu):
@@ -189,16 +140,6 @@ def test_keys_choose_among_all_kinds_as_in_any_list(field):
     QTest.keyClicks(field, "Saw")
     assert chosen[:2] == ["Ricker", "Formula"]
     assert chosen[-1] == "Saw"
-
-
-def test_the_field_shows_the_picture_of_its_kind_in_each_theme(field, use_theme):
-    for theme in THEMES.values():
-        use_theme(theme)
-        for kind in KINDS:
-            field.set_value(kind.__name__)
-            icon, expected = field.itemIcon(field.currentIndex()), waveform_icon(kind)
-            assert np.array_equal(ink(icon), ink(expected))
-            assert icon.cacheKey() == expected.cacheKey()
 
 
 def test_where_nothing_is_chosen_the_field_says_so(qtbot):

@@ -10,7 +10,6 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QMenu, QToolButton
 
 from skinsource.design.clips import Clip
-from skinsource.design.design import track
 from skinsource.design.effects.level import Fade
 from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.samples import MAX_PARTS, Formula, Layers
@@ -20,7 +19,6 @@ from skinsource.specs.spec import MAX_DEPTH
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.parts import PartsEditor
 from skinsource_gui.qt.buttons import LetterButton
-from skinsource_gui.qt.theme import DARK
 from tests.gui.inspector.bench import Bench, design_of
 
 A = Clip(waveform=Tone(50.0))
@@ -253,24 +251,3 @@ def test_what_no_design_may_hold_is_refused_below_the_list(bench):
     assert [row.part for row in innermost.rows] == [A]
     notes = [label.text() for label in bench.panel.findChildren(QLabel, "parts_note")]
     assert any(f"at most {MAX_DEPTH} deep" in note for note in notes)
-
-
-def test_the_tab_key_goes_along_the_rows(bench):
-    bench.editor.field.findChild(QToolButton, "add_part").setFocus()
-    visited = []
-    for _ in range(4):
-        QTest.keyClick(QApplication.focusWidget(), _Key.Key_Tab)
-        visited.append(QApplication.focusWidget().accessibleName())
-    assert visited == ["1 · Tone", "Move down", "Remove clip 1", "2 · Noise"]
-
-
-def test_two_inputs_that_differ_are_marked_and_colours_are_taken_over(bench, use_theme):
-    second = track(location=9, waveform=Layers((A,)))
-    design = bench.design.adding(second)
-    bench.show(design, selected_inputs=tuple(track.id for track in design.inputs[::2]))
-    assert bench.cell.label.text() == "Parts ≠"
-    bench.rows[0].set_open(True)
-    use_theme(DARK)
-    row = bench.rows[0]
-    for part, colour in ((row.title, DARK.text), (row.fields.cells[0].label, DARK.dim)):
-        assert part.palette().color(part.foregroundRole()).name() == colour

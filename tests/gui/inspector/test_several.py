@@ -6,8 +6,10 @@ from PySide6.QtTest import QTest
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.panels.inspector.panel import InputHeading
+from skinsource_gui.fields.text_field import LiveText
+from skinsource_gui.panels.inspector.panel import InputFields, InputHeading
 from skinsource_gui.qt.buttons import LetterButton
+from skinsource_gui.state.preferences import start_design
 from tests.gui.inspector.bench import Bench, design_of
 
 LEFT = Qt.MouseButton.LeftButton
@@ -85,14 +87,6 @@ def test_a_drag_held_while_its_input_goes_edits_nothing_more_and_raises_nothing(
     assert len(bench.edits) == count
 
 
-def test_a_list_left_open_while_its_input_goes_edits_nothing(qtbot):
-    bench = two(qtbot)
-    box = bench.choice("kind")
-    bench.show(selected_inputs=())
-    box.choose("Tap")
-    assert (bench.edits, bench.refusals) == ([], [])
-
-
 def test_of_several_the_heading_says_which_one_is_silent(qtbot):
     first, other = design_of(Tone(), Tone()).inputs
     heading = InputHeading()
@@ -101,3 +95,51 @@ def test_of_several_the_heading_says_which_one_is_silent(qtbot):
     assert heading._state.text() == "last silent"
     heading.show_input(first, silent=True, batch=(first,), limb="synthetic-1")
     assert heading._state.text() == "silent"
+
+
+def line_of(window):
+    inspector = window.panel("inspector")
+    lines = [label for label in inspector.findChildren(LiveText) if label.isVisibleTo(inspector)]
+    return lines[0] if lines else None
+
+
+def retype(line, text):
+    line.setFocus()
+    line.selectAll()
+    QTest.keyClicks(line, text)
+
+
+def test_it_stands_there_where_there_is_one_and_is_typed_exactly(open_window):
+    design = start_design("synthetic-1").with_input(0, gain_curve=((0.1, 1.0), (0.4, 0.25)))
+    window = open_window(design)
+    line = line_of(window)
+    assert line.accessibleName() == "Gain curve"
+    assert line.toPlainText() == "100 1; 400 0.25"
+    retype(line, "100 1; 250.5 0.125")
+    assert window.document.design.inputs[0].gain_curve == ((0.1, 1.0), (0.2505, 0.125))
+    retype(line, "100 1; 50 0.125")
+    assert "comes after" in line.problem
+    # What could be read last stays.
+    QTest.keyClick(line, Qt.Key.Key_Escape)
+    assert line.toPlainText() == "100 1"
+    assert window.document.design.inputs[0].gain_curve == ((0.1, 1.0),)
+
+
+def test_typed_away_it_can_be_typed_again(open_window):
+    design = start_design("synthetic-1").with_input(0, gain_curve=((0.1, 0.5),))
+    window = open_window(design)
+    line = line_of(window)
+    line.setFocus()
+    line.selectAll()
+    QTest.keyClick(line, Qt.Key.Key_Delete)
+    assert window.document.design.inputs[0].gain_curve == ()
+    assert line_of(window) is line
+    QTest.keyClicks(line, "0 0.5")
+    assert window.document.design.inputs[0].gain_curve == ((0.0, 0.5),)
+
+
+def test_a_track_without_one_has_no_line_for_it(open_window):
+    window = open_window()
+    assert line_of(window) is None
+    fields = window.panel("inspector").findChild(InputFields)
+    assert "gain_curve" not in {cell.name for cell in fields._fields()}

@@ -34,8 +34,8 @@ def test_words_on_a_clip_say_by_what_it_is_stretched(effects, text, through):
     assert stimulus_text(design).endswith(f": Tone 100 Hz, {through}")
 
 
-def test_what_is_turned_in_front_of_an_audience_is_said_to_be_stretched(make_window):
+def test_what_is_turned_in_front_of_an_audience_is_said_to_be_stretched(open_window):
     clip = Clip(waveform=TONE, effects=(Stretch(factor=2.0),))
     design = ss.Design(limb="synthetic-1", inputs=(ss.Input(location=7, clips=(clip,)),))
-    panel = make_window(design).panel("frequency_and_amplitude")
+    panel = open_window(design).panel("frequency_and_amplitude")
     assert panel._heading.text() == "Tone, stretched ×2 at place 7"

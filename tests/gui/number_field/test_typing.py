@@ -6,6 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.base.errors import InvalidInputError
+from skinsource.design.effects.time import TO
 from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.number_field import NumberDisplay, NumberField
@@ -294,3 +295,32 @@ def test_digits_of_fields_with_other_units_end_at_the_same_place(qapp):
     fields = [NumberField(spec) for spec in (DURATION, FREQUENCY, AMPLITUDE, SEED)]
     [margin] = {field.textMargins().right() for field in fields}
     assert margin > fields[0].fontMetrics().horizontalAdvance("m/s²")
+
+
+def test_words_stand_in_place_of_a_0_that_is_none(make_bench):
+    around = make_bench(TO, 0.0)
+    field = around.field
+    assert field.text() == "by factor"
+    assert field._number.unit_text(editing=False) == ""
+    field.set_value(0.4)
+    assert field.text() == "400"
+    assert field._number.unit_text(editing=False) == "ms"
+
+
+def test_such_a_0_is_typed_and_copied_as_a_number(make_bench):
+    around = make_bench(TO, 0.0)
+    field = around.field
+    field.setFocus()
+    field.begin_editing()
+    assert field.text() == "0"
+    assert field._number.unit_text(editing=True) == "ms"
+    field.setText("250")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert field.value_si == 0.25
+
+
+def test_where_words_have_no_room_the_number_stands(make_bench):
+    around = make_bench(TO, 0.0)
+    field = around.field
+    field.setFixedWidth(60)
+    assert field.text() == "0"

@@ -106,29 +106,11 @@ def test_escape_twice_is_heard_wherever_the_keyboard_is(studio, qtbot):
     assert presses == []
 
 
-def test_escape_twice_stops_what_plays(sound, studio, player, qtbot, listen):
-    qtbot.waitUntil(studio.isActiveWindow)
-    now = listen(loops=True)
-    studio.panel("timeline").setFocus()
-    widget = QApplication.focusWidget()
-    QTest.keyClick(widget, ESCAPE)
-    QTest.keyClick(widget, ESCAPE)
-    qtbot.waitUntil(lambda: not player.playing, timeout=20_000)
-    assert now.stream.queue.ending.reason == "panic"
-
-
 @pytest.fixture
 def kind(studio, pressed):
     field = studio.panel("inspector").findChild(QComboBox, "kind_field")
     field.setFocus()
     return field
-
-
-def test_space_opens_a_list_that_the_keyboard_has_come_to(studio, pressed, kind):
-    QTest.keyClick(kind, SPACE)
-    assert pressed == []
-    assert kind.findChild(QMenu, "kind_menu").isVisible()
-    kind.hidePopup()
 
 
 def test_space_plays_once_a_waveform_is_chosen_and_opens_the_list_when_one_comes_back(
@@ -150,12 +132,3 @@ def test_space_plays_once_a_waveform_is_chosen_and_opens_the_list_when_one_comes
     assert pressed == [1, 1]
     assert any(menu.isVisible() for menu in kind.findChildren(QMenu, "kind_menu"))
     kind.hidePopup()
-
-
-def test_it_plays_after_a_choice_from_an_ordinary_list_too(studio, pressed):
-    field = studio.panel("inspector").findChild(QComboBox, "window_field")
-    field.setFocus()
-    QTest.keyClick(field, Qt.Key.Key_Down)
-    QTest.keyClick(field, SPACE)
-    assert pressed == [1]
-    assert not field.view().isVisible()

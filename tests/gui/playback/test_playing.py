@@ -1,10 +1,20 @@
+import threading
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QPushButton
 
 import skinsource as ss
+from skinsource.lab.playing import mixer
+from skinsource.lab.playing.devices import Output
 from skinsource.lab.playing.mix import START_DB
+from skinsource_gui.state import playing as live_edits
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.playing import LiveEdits
+from skinsource_gui.state.preferences import start_design
 from tests.gui.playback.conftest import DESIGN
 
 WAIT = {"timeout": 20_000}
@@ -66,16 +76,6 @@ def test_an_edit_is_heard_while_it_loops_without_a_click(sound, studio, player, 
     delay = now.stream.delay(player.edits.render_s)
     assert delay.device_s == pytest.approx(0.015)
     assert delay.total_s == pytest.approx(delay.render_s + delay.wait_s + delay.device_s)
-
-
-def test_many_edits_at_once_are_heard_as_the_last_one(sound, studio, player, qtbot, listen):
-    now = listen(loops=True)
-    for amplitude in np.linspace(0.8, 0.1, 15):
-        studio.document.edit("Softer", DESIGN.with_input(0, amplitude=float(amplitude)))
-    qtbot.waitUntil(
-        lambda: now.stream.queue.mix.samples[0].max() < 0.11 and player.edits.render_s > 0, **WAIT
-    )
-    assert now.stream.queue.ending is None
 
 
 def test_an_edit_that_cannot_be_played_leaves_what_is_heard(sound, studio, player, qtbot, listen):
@@ -185,18 +185,194 @@ def test_another_output_ends_what_is_played(sound, studio, player, qtbot, listen
     assert now.stream.queue.mix.names == ("left", "right")
 
 
-def test_nothing_ticks_while_nothing_is_played(sound, studio, player, qtbot, listen):
-    timers = studio.playback._timer, player.playhead._timer
-    assert not any(timer.isActive() for timer in timers)
-    listen(loops=True)
-    assert all(timer.isActive() for timer in timers)
-    studio.do("play")
-    qtbot.waitUntil(settled(player), **WAIT)
-    assert not any(timer.isActive() for timer in timers)
-
-
 def test_closing_the_window_lets_go_of_the_device(sound, studio, player, listen):
     listen(loops=True)
     studio.document.mark_saved(studio.document.path)
     studio.close()
     assert not sound.streams[0].active
+
+
+RESPONSE_S = 522 / 1300
+
+
+def test_slow_motion_runs_in_silence_and_complains_of_nothing(sound, studio, player, qtbot, listen):
+    document = studio.document
+    document.look(replace(document.view, slow_motion=20.0))
+    now = listen()
+    assert now.stream is None
+    assert not sound.streams
+    assert player.settings.missing == ""
+    assert not studio.notice.text.startswith("In silence")
+    assert now.visible_s == pytest.approx(0.5 + RESPONSE_S)
+
+
+def test_faster_and_slower_go_through_the_paces(studio):
+    document, factors = studio.document, []
+    for _ in range(9):
+        studio.do("play_slower")
+        factors.append(document.view.slow_motion)
+    assert factors == [2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 200.0, 200.0]
+    document.look(replace(document.view, slow_motion=30.0))
+    studio.do("play_faster")
+    assert document.view.slow_motion == 20.0
+    for _ in range(5):
+        studio.do("play_faster")
+    assert document.view.slow_motion == 1.0
+    assert document.undo_stack.count() == 0
+
+
+def test_another_pace_goes_on_where_it_is(no_sound, studio, player, qtbot, listen):
+    document = studio.document
+    document.look(replace(document.view, slow_motion=50.0, playhead_s=0.2))
+    now = listen()
+    document.look(replace(document.view, slow_motion=200.0))
+    assert player.now is now
+    assert now.silent._slow_motion == 200.0
+    assert 0.2 <= now.position_s() < 0.3
+    assert 0.2 <= document.view.playhead_s < 0.3
+
+
+def test_a_pause_leaves_the_playhead_where_it_is(no_sound, studio, player, qtbot, listen):
+    document = studio.document
+    document.look(replace(document.view, slow_motion=10.0))
+    listen()
+    qtbot.waitUntil(lambda: document.view.playhead_s > 0.01, **WAIT)
+    studio.do("pause")
+    qtbot.waitUntil(lambda: not player.playing, **WAIT)
+    stands_s = document.view.playhead_s
+    assert stands_s > 0.01
+    studio.do("pause")
+    qtbot.waitUntil(lambda: player.now is not None, **WAIT)
+    qtbot.waitUntil(lambda: document.view.playhead_s > stands_s, **WAIT)
+    assert document.view.playhead_s < stands_s + 0.5
+
+
+def test_the_playhead_runs_on_until_the_skin_is_at_rest(sound, studio, player, qtbot, listen):
+    playheads_s = []
+    studio.document.playhead_moved.connect(
+        lambda: playheads_s.append(studio.document.view.playhead_s)
+    )
+    listen()
+    qtbot.waitUntil(lambda: not player.playing, timeout=30_000)
+    assert max(playheads_s) > 0.5 + 0.8 * RESPONSE_S
+    assert playheads_s[-1] == 0.0
+    assert studio.notice.text == ""
+
+
+@pytest.fixture
+def made(monkeypatch):
+    """Lets a mix be made once it is set, at the latest at the end of the test."""
+    ready, mix = threading.Event(), mixer.Mixer.mix
+
+    def slowly(self, *given, **more):
+        assert ready.wait(20)
+        return mix(self, *given, **more)
+
+    monkeypatch.setattr(mixer.Mixer, "mix", slowly)
+    yield ready
+    ready.set()
+
+
+def test_it_is_said_that_sound_is_prepared_until_it_plays(sound, studio, player, qtbot, made):
+    note = studio.playback.note
+    studio.do("play")
+    assert not note.isVisible()
+    qtbot.waitUntil(note.isVisible, **WAIT)
+    assert studio.playback.bar.play.accessibleName() == "Stop"
+    made.set()
+    qtbot.waitUntil(lambda: player.now is not None, **WAIT)
+    assert not note.isVisible()
+    player.stop_at_once()
+    qtbot.waitUntil(lambda: not player.playing, **WAIT)
+
+
+def test_what_is_prepared_can_be_cancelled_and_is_not_played(sound, studio, player, qtbot, made):
+    note = studio.playback.note
+    studio.do("play")
+    qtbot.waitUntil(note.isVisible, **WAIT)
+    note.findChild(QPushButton, "cancel_preparing").click()
+    assert not note.isVisible()
+    assert not player.playing
+    made.set()
+    # The thread of the sound does one thing after another: this comes after it.
+    done, failed = [], []
+    player.failed.connect(failed.append)
+    player._thread.do(lambda: None, lambda *_: done.append(True))
+    qtbot.waitUntil(lambda: bool(done), **WAIT)
+    assert player.now is None
+    assert (sound.streams, failed) == ([], [])
+
+
+def test_what_is_played_after_something_was_cancelled_is_what_is_heard(
+    sound, studio, player, qtbot, made
+):
+    studio.do("play")
+    studio.do("play")
+    studio.do("play")
+    assert player.preparing
+    made.set()
+    qtbot.waitUntil(lambda: player.now is not None, **WAIT)
+    assert len(sound.streams) == 1
+    assert not player.preparing
+    player.stop_at_once()
+    qtbot.waitUntil(lambda: not player.playing, **WAIT)
+
+
+class Clock:
+    """Seconds, as told."""
+
+    now_s = 100.0
+
+    def __call__(self):
+        return self.now_s
+
+
+class HeldThread:
+    """Does what it was given when it is told to, in so many seconds."""
+
+    def __init__(self, clock):
+        self._clock, self._waiting = clock, []
+
+    def do(self, work, then):
+        self._waiting.append((work, then))
+
+    def finish(self, took_s):
+        """Do the next thing."""
+        work, then = self._waiting.pop(0)
+        self._clock.now_s += took_s
+        then(work(), None)
+
+
+@pytest.fixture
+def clock(monkeypatch):
+    clock = Clock()
+    monkeypatch.setattr(live_edits, "perf_counter", clock)
+    return clock
+
+
+def test_an_edit_that_waits_for_the_one_before_it_is_late_by_that_too(qapp, clock):
+    document, owner, thread = Document(start_design("synthetic-1")), QObject(), HeldThread(clock)
+    playing = object()
+    session = SimpleNamespace(made=SimpleNamespace(change=lambda *_, **__: playing))
+    edits = LiveEdits(document, session, thread, owner)
+    design = document.design
+    edits.begin(playing, design, Output(), None, loops=True)
+
+    def edit(amplitude):
+        document.edit("Louder", design.with_input(0, amplitude=amplitude))
+
+    edit(0.5)
+    clock.now_s += 0.010
+    edit(0.6)
+    clock.now_s += 0.005
+    edit(0.7)
+    thread.finish(took_s=0.025)
+    assert edits.render_s == pytest.approx(0.040)
+    # Both that waited are rendered at once; the first of them waited for 30 ms.
+    thread.finish(took_s=0.040)
+    assert edits.render_s == pytest.approx(0.070)
+    clock.now_s += 1.0
+    edit(0.8)
+    thread.finish(took_s=0.020)
+    assert edits.render_s == pytest.approx(0.020)
+    edits.end()

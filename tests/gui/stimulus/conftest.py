@@ -33,8 +33,8 @@ def desk(make_desk, design):
 
 
 @pytest.fixture
-def window(make_window, design):
-    return make_window(design, selected(design))
+def window(open_window, design):
+    return open_window(design, selected(design))
 
 
 def opened(actions, qtbot):
@@ -68,3 +68,9 @@ def save_as(monkeypatch, tmp_path):
         return path
 
     return answer_with
+
+
+@pytest.fixture
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window

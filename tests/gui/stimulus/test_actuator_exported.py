@@ -44,8 +44,8 @@ def order_of(form):
     return changes[-1]
 
 
-def test_what_was_chosen_in_the_panel_is_exported_and_said(make_window, qtbot, save_as):
-    window = make_window(DESIGN)
+def test_what_was_chosen_in_the_panel_is_exported_and_said(open_window, qtbot, save_as):
+    window = open_window(DESIGN)
     choose_in_panel(brought_forward(window, qtbot), "actuator", FINGERTIP)
     assert window.document.design.actuated is None
     window.do("export_stimulus")
@@ -69,18 +69,6 @@ def test_what_was_chosen_in_the_panel_is_exported_and_said(make_window, qtbot, s
     assert label(page, "summary").endswith(RAW)
     assert not page.form.field("equaliser").isVisible()
     page.reject()
-
-
-def test_where_nothing_was_chosen_nothing_is_equalised(page, qtbot):
-    assert page.form.field("actuator").isVisible()
-    assert page.form.field("actuator").value == "none"
-    assert RAW in label(page, "summary")
-
-
-def test_how_the_panel_is_drawn_is_no_choice(form_on):
-    order = order_of(form_on(DESIGN, view_of(picture="step", layout="stacked")))
-    assert order.equaliser is None
-    assert order.actuation is None
 
 
 def test_an_actuator_without_an_equaliser_stays_raw(form_on):

@@ -1,12 +1,27 @@
 """File > Export stimulus…: what is written is what was looked at."""
 
 import json
+from threading import Event
 
+import pytest
 import soundfile
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QCheckBox, QFileDialog, QPushButton
+from PySide6.QtWidgets import (
+    QApplication,
+    QCheckBox,
+    QFileDialog,
+    QLabel,
+    QMessageBox,
+    QProgressBar,
+    QPushButton,
+)
 
+import skinsource as ss
+from skinsource.base.errors import Stopped
+from skinsource.base.job import stop_if
+from skinsource.export.stimulus_export import preparing
+from skinsource_gui.pages.stimulus import page as preparing_worker
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
 
@@ -102,3 +117,176 @@ def test_closing_the_studio_closes_the_page(page_in_window, window):
     page_in_window.form.field("format").choose("csv")
     window.close_unasked()
     assert window.stimuli.page is None
+
+
+_Answer = QMessageBox.StandardButton
+
+
+@pytest.fixture
+def asked(monkeypatch):
+    """Questions that were asked; each was answered with the last of ``answers``."""
+    questions, answers = [], [_Answer.Cancel]
+
+    def question(_parent, _title, text, *_):
+        questions.append(text)
+        return answers[-1]
+
+    monkeypatch.setattr(QMessageBox, "question", question)
+    return questions, answers
+
+
+def contents(folder):
+    return {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()}
+
+
+def test_the_file_of_another_channel_is_replaced_only_if_the_user_says_so(
+    page, desk, qtbot, save_as, asked, tmp_path
+):
+    questions, answers = asked
+    choose(page, qtbot, "format", "pwle")
+    path = save_as("twenty.pwle.json")
+    mine = tmp_path / "twenty_channel-2.pwle.json"
+    mine.write_text("mine")
+    export(desk, page, qtbot)
+    assert questions == ["twenty_channel-2.pwle.json exists already. Replace it?"]
+    assert (mine.read_text(), path.exists()) == ("mine", False)
+    answers.append(_Answer.Yes)
+    desk.stimuli.show()
+    qtbot.waitUntil(lambda: desk.stimuli.page.ready)
+    export(desk, desk.stimuli.page, qtbot)
+    assert path.exists()
+    assert mine.read_text() != "mine"
+
+
+def test_a_sidecar_that_is_there_without_its_file_is_not_lost_unasked(
+    page, desk, qtbot, save_as, asked, tmp_path
+):
+    save_as("drive.wav")
+    (tmp_path / "drive.wav.json").write_text("mine")
+    export(desk, page, qtbot)
+    assert asked[0] == ["drive.wav.json exists already. Replace it?"]
+    assert contents(tmp_path).get("drive.wav.json") == b"mine"
+
+
+def test_who_let_a_file_go_is_not_asked_about_its_sidecar(
+    page, desk, qtbot, save_as, asked, tmp_path
+):
+    path = save_as("drive.wav")
+    for name in ("drive.wav", "drive.wav.json"):
+        (tmp_path / name).write_text("old")
+    export(desk, page, qtbot)
+    assert asked[0] == []
+    assert path.stat().st_size > 1000
+
+
+def test_one_file_per_input_asks_about_each_that_is_there(
+    page, desk, qtbot, save_as, asked, tmp_path
+):
+    choose(page, qtbot, "channels", "files")
+    save_as("drive.wav")
+    for number in (1, 3):
+        (tmp_path / f"drive_input-{number}.wav").write_text("mine")
+    export(desk, page, qtbot)
+    assert asked[0] == [
+        "2 files exist already: drive_input-1.wav, drive_input-3.wav. Replace them?"
+    ]
+    assert not (tmp_path / "drive_input-2.wav").exists()
+
+
+def test_what_a_standard_wants_beside_a_file_is_not_lost_unasked(
+    page, desk, qtbot, save_as, asked, tmp_path
+):
+    choose(page, qtbot, "format", "bids")
+    save_as("sub-1_stim.tsv.gz")
+    (tmp_path / "sub-1_stim.json").write_text("mine")
+    export(desk, page, qtbot)
+    assert asked[0] == ["sub-1_stim.json exists already. Replace it?"]
+    assert contents(tmp_path) == {"sub-1_stim.json": b"mine"}
+
+
+@pytest.fixture
+def gate(monkeypatch):
+    """Set it, and a stimulus is prepared; nothing is before."""
+    gate, whole = Event(), preparing.prepare_stimulus
+
+    def held(*arguments, progress, stop, **options):
+        progress(1, 4, "Computing")
+        while not gate.wait(0.01):
+            stop_if(stop)
+        return whole(*arguments, progress=progress, stop=stop, **options)
+
+    monkeypatch.setattr(preparing_worker, "prepare_stimulus", held)
+    yield gate
+    gate.set()
+
+
+def computing_label(page):
+    return page.findChild(QLabel, "stimulus_computing")
+
+
+def pale(page, name):
+    effect = page.findChild(QLabel, f"stimulus_{name}").graphicsEffect()
+    return effect is not None and effect.isEnabled()
+
+
+def test_the_page_says_that_it_computes_and_how_far_it_is(desk, qtbot, gate):
+    desk.stimuli.show()
+    page = desk.stimuli.page
+    qtbot.waitExposed(page)
+    qtbot.waitUntil(
+        lambda: (
+            computing_label(page).isVisible() and computing_label(page).text() == "Computing… 12 %"
+        )
+    )
+    bar = page.findChild(QProgressBar, "stimulus_progress")
+    assert bar.isVisible()
+    assert (bar.value(), bar.maximum()) == (1, 8)
+    gate.set()
+    qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
+    assert not computing_label(page).isVisible()
+    assert not bar.isVisible()
+    desk.stimuli.end()
+
+
+def test_escape_leaves_the_page_while_it_computes(desk, qtbot, gate):
+    desk.stimuli.show()
+    page = desk.stimuli.page
+    qtbot.waitUntil(lambda: computing_label(page).isVisible())
+    with qtbot.waitSignal(page.finished):
+        QTest.keyClick(page, Qt.Key.Key_Escape)
+    assert not gate.is_set()
+
+
+def test_what_is_said_of_another_order_is_as_pale_as_its_picture(page, qtbot, gate):
+    assert not pale(page, "summary")
+    page.form.field("rate").choose("8000")
+    assert page.busy
+    assert "at 48 000 Hz" in label(page, "summary")
+    assert pale(page, "summary")
+    assert pale(page, "loses")
+    gate.set()
+    qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
+    assert not pale(page, "summary")
+    assert "at 8 000 Hz" in label(page, "summary")
+
+
+def test_a_refusal_is_not_pale(page, qtbot):
+    page.form.field("map").setText("1")
+    qtbot.waitUntil(lambda: "each channel" in label(page, "problem"), timeout=WAIT_MS)
+    assert not pale(page, "problem")
+    assert not computing_label(page).isVisible()
+
+
+def test_a_stimulus_is_given_up_between_two_of_its_channels():
+    design = ss.Design(limb="synthetic-1", inputs=tuple(ss.track(place) for place in (7, 8, 9)))
+    progress = []
+
+    def note(done, total, text):
+        progress.append((done, total))
+
+    ss.stimulus_of(design, 48_000, progress=note)
+    assert progress == [(0, 3), (1, 3), (2, 3)]
+    progress.clear()
+    with pytest.raises(Stopped):
+        ss.stimulus_of(design, 48_000, progress=note, stop=lambda: len(progress) > 1)
+    assert progress == [(0, 3), (1, 3)]
