@@ -1,4 +1,4 @@
-"""A studio window of its own for each test, on the small built-in limb."""
+"""A studio window for the tests of a file, on the small built-in limb, and what they share."""
 
 import gc
 import threading
@@ -12,12 +12,11 @@ from PySide6.QtGui import QCursor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
-from skinsource.limbs.catalog import available_limbs
 from skinsource_gui.pages.files import exports
 from skinsource_gui.qt.theme import LIGHT, apply_theme, current_theme
-from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.preferences import Preferences, start_design
+from skinsource_gui.state.preferences import Preferences
 from tests.gui.desk import Desk
+from tests.gui.shared_window import SharedWindow, forget_changes, made_window, rest
 
 
 class _Tidy:
@@ -104,36 +103,50 @@ def preferences(user_data):
     return Preferences(user_data / "studio.ini")
 
 
+@pytest.fixture(scope="module")
+def _shared_window(qapp, tmp_path_factory):
+    shared = SharedWindow(tmp_path_factory.mktemp("studio"))
+    yield shared
+    shared.end()
+
+
 @pytest.fixture
-def make_window(qtbot, preferences, monkeypatch):
-    """Open studio windows; close them at the end, and see that no thread is left."""
+def open_window(_shared_window, qtbot):
+    """Start the window over that the tests of this file share, with a design and a view."""
+    return _shared_window.begin
+
+
+@pytest.fixture
+def window(open_window):
+    """The studio on its start design, with everything drawn."""
+    return open_window()
+
+
+@pytest.fixture
+def make_window(qtbot, preferences):
+    """Open studio windows of a test's own; close them, and see that no thread is left."""
     opened = []
     before = set(threading.enumerate())
 
     def make(design=None, view=None):
-        window = MainWindow(
-            design or start_design("synthetic-1"),
-            view=view,
-            preferences=preferences,
-            available_limbs=available_limbs(),
-        )
-        window.resize(1366, 728)
-        qtbot.addWidget(window, before_close_func=_forget_changes)
+        window = made_window(preferences, design, view)
+        qtbot.addWidget(window, before_close_func=forget_changes)
         opened.append(window)
-        # Before it is shown: docks that are in sight are laid out and painted once more.
-        window.do("arrange_design")
-        window.show()
-        qtbot.waitExposed(window)
-        qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
         return window
 
     yield make
     for window in opened:
-        _forget_changes(window)
+        forget_changes(window)
         window.close()
     QApplication.processEvents()
     left = [thread for thread in threading.enumerate() if thread not in before]
     assert not left, f"threads outlive the window: {left}"
+
+
+@pytest.fixture
+def new_window(make_window):
+    """The studio on its start design, of this test alone."""
+    return make_window()
 
 
 @pytest.fixture
@@ -165,12 +178,6 @@ def desk(make_desk):
 
 
 @pytest.fixture
-def window(make_window):
-    """The studio on its start design, with everything drawn."""
-    return make_window()
-
-
-@pytest.fixture
 def write_with(monkeypatch):
     """Have an export of the table written by another function."""
 
@@ -184,20 +191,10 @@ def write_with(monkeypatch):
 
 
 @pytest.fixture
-def settle(qtbot, window):
+def settle(window):
     """Wait until the window shows the present design."""
 
-    def wait():
-        qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
-        QApplication.processEvents()
-
-    return wait
-
-
-def _forget_changes(window):
-    # A modal question at the end would wait for ever.
-    window.document.mark_saved(window.document.path)
-    window.runner.close()
+    return partial(rest, window)
 
 
 @pytest.fixture(scope="module", autouse=True)

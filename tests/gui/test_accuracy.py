@@ -2,9 +2,7 @@
 
 import pytest
 
-from skinsource.engine.gains import TraceError
-from skinsource_gui.qt.error_label import ErrorLabel, rounded_up
-from skinsource_gui.qt.theme import LIGHT
+from skinsource_gui.qt.error_label import rounded_up
 
 
 @pytest.fixture
@@ -34,31 +32,12 @@ def test_an_edit_takes_the_old_error_away_at_once(qtbot, window, checked):
     assert window.status_line.error.text() == ""
 
 
-def test_a_check_is_no_result_for_the_panels(qtbot, window, checked):
-    delivered = []
-    window.conductor.delivered.connect(delivered.append)
-    qtbot.waitUntil(lambda: known(checked), timeout=5000)
-    assert delivered == []
-
-
 def test_without_traces_nothing_is_checked(qtbot, window, checked):
     window.docks["traces"].close()
     qtbot.waitUntil(lambda: not window.engine.busy)
     window.document.edit("a", window.document.design.with_input(0, amplitude=4.0))
     qtbot.waitUntil(lambda: not window.engine.busy)
     assert window.accuracy._shown is None
-
-
-@pytest.mark.parametrize(
-    ("estimate", "colour"), [(1e-15, LIGHT.dim), (1e-9, LIGHT.warning), (1e-2, LIGHT.error)]
-)
-def test_the_colour_tells_when_a_promise_is_broken(qtbot, estimate, colour, use_theme):
-    label = ErrorLabel()
-    qtbot.addWidget(label)
-    use_theme(LIGHT)
-    label.show_error(TraceError(estimate=estimate, bound=1.0))
-    label.ensurePolished()
-    assert label.palette().windowText().color().name() == colour
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton
+from PySide6.QtWidgets import QFileDialog, QPushButton
 
 from skinsource.base.job import stop_if
 from skinsource.limbs.own_limbs import facts_of
@@ -134,17 +134,3 @@ def test_the_limb_of_the_design_can_be_measured_on(window, page, qtbot, monkeypa
     installed(hand_length_mm=150.0)
     measure(page, qtbot)
     assert page.message.text().startswith("The limb 'lab-1' here is another one than that of this")
-
-
-def test_the_page_is_worked_by_keyboard_and_keeps_its_rows_while_closed(window, page, qtbot):
-    page.activateWindow()
-    button = page.findChild(QPushButton, "measure")
-    button.setFocus()
-    QTest.keyClick(button, Qt.Key.Key_Space)
-    qtbot.waitUntil(lambda: not page.run.runs, timeout=20_000)
-    assert QApplication.focusWidget() is page.table
-    page.close()
-    window.actions_by_name["show_accuracy"].trigger()
-    assert window.pages.accuracy is page
-    assert page.isVisible()
-    assert page.table.rowCount() == N_ROWS

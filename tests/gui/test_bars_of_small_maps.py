@@ -8,9 +8,8 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QImage, QPainter
 
 import skinsource as ss
-from skinsource_gui.panels.side_by_side import panel as side_by_side
 from skinsource_gui.plots.pictures import save_drawing
-from skinsource_gui.plots.small_map import ColourScale, SmallMap, paint_small_bar
+from skinsource_gui.plots.small_map import SmallMap, paint_small_bar
 from skinsource_gui.qt.theme import LIGHT, on_paper
 from tests.gui.pages_of_paper import Paper
 
@@ -21,8 +20,8 @@ DESIGN = ss.Design(
 
 
 @pytest.mark.parametrize(("name", "bars"), [("side_by_side", 4), ("windowed", 1)])
-def test_each_limb_has_a_bar_on_paper(make_window, settle, tmp_path, name, bars):
-    window = make_window(DESIGN)
+def test_each_limb_has_a_bar_on_paper(open_window, settle, tmp_path, name, bars):
+    window = open_window(DESIGN)
     settle()
     picture = window.pictures.picture_of(name)
     save_drawing(tmp_path / "a.pdf", picture.draw, 900, 600)
@@ -52,28 +51,3 @@ def test_the_bar_is_as_long_as_it_says_and_on_paper_alone(qapp, limb, hand_mm):
     lengths_mm = np.array([100, 50, 20, 10])
     assert np.abs(lengths_mm * px_per_mm - len(dark)).min() <= 1.5
     assert 20 < len(dark) <= 75
-
-
-def test_words_beside_maps_grow_with_the_picture_and_are_never_smaller_than_on_the_screen(
-    make_window, settle, monkeypatch
-):
-    window = make_window(DESIGN)
-    settle()
-    panel = window.panel("side_by_side")
-    panel.resize(400, 300)
-    for width, expected in ((200, 1.0), (400, 1.0), (1600, 4.0)):
-        image = QImage(width, width * 3 // 4, QImage.Format.Format_RGB32)
-        painter = QPainter(image)
-        asked = []
-        monkeypatch.setattr(
-            side_by_side, "paint_page", lambda on, *_, to=asked: to.append(on.transform().m11())
-        )
-        panel.draw_picture(painter, width, width * 3 // 4, LIGHT)
-        painter.end()
-        assert asked == [expected]
-
-
-def test_a_level_of_no_decibels_has_no_sign():
-    scale = ColourScale(range_db=(-50.0, 0.0), text_below="dB")
-    assert scale.text(-0.04) == "0.0 dB"
-    assert scale.text(-0.06) == "−0.1 dB"

@@ -9,12 +9,7 @@ from PySide6.QtWidgets import QApplication
 import skinsource as ss
 from skinsource_gui.plots.pictures import (
     ALL_VISIBLE,
-    LAYOUTS,
-    caption_px,
-    drawn_image,
-    height_above,
     save_drawing,
-    with_caption,
 )
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.shell.panels import PANELS
@@ -37,8 +32,14 @@ EVERY = (*(spec.panel.name for spec in PANELS), ALL_VISIBLE)
 
 
 @pytest.fixture
-def window(make_window):
-    return make_window(DESIGN)
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window
+
+
+@pytest.fixture
+def window(open_window):
+    return open_window(DESIGN)
 
 
 def drawn(window, name, path, size=(900, 700)):
@@ -64,19 +65,13 @@ def test_a_page_has_the_words_of_its_caption_too(window, tmp_path):
     assert "Responsesarecomputedfromamodel" in text
 
 
-def test_what_is_kept_is_not_said(make_window, tmp_path):
+def test_what_is_kept_is_not_said(open_window, tmp_path):
     quiet = replace(DESIGN, inputs=(ss.track(7, ss.waveforms.Tone(frequency_hz=100.0)),))
-    window = make_window(quiet)
+    window = open_window(quiet)
     text = drawn(window, "windowed", tmp_path / "a.svg")
     assert "The probe moves" not in text
     assert "300 Hz" not in text
     assert "Responses are computed from a model" in text
-
-
-def test_another_scaling_says_what_it_hides(make_window):
-    window = make_window(replace(DESIGN, scaling="upstream"))
-    caption = window.pictures.picture_of("windowed").caption
-    assert "That some places carry less than others is hidden by this scaling." in caption
 
 
 def test_each_limb_of_a_comparison_is_named_with_what_there_is_to_note_of_it(window, monkeypatch):
@@ -105,22 +100,6 @@ def test_snapshots_that_do_not_keep_a_condition_are_named_with_it(window, settle
     assert "The probe moves" not in window.pictures.picture_of("windowed").caption
 
 
-@pytest.mark.parametrize("layout", LAYOUTS, ids=lambda layout: layout.name)
-def test_no_layout_gives_a_picture_less_room_for_its_caption(window, layout):
-    picture = window.pictures.picture_of("windowed")
-    usual = picture.size_px or (1600, 1100)
-    sizes = []
-    below = 0 if layout.height_in else caption_px(picture.caption, *layout.size_px(usual))
-    width, height = layout.size_px(usual)
-
-    def draw(painter, wide, high, **_):
-        sizes.append((wide, high))
-
-    drawn_image(with_caption(draw, picture.caption), width, height + below)
-    assert sizes[0][0] == width
-    assert sizes[0][1] >= (0.8 * height if layout.height_in else height)
-
-
 def test_copied_numbers_are_followed_by_what_they_are_not_good_for(window, qtbot):
     window.docks["statistics"].bring_forward()
     panel = window.panel("statistics")
@@ -134,29 +113,10 @@ def test_copied_numbers_are_followed_by_what_they_are_not_good_for(window, qtbot
     assert last in about
 
 
-def test_numbers_of_a_plot_have_each_note_once(window, tmp_path, monkeypatch):
-    exports = window.panel("traces")._plot.exports
-    path = tmp_path / "a.csv"
-    monkeypatch.setattr(exports, "_ask", lambda *_: path)
-    exports.save_data()
-    head = [line for line in path.read_text("utf-8").splitlines() if line.startswith("#")]
-    assert sum("validity, drive: CAUTION" in line for line in head) == 1
-    assert not any("map is a guess" in line for line in head)
-    assert len(head) == len(set(head))
-
-
-def test_a_copied_picture_has_its_caption(window, qapp):
-    exports = window.panel("traces")._plot.exports
-    with_words = (exports.copy_picture(), QApplication.clipboard().image())[1]
-    exports.caption = str
-    exports.copy_picture()
-    assert with_words.height() > QApplication.clipboard().image().height()
-
-
 @pytest.fixture
-def tones(make_window, settle):
+def tones(open_window, settle):
     """Four frequencies, as snapshots of a scene of the paper."""
-    window = make_window(DESIGN)
+    window = open_window(DESIGN)
     opened = ss.scenes.open_scene("2B", available=("synthetic-1",))
     window.document.start_over(opened.design, opened.view, None, scene=opened.scene.title)
     settle()
@@ -171,39 +131,6 @@ def test_designs_side_by_side_are_told_with_what_differs(tones, name):
     caption = tones.pictures.picture_of(name).caption
     assert caption.startswith(f"Fig. 2B: Low frequencies reach farther. {FOUR} Limb: Synthetic 1")
     assert "Other panels" not in caption
-
-
-def test_a_picture_of_everything_tells_which_design_the_other_panels_show(tones):
-    tones.docks["side_by_side"].bring_forward()
-    caption = tones.pictures.picture_of(ALL_VISIBLE).caption
-    assert FOUR in caption
-    assert caption.endswith(" Other panels: Snapshot 1.")
-    alone = tones.pictures.picture_of("skin").caption
-    assert alone.startswith(
-        "Fig. 2B: Low frequencies reach farther · 50 Hz. Place 7, 1 m/s²: Tone 50 Hz"
-    )
-
-
-def test_designs_that_are_made_otherwise_are_told_each_by_itself(window, settle):
-    window.do("store_snapshot_1")
-    window.document.edit("Nothing", replace(DESIGN, inputs=()))
-    settle()
-    caption = window.pictures.picture_of("compare").caption
-    assert caption.startswith(
-        "Edited: Silent: nothing is driven. Snapshot 1: Place 7, 500 m/s²: Tone 400 Hz, 100 ms"
-    )
-
-
-def test_several_strengths_are_told_without_what_is_edited_and_not_drawn(window, settle):
-    for number, amplitude in enumerate((1.0, 2.0, 3.0), start=1):
-        window.document.edit("Strength", DESIGN.with_input(0, amplitude=amplitude))
-        window.do(f"store_snapshot_{number}")
-    window.document.look(replace(window.document.view, outputs=(30,)))
-    tone = ss.waveforms.Tone(frequency_hz=50.0)
-    window.document.edit("Other", replace(DESIGN, inputs=(ss.track(3, tone),)))
-    settle()
-    caption = window.pictures.picture_of("linearity").caption
-    assert caption.startswith("Snapshots 1, 2, 3: Place 7, 1/2/3 m/s²: Tone 400 Hz, 100 ms")
 
 
 def test_a_scene_that_was_changed_is_not_called_what_it_was(tones, settle):
@@ -243,9 +170,3 @@ def test_numbers_that_are_copied_are_those_that_are_judged(qtbot):
     button.click()
     copied = QApplication.clipboard().text()
     assert copied == "of the present design\n# What to know of it.\n"
-
-
-def test_a_caption_that_is_longer_than_any_page_leaves_most_of_it_to_the_picture(qapp):
-    text = "Place 7, 1 m/s²: Tone 100 Hz, 200 ms. " * 200
-    for width, height in ((300, 200), (120, 100), (900, 700)):
-        assert height_above(text, QApplication.font(), width, height) > 0.6 * height

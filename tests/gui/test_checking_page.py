@@ -29,8 +29,8 @@ def button(page, name):
 
 
 @pytest.fixture
-def page(make_window, qtbot):
-    window = make_window(design_of(104.0))
+def page(open_window, qtbot):
+    window = open_window(design_of(104.0))
     window.do("check_recording")
     page = window.findChild(CheckingPage)
     yield page
@@ -86,9 +86,9 @@ def test_designs_are_checked_against_recordings_of_other_rates_and_reported(page
 
 
 def test_a_design_that_was_edited_since_it_was_saved_is_not_called_as_its_file_alone(
-    make_window, tmp_path
+    open_window, tmp_path
 ):
-    window = make_window(design_of(104.0))
+    window = open_window(design_of(104.0))
     window.files._save_to(tmp_path / "mine.skinsource")
     names = []
     for amplitude in (1.0, 0.5):

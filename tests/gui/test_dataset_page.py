@@ -66,16 +66,6 @@ def test_installing_from_a_folder_can_be_cancelled(page, window, qtbot, tmp_path
     assert not page.findChild(QPushButton, "cancel_installing").isVisible()
 
 
-def test_a_folder_without_the_files_is_refused_and_another_one_may_be_chosen(
-    page, window, qtbot, tmp_path, monkeypatch
-):
-    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
-    page.findChild(QPushButton, "install_from_folder").click()
-    qtbot.waitUntil(lambda: "impulseResponses.mat" in text_of(page), timeout=30_000)
-    assert page.findChild(QPushButton, "install_from_folder").isEnabled()
-    assert not any(name.startswith("measured") for name in window.limbs.names)
-
-
 def test_an_installation_goes_on_when_the_page_closes_and_the_limbs_are_there(
     page, window, qtbot, synthetic_download
 ):

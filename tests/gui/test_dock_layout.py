@@ -15,6 +15,12 @@ from skinsource_gui.state.preferences import start_design
 SIZE = (780, 660)
 
 
+@pytest.fixture
+def window(new_window):
+    """A studio of each test's own."""
+    return new_window
+
+
 def sizes(window):
     QApplication.processEvents()
     return {name: dock.size() for name, dock in window.docks.items() if dock.isVisible()}

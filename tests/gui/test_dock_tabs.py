@@ -4,20 +4,16 @@ import random
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QImage, QPainter
-from PySide6.QtWidgets import QApplication, QMenu, QStyle, QStyleOptionFrame
+from PySide6.QtWidgets import QApplication
 
 from skinsource.design.design_file import save_design
 from skinsource.design.view import View
 from skinsource.limbs.catalog import available_limbs
-from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS, Behind, Place
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import start_design
 from tests.gui.dock_bench import bar_with, bars, click_tab, in_sight, titles
-
-GUESTS = ("compare", "history", "library")
 
 
 @pytest.fixture
@@ -26,29 +22,6 @@ def requested(window):
     requests = []
     window.conductor.delivered.connect(lambda outcome: requests.append(outcome.request.wanted))
     return lambda: requests[-1]
-
-
-def test_the_menu_of_a_title_lists_panels_as_view_panels_does(window):
-    listed = next(
-        menu
-        for menu in window.menuBar().findChildren(QMenu)
-        if menu.title().replace("&", "") == "Panels"
-    )
-    menu = window.createPopupMenu()
-    titles_of = [action.text() for action in menu.actions()]
-    assert titles_of == [panel.panel.title for panel in PANELS]
-    assert [action.text() for action in listed.actions()][: len(titles_of)] == titles_of
-    menu.deleteLater()
-
-
-@pytest.mark.parametrize("name", GUESTS)
-def test_a_panel_without_a_place_of_its_own_takes_no_room_from_traces_and_spectra(window, name):
-    before = {name: window.docks[name].geometry() for name in ("traces", "spectra", "timeline")}
-    window.docks[name].bring_forward()
-    QApplication.processEvents()
-    assert name in in_sight(window)
-    assert "inspector" not in in_sight(window)
-    assert {name: window.docks[name].geometry() for name in before} == before
 
 
 def test_every_panel_comes_up_in_every_arrangement_and_squeezes_none(window, settle):
@@ -69,16 +42,6 @@ def test_every_panel_comes_up_in_every_arrangement_and_squeezes_none(window, set
             window.docks[name].bring_forward()
         settle()
         assert {name: window.docks[name].width() for name in sizes} == sizes
-
-
-def test_those_with_whom_panels_share_a_place_have_one_of_their_own():
-    places = {spec.panel.name: spec.places for spec in PANELS}
-    for arrangement in ARRANGEMENTS:
-        hosts = {arrangement.host}
-        for spec in PANELS:
-            place = spec.places[arrangement.name]
-            hosts |= {place.panel} if isinstance(place, Behind) else set()
-        assert all(isinstance(places[host][arrangement.name], Place) for host in hosts)
 
 
 def test_nothing_is_computed_for_a_panel_behind_another_one(window, settle, requested):
@@ -126,13 +89,6 @@ def test_snapshots_are_not_predicted_for_a_comparison_behind_another_panel(windo
     window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
     settle()
     assert not deliveries
-
-
-def test_a_panel_in_a_window_of_its_own_is_in_sight_on_a_screen_to_the_left_too(window, settle):
-    window.docks["traces"].setFloating(True)
-    window.docks["traces"].move(-900, 10)
-    settle()
-    assert window.panel("traces").isVisible()
 
 
 def test_tabs_of_the_last_session_are_tabs_again(qtbot, preferences):
@@ -215,22 +171,3 @@ def test_whatever_is_done_to_docks_just_those_in_front_are_shown(window, settle,
             assert dock.panel.isVisible() == (dock.isVisible() and visible), dock.objectName()
         assert all(bar.focusPolicy() == Qt.FocusPolicy.NoFocus for bar in shared_bars)
     settle()
-
-
-@pytest.mark.parametrize("theme", ["light", "dark"])
-def test_a_panel_out_of_the_window_has_a_frame_that_is_seen(window, theme):
-    # Where the desktop frames it, as the one without a screen does, it is not asked for.
-    window.do(f"use_{theme}_theme")
-    dock = window.docks["inspector"]
-    image = QImage(60, 40, QImage.Format.Format_RGB32)
-    image.fill(QColor(current_theme().window))
-    option = QStyleOptionFrame()
-    option.initFrom(dock)
-    option.rect = image.rect()
-    painter = QPainter(image)
-    dock.style().drawPrimitive(QStyle.PrimitiveElement.PE_FrameDockWidget, option, painter, dock)
-    painter.end()
-    edges = [image.pixelColor(x, y).name() for x, y in ((0, 20), (1, 20), (59, 20), (30, 0))]
-    assert edges == [current_theme().dim] * 4
-    assert image.pixelColor(2, 20).name() == current_theme().window
-    window.do("use_light_theme")

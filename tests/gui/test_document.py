@@ -169,27 +169,6 @@ def test_going_to_a_step_tells_once_and_undoes_or_redoes_all_between(document):
     assert document.modified
 
 
-def test_going_back_to_what_was_saved_is_not_modified(document, tmp_path):
-    document.mark_saved(tmp_path / "a.skinsource")
-    document.edit("f", with_frequency(document, 101.0))
-    document.edit("f", with_frequency(document, 102.0))
-    titles = []
-    document.title_changed.connect(lambda: titles.append(document.modified))
-    document.go_to(0)
-    assert not document.modified
-    assert titles == [False]
-
-
-def test_an_edit_between_two_choices_keeps_them_apart(document):
-    choose(document, 1)
-    document.edit("f", with_frequency(document, 101.0))
-    choose(document, 2)
-    for outputs in ((1,), (1,), View().outputs):
-        document.undo_stack.undo()
-        assert document.view.outputs == outputs
-    assert document.design == ONE_TONE
-
-
 def test_a_refusal_is_told_and_changes_nothing(document):
     messages, changes = [], []
     document.refused.connect(messages.append)
@@ -205,14 +184,6 @@ def test_design_and_view_change_together_and_are_told_once(document):
     view = View(axes="z", selected_inputs=(2,))
     document.apply(Edit(label="Place", design=design, view=view))
     assert states == [(design, view)]
-
-
-def test_undo_of_a_limb_keeps_the_selection(document):
-    document.edit("add", document.design.adding(track(location=3)))
-    document.look(View(selected_inputs=(2,)))
-    document.edit("limb", replace(document.design, limb="synthetic-3"))
-    document.undo_stack.undo()
-    assert document.view.selected_input == 2
 
 
 @pytest.fixture

@@ -3,8 +3,8 @@
 from collections import Counter
 
 import pytest
-from PySide6.QtCore import QRect, Qt
-from PySide6.QtGui import QColor, QFontInfo, QFontMetrics
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractSlider,
@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource.specs.spec import ChoiceSpec
-from skinsource_gui.fields.choice_field import ChoiceField, DropDown
+from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.panels.hand.layout import contrast
 from skinsource_gui.qt.theme import THEMES, current_theme
 
@@ -75,24 +75,6 @@ def test_the_highlighted_entry_can_be_read_and_stands_out(field, way):
     assert ground.name() == current_theme().accent
 
 
-def test_the_other_entries_can_be_read(field):
-    for row in (1, 2):
-        ground, ink = entry_colours(field, row)
-        assert contrast(ink, ground) >= READABLE
-        assert ground.name() == current_theme().base
-
-
-def test_a_name_ends_in_an_ellipsis_only_where_there_is_no_room(field, qtbot):
-    field.hidePopup()
-    field.setSizeAdjustPolicy(field.SizeAdjustPolicy.AdjustToContents)
-    field.choose("m")
-    field.setFixedWidth(field.sizeHint().width())
-    fitting = field.grab().toImage()
-    field.setFixedWidth(field.sizeHint().width() + 40)
-    roomy = field.grab(fitting.rect().adjusted(0, 0, -30, 0)).toImage()
-    assert roomy == fitting.copy(fitting.rect().adjusted(0, 0, -30, 0))
-
-
 def test_the_wheel_alone_gives_the_focus_to_nothing_that_it_would_change(window):
     """Qt gives the focus before it delivers the wheel, which sent events do not do."""
     for widget in window.findChildren(QWidget):
@@ -101,38 +83,3 @@ def test_the_wheel_alone_gives_the_focus_to_nothing_that_it_would_change(window)
                 not widget.focusPolicy() & Qt.FocusPolicy.WheelFocus & ~Qt.FocusPolicy.StrongFocus
             )
     assert window.findChildren(ChoiceField)
-
-
-def test_every_list_that_drops_down_shows_its_arrow_and_cuts_no_entry_off(window, qtbot):
-    window.docks["library"].bring_forward()
-    tags = window.panel("library").search.tags
-    page = window.library.ask_and_save()
-    qtbot.addWidget(page)
-    for field in (tags, page.what, *window.findChildren(QComboBox)):
-        assert isinstance(field, DropDown)
-    for field in (tags, page.what):
-        shown = field.grab(QRect(field.width() - 20, field.height() // 2 - 5, 14, 10)).toImage()
-        inked = {shown.pixel(x, y) for x in range(14) for y in range(10)}
-        assert len(inked) > 1
-    tags.showPopup()
-    qtbot.waitUntil(lambda: tags.view().isVisible())
-    view = tags.view()
-    assert view.viewport().width() >= view.sizeHintForColumn(0)
-    tags.hidePopup()
-    page.reject()
-
-
-def test_words_are_written_smaller_before_they_are_cut(qtbot):
-    field = ChoiceField(SPEC)
-    qtbot.addWidget(field)
-    field.choose("m")
-    whole_px = field.fontMetrics().horizontalAdvance("Medium")
-    font, text = field.fitted_text(whole_px)
-    assert (font, text) == (field.font(), "Medium")
-    font, text = field.fitted_text(round(0.8 * whole_px))
-    assert text == "Medium"
-    assert QFontInfo(font).pixelSize() < QFontInfo(field.font()).pixelSize()
-    assert QFontMetrics(font).horizontalAdvance("Medium") <= round(0.8 * whole_px)
-    smallest, cut = field.fitted_text(whole_px // 2)
-    assert cut.endswith("…")
-    assert QFontInfo(smallest).pixelSize() >= round(0.7 * QFontInfo(field.font()).pixelSize()) - 1

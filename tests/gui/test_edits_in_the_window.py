@@ -5,14 +5,11 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design import edits
 from skinsource.design.design import MAX_INPUTS, Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.timeline.heads import InputRows
 from skinsource_gui.plots.plot import Plot
-from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.state.engine import Purpose
 
 KEY, CONTROL = Qt.Key, Qt.KeyboardModifier.ControlModifier
@@ -61,9 +58,9 @@ def test_escape_on_the_map_is_taken_back_by_ctrl_z_and_no_input_goes(window, set
     assert len(window.document.design.inputs) == 2
 
 
-def test_a_full_design_refuses_ctrl_d_with_a_sentence(make_window):
+def test_a_full_design_refuses_ctrl_d_with_a_sentence(open_window):
     inputs = tuple(track(location=1, colour=k) for k in range(MAX_INPUTS))
-    window = make_window(Design(limb="synthetic-1", inputs=inputs))
+    window = open_window(Design(limb="synthetic-1", inputs=inputs))
     window.do("duplicate_input")
     QApplication.processEvents()
     assert f"at most {MAX_INPUTS} inputs" in window.notice.text
@@ -76,9 +73,9 @@ def in_sight(window, id):
     return row.visibleRegion().boundingRect() == row.rect()
 
 
-def test_the_list_follows_what_is_selected_on_the_hand_and_duplicated_anywhere(make_window, qtbot):
+def test_the_list_follows_what_is_selected_on_the_hand_and_duplicated_anywhere(open_window, qtbot):
     inputs = tuple(track(location=1 + k % 20, colour=k) for k in range(20))
-    window = make_window(Design(limb="synthetic-1", inputs=inputs))
+    window = open_window(Design(limb="synthetic-1", inputs=inputs))
     window.panel("hand").diagram.select_requested.emit(17)
     assert window.document.view.selected_inputs == (18,)
     qtbot.waitUntil(lambda: in_sight(window, 18))
@@ -87,25 +84,6 @@ def test_the_list_follows_what_is_selected_on_the_hand_and_duplicated_anywhere(m
     window.do("duplicate_input")
     assert window.document.view.selected_inputs == (21,)
     qtbot.waitUntil(lambda: in_sight(window, 21))
-
-
-def test_more_than_three_rows_are_seen_on_a_small_screen(make_window, qtbot):
-    inputs = tuple(track(location=1 + k % 20, colour=k) for k in range(20))
-    window = make_window(Design(limb="synthetic-1", inputs=inputs))
-    qtbot.waitUntil(lambda: in_sight(window, 1))
-    assert sum(in_sight(window, k + 1) for k in range(20)) >= 3
-
-
-def test_the_preview_of_another_input_is_shown_without_a_new_evaluation(make_window):
-    tones = (Tone(duration_s=0.2), Tone(duration_s=0.4))
-    inputs = tuple(track(location=7 + k, waveform=tone, colour=k) for k, tone in enumerate(tones))
-    window = make_window(Design(limb="synthetic-1", inputs=inputs))
-    preview = window.panel("inspector").findChild(WaveformPreview, "waveform_preview")
-    for chosen, duration_s in ((2, 0.4), (1, 0.2)):
-        window.document.apply(
-            edits.select_inputs(window.document.design, window.document.view, (chosen,))
-        )
-        assert preview.duration_s == pytest.approx(duration_s)
 
 
 def test_undo_while_a_number_is_dragged_takes_its_input_away_and_nothing_raises(window, settle):

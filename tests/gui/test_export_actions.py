@@ -1,6 +1,5 @@
 import os
 import threading
-from dataclasses import replace
 from time import monotonic
 
 import numpy as np
@@ -8,7 +7,6 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
-    QApplication,
     QFileDialog,
     QLabel,
     QMessageBox,
@@ -117,18 +115,6 @@ def test_traces_levels_and_field_hold_the_present_design(window, wait, answers, 
         assert archive["acceleration_m_per_s2"].shape[:2] == (72, 3)
     assert "field.npz" in window.statusBar().currentMessage()
     assert window.preferences.folder == tmp_path
-
-
-def test_traces_of_no_outputs_cannot_be_exported(window, answers):
-    window.do("select_no_outputs")
-    window.do("export_traces")
-    assert not window.actions_by_name["export_traces"].isEnabled()
-    assert not window.runner.busy
-
-
-def test_a_dialog_that_is_cancelled_exports_nothing(window, answers):
-    window.do("export_levels")
-    assert not window.runner.busy
 
 
 def test_the_design_of_the_moment_is_exported_while_editing_goes_on(
@@ -257,35 +243,3 @@ def test_closing_during_an_export_asks_first_and_then_leaves_nothing(
     window.close()
     assert not window.isVisible()
     assert os.listdir(tmp_path) == []
-
-
-def test_closing_without_an_export_asks_nothing(window, wait, answers, tmp_path):
-    answers["save"] = str(tmp_path / "levels.csv")
-    window.do("export_levels")
-    wait()
-    window.close()
-    assert answers["asked"] == []
-    assert not window.isVisible()
-
-
-def test_the_status_bar_has_room_for_an_export_in_a_small_window(
-    qtbot, window, wait, gate, answers, tmp_path
-):
-    window.resize(1366, 728)
-    answers["save"] = str(tmp_path / ("long-name-" * 12 + ".npz"))
-    window.document.look(replace(window.document.view, outputs=tuple(range(1, 73))))
-    width = window.width()
-    window.do("export_field")
-    assert gate.started.wait(5)
-    qtbot.waitUntil(lambda: not window.engine.busy)
-    QApplication.processEvents()
-    assert window.width() == width
-    for kind, name in (
-        (QLabel, "job_name"),
-        (QPushButton, "cancel_running_job"),
-        (QLabel, "limb_note"),
-    ):
-        widget = part(window, kind, name)
-        assert widget.width() >= widget.minimumSizeHint().width()
-        right = widget.mapTo(window, widget.rect().topRight()).x()
-        assert right < window.width(), f"{name} is cut off"

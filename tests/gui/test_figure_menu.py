@@ -22,8 +22,8 @@ def menu_on(figure):
 
 
 @pytest.mark.parametrize("name", ["spectrogram", "transfer", "main_axis"])
-def test_the_right_button_on_a_figure_offers_its_picture(make_window, qtbot, monkeypatch, name):
-    window = make_window(DESIGN, View(selected_inputs=(1,), outputs=(3,)))
+def test_the_right_button_on_a_figure_offers_its_picture(open_window, qtbot, monkeypatch, name):
+    window = open_window(DESIGN, View(selected_inputs=(1,), outputs=(3,)))
     window.activateWindow()
     window.docks[name].bring_forward()
     panel = window.panel(name)
@@ -39,11 +39,3 @@ def test_the_right_button_on_a_figure_offers_its_picture(make_window, qtbot, mon
     menu.close()
     assert asked == [f"Export picture of the panel {panel.title}"]
     assert ("Copy numbers" in by_words) == (panel.findChild(CopyButton) is not None)
-
-
-def test_a_figure_that_shows_none_offers_no_menu(make_window, qtbot):
-    window = make_window(DESIGN, View(selected_inputs=(1,), outputs=()))
-    window.docks["spectrogram"].bring_forward()
-    panel = window.panel("spectrogram")
-    qtbot.waitUntil(lambda: panel.isVisible() and panel.figure.message == panel.no_outputs)
-    assert menu_on(panel.figure) is None

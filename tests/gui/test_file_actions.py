@@ -2,18 +2,15 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, QRect, Qt, QUrl
+from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage
-from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QMessageBox
+from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
 from skinsource.design.design import track
 from skinsource.design.design_file import open_design, save_design
-from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.pages.files import exports
 from skinsource_gui.plots import signal_view
-from skinsource_gui.plots.pictures import PictureDialog, PictureOptions
+from skinsource_gui.plots.pictures import PictureOptions
 from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.qt.theme import DARK
 
@@ -101,14 +98,6 @@ def test_a_file_that_is_no_design_is_refused_and_what_is_open_stays(window, answ
     assert window.document.design is design
 
 
-def test_a_folder_that_cannot_be_written_is_one_clear_error(window, answers, tmp_path):
-    place(window)
-    answers["save"] = str(tmp_path / "no" / "such" / "folder.skinsource")
-    window.do("save_design")
-    assert "cannot be written" in window.notice.text
-    assert window.document.modified
-
-
 def test_recent_files_are_offered_newest_first_and_missing_ones_dropped(
     window, answers, tmp_path, preferences
 ):
@@ -123,12 +112,6 @@ def test_recent_files_are_offered_newest_first_and_missing_ones_dropped(
     menu = window.findChild(type(window.menuBar().addMenu("x")), "open_recent")
     menu.aboutToShow.emit()
     assert [entry.text() for entry in menu.actions()] == ["two.skinsource"]
-
-
-def test_the_picture_of_the_map_is_a_png(window, settle, answers, tmp_path):
-    answers["save"] = str(tmp_path / "map.png")
-    window.do("export_picture")
-    assert (tmp_path / "map.png").read_bytes().startswith(b"\x89PNG")
 
 
 def test_the_picture_has_the_size_and_colours_asked_for_and_they_are_kept(
@@ -147,48 +130,6 @@ def test_the_picture_has_the_size_and_colours_asked_for_and_they_are_kept(
     window.do("export_picture")
     assert offered == [PictureOptions(width_px=500, height_px=400, colours="dark")]
     assert answers["asked"] == ["save"]
-
-
-def test_size_and_colours_of_a_picture_are_chosen_in_fields(qtbot):
-    dialog = PictureDialog(PictureOptions())
-    qtbot.addWidget(dialog)
-    field = dialog.findChild(NumberField, "width_px_field")
-    QTest.keyClicks(field, "640")
-    QTest.keyClick(field, Qt.Key.Key_Return)
-    dialog.findChild(ChoiceField, "colours_field").choose("dark")
-    assert dialog.options == PictureOptions(width_px=640, colours="dark")
-
-
-def test_enter_accepts_the_size_of_a_picture_as_it_is_and_as_it_was_typed(qtbot):
-    for letters in ("", "640"):
-        dialog = PictureDialog(PictureOptions())
-        qtbot.addWidget(dialog)
-        field = dialog.findChild(NumberField, "width_px_field")
-        QTest.keyClicks(field, letters)
-        QTest.keyClick(field, Qt.Key.Key_Return)
-        assert dialog.result() == PictureDialog.DialogCode.Accepted
-        assert dialog.options.width_px == int(letters or 1200)
-
-
-def test_what_is_no_size_of_a_picture_is_refused_with_all_of_the_reason(qtbot):
-    dialog = PictureDialog(PictureOptions())
-    qtbot.addWidget(dialog)
-    dialog.show()
-    field = dialog.findChild(NumberField, "width_px_field")
-    field.begin_editing("/home/somebody/pictures/map.svg")
-    QTest.keyClick(field, Qt.Key.Key_Return)
-    assert dialog.isVisible()
-    note = dialog.findChild(QLabel, "width_px_note")
-    qtbot.waitUntil(lambda: note.height() >= note.heightForWidth(note.width()) > 0)
-    assert note.mapTo(dialog, note.rect().bottomRight()).y() < dialog.height()
-    others = [
-        other_field for other_field in dialog.findChildren(NumberField) if other_field is not field
-    ]
-    place = QRect(note.mapTo(dialog, QPoint(0, 0)), note.size())
-    assert not any(
-        place.intersects(QRect(other_place.mapTo(dialog, QPoint(0, 0)), other_place.size()))
-        for other_place in others
-    )
 
 
 def test_plots_suggest_the_folder_of_the_last_file(window, answers, tmp_path, monkeypatch):
@@ -221,21 +162,6 @@ def test_an_existing_file_is_not_replaced_behind_the_dialog(window, answers, tmp
     assert answers["asked"] == ["save", "question"]
     assert (tmp_path / "old.skinsource").read_bytes() == b"precious"
     assert window.document.modified
-
-
-def test_dialogs_begin_in_the_folder_of_the_last_file(window, answers, tmp_path, preferences):
-    answers["save"] = str(tmp_path / "map.png")
-    window.do("export_picture")
-    assert preferences.folder == tmp_path
-    (tmp_path / "map.png").unlink()
-
-
-def test_what_went_well_is_told_in_the_status_bar(window, answers, tmp_path):
-    window.reports.complain("something old")
-    answers["save"] = str(tmp_path / "a.skinsource")
-    window.do("save_design")
-    assert "a.skinsource" in window.statusBar().currentMessage()
-    assert window.notice.text == ""
 
 
 def test_a_file_dropped_on_the_window_is_opened(window, settle, answers, tmp_path):

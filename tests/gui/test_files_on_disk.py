@@ -1,23 +1,27 @@
 """Other programs, and other windows, have a hand in files too."""
 
 import os
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QEvent, QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
+from PySide6.QtWidgets import QApplication, QMessageBox
 
 from skinsource.base import files
 from skinsource.design import design_file
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
 from skinsource_gui.pages.files import file_actions
-from skinsource_gui.state.preferences import Preferences
 
 YES, CANCEL = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
 OTHER = Design(limb="synthetic-2", inputs=(track(location=13),))
+
+
+@pytest.fixture
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window
 
 
 @pytest.fixture
@@ -97,8 +101,8 @@ def test_a_file_that_was_only_touched_is_saved_unasked(window, opened, asked):
     assert window.notice.text == ""
 
 
-def test_two_windows_on_one_file_notice_each_other(window, make_window, opened, asked):
-    other = make_window()
+def test_two_windows_on_one_file_notice_each_other(window, open_window, opened, asked):
+    other = open_window()
     other.files.open(opened)
     place(other, 9)
     assert other.files.save()
@@ -106,15 +110,6 @@ def test_two_windows_on_one_file_notice_each_other(window, make_window, opened, 
     assert "was changed by another program, or in another window" in window.notice.text
     assert not window.files.save()
     assert [track.location for track in open_design(opened).design.inputs] == [4, 9]
-
-
-def test_what_changed_on_disk_is_told_once(window, opened):
-    save_design(opened, OTHER)
-    messages = []
-    window.files.failed.connect(messages.append)
-    activate(window)
-    activate(window)
-    assert len(messages) == 1
 
 
 def test_a_design_whose_file_was_deleted_counts_as_modified(window, opened, asked):
@@ -164,29 +159,6 @@ def test_what_was_said_about_a_file_does_not_outlive_it(window, opened, asked):
     assert "Saved" not in window.statusBar().currentMessage()
 
 
-@pytest.mark.parametrize("name", ["x" * 250, "y" * 300, "a\0b", "no/such/folder"])
-def test_names_that_no_file_can_have_are_one_sentence(window, asked, tmp_path, monkeypatch, name):
-    typed = str(tmp_path / name)
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (typed, ""))
-    place(window)
-    assert not window.files.ask_and_save()
-    assert "cannot be written" in window.notice.text
-    assert window.document.modified
-    assert window.files.ask_where("Export", Path("levels.csv"), "CSV (*.csv)") is not None
-
-
-def test_a_folder_that_may_not_be_searched_is_not_offered(user_data, monkeypatch):
-    preferences = Preferences(user_data / "studio.ini")
-    preferences.folder = user_data
-    assert preferences.folder == user_data
-
-    def refused(*_, **__):
-        raise PermissionError(13, "Permission denied")
-
-    monkeypatch.setattr(Path, "stat", refused)
-    assert preferences.folder == Path.home()
-
-
 def test_a_dropped_file_is_copied_even_where_a_move_is_proposed(window, opened, asked):
     window.files.save()
     data = QMimeData()
@@ -200,10 +172,3 @@ def test_a_dropped_file_is_copied_even_where_a_move_is_proposed(window, opened, 
         QApplication.sendEvent(window, event)
         assert event.isAccepted()
         assert event.dropAction() == Qt.DropAction.CopyAction
-
-
-def test_words_about_a_design_are_held_by_its_file(window, opened):
-    design = replace(window.document.design, title="Größe", author="A", notes="1\n2", licence="CC0")
-    window.document.edit("Describe the design", design)
-    window.files.save()
-    assert open_design(opened).design == design

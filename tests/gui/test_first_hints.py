@@ -2,13 +2,20 @@
 
 from dataclasses import replace
 
-from PySide6.QtWidgets import QMainWindow, QPushButton, QToolButton
+import pytest
+from PySide6.QtWidgets import QMainWindow, QPushButton
 
 import skinsource as ss
 from skinsource.design.edits.edit import Edit
-from skinsource_gui.shell.notices import HINTS, LATER, FirstHints, Notice
+from skinsource_gui.shell.notices import HINTS, FirstHints, Notice
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
+
+
+@pytest.fixture
+def window(new_window):
+    """A studio of each test's own."""
+    return new_window
 
 
 def window_of(qtbot):
@@ -85,15 +92,6 @@ def test_doing_what_a_hint_says_leads_to_the_next_one(qtbot, tmp_path):
     assert notice.text == ""
 
 
-def test_hints_that_were_closed_do_not_come_back_with_an_edit(qtbot, tmp_path):
-    window, notice = window_of(qtbot)
-    done = document()
-    FirstHints(Preferences(tmp_path / "a.ini"), notice, done).offer()
-    window.findChild(QToolButton, "close_notice").click()
-    apply(done, inputs=(ss.track(7, ss.waveforms.Impulse()),))
-    assert notice.text == ""
-
-
 def test_hints_are_put_away_while_somebody_presents_and_come_back_after(window, settle):
     window.do("show_first_steps")
     settle()
@@ -117,28 +115,4 @@ def test_hints_are_put_away_while_somebody_presents_and_come_back_after(window, 
     window.do("present")
     window.do("present")
     settle()
-    assert window.notice.text == ""
-
-
-def test_first_steps_that_are_asked_for_while_somebody_presents_come_after(window, settle):
-    window.do("present")
-    window.do("show_first_steps")
-    settle()
-    assert window.notice.text == LATER
-    window.do("present")
-    settle()
-    assert window.notice.text == f"1 of 3: {HINTS[0]}"
-
-
-def test_who_asks_for_the_first_steps_has_them_again_from_the_first_one(window, settle):
-    for _ in range(2):
-        window.do("show_first_steps")
-        settle()
-        assert window.notice.text == f"1 of 3: {HINTS[0]}"
-        press(window, "Next")
-        settle()
-        assert window.notice.text == f"2 of 3: {HINTS[1]}"
-    window.do("show_first_steps")
-    settle()
-    press(window, "No more hints")
     assert window.notice.text == ""

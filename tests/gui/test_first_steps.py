@@ -7,10 +7,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
-from skinsource.design import edits
-from skinsource.design.design import Design, track
-from skinsource.design.edits.edit import Edit
-from skinsource.design.view import View
 from skinsource_gui.plots.plot import Plot
 from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS
 from skinsource_gui.shell.panels import PANELS
@@ -18,6 +14,12 @@ from skinsource_gui.shell.panels import PANELS
 ANYWHERE = ("Press ", "View > Panels")
 #: Words of a sentence, and the panel that they lead to.
 LEADS = {"on the hand": "hand", "in the timeline": "timeline", "on the skin map": "skin"}
+
+
+@pytest.fixture
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window
 
 
 def requests_of(panel):
@@ -68,17 +70,3 @@ def test_what_is_said_without_a_hand_adds_an_input(window, settle, qtbot):
     assert empty.text() == "Click a place on the hand to add a track"
     window.docks["hand"].hide()
     assert empty.text() == "Press Ctrl+Shift+N to add a track"
-
-
-def test_inputs_are_added_where_there_are_none_yet():
-    design, view = Design(limb="synthetic-1", inputs=(track(location=1),)), View()
-    places = []
-    for _ in range(21):
-        outcome = edits.add_input(design, view)
-        assert isinstance(outcome, Edit)
-        design, view = outcome.design, outcome.view
-        places.append(design.inputs[-1].location)
-        assert view.selected_inputs == (design.ids[-1],)
-    assert places[:3] == [7, 2, 3]
-    assert sorted(places[:19]) == list(range(2, 21))
-    assert places[19:] == [7, 7]

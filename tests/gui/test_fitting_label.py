@@ -3,24 +3,6 @@
 from skinsource_gui.qt.labels import FittingLabel
 
 
-def test_words_that_are_shorter_than_their_room_end_beside_what_follows(qtbot):
-    label = FittingLabel()
-    qtbot.addWidget(label)
-    label.show_phrases(("2 inputs · up to date · a long scene", "2 inputs"))
-    label.resize(label.minimumSizeHint().width() + 60, 20)
-    label.show()
-    assert label.text() == "2 inputs"
-    image = label.grab().toImage()
-    ground = image.pixel(0, 0)
-    inked = [
-        x
-        for x in range(image.width())
-        if any(image.pixel(x, y) != ground for y in range(image.height()))
-    ]
-    assert inked[0] > 30
-    assert inked[-1] > image.width() - 10
-
-
 def test_a_fitting_label_shows_the_longest_phrasing_that_fits(qtbot):
     label = FittingLabel()
     qtbot.addWidget(label)

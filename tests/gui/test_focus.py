@@ -1,13 +1,10 @@
-import threading
 from dataclasses import replace
 
 import pytest
-import shiboken6
-from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QWidget
+from PySide6.QtWidgets import QApplication, QDialog
 
-from skinsource.base.errors import Stopped
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
@@ -16,6 +13,12 @@ from skinsource_gui.fields.editors import FieldCell
 KEY = Qt.Key
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 PLAIN = Qt.KeyboardModifier.NoModifier
+
+
+@pytest.fixture
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window
 
 
 @pytest.fixture
@@ -117,17 +120,9 @@ def test_each_arrangement_has_its_own_round(at_work, arrangement):
     assert {region for region, _ in walk(at_work)} == visible | {"setup", "transport", "status"}
 
 
-def test_a_notice_comes_first(at_work):
-    at_work.reports.complain("Something went wrong")
-    at_work.setup_bar._limb.setFocus()
-    assert press(at_work, KEY.Key_Tab, SHIFT).objectName() == "close_notice"
-    press(at_work, KEY.Key_Space)
-    assert at_work.notice.text == ""
-
-
-def test_the_row_that_is_selected_has_the_stops(make_window, qtbot):
+def test_the_row_that_is_selected_has_the_stops(open_window, qtbot):
     inputs = tuple(track(location=k, waveform=Tone()) for k in (3, 7, 9))
-    window = make_window(Design(limb="synthetic-1", inputs=inputs), View(selected_inputs=(2,)))
+    window = open_window(Design(limb="synthetic-1", inputs=inputs), View(selected_inputs=(2,)))
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
     window.panel("timeline").setFocus()
@@ -147,15 +142,6 @@ def test_tab_ends_typing_and_goes_on(at_work):
     assert at_work.document.design.inputs[0].clips[0].waveform.duration_s == 0.3
 
 
-def test_arrows_choose_among_buttons_that_exclude_each_other(at_work):
-    at_work.panel("traces").setFocus()
-    while QApplication.focusWidget().objectName() != "overlaid":
-        press(at_work, KEY.Key_Tab, SHIFT)
-    press(at_work, KEY.Key_Right)
-    assert at_work.document.view.panels == (("traces", (("layout", "stacked"),)),)
-    assert QApplication.focusWidget().objectName() == "stacked"
-
-
 def test_a_field_that_tab_reaches_scrolls_into_sight(at_work):
     at_work.resize(1366, 500)
     QApplication.processEvents()
@@ -164,24 +150,6 @@ def test_a_field_that_tab_reaches_scrolls_into_sight(at_work):
         press(at_work, KEY.Key_Tab, SHIFT)
     place = QApplication.focusWidget()
     assert place.visibleRegion().boundingRect() == place.rect()
-
-
-def test_a_running_export_is_reached_and_cancelled_with_tab(
-    at_work, qtbot, monkeypatch, tmp_path, write_with
-):
-    def write(path, *_, stop, **__):
-        while not stop():
-            threading.Event().wait(0.001)
-        raise Stopped
-
-    write_with("field", write)
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "f.npz"), ""))
-    at_work.do("export_field")
-    at_work.panel("spectra").setFocus()
-    assert press(at_work, KEY.Key_Tab).objectName() == "cancel_running_job"
-    press(at_work, KEY.Key_Space)
-    qtbot.waitUntil(lambda: not at_work.runner.busy)
-    assert not at_work.job_bar.isVisible()
 
 
 def test_the_way_to_the_measured_limbs_is_followed_with_enter(at_work):
@@ -194,81 +162,9 @@ def test_the_way_to_the_measured_limbs_is_followed_with_enter(at_work):
     page.close()
 
 
-def test_a_note_without_a_link_is_no_stop(at_work):
-    at_work._limb_note.show_available(("measured-1", "synthetic-1"))
-    assert at_work._limb_note.isVisible()
-    assert ("status", "limb_note") not in walk(at_work)
-
-
 def test_f6_goes_from_panel_to_panel_in_the_same_order(at_work):
     shown = [panel for panel in at_work.panels if panel.isVisible()]
     went = [region_of(at_work, press(at_work, KEY.Key_F6)) for _ in shown]
     assert went == ["timeline", "inspector", "skin", "traces", "spectra", "hand"]
     back = [region_of(at_work, press(at_work, KEY.Key_F6, SHIFT)) for _ in shown]
     assert back == ["spectra", "traces", "skin", "inspector", "timeline", "hand"]
-
-
-def test_f6_passes_by_panels_that_have_nothing_for_the_keyboard(at_work, settle):
-    at_work.do("clear_inputs")
-    settle()
-    at_work.panel("hand").setFocus()
-    went = [region_of(at_work, press(at_work, KEY.Key_F6)) for _ in range(4)]
-    assert went == ["skin", "traces", "spectra", "hand"]
-
-
-def test_f6_goes_to_a_panel_that_floats_and_back_and_tab_stays_in_it(at_work, qtbot):
-    at_work.docks["traces"].setFloating(True)
-    at_work.activateWindow()
-    qtbot.waitUntil(at_work.isActiveWindow)
-    at_work.panel("skin").setFocus()
-    press(at_work, KEY.Key_F6)
-    qtbot.waitUntil(lambda: region_with_keyboard(at_work) == "traces")
-    for _ in range(6):
-        assert region_of(at_work, press(at_work, KEY.Key_Tab)) == "traces"
-    press(at_work, KEY.Key_F6)
-    qtbot.waitUntil(lambda: region_with_keyboard(at_work) == "spectra")
-
-
-def region_with_keyboard(window):
-    focused = QApplication.focusWidget()
-    return None if focused is None else region_of(window, focused)
-
-
-def test_after_tab_what_is_removed_takes_no_other_widget_with_it(at_work, settle):
-    window = at_work
-    window.do("duplicate_input")
-    settle()
-    walk(window)
-    window.do("remove_input")
-    settle()
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    window.reports.report("Saved")
-    assert window.statusBar().currentMessage() == "Saved"
-    window.reports.complain("The disk is full.")
-    assert window.notice.text == "The disk is full."
-
-
-def keeps(widget):
-    """What Python is told of the object with which it takes ``widget`` for deleted."""
-    lines = shiboken6.dump(widget).splitlines()
-    return next((line for line in lines if line.startswith("parent")), "")
-
-
-def ancestors(widget):
-    stack = []
-    while (widget := widget.parentWidget()) is not None:
-        stack.append(f"({hex(shiboken6.getCppPointer(widget)[0])}")
-    return stack
-
-
-def test_after_tab_no_widget_is_taken_for_the_child_of_its_neighbour(at_work):
-    window = at_work
-    widgets = window.findChildren(QWidget)
-    assert all(widget.parent() is not None for widget in widgets)
-    walk(window)
-    window.do("arrange_drawing")
-    walk(window)
-    for widget in widgets:
-        assert not keeps(widget) or any(
-            address in keeps(widget) for address in ancestors(widget)
-        ), widget

@@ -1,5 +1,6 @@
 from dataclasses import replace
 
+import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QApplication, QComboBox
 
@@ -7,6 +8,12 @@ from skinsource.limbs.dataset.install import install
 from skinsource.limbs.dataset.store import NOT_INSTALLED
 from skinsource_gui.shell.limb_note import LimbNote
 from tests.core.dataset_bench import rewrite
+
+
+@pytest.fixture
+def window(new_window):
+    """A studio of each test's own."""
+    return new_window
 
 
 def come_back_to(window):

@@ -7,7 +7,7 @@ from PySide6.QtCore import QThread
 
 from skinsource.base.errors import Stopped
 from skinsource.base.job import Job
-from skinsource_gui.state.job_runner import JobProgress, JobRunner
+from skinsource_gui.state.job_runner import JobRunner
 
 
 class Writer:
@@ -65,14 +65,6 @@ def test_orders_are_carried_out_one_after_another_away_from_this_thread(qtbot, j
     assert jobs.ends == [("done", "a"), ("done", "b")]
     assert jobs.unfinished == ()
     assert QThread.currentThread() not in writers[0].threads + writers[1].threads
-
-
-def test_once_closed_nothing_is_unfinished_though_no_event_was_looked_at_since(jobs, tmp_path):
-    writer = Writer()
-    jobs.add(order(tmp_path / "a", writer))
-    assert writer.started.wait(5)
-    jobs.close()
-    assert jobs.unfinished == ()
 
 
 def test_cancel_stops_the_present_order_alone(qtbot, jobs, tmp_path):
@@ -136,12 +128,6 @@ def test_closing_forgets_all_orders_and_waits_for_the_thread(jobs, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_there_is_no_thread_before_there_is_something_to_export(qtbot):
-    before = threading.active_count()
-    JobRunner().close()
-    assert threading.active_count() == before
-
-
 def test_progress_is_told_some_times_a_second(qtbot, jobs, tmp_path):
     reports = []
     jobs.progressed.connect(lambda _, progress: reports.append(progress))
@@ -166,16 +152,3 @@ def test_a_job_that_waits_is_taken_back_and_the_present_one_goes_on(qtbot, jobs,
     qtbot.waitUntil(lambda: not jobs.busy)
     assert jobs.ends == [("cancelled", "b"), ("done", "a")]
     assert not second.started.is_set()
-
-
-def test_the_result_of_a_job_is_told_with_it(qtbot, jobs, tmp_path):
-    writer, results = Writer(), []
-    writer.go_on.set()
-    jobs.done.connect(lambda job, result: results.append(result))
-    jobs.add(order(tmp_path / "a", writer))
-    qtbot.waitUntil(lambda: results == ["a"])
-
-
-def test_the_time_left_is_told_from_what_is_done():
-    assert JobProgress(1, 4, "Writing", 5.0).seconds_left == 15.0
-    assert JobProgress(0, 0, "Computing", 5.0).seconds_left is None

@@ -63,20 +63,9 @@ def test_a_panel_that_goes_leaves_the_keyboard_to_the_first_in_sight(active, qtb
     assert active.document.design.limb == limb
 
 
-def test_a_panel_that_stays_keeps_the_keyboard_where_it_was(active, qtbot):
-    active.docks["hand"].hide()
-    active.do("arrange_analysis")
-    active.do("arrange_design")
-    into(active, "skin")
-    before = QApplication.focusWidget()
-    active.do("arrange_analysis")
-    active.do("arrange_design")
-    qtbot.waitUntil(lambda: QApplication.focusWidget() is before)
-
-
-def test_all_is_the_text_of_a_number_and_not_all_tracks(make_window):
+def test_all_is_the_text_of_a_number_and_not_all_tracks(open_window):
     tone = Tone(frequency_hz=100.0, duration_s=0.2)
-    window = make_window(Design(limb="synthetic-1", inputs=(track(7, tone), track(13, tone))))
+    window = open_window(Design(limb="synthetic-1", inputs=(track(7, tone), track(13, tone))))
     field = window.panel("timeline").findChild(InputRow).amplitude
     window.activateWindow()
     QTest.mouseClick(field, Qt.MouseButton.LeftButton)

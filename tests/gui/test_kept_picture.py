@@ -52,16 +52,6 @@ def test_a_kept_picture_looks_as_if_it_were_painted_directly(qapp, kind, room, r
         assert show(cached, kind(), room=room, ratio=ratio) == direct
 
 
-def test_no_more_of_it_is_kept_than_what_is_painted(qapp):
-    cached = CachedPicture()
-    show(cached, Dot(), ratio=2.0)
-    assert cached.cached_px == 16
-    show(cached, Nothing(), ("other",))
-    assert cached.cached_px == 0
-    show(cached, Dot(), ground=QColor("blue"))
-    assert cached.cached_px == 48
-
-
 def test_it_is_painted_once_until_what_it_depends_on_changes(qapp):
     cached, dot = CachedPicture(), Dot()
     for _ in range(3):
@@ -69,21 +59,6 @@ def test_it_is_painted_once_until_what_it_depends_on_changes(qapp):
     assert dot.times == 1
     show(cached, dot, ("dark", 1.5))
     assert dot.times == 2
-
-
-def test_it_is_painted_anew_for_another_screen(qapp):
-    cached, dot = CachedPicture(), Dot()
-    show(cached, dot)
-    sharp = show(cached, dot, ratio=2.0)
-    assert dot.times == 2
-    assert sharp.pixelColor(8, 8).name() == "#ff0000"
-
-
-def test_with_a_ground_it_covers_what_was_there_before(qapp):
-    image = show(CachedPicture(), Dot(), ground=QColor("blue"))
-    assert image.pixelColor(3, 3).name() == "#0000ff"
-    assert image.pixelColor(4, 4).name() == "#ff0000"
-    assert image.pixelColor(1, 1).name() == "#ffffff"
 
 
 @pytest.mark.parametrize("size", [(8, 0), (8, 0.2), (8, -3), (0, 6)])

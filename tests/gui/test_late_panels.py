@@ -3,12 +3,16 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtGui import QImage, QPainter
-from PySide6.QtWidgets import QApplication
 
 from skinsource_gui.shell.arrangement_spec import Place
 from skinsource_gui.shell.panels import PANELS
-from skinsource_gui.state.panel import LazyPanel, Panel, PanelRegistry
+from skinsource_gui.state.panel import Panel, PanelRegistry
+
+
+@pytest.fixture
+def window(new_window):
+    """A studio of each test's own."""
+    return new_window
 
 
 def made(window):
@@ -51,21 +55,6 @@ def test_a_panel_is_made_with_the_first_look_and_shows_what_is_now(window, qtbot
     assert panel.grab().toImage() != late
 
 
-def test_at_first_the_keyboard_is_with_the_first_panel(window, qtbot):
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
-    assert window.panel("hand").isAncestorOf(QApplication.focusWidget())
-
-
-def test_panels_are_listed_in_the_order_of_the_table_whenever_they_were_made(window):
-    for name in ("perception", "compare", "clip_editor"):
-        window.panel(name)
-    order = [spec.panel.name for spec in PANELS]
-    names = [panel.name for panel in window.panels]
-    assert names == sorted(names, key=order.index)
-    assert {"perception", "compare", "clip_editor"} <= set(names)
-
-
 def test_a_hidden_panel_is_told_nothing_and_takes_over_what_is_now_when_it_is_shown(
     window, monkeypatch
 ):
@@ -81,49 +70,6 @@ def test_a_hidden_panel_is_told_nothing_and_takes_over_what_is_now_when_it_is_sh
     window.docks["inspector"].hide()
     window.docks["inspector"].bring_forward()
     assert len(states) == 1
-
-
-def test_a_playhead_that_moved_meanwhile_is_where_it_is_now(window, monkeypatch):
-    panel = window.panel("traces")
-    window.docks["traces"].hide()
-    states = states_shown(panel, monkeypatch)
-    shown = []
-    monkeypatch.setattr(panel, "show_playhead", shown.append)
-    document = window.document
-    document.look(replace(document.view, playhead_s=0.05))
-    assert shown == []
-    window.docks["traces"].bring_forward()
-    assert states[-1][1].playhead_s == 0.05
-
-
-def test_the_picture_of_a_hidden_panel_is_that_of_the_present_design(window, qtbot):
-    document = window.document
-    image = picture(window)
-    document.edit("place", document.design.with_input(0, location=15))
-    qtbot.waitUntil(lambda: not window.engine.busy)
-    expected = picture(window)
-    assert expected != image
-    document.undo_stack.undo()
-    qtbot.waitUntil(lambda: not window.engine.busy)
-    window.docks["skin"].hide()
-    document.undo_stack.redo()
-    assert picture(window) == expected
-
-
-def picture(window):
-    drawn = window.pictures.picture_of("skin")
-    image = QImage(400, 600, QImage.Format.Format_RGB32)
-    painter = QPainter(image)
-    drawn.draw(painter, 400, 600)
-    painter.end()
-    return image
-
-
-def test_what_the_table_says_of_each_panel_its_class_says_too(qapp):
-    for spec in PANELS:
-        assert issubclass(spec.panel.type, Panel)
-    with pytest.raises(ValueError, match="says of itself 'wave', 'Wave'; the table"):
-        LazyPanel("wave", "Waves")()
 
 
 def test_each_panel_is_met_once_whenever_it_is_made(qapp):

@@ -6,15 +6,10 @@ from functools import partial
 from threading import Event
 
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QGuiApplication
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.design.effects.level import Fade
-from skinsource_gui.panels.regions.panel import columns_of_people
-from skinsource_gui.panels.timeline.painting import same_clips
-from skinsource_gui.qt.overlays import UPDATING, StaleOverlay
+from skinsource_gui.qt.overlays import StaleOverlay
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.shell.panels import PANELS
 
@@ -51,9 +46,9 @@ def held(window):
 
 
 @pytest.fixture
-def studio(make_window, qtbot):
+def studio(open_window, qtbot):
     """A studio with selected outputs, which can hide a panel and bring it forward again."""
-    window = make_window()
+    window = open_window()
     window.document.look(replace(window.document.view, outputs=SELECTED))
 
     def look_at(name):
@@ -144,15 +139,6 @@ def test_another_selection_makes_late_what_shows_selected_outputs_and_nothing_el
         qtbot.waitUntil(lambda waiting=panel: not waiting.is_stale, timeout=30_000)
 
 
-def test_what_comes_into_sight_with_what_still_holds_is_not_late(studio):
-    for name in COMPUTED:
-        studio.look_at(name)
-        studio.settled()
-        studio.hide_panel(name)
-    with held(studio):
-        assert [name for name in COMPUTED if studio.look_at(name).is_stale] == []
-
-
 @pytest.mark.parametrize("name", [*OF_LIMBS, "compare"])
 def test_what_compares_comes_into_sight_without_what_is_older(name, studio, qtbot):
     studio.do("store_snapshot_1")
@@ -168,53 +154,6 @@ def test_what_compares_comes_into_sight_without_what_is_older(name, studio, qtbo
         assert panel.grab().toImage() != fresh
     studio.settled()
     qtbot.waitUntil(lambda: offers(panel) == offered, timeout=30_000)
-
-
-@pytest.mark.parametrize("name", OF_LIMBS)
-def test_limbs_that_were_in_sight_all_the_time_are_late_after_a_while(name, studio, qtbot):
-    panel = studio.look_at(name)
-    studio.settled()
-    qtbot.waitUntil(lambda: not panel.is_stale and all(offers(panel)), timeout=30_000)
-    with held(studio):
-        studio.edit_all()
-        qtbot.waitUntil(lambda: panel.is_stale)
-        assert not any(offers(panel))
-        assert looks_late(panel)
-    studio.settled()
-    qtbot.waitUntil(lambda: not panel.is_stale and all(offers(panel)), timeout=30_000)
-
-
-def test_figures_that_are_late_are_not_copied_by_the_button_nor_by_the_key(studio, qtbot):
-    panel = studio.look_at("statistics")
-    studio.settled()
-    clipboard = QGuiApplication.clipboard()
-    panel.copy.click()
-    assert clipboard.text().startswith("output\t")
-    studio.hide_panel("statistics")
-    with held(studio):
-        studio.edit_all()
-        studio.look_at("statistics")
-        clipboard.setText("before")
-        panel.copy.click()
-        QTest.keyClick(panel.table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
-        assert clipboard.text() == "before"
-    studio.settled()
-    qtbot.waitUntil(lambda: not panel.is_stale)
-    QTest.keyClick(panel.table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
-    assert clipboard.text().startswith("output\t")
-
-
-def test_what_was_in_sight_all_the_time_is_late_after_a_while(studio, qtbot):
-    panel = studio.look_at("perception")
-    studio.settled()
-    with held(studio):
-        studio.edit_all()
-        assert not panel.is_stale
-        qtbot.waitUntil(lambda: panel.is_stale)
-        veil = panel.table.findChild(StaleOverlay)
-        assert veil.accessibleName() == UPDATING
-        assert veil.size() == panel.table.size()
-        assert not panel.copy.isEnabled()
 
 
 @pytest.mark.parametrize("name", ["traces", "skin"])
@@ -261,22 +200,3 @@ def test_a_late_clip_has_no_curve_that_it_does_not_play_and_one_that_was_moved_k
     qtbot.waitUntil(lambda: not panel.is_stale)
     assert clip in lanes.content.waveforms
     assert not lanes.content.awaited
-
-
-def test_regions_that_are_being_computed_are_told_from_those_without_a_level(studio):
-    panel = studio.look_at("regions")
-    with held(studio):
-        unknown = [replace(panel_on_limb, values=None) for panel_on_limb in panel._on_limbs]
-        panel.show_on_limbs(unknown)
-        assert {text for column in panel.columns for text in column.texts()} == {"…"}
-        assert not panel.copy.isEnabled()
-    refused = [replace(panel_on_limb, problem="No such limb.") for panel_on_limb in unknown]
-    assert {text for column in columns_of_people(refused) for text in column.texts()} == {"–"}
-
-
-def test_a_new_clip_that_is_late_is_painted_again_to_say_so(studio):
-    content = studio.panel("timeline")._table.lanes.content
-    lane = content.lanes[0]
-    late = replace(content, awaited=frozenset({lane.track.clips[0].id}))
-    assert same_clips(content, lane, content, lane)
-    assert not same_clips(content, lane, late, lane)

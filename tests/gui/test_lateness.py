@@ -30,12 +30,3 @@ def test_lateness_is_told_once_and_ends_at_once(lateness, qtbot):
     lateness.set_stale(False)
     lateness.set_stale(False)
     assert lateness.changes == [True, False]
-
-
-def test_a_second_edit_does_not_postpone_it(lateness, qtbot):
-    lateness.set_stale(True)
-    other = Staleness(lateness)
-    other.set_stale(True)
-    # Asked again and again, as by a drag.
-    qtbot.waitUntil(lambda: lateness.set_stale(True) or lateness.is_stale)
-    assert lateness.changes == [True]

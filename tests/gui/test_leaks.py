@@ -18,6 +18,12 @@ PAGES = ("find_action", "show_keys", "show_dataset", "show_about", "show_accurac
 
 
 @pytest.fixture
+def window(new_window):
+    """A studio of each test's own."""
+    return new_window
+
+
+@pytest.fixture
 def alive(window, qtbot):
     """Give a function that counts what the window, and all other windows, own."""
 

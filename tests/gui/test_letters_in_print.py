@@ -12,7 +12,6 @@ from skinsource_gui.plots.pictures import (
     Picture,
     PictureDialog,
     PictureOptions,
-    Remark,
     layout_of,
     letters_remark,
     save_drawing,
@@ -35,9 +34,9 @@ def smallest_px(path):
 
 @pytest.mark.parametrize("layout", ["column", "two_columns"])
 def test_letters_that_cannot_be_read_in_print_are_said_before_the_picture_of_all_panels_is_saved(
-    make_window, qtbot, tmp_path, layout
+    open_window, qtbot, tmp_path, layout
 ):
-    window = make_window(start_design("synthetic-1"))
+    window = open_window(start_design("synthetic-1"))
     picture = window.pictures.picture_of(ALL_VISIBLE)
     width, height = layout_of(layout).size_px(picture.size_px)
     path = tmp_path / "a.svg"
@@ -56,18 +55,6 @@ def test_letters_that_cannot_be_read_in_print_are_said_before_the_picture_of_all
     assert form.remark_label.text() == ""
     save = next(button for button in form.findChildren(QPushButton) if button.text() == "Save as…")
     assert save.isEnabled()
-
-
-def test_layouts_that_are_large_enough_are_named():
-    picture = Picture(draw=print, size_px=(1366, 768), letters_px=lambda w, h: 8.0 * w / 1366)
-    remark = letters_remark(picture)
-    assert remark(PictureOptions(width_px=336, height_px=189)) == Remark(
-        "The smallest letters are 1.5 pt high; to be read in print they need 5 pt. Choose a width "
-        "of 1140 px, Slide (16 : 9) or Poster (420 mm), hide some panels and make the window "
-        "smaller, or export the panel in use.",
-        warns=True,
-    )
-    assert remark(PictureOptions(width_px=1140, height_px=640)) == Remark("")
 
 
 def test_a_picture_that_lays_itself_out_keeps_its_letters():

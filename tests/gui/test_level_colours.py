@@ -5,13 +5,11 @@ import pytest
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design.design_file import save_design
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
-from skinsource_gui.plots.colour_maps import DIVERGING, colour_table
+from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.plots.pictures import drawn_image
 from skinsource_gui.plots.small_map import LevelStyle, level_style, with_colours_of
-from tests.gui.compare.compare_bench import two_places
 
 #: Pixels of a small map, and of words that happen to have its colours.
 MANY, FEW = 100, 20
@@ -64,38 +62,6 @@ def test_colours_chosen_in_the_menu_are_those_of_every_map_of_levels(window, qtb
         window.do("use_viridis_colours")
         QApplication.processEvents()
         assert n_in(panel.grab().toImage(), "viridis") > MANY, name
-
-
-def test_the_bars_below_small_maps_have_the_colours_of_the_maps(window, qtbot):
-    window.do("use_magma_colours")
-    assert look_at(window, qtbot, "windowed").strip.content.scale.colours == "magma"
-    cells = look_at(window, qtbot, "side_by_side").maps.content.cells
-    assert {cell.scale.colours for cell in cells} == {"magma"}
-
-
-def test_differences_keep_their_diverging_colours(window, qtbot):
-    panel = look_at(window, qtbot, "compare")
-    window.do("use_magma_colours")
-    window.do("store_snapshot_1")
-    two_places(window)
-    qtbot.waitUntil(lambda: panel.map.difference.shown is not None, timeout=60_000)
-    QApplication.processEvents()
-    image = panel.map.grab().toImage()
-    assert n_in(image, DIVERGING) > MANY
-    assert n_in(image, "magma") < FEW
-
-
-def test_a_file_that_is_opened_after_a_restart_has_its_colours_on_every_map(
-    window, make_window, qtbot, tmp_path
-):
-    window.do("use_magma_colours")
-    path = tmp_path / "magma.skinsource"
-    save_design(path, window.document.design, window.document.view)
-    window.close_unasked()
-    again = make_window()
-    again.files.open(path)
-    for name in MAPS:
-        assert n_in(look_at(again, qtbot, name).grab().toImage(), "magma") > MANY, name
 
 
 def test_a_view_that_has_chosen_colours_itself_keeps_them():

@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QTextCursor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.waveforms.tones import Glide
@@ -113,44 +113,12 @@ def test_half_a_list_says_what_is_missing_and_esc_brings_it_back(make_cell):
     assert cell.note == ""
 
 
-def test_what_was_refused_stays_typed_beside_the_reason(make_cell):
-    cell = make_cell(GAINS, ())
-    assert cell.line.text() == ""
-    QTest.keyClicks(cell.line, "-3, 2")
-    assert cell.edits[-1] == (-3.0, 2.0)
-    cell.set_value(())
-    cell.show_reason("WaveletTrain.gains_db has 2 gains, expected one for each")
-    assert cell.line.text() == "-3, 2"
-    assert "has 2 gains" in cell.note
-
-
 def test_frequencies_outside_the_band_are_remarked_on(make_cell):
     assert make_cell(FREQUENCIES, (50.0, 600.0)).note == ""
     assert make_cell(FREQUENCIES, (20.0, 50.0, 610.0)).note.startswith(
         "20, 610 Hz: outside the measured"
     )
     assert make_cell(GAINS, (-30.0,)).note == ""
-
-
-def test_a_limb_allows_only_frequencies_below_half_its_rate(make_cell):
-    cell = make_cell(FREQUENCIES.at_rate(1300.0), (50.0,))
-    QTest.keyClicks(cell.line, ", 650")
-    assert "too high" in cell.note
-    cell.set_spec(FREQUENCIES.at_rate(2000.0))
-    QTest.keyClicks(cell.line, ".5")
-    assert cell.edits[-1] == (50.0, 650.5)
-
-
-def test_points_are_typed_too(make_cell):
-    cell = make_cell(POINTS, ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0)))
-    QTest.keyClicks(cell.line, "; 200 80 1")
-    assert cell.edits[-1] == ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0), (0.2, 80.0, 1.0))
-    assert "time in ms, frequency in Hz, amplitude" in cell.line.toolTip()
-
-
-def test_only_frequencies_have_a_sweep(make_cell):
-    assert make_cell(GAINS, ()).findChild(QPushButton) is None
-    assert make_cell(FREQUENCIES, (50.0,)).findChild(QPushButton).text() == "Sweep…"
 
 
 def test_a_sweep_replaces_the_list_once_it_is_accepted(qtbot, make_cell):
@@ -166,22 +134,6 @@ def test_a_sweep_replaces_the_list_once_it_is_accepted(qtbot, make_cell):
     assert cell.edits == []
     dialog.accept()
     assert cell.edits == [(50.0, 225.0, 400.0)]
-
-
-def test_a_sweep_that_is_cancelled_changes_nothing(qtbot, make_cell):
-    cell = make_cell(FREQUENCIES, (50.0, 400.0))
-    cell.findChild(QPushButton).click()
-    cell.window().findChild(SweepDialog).reject()
-    assert cell.edits == []
-
-
-def test_ends_of_a_sweep_may_be_typed_either_way_round(qtbot):
-    owner = QWidget()
-    qtbot.addWidget(owner)
-    dialog = SweepDialog((100.0, 200.0), FREQUENCIES, owner)
-    dialog.low.set_value(300.0)
-    assert dialog.values == (200.0, 300.0)
-    dialog.close()
 
 
 def glide_cell(make_cell, points):
@@ -228,22 +180,6 @@ def test_a_new_point_stays_though_it_bends_nothing_yet(make_cell):
     assert len(bends) == 3
     assert bends[1][1] < 80.0
     assert bends[0][1] == bends[2][1] == 100.0
-
-
-def test_what_is_drawn_stays_within_what_is_allowed(make_cell):
-    cell = glide_cell(make_cell, Glide().points)
-    curve = cell.curves["amplitude"]
-    curve.setFocus()
-    QTest.keyClick(curve, Qt.Key.Key_Right, Qt.KeyboardModifier.ControlModifier)
-    cell.curves["amplitude"].set_value(((0.0, 3.0, "held"), (0.2, 0.5, "straight")))
-    assert curve.curve == ((0.0, 1.0), (0.2, 1.0), (0.2, 0.5))
-
-
-def test_a_text_that_is_typed_moves_both_curves(make_cell):
-    cell = glide_cell(make_cell, ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0)))
-    QTest.keyClicks(cell.line, "; 200 80 0.5")
-    assert cell.curves["frequency"].curve == ((0.0, 60.0), (0.1, 60.0), (0.2, 80.0))
-    assert cell.curves["amplitude"].curve == ((0.0, 0.0), (0.1, 1.0), (0.2, 0.5))
 
 
 def test_times_of_points_are_shown_short_and_stay_exact_when_others_are_typed(qtbot):

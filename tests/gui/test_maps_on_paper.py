@@ -22,12 +22,3 @@ def test_maps_that_share_a_surface_are_as_many_pictures_in_a_pdf(qapp, tmp_path)
     painter.end()
     # What is drawn twice is kept once.
     assert len(Paper(tmp_path / "maps.pdf").images()) == 2
-
-
-def test_a_map_that_is_the_same_is_not_coloured_anew(qapp):
-    spacing = np.arange(5.0, 25.0)
-    field = FieldImage(np.ones((20, 20), bool), spacing, spacing, px_per_mm=2.0)
-    levels, table = np.full((20, 20), 10.0), colour_table()
-    keys = [field.image(levels, (0.0, 40.0), table).cacheKey() for _ in range(2)]
-    assert keys[0] == keys[1]
-    assert field.image(levels, (0.0, 20.0), table).cacheKey() != keys[0]

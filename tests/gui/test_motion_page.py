@@ -3,13 +3,10 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QPushButton
+from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QPushButton
 
 from skinsource.design.design import MAX_INPUTS, Design, track
-from skinsource.design.motions import MOTIONS, ApparentMotion, Phantom, TapSequence, TravellingPhase
-from skinsource.design.view import View
-from skinsource.design.waveforms.periodic import Saw
-from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.motions import MOTIONS, ApparentMotion, TapSequence
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.pages.motion import MotionPage
 
@@ -69,14 +66,6 @@ def test_a_motion_on_clicked_places_is_added_in_one_step(desk, page):
     assert desk.document.design == before
 
 
-def test_cancel_changes_nothing(desk, page):
-    click(page, 7)
-    before = desk.document.design
-    button(page, "cancel_motion").click()
-    assert desk.document.design is before
-    assert desk.document.undo_stack.count() == 0
-
-
 def test_a_place_may_come_again(page):
     choose(page, "Alternation")
     button(page, "clear_path").click()
@@ -117,18 +106,6 @@ def test_the_path_can_be_typed_and_what_is_none_is_said(page):
     assert page.strip.message == ""
 
 
-def test_a_path_that_is_too_short_asks_for_more(page):
-    button(page, "clear_path").click()
-    assert page.strip.message == "Click 2 more places."
-    assert not button(page, "add_motion").isEnabled()
-    assert not button(page, "remove_last").isEnabled()
-    click(page, 8)
-    assert page.strip.message == "Click 1 more place."
-    click(page, 13)
-    assert page.strip.message == ""
-    assert button(page, "add_motion").isEnabled()
-
-
 @pytest.mark.parametrize("kind", MOTIONS)
 def test_the_preview_shows_the_tracks_that_are_added(desk, page, kind):
     choose(page, kind.__name__)
@@ -155,20 +132,6 @@ def test_numbers_of_motion_and_waveform_are_taken_over(page):
     assert "63.3 ms" in page.findChild(QLabel, "motion_summary").text()
     field_of(page, "onset_s").edited.emit("onset_s", 0.5, None)
     assert page.strip.lanes[0].clips[0].start_s == 0.5
-
-
-def test_another_waveform_can_be_chosen_where_it_goes(page):
-    choose(page, "ApparentMotion")
-    page.draft.change_waveform_kind("Noise")
-    assert isinstance(page.draft.motion.waveform, Noise)
-    assert field_of(page, "seed").isVisible()
-    choose(page, "TravellingPhase")
-    box = page.waveform_fields.cells[0].field
-    assert [box.itemData(k) for k in range(box.count())] == ["Tone", "Square", "Saw", "Triangle"]
-    page.draft.change_waveform_kind("Saw")
-    assert isinstance(page.draft.motion.waveform, Saw)
-    choose(page, "ApparentMotion")
-    assert isinstance(page.draft.motion.waveform, Noise)
 
 
 def test_what_does_not_go_together_stays_and_is_said(page):
@@ -203,31 +166,9 @@ def test_what_a_limb_cannot_play_is_said_before_it_is_added(page):
     assert not button(page, "add_motion").isEnabled()
 
 
-def test_a_motion_begins_at_the_playhead(make_window):
-    window = make_window(view=View(playhead_s=1.25))
-    window.do("make_motion")
-    page = window.findChild(MotionPage)
-    assert page.draft.motion.onset_s == 1.25
-    page.reject()
-
-
 def test_a_full_design_takes_no_motion(make_desk):
     full = Design(limb="synthetic-1", inputs=(track(1, amplitude=0.0),) * (MAX_INPUTS - 1))
     page = make_desk(full).show_motion()
     assert "inputs more" in page.strip.message
     assert not button(page, "add_motion").isEnabled()
     page.reject()
-
-
-def test_the_page_fits_a_small_screen_and_everything_on_it_has_a_name(page):
-    assert page.sizeHint().height() <= 700
-    assert page.minimumSizeHint().width() <= 1100
-    for widget in (page.hand, page.path_row.field, page.strip):
-        assert widget.accessibleName()
-
-
-def test_phantom_and_travelling_phase_are_painted(page):
-    for motion in (Phantom(position=0.0), TravellingPhase()):
-        choose(page, type(motion).__name__)
-        QApplication.processEvents()
-        assert not page.grab().isNull()

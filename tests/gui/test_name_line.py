@@ -32,11 +32,3 @@ def test_what_is_typed_after_the_first_click_takes_the_place_of_the_name(line, q
     assert line.selectedText() == "hand"
     qtbot.keyClicks(line, "lab")
     assert line.text() == "lab"
-
-
-def test_a_further_click_sets_the_cursor(line, qtbot):
-    for _ in range(2):
-        qtbot.mouseClick(line, Qt.MouseButton.LeftButton, pos=line.rect().center())
-    assert line.selectedText() == ""
-    qtbot.keyClicks(line, "-2")
-    assert line.text() == "hand-2"

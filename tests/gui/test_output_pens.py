@@ -6,8 +6,7 @@ from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor, QImage, QPainter
 
 from skinsource_gui.panels.skin.painting import paint_ring
-from skinsource_gui.plots.curves import CurvePoints, SignalCurve, output_names
-from skinsource_gui.plots.legend import LegendStrip, LegendText
+from skinsource_gui.plots.curves import CurvePoints, SignalCurve
 from skinsource_gui.qt.theme import THEMES
 
 
@@ -62,21 +61,3 @@ def test_curves_and_rings_of_one_colour_have_strokes_of_their_own(qapp, rank):
     assert share[0] <= line.mean() <= share[1]
     whole = inked(drawn(theme, 30, 30, lambda painter: ring(painter)), theme, rank).sum()
     assert (whole > 120) == (rank == 0)
-
-
-def test_the_legend_shows_the_strokes(qtbot):
-    theme = THEMES["light"]
-    legend = LegendStrip()
-    qtbot.addWidget(legend)
-    legend.resize(2000, 22)
-    legend.say(LegendText(names=output_names(tuple(range(1, 18)), "synthetic-1")))
-    picture = legend.grab().toImage()
-    ink, middle = theme.output_colour(0).name(), picture.height() // 2
-    is_ink = [picture.pixelColor(x, middle).name() == ink for x in range(picture.width())]
-    ends = np.flatnonzero(np.diff(np.array(is_ink, int), prepend=0, append=0))
-    runs = (ends[1::2] - ends[::2]).tolist()
-    # Swatches of the 1st, the 9th and the 17th curve.
-    assert runs[0] >= 13
-    assert runs[1:3] == [5, 4]
-    assert set(runs[3:]) <= {1, 2}
-    assert len(runs) > 4

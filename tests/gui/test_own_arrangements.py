@@ -9,6 +9,12 @@ from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import start_design
 
 
+@pytest.fixture
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window
+
+
 def in_sight(window):
     QApplication.processEvents()
     QApplication.processEvents()
@@ -50,15 +56,6 @@ def test_the_same_key_goes_back_to_where_the_keyboard_was(active):
     assert active.panel("timeline").isAncestorOf(QApplication.focusWidget())
 
 
-def test_it_also_brings_back_what_the_clip_came_in_front_of(active):
-    before = in_sight(active)
-    active.panel("inspector").setFocus()
-    active.do("show_clip_editor")
-    active.do("show_clip_editor")
-    assert in_sight(active) == before
-    assert active.panel("inspector").isAncestorOf(QApplication.focusWidget())
-
-
 def test_the_key_of_another_arrangement_and_back_brings_ones_own(window, messages):
     window.docks["spectra"].hide()
     window.docks["history"].bring_forward()
@@ -81,15 +78,6 @@ def test_the_key_of_the_present_arrangement_goes_to_and_fro(window, messages):
         assert in_sight(window) == expected
     assert len(messages) == 4
     assert messages[0] == "Panels as at first; Alt+1 again brings yours back"
-
-
-def test_where_nobody_moved_a_panel_there_is_nothing_to_bring_back(window, messages):
-    first = in_sight(window)
-    for name in ("arrange_design", "arrange_analysis", "arrange_design", "arrange_design"):
-        window.do(name)
-        QApplication.processEvents()
-    assert in_sight(window) == first
-    assert messages == []
 
 
 def test_ones_own_outlives_the_session(qtbot, preferences):

@@ -5,7 +5,7 @@ from unittest.mock import Mock
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QDialog, QMenu, QStyleOptionViewItem, QTextBrowser, QWidget
+from PySide6.QtWidgets import QMenu, QTextBrowser, QWidget
 from shiboken6 import isValid
 
 from skinsource.design.panel_settings import settings_of, with_settings
@@ -24,10 +24,6 @@ from skinsource_gui.state.preferences import start_design
 )
 def test_letters_are_found_in_their_order(letters, text, matches):
     assert (score(letters, text) is not None) == matches
-
-
-def test_letters_side_by_side_come_before_letters_far_apart():
-    assert score("save", "Save") < score("save", "Select all visible entries")
 
 
 def test_letters_in_one_piece_hide_those_that_are_scattered(qapp):
@@ -70,16 +66,6 @@ def test_the_line_is_there_until_what_its_key_runs_is_done(qtbot):
     line.returnPressed.emit()
     assert there == [True]
     qtbot.waitUntil(lambda: not isValid(line))
-
-
-def test_up_and_down_move_in_the_list(qtbot):
-    palette = Palette([QAction("One"), QAction("Two")])
-    qtbot.addWidget(palette)
-    first = palette.list.currentItem().text()
-    qtbot.keyClick(palette.line, Qt.Key.Key_Down)
-    assert palette.list.currentItem().text() != first
-    qtbot.keyClick(palette.line, Qt.Key.Key_Up)
-    assert palette.list.currentItem().text() == first
 
 
 def test_every_action_of_the_table_stands_in_its_menu_under_its_words(window):
@@ -150,22 +136,6 @@ def test_other_words_for_an_action_find_it(window, qtbot):
         assert expected in listed_for(window, qtbot, letters), letters
 
 
-def test_what_is_called_just_so_comes_first(window, qtbot):
-    expected = {"library": "Show panel: Library", "save": "Save", "noise": "Waveform: Noise"}
-    for letters, first in expected.items():
-        assert listed_for(window, qtbot, letters)[0] == first
-
-
-def test_a_name_that_begins_so_comes_before_one_that_says_it_later(qapp):
-    actions = [QAction(name) for name in ("Unlock map", "Panel lock", "Lock", "Show panel: Locks")]
-    assert [action.text() for action in matching(actions, "lock")] == [
-        "Lock",
-        "Show panel: Locks",
-        "Panel lock",
-        "Unlock map",
-    ]
-
-
 def test_a_gesture_of_the_mouse_is_found_and_leads_to_where_the_keys_page_says_it(window, qtbot):
     texts = listed_for(window, qtbot, "stretch")
     assert any(text.startswith("Mouse: stretch a clip") and "Shift" in text for text in texts)
@@ -181,12 +151,6 @@ def test_a_gesture_of_the_mouse_is_found_and_leads_to_where_the_keys_page_says_i
     )
 
 
-def test_a_later_heading_of_the_keys_page_is_scrolled_to(window, qtbot):
-    window.pages.show_keys(MOUSE["ruler"].heading)
-    text = window.findChild(QTextBrowser, "page_text")
-    qtbot.waitUntil(lambda: text.verticalScrollBar().value() > 0)
-
-
 def test_where_nothing_is_found_the_palette_says_so_and_enter_does_nothing(window, qtbot):
     texts = listed_for(window, qtbot, "qqqq")
     assert texts[0] == "Nothing found"
@@ -198,56 +162,11 @@ def test_where_nothing_is_found_the_palette_says_so_and_enter_does_nothing(windo
     assert palette.isVisible()
 
 
-def test_each_page_opens(window):
-    for name in ("find_action", "show_keys", "show_dataset", "show_about"):
-        before = {dialog for dialog in window.findChildren(QDialog) if dialog.isVisible()}
-        window.actions_by_name[name].trigger()
-        (dialog,) = {
-            dialog for dialog in window.findChildren(QDialog) if dialog.isVisible()
-        } - before
-        dialog.reject()
-
-
 @pytest.mark.parametrize("name", ["light", "dark"])
-def test_themes_are_remembered(window, preferences, name):
+def test_themes_are_remembered(window, name):
     window.actions_by_name[f"use_{name}_theme"].trigger()
     assert current_theme().name == name
-    assert preferences.theme_name == name
-
-
-def test_names_are_elided_and_keys_never_are(qtbot):
-    actions = [QAction("A very long explanation of what somebody can do here. " * 4)]
-    actions.append(QAction("Save"))
-    for action in actions:
-        action.setShortcut("Ctrl+Shift+Alt+S")
-    palette = Palette(actions)
-    qtbot.addWidget(palette)
-    palette.show()
-    qtbot.waitExposed(palette)
-    room = palette.list.viewport().width()
-    delegate = palette.list.itemDelegate()
-    for row, elided in ((0, True), (1, False)):
-        index = palette.list.model().index(row, 0)
-        assert palette.list.visualRect(index).width() <= room
-        option = QStyleOptionViewItem()
-        option.initFrom(palette.list)
-        option.rect = palette.list.visualRect(index)
-        delegate.initStyleOption(option, index)
-        assert option.text.endswith("…") == elided
-        keys = option.fontMetrics.horizontalAdvance("Ctrl+Shift+Alt+S")
-        assert option.fontMetrics.horizontalAdvance(option.text) + keys < room
-    assert not palette.list.horizontalScrollBar().isVisible()
-
-
-@pytest.mark.parametrize(
-    ("typed", "name"), [("viridis", "Viridis"), ("colormap", "Magma"), ("matlab's", "Turbo")]
-)
-def test_colours_of_levels_are_found_by_their_names_and_used(window, qtbot, typed, name):
-    palette = Palette([window.actions_by_name[spec.name] for spec in ACTIONS])
-    qtbot.addWidget(palette)
-    palette.line.setText(typed)
-    listed = [palette.list.item(k).text() for k in range(palette.list.count())]
-    assert any(f"Colours: {name}" in text for text in listed), listed
+    assert window.preferences.theme_name == name
 
 
 def test_the_colours_in_use_are_checked_however_they_were_chosen(window):
@@ -269,14 +188,6 @@ def run_from_palette(window, qtbot, letters):
     palette = next(palette for palette in window.findChildren(Palette) if palette.isVisible())
     qtbot.keyClicks(palette.line, letters)
     qtbot.keyClick(palette.line, Qt.Key.Key_Return)
-
-
-def test_a_panel_that_is_shown_stays_shown_when_it_is_to_be_shown(window, qtbot):
-    dock = window.docks["skin"]
-    assert dock.in_sight
-    for letters in ("Skin", "Show panel: Skin"):
-        run_from_palette(window, qtbot, letters)
-        assert dock.in_sight
 
 
 def test_hiding_is_an_entry_of_its_own_while_a_panel_is_in_the_window(window, qtbot):

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QApplication, QLineEdit, QWidget
+from PySide6.QtWidgets import QAbstractButton, QApplication, QWidget
 
 from skinsource_gui.plots.pictures import PANEL_IN_USE
 from tests.gui.dock_bench import bar_with, titles
@@ -64,28 +64,6 @@ def test_a_panel_whose_title_is_pressed_is_in_use_and_the_keyboard_stays(studio,
     assert QApplication.focusWidget() is focused
 
 
-@pytest.mark.parametrize("name", ["skin", "traces", "spectra"])
-def test_a_panel_whose_empty_part_is_pressed_is_in_use_and_the_keyboard_stays(studio, name):
-    focused = QApplication.focusWidget()
-    press(studio.panel(name), empty_part(studio.panel(name)))
-    assert in_use(studio) == studio.panel(name).title
-    assert QApplication.focusWidget() is focused
-
-
-@pytest.mark.parametrize("button", [LEFT, Qt.MouseButton.MiddleButton])
-def test_a_panel_whose_plot_is_pressed_is_in_use(studio, button):
-    for name in ("spectra", "traces"):
-        press(studio.panel(name), button=button)
-        assert in_use(studio) == studio.panel(name).title
-
-
-def test_a_panel_is_in_use_whose_part_that_takes_no_keyboard_is_pressed(studio, qtbot):
-    studio.docks["compare"].bring_forward()
-    keep_keyboard(studio, qtbot)
-    press(studio.panel("compare"))
-    assert in_use(studio) == "Compare"
-
-
 def test_a_panel_without_anything_for_the_keyboard_is_in_use_once_its_tab_is_pressed(studio, qtbot):
     studio.tabifyDockWidget(studio.docks["traces"], studio.docks["spectra"])
     studio.docks["traces"].raise_()
@@ -120,34 +98,3 @@ def test_a_panel_that_is_closed_is_in_use_no_longer(studio):
     press(dock.findChild(QAbstractButton, "qt_dockwidget_closebutton"))
     assert not dock.isVisible()
     assert in_use(studio) == "Hand"
-
-
-def test_a_panel_to_which_the_keyboard_goes_is_in_use_whatever_was_pressed_before(studio):
-    press_title(studio.docks["skin"])
-    studio.panel("timeline").findChild(QWidget, "lanes").setFocus()
-    assert in_use(studio) == "Timeline"
-
-
-def test_the_keyboard_that_comes_back_from_elsewhere_leaves_the_pressed_panel_in_use(studio, qtbot):
-    focused = QApplication.focusWidget()
-    press_title(studio.docks["skin"])
-    elsewhere = QLineEdit()
-    qtbot.addWidget(elsewhere)
-    elsewhere.show()
-    elsewhere.activateWindow()
-    elsewhere.setFocus()
-    qtbot.waitUntil(elsewhere.hasFocus)
-    assert in_use(studio) == "Skin"
-    elsewhere.close()
-    studio.activateWindow()
-    qtbot.waitUntil(lambda: QApplication.focusWidget() is focused)
-    assert in_use(studio) == "Skin"
-
-
-def test_a_press_beside_an_open_menu_only_closes_it(studio, qtbot):
-    menu = studio.createPopupMenu()
-    menu.popup(studio.mapToGlobal(QPoint()))
-    qtbot.waitUntil(lambda: QApplication.activePopupWidget() is menu)
-    press_title(studio.docks["timeline"])
-    assert in_use(studio) == "Hand"
-    menu.close()

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
-from skinsource_gui.panels.transfer.panel import _usable_text
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.plots.legend import LegendStrip
 from skinsource_gui.qt.labels import SHORT_NAME
@@ -142,21 +141,3 @@ def test_words_take_lines_keep_them_while_read_and_count_what_does_not_fit(qtbot
     assert label.text.startswith(shown)
     assert len(shown.split(" · ")) + int(more) == 72
     assert label.toolTip() == label.text
-
-
-def test_outputs_with_the_same_band_are_said_together():
-    class Found:
-        band_hz = (25.0, 600.0)
-        usable_hz = ((27.2, 599.0), (27.4, 598.9), (float("nan"),) * 2, (27.0, 599.3))
-
-    text = _usable_text(Found, (29, 30, 33, 35))
-    assert text.endswith("from 25 to 600 Hz: 29, 30, 35: 27–599 Hz · 33: nowhere")
-
-
-def test_many_outputs_with_the_same_band_are_said_as_ranges():
-    class Found:
-        band_hz = (25.0, 600.0)
-        usable_hz = ((27.2, 599.0),) * 66
-
-    text = _usable_text(Found, (*range(1, 61), *range(67, 73)))
-    assert text.endswith("600 Hz: 66 outputs (1–60, 67–72): 27–599 Hz")

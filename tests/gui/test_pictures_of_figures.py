@@ -2,14 +2,14 @@
 
 import numpy as np
 import pytest
-from PySide6.QtGui import QColor, QFontMetricsF
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QAbstractButton, QComboBox
 
 import skinsource as ss
 from skinsource.design.view import View
 from skinsource_gui.plots.pictures import drawn_image, save_drawing
 from skinsource_gui.qt.theme import LIGHT
-from tests.gui.linearity.test_linearity_panel import STRENGTHS, show
+from tests.gui.linearity.test_linearity_panel import show
 from tests.gui.test_pictures_out import texts_of
 
 __all__ = ["show"]
@@ -21,8 +21,8 @@ DESIGN = ss.Design(
 SLIDE_PX = (1280, 720)
 
 
-def in_front(make_window, qtbot, name):
-    window = make_window(DESIGN, View(outputs=(20, 26)))
+def in_front(open_window, qtbot, name):
+    window = open_window(DESIGN, View(outputs=(20, 26)))
     window.docks[name].bring_forward()
     panel = window.panel(name)
     qtbot.waitUntil(lambda: not window.engine.busy and not panel.figure.message, timeout=30_000)
@@ -38,8 +38,8 @@ def inked(image):
 
 
 @pytest.mark.parametrize("name", ["spectrogram", "transfer", "main_axis"])
-def test_a_picture_of_a_figure_has_no_controls(make_window, qtbot, tmp_path, name):
-    window, panel = in_front(make_window, qtbot, name)
+def test_a_picture_of_a_figure_has_no_controls(open_window, qtbot, tmp_path, name):
+    window, panel = in_front(open_window, qtbot, name)
     path = tmp_path / "a.svg"
     save_drawing(path, window.pictures.picture_of(name).draw, *SLIDE_PX)
     texts = texts_of(path)
@@ -52,50 +52,11 @@ def test_a_picture_of_a_figure_has_no_controls(make_window, qtbot, tmp_path, nam
 
 
 @pytest.mark.parametrize("name", ["spectrogram", "transfer"])
-def test_a_picture_of_a_figure_fills_the_slide(make_window, qtbot, name):
-    window, panel = in_front(make_window, qtbot, name)
+def test_a_picture_of_a_figure_fills_the_slide(open_window, qtbot, name):
+    window, panel = in_front(open_window, qtbot, name)
     image = drawn_image(panel.draw_picture, *SLIDE_PX)
     del window
     rows, columns = inked(image)
     assert columns[0] < 0.05 * SLIDE_PX[0]
     assert columns[-1] > 0.93 * SLIDE_PX[0]
     assert rows[-1] > 0.93 * SLIDE_PX[1]
-
-
-def test_a_picture_of_linearity_has_its_heads_as_words_and_no_buttons(show, tmp_path):
-    window, panel = show(STRENGTHS)
-    path = tmp_path / "a.svg"
-    save_drawing(path, window.pictures.picture_of("linearity").draw, *SLIDE_PX)
-    texts = texts_of(path)
-    assert "linear by construction" in texts
-    assert "strengths, divided by them" in texts
-    for button in (panel.velocity, panel.bands, panel.copy):
-        assert button.text() not in texts or not button.text()
-    rows, columns = inked(drawn_image(panel.draw_picture, *SLIDE_PX))
-    assert columns[-1] > 0.93 * SLIDE_PX[0]
-    assert rows[-1] > 0.93 * SLIDE_PX[1]
-
-
-def test_after_its_picture_a_figure_reads_what_it_read(make_window, qtbot):
-    _, panel = in_front(make_window, qtbot, "transfer")
-    qtbot.waitUntil(lambda: panel.figure.axes is not None)
-    frame = panel.figure.axes.frame
-    panel.figure.move_cursor(frame.center())
-    read, image = panel.note_label.text, panel.grab().toImage()
-    drawn_image(panel.draw_picture, *SLIDE_PX)
-    assert panel.figure.cursor_at == frame.center()
-    assert panel.grab().toImage() == image
-    panel.figure.read_again()
-    assert panel.note_label.text == read
-
-
-def test_a_picture_of_transfer_functions_tells_which_output_is_which(make_window, qtbot, tmp_path):
-    window, panel = in_front(make_window, qtbot, "transfer")
-    path = tmp_path / "a.svg"
-    save_drawing(path, window.pictures.picture_of("transfer").draw, *SLIDE_PX)
-    texts = texts_of(path)
-    for text in ("Outputs", "20", "26"):
-        assert text in texts
-    # Below the line of its legend, not over it.
-    qtbot.waitUntil(lambda: panel.picture.axes is not None)
-    assert panel.picture.axes.frame.top() > QFontMetricsF(panel.picture.font()).height()

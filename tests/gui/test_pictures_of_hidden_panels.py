@@ -3,10 +3,9 @@
 import re
 
 import pytest
-from PySide6.QtCore import Qt
 
 import skinsource as ss
-from skinsource_gui.plots.pictures import PANEL_IN_USE, drawn_image, save_drawing
+from skinsource_gui.plots.pictures import save_drawing
 from tests.gui.pages_of_paper import Paper
 
 DESIGN = ss.Design(
@@ -22,6 +21,12 @@ SAYS = {
     "actuator": ("Peak velocity", "Boost", "Overlaid", "Stiffness"),
     "history": ("New design",),
 }
+
+
+@pytest.fixture
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window
 
 
 @pytest.fixture
@@ -65,31 +70,6 @@ def test_what_nobody_looked_at_is_drawn_whole_and_stays_where_it_was(
     assert panel.width() <= dock.width()
 
 
-def test_a_hidden_panel_is_drawn_as_it_is_after_the_last_edit(window, tmp_path):
-    before = text_of(window, "statistics", tmp_path / "a.svg")
-    document = window.document
-    document.edit("Louder", document.design.with_input(0, amplitude=10.0))
-    after = text_of(window, "statistics", tmp_path / "a.svg")
-    assert "0.532" in before
-    assert "5.32" in after
-
-
-def test_nothing_in_a_picture_has_the_keyboard(window, qtbot):
-    window.activateWindow()
-    panel = window.panel("hand")
-    with_focus, without = [], []
-    for pictures, focus in ((without, "traces"), (with_focus, "hand")):
-        other = window.panel(focus)
-        other.setFocus(Qt.FocusReason.OtherFocusReason)
-        qtbot.waitUntil(lambda part=other: part.isAncestorOf(window.focusWidget()))
-        picture = window.pictures.picture_of("hand")
-        pictures.append(drawn_image(picture.draw, 400, 400))
-        pictures.append(panel.grab().toImage())
-    assert with_focus[0] == without[0]
-    # On the screen it is seen.
-    assert with_focus[1] != without[1]
-
-
 def test_text_in_a_pdf_is_text_and_colours_are_not_packed_with_loss(window, tmp_path):
     for name, title in (
         ("skin", "Skin acceleration, RMS over the whole record"),
@@ -105,11 +85,3 @@ def test_text_in_a_pdf_is_text_and_colours_are_not_packed_with_loss(window, tmp_
         assert "Place 7, 1 m/s²: Tone 100 Hz, 200 ms" in page_text
         assert set(paper.images()) <= {b"FlateDecode"}
         assert paper.images() or name != "skin"
-
-
-def test_with_no_panel_in_sight_the_one_in_use_has_its_usual_size(window):
-    for dock in window.docks.values():
-        dock.hide()
-    width, height = window.pictures.picture_of(PANEL_IN_USE).size_px
-    assert width > 400
-    assert height > 400

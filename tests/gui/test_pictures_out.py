@@ -5,23 +5,18 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage
-from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
+from PySide6.QtGui import QColor, QFont, QImage
+from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
 from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.equalising import RegularisedInverse
-from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.pages.files import exports
 from skinsource_gui.plots.pictures import (
     ALL_VISIBLE,
-    COLOURS,
     PANEL_IN_USE,
-    PictureDialog,
-    PictureOptions,
     caption_of,
     drawn_image,
-    lines_of,
     save_drawing,
     with_caption,
 )
@@ -54,16 +49,6 @@ def test_a_caption_says_what_is_played_where_how_strong_and_on_which_limb():
     assert "and 3 more inputs" in caption_of(many)
     one_more = replace(DESIGN, inputs=many.inputs[:7])
     assert "and 1 more input." in caption_of(one_more)
-
-
-def test_a_caption_counts_the_clips_that_it_does_not_name():
-    def caption_of_taps(n):
-        clips = tuple(ss.Clip(waveform=ss.waveforms.Tap(), onset_s=0.1 * k) for k in range(n))
-        return caption_of(replace(DESIGN, inputs=(ss.Input(location=3, clips=clips),)))
-
-    assert "more" not in caption_of_taps(3)
-    assert "at 200 ms, 1 more clip. Limb" in caption_of_taps(4)
-    assert "at 200 ms, 2 more clips. Limb" in caption_of_taps(5)
 
 
 def test_a_caption_names_what_shapes_the_stimulus_and_what_it_is_predicted_through():
@@ -129,22 +114,8 @@ def test_letters_take_the_same_part_of_a_picture_whatever_its_resolution(qapp):
     assert right_end(144) == pytest.approx(usual, rel=0.03)
 
 
-def test_a_layout_gives_size_and_resolution_and_another_size_leaves_it(qtbot):
-    dialog = PictureDialog(PictureOptions(width_px=1200, height_px=1800))
-    qtbot.addWidget(dialog)
-    layout = dialog.findChild(ChoiceField, "layout_field")
-    layout.choose("column")
-    assert (dialog.options.width_px, dialog.options.height_px) == (336, 504)
-    assert dialog.options.dpi == 300
-    layout.choose("slide")
-    assert (dialog.options.width_px, dialog.options.height_px) == (1280, 720)
-    dialog._edit("width_px", 640.0, None)
-    assert dialog.options.layout == "own"
-    assert layout.value == "own"
-
-
-def test_each_picture_has_real_words_and_the_stimulus(make_window, tmp_path):
-    window = make_window(DESIGN)
+def test_each_picture_has_real_words_and_the_stimulus(open_window, tmp_path):
+    window = open_window(DESIGN)
     for name in ("skin", "traces", "hand", ALL_VISIBLE, PANEL_IN_USE):
         picture = window.pictures.picture_of(name)
         path = tmp_path / f"{name}.svg"
@@ -159,8 +130,8 @@ def test_each_picture_has_real_words_and_the_stimulus(make_window, tmp_path):
             assert all(title in texts for title in ("Hand", "Skin", "Timeline", "Traces"))
 
 
-def test_pictures_are_on_light_ground_and_the_studio_stays_dark(make_window, qtbot):
-    window = make_window(DESIGN)
+def test_pictures_are_on_light_ground_and_the_studio_stays_dark(open_window, qtbot):
+    window = open_window(DESIGN)
     window.do("use_dark_theme")
     # Of the status bar, what was judged and how long it took come when there is time.
     above = window.rect().adjusted(0, 0, 0, -window.statusBar().height())
@@ -175,27 +146,10 @@ def test_pictures_are_on_light_ground_and_the_studio_stays_dark(make_window, qtb
     qtbot.waitUntil(lambda: window.grab(above).toImage() == before)
 
 
-def test_colours_of_pictures_are_called_as_the_themes_of_the_window(window):
-    offered = [label for _, label in COLOURS.options]
-    themes = [window.actions_by_name[f"use_{name}_theme"].text() for name, _ in COLOURS.options]
-    assert [f"{label} theme" for label in offered] == themes
-    assert "High contrast" in offered
-
-
-def test_what_is_in_use_is_the_panel_with_the_keyboard(make_window, qtbot):
-    window = make_window(DESIGN)
-    window.activateWindow()
-    panel = window.panel("traces")
-    panel.setFocus()
-    qtbot.waitUntil(lambda: panel.isAncestorOf(window.focusWidget()))
-    size = window.pictures.picture_of(PANEL_IN_USE).size_px
-    assert size == (2 * panel.width(), 2 * panel.height())
-
-
 def test_a_panel_whose_tab_is_clicked_is_in_use_and_named_where_its_picture_is_asked_for(
-    make_window, monkeypatch
+    open_window, monkeypatch
 ):
-    window = make_window(DESIGN)
+    window = open_window(DESIGN)
     window.activateWindow()
     asked = []
 
@@ -213,73 +167,12 @@ def test_a_panel_whose_tab_is_clicked_is_in_use_and_named_where_its_picture_is_a
         assert asked.pop() == f"Export picture of the panel {title}"
 
 
-def test_the_file_of_a_picture_is_suggested_by_the_name_of_its_panel(make_window, monkeypatch):
-    window, names = make_window(DESIGN), []
-    monkeypatch.setattr(exports, "ask_picture_options", lambda _, usual, **about: usual)
-    monkeypatch.setattr(
-        window.files, "ask_where", lambda title, start, *about: names.append(start.name)
-    )
-    window.activateWindow()
-    window.docks["main_axis"].bring_forward()
-    window.panel("main_axis").setFocus()
-    window.do("export_panel_picture")
-    assert names == ["main-axis.png"]
-
-
-def test_what_is_in_use_is_so_too_where_it_was_asked_for_in_the_palette(make_window, qtbot):
-    window = make_window(DESIGN)
-    window.activateWindow()
-    panel = window.panel("timeline")
-    panel.findChild(QWidget, "lanes").setFocus()
-    qtbot.waitUntil(lambda: panel.isAncestorOf(QApplication.focusWidget()))
-    elsewhere = QLineEdit()
-    qtbot.addWidget(elsewhere)
-    elsewhere.show()
-    elsewhere.activateWindow()
-    elsewhere.setFocus()
-    qtbot.waitUntil(elsewhere.hasFocus)
-    assert window.pictures.picture_of(PANEL_IN_USE).size_px[0] == 2 * panel.width()
-
-
 def test_the_bar_is_the_longest_round_length_in_a_quarter_of_the_room():
     assert bar_length_mm(1.0, 250.0) == 50
     assert bar_length_mm(1.0, 400.0) == 100
     assert bar_length_mm(100.0, 10.0) == 1
 
 
-def test_the_map_knows_how_long_a_millimetre_is(window):
-    limb = ss.load_limb("synthetic-1")
-    content = window.panel("skin").map.content
-    assert content.px_per_mm == limb.map.hand_length_px / 175.0
-
-
 def test_what_to_cite_is_copied(window, qapp):
     window.do("copy_citation")
     assert "10.1109/HAPTICS59260.2024.10520852" in qapp.clipboard().text()
-
-
-def test_a_line_of_a_caption_ends_between_words_but_neither_before_nor_in_a_unit(qapp):
-    metrics = QFontMetricsF(qapp.font())
-    caption = "Place 7, 1 m/s\u00b2: Tone, 100 Hz, 600 ms at 100 ms; Place 3, 12 m/s\u00b2: Tap."
-    for room in range(60, 400, 7):
-        lines = lines_of(caption, metrics, float(room))
-        assert " ".join(lines) == caption
-        for line in lines[1:]:
-            assert not line.startswith(("m/s", "s\u00b2", "Hz", "ms")), lines
-        assert all(
-            metrics.horizontalAdvance(line) <= room or len(line.split()) <= 2 for line in lines
-        )
-
-
-def test_the_page_says_how_many_pixels_the_file_will_have(qtbot):
-    dialog = PictureDialog(PictureOptions(width_px=1200, height_px=1800))
-    qtbot.addWidget(dialog)
-    assert dialog.pixels.text() == "In pixels: 1200 × 1800"
-    dialog.findChild(ChoiceField, "layout_field").choose("column")
-    image = drawn_image(
-        lambda *_: None, dialog.options.width_px, dialog.options.height_px, dialog.options.dpi
-    )
-    assert dialog.pixels.text() == f"In pixels: {image.width()} × {image.height()}"
-    assert image.width() == 1050
-    dialog._edit("dpi", 96.0, None)
-    assert dialog.pixels.text() == "In pixels: 336 × 504"

@@ -66,7 +66,7 @@ def unread(tmp_path, monkeypatch):
 
 
 @pytest.fixture(params=["own limb", "missing limb"])
-def window(request, unread, user_data, make_window):
+def window(request, unread, user_data, open_window):
     """The studio, in which every text that is not its own is HTML."""
     lane = Lane(location=1, clips=(CLIP,))
     save_preset(
@@ -81,7 +81,7 @@ def window(request, unread, user_data, make_window):
     )
     design = design_on(limb.name if request.param == "own limb" else HOSTILE)
     other = Snapshot(number=1, design=design.with_input(0, amplitude=0.5))
-    return make_window(design, View(selected_inputs=(1,), snapshots=(other,)))
+    return open_window(design, View(selected_inputs=(1,), snapshots=(other,)))
 
 
 def shown_letter_by_letter():

@@ -26,8 +26,8 @@ DESIGN = Design(
 
 
 @pytest.fixture
-def window(make_window):
-    return make_window(DESIGN, View(playhead_s=0.25))
+def window(open_window):
+    return open_window(DESIGN, View(playhead_s=0.25))
 
 
 @pytest.fixture
@@ -96,11 +96,6 @@ def test_escape_gives_up_a_drag_in_the_traces(window, plot, lanes):
     assert window.document.view.playhead_s == 0.25
     assert plot.playhead.time_s == 0.25
     assert shown_in_lanes(lanes) == pytest.approx(0.25)
-
-
-def test_it_never_goes_before_the_start(window, plot):
-    drag(plot, x_of(plot, 0.25), x_of(plot, -2.0))
-    assert window.document.view.playhead_s == 0.0
 
 
 @pytest.mark.parametrize("where", ["lanes", "plot"])
@@ -173,10 +168,3 @@ def test_an_edit_of_a_panel_that_knows_an_older_place_leaves_it_where_it_is(wind
     assert document.view.playhead_s == 0.7
     hand.view_changed.emit(replace(stale, outputs=(3,)))
     assert (document.view.playhead_s, document.view.outputs) == (0.7, (3,))
-
-
-def test_what_is_chosen_above_while_it_moves_leaves_it_where_it_is(window):
-    document = window.document
-    document.look(replace(document.view, playhead_s=0.7))
-    window.setup_bar._axes.choose("z")
-    assert (document.view.axes, document.view.playhead_s) == ("z", 0.7)

@@ -6,14 +6,11 @@ import pytest
 from skinsource_gui.plots.curves import Curves, output_names
 from skinsource_gui.plots.ranges import (
     MOST_IN_COLUMN,
-    CachedColumns,
     SteadyRange,
     ValueScale,
-    in_rows,
     linear_ticks,
     log_ticks,
     number_text,
-    readable_ticks,
     value_unit,
     visible_points,
     within,
@@ -158,35 +155,6 @@ def test_every_column_has_its_stroke_even_where_samples_lie_on_its_edge(columns,
     assert (few.y.min(), few.y.max()) == (samples.min(), samples.max())
 
 
-def test_columns_of_an_axis_are_found_once_for_all_that_is_drawn_over_it():
-    columns, random = CachedColumns(), np.random.default_rng(4)
-    x = np.arange(5000) / 1300
-    asked = [(x, (0.0, 3.0), 300), (x.copy(), (0.0, 3.0), 300)]
-    others = [(x, (0.1, 3.0), 300), (x, (0.1, 3.0), 301), (x + 1e-9, (0.1, 3.0), 301)]
-    others += [(x[:4000], (0.1, 3.0), 301), (x, (0.0, 0.1), 300), *asked[:1]]
-    for n_changes, of in enumerate((*asked, *others)):
-        y = random.uniform(-1, 1, (2, of[0].size))
-        points, expected = columns.of(*of).points(y), visible_points(of[0], y, *of[1:])
-        assert np.array_equal(points.x, expected.x)
-        assert np.array_equal(points.y, expected.y)
-        assert points.strokes == expected.strokes
-        assert columns.made == max(n_changes, 1)
-
-
-def test_a_long_axis_is_known_again_only_as_the_very_same():
-    columns, x = CachedColumns(), np.arange(800_000) / 1300
-    for axis, made in ((x, 1), (x, 1), (x.copy(), 2), (x, 3)):
-        columns.of(axis, (0.0, 600.0), 500)
-        assert columns.made == made
-
-
-def test_values_never_reach_beyond_their_row():
-    for edge in (0.0, 0.05):
-        scale = ValueScale(values=(-1.0, 1.0), edge=edge)
-        heights = scale.heights(np.array([-9.0, -1.0, 0.0, 1.0, 9.0]))
-        assert heights == pytest.approx([edge, edge, 0.5, 1 - edge, 1 - edge])
-
-
 @pytest.mark.parametrize("peak", [5e-324, 1e-300, 1e300])
 def test_no_value_is_too_small_or_too_large_to_be_drawn(peak):
     scale = ValueScale(values=SteadyRange().follow(-peak, peak, "amplitude"))
@@ -205,15 +173,6 @@ def test_the_crosshair_snaps_to_the_nearest_sample(seed):
         assert abs(x[nearest] - at) == abs(x - at).min(), f"seed {seed}, x {at}"
 
 
-def test_a_level_line_stays_in_its_row_of_pixels_whatever_the_rounding():
-    for level in (10.0, 10.5):
-        nearly = level + np.array([-1e-13, 0.0, 1e-13])
-        for ratio in (1.0, 1.5, 2.0):
-            rows = in_rows(nearly, ratio) * ratio
-            assert np.all(rows == rows[0])
-            assert np.floor(rows[0]) == np.floor(level * ratio)
-
-
 def strokes_of(y, per_column):
     points = visible_points(np.arange(y.size), y[None], (0, y.size), y.size // per_column)
     assert points.strokes
@@ -229,33 +188,3 @@ def test_the_edges_of_a_dense_tone_are_as_even_as_the_tone(frequency_hz, per_col
     crest = np.cos(np.pi * frequency_hz / 1300)
     assert filled.max(axis=-1).min() > crest - 0.13
     assert filled.min(axis=-1).max() < 0.13 - crest
-
-
-def test_what_stands_alone_stays_as_narrow_as_it_is():
-    y = 0.1 * np.sin(np.arange(2000.0))
-    y[1000], y[1500:1512] = 1.0, 0.0
-    strokes = strokes_of(y, 10)
-    filled = without_notches(strokes)
-    assert (filled.reshape(-1, 2).max(axis=-1) > 0.5).sum() == 1
-    # Silence of a column is a gap in the block, and seen.
-    assert np.abs(np.diff(filled.reshape(-1, 2))).min() == 0.0
-    # Nothing is taken away.
-    assert (filled.reshape(-1, 2).max(axis=-1) >= strokes.reshape(-1, 2).max(axis=-1)).all()
-    assert (filled.reshape(-1, 2).min(axis=-1) <= strokes.reshape(-1, 2).min(axis=-1)).all()
-
-
-def test_what_begins_or_ends_a_signal_is_no_notch():
-    tall = np.array([-0.9, 1.0])
-    strokes = np.concatenate((0.4 * tall, 0.7 * tall, *(9 * [tall]), 0.6 * tall))[np.newaxis]
-    assert np.array_equal(without_notches(strokes), strokes)
-
-
-def test_closer_round_numbers_are_taken_before_the_ends_of_an_axis():
-    def labels(*of):
-        return [tick.label for tick in readable_ticks(*of)]
-
-    assert labels(0.1, 0.55, 4, 8) == ["0.2", "0.4"]
-    assert labels(0.1, 0.55, 1, 4) == ["0.2", "0.4"]
-    assert labels(0.1, 0.55, 1, 1) == ["0.10", "0.55"]
-    assert labels(-80.0, 0.0, 1, 1.5) == ["−80", "0"]
-    assert labels(0.5, 0.5, 3, 5) == []

@@ -7,21 +7,23 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QScrollArea
 
-from skinsource.design import edits
 from skinsource.design.design import Design, track
-from skinsource.design.effects.level import Fade
-from skinsource.design.effects.time import Trim
 from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.shell.focus import tab_stops
 
 
 @pytest.fixture
-def window(make_window, qtbot):
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window
+
+
+@pytest.fixture
+def window(open_window, qtbot):
     tone = track(7, Tone(frequency_hz=100.0))
-    window = make_window(Design(limb="synthetic-1", inputs=(tone,)), View(selected_inputs=(1,)))
+    window = open_window(Design(limb="synthetic-1", inputs=(tone,)), View(selected_inputs=(1,)))
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
     return window
@@ -41,33 +43,6 @@ def test_the_inspector_is_walked_from_top_to_bottom(window):
     assert stop_names[:3] == ["mute_button", "solo_button", "kind_field"]
     assert stop_names[-2:] == ["location_field", "add_effect"]
     assert tops(panel) == sorted(tops(panel))
-
-
-def test_it_stays_so_when_another_waveform_brings_other_fields(window, settle):
-    document, panel = window.document, window.panel("inspector")
-    document.apply(edits.change_kind(document.design, document.view, (1,), Noise.__name__))
-    clip = document.design.inputs[0].clips[0].id
-    for effect in (Trim(), Fade(0.01, 0.01)):
-        document.apply(edits.add_effect(document.design, document.view, (clip,), effect))
-    settle()
-    stop_names = names(panel)
-    assert (
-        stop_names.index("kind_field")
-        < stop_names.index("seed_field")
-        < stop_names.index("add_effect")
-    )
-    assert tops(panel) == sorted(tops(panel))
-
-
-def test_fields_side_by_side_go_from_left_to_right(window, settle):
-    window.docks["inspector"].setFloating(True)
-    window.docks["inspector"].resize(700, 500)
-    settle()
-    panel = window.panel("inspector")
-    assert panel._fields.grid.pairs == 2
-    places = [stop.mapTo(panel, QPoint()) for stop in tab_stops(panel, (panel,))]
-    lines = [(round(place.y() / 10), place.x()) for place in places[2:]]
-    assert lines == sorted(lines)
 
 
 @pytest.mark.parametrize("name", ["actuator", "playback"])

@@ -91,49 +91,12 @@ def test_after_presenting_panels_become_tabs_with_larger_letters(studio, stands,
     assert not {"traces", "spectra"} & in_sight(studio)
 
 
-def test_letters_that_grew_while_presenting_have_room_afterwards(studio, stands, qtbot):
-    studio.do("present")
-    stands(studio)
-    enlarge(studio, stands)
-    end_presenting(studio, stands, qtbot)
-    assert {"hand", "skin", "inspector"} <= in_sight(studio)
-    assert not {"traces", "spectra"} & in_sight(studio)
-
-
-def test_in_the_next_session_panels_become_tabs_with_larger_letters(studio, session, stands):
-    again = session()
-    stands(again)
-    assert in_sight(again) >= BELOW_THE_MAP
-    enlarge(again, stands)
-    assert {"hand", "skin", "inspector"} <= in_sight(again)
-    assert not {"traces", "spectra"} & in_sight(again)
-
-
-def test_a_session_that_ends_while_presenting_begins_as_arranged(studio, session, stands):
-    studio.do("present")
-    stands(studio)
-    again = session()
-    stands(again)
-    assert in_sight(again) >= BELOW_THE_MAP
-    enlarge(again, stands)
-    assert not {"traces", "spectra"} & in_sight(again)
-
-
 def test_what_somebody_moved_stays_so_after_presenting(studio, stands, qtbot):
     studio.docks["hand"].hide()
     present(studio, stands, qtbot)
     enlarge(studio, stands)
     assert in_sight(studio) >= {"skin", "inspector", *BELOW_THE_MAP}
     assert "hand" not in in_sight(studio)
-
-
-def test_what_somebody_moved_stays_so_in_the_next_session(studio, session, stands):
-    studio.docks["hand"].hide()
-    again = session()
-    stands(again)
-    enlarge(again, stands)
-    assert in_sight(again) >= {"skin", "inspector", *BELOW_THE_MAP}
-    assert "hand" not in in_sight(again)
 
 
 def test_a_bar_that_grows_moves_no_panel_but_a_splitter_does(studio, stands):

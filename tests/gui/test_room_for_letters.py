@@ -2,7 +2,7 @@
 
 import pytest
 from PySide6.QtCore import QSize
-from PySide6.QtGui import QColor, QFontMetrics, QFontMetricsF
+from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel
 
 from skinsource.design.design import Design, track
@@ -10,9 +10,7 @@ from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.plots.axis import Axis
-from skinsource_gui.plots.figure import shrunk
 from skinsource_gui.plots.plot import Plot
-from skinsource_gui.qt.theme import THEMES
 from skinsource_gui.shell.arrangement_spec import ArrangementSpec, Place
 from skinsource_gui.shell.dock_layout import Folded, Needs, folded, room_of
 
@@ -21,9 +19,9 @@ FIELDS = View(selected_inputs=(1,), outputs=(29, 30, 33, 35))
 
 
 @pytest.fixture
-def studio(make_window):
+def studio(open_window):
     tone = Tone(frequency_hz=120.0, duration_s=0.4)
-    window = make_window(Design(limb="synthetic-1", inputs=(track(7, tone),)), FIELDS)
+    window = open_window(Design(limb="synthetic-1", inputs=(track(7, tone),)), FIELDS)
     yield window
     window.appearance.reset_text()
     window.appearance.fit_room(1.0)
@@ -98,38 +96,6 @@ def test_nothing_is_cut_or_scrolls_sideways(studio, settle, scale, screen):
             assert min(numbers(plot)) >= 2, (arrangement, name)
 
 
-def test_what_is_turned_is_whole_while_it_is_presented_in_the_largest_letters(studio, settle):
-    window = studio
-    window.resize(1366, 768)
-    window.appearance._scale_text(3.0)
-    window.do("present")
-    window.showNormal()
-    window.resize(1366, 768)
-    settle()
-    settle()
-    for name in ("hand", "skin", "frequency_and_amplitude"):
-        dock = window.docks[name]
-        assert dock.in_sight
-        assert dock.widget().verticalScrollBar().maximum() == 0, name
-    window.do("present")
-
-
-def test_panels_that_nobody_moved_become_tabs_with_larger_letters_and_come_back(studio, settle):
-    window = studio
-    window.resize(1366, 768)
-    window.do("arrange_design")
-    settle()
-    assert {"traces", "spectra", "timeline"} <= {dock.objectName() for dock in in_sight(window)}
-    window.appearance._scale_text(3.0)
-    settle()
-    shown = {dock.objectName() for dock in in_sight(window)}
-    assert {"hand", "skin", "inspector"} <= shown
-    assert not {"traces", "spectra"} & shown
-    window.appearance.reset_text()
-    settle()
-    assert {"traces", "spectra", "timeline"} <= {dock.objectName() for dock in in_sight(window)}
-
-
 def test_panels_that_somebody_moved_stay_where_they_are(studio, settle):
     window = studio
     window.resize(1366, 768)
@@ -142,79 +108,6 @@ def test_panels_that_somebody_moved_stay_where_they_are(studio, settle):
     shown = {dock.objectName() for dock in in_sight(window)}
     assert {"skin", "inspector", "traces", "spectra", "timeline"} <= shown
     assert "hand" not in shown
-
-
-def test_large_letters_of_the_last_session_are_those_of_all_words(
-    qapp, preferences, make_window, settle
-):
-    sheet, font = qapp.styleSheet(), qapp.font()
-    # As a program begins.
-    qapp.setStyleSheet("")
-    qapp.setFont(font)
-    preferences.text_scale = 2.0
-    try:
-        window = make_window()
-        settle()
-        expected_pt = QApplication.font().pointSizeF()
-        assert expected_pt == pytest.approx(2.0 * font.pointSizeF())
-        parts = [window.menuBar(), window.statusBar(), window.setup_bar]
-        for widget in (*parts, *window.docks.values(), *window.panels):
-            assert widget.font().pointSizeF() == expected_pt, widget.objectName()
-    finally:
-        window.appearance.reset_text()
-        qapp.setStyleSheet(sheet)
-
-
-def test_maps_side_by_side_are_drawn_in_the_largest_letters_and_the_rest_scrolls(
-    studio, settle, qtbot
-):
-    window = studio
-    window.resize(1366, 768)
-    window.appearance._scale_text(3.0)
-    settle()
-    dock = window.docks["side_by_side"]
-    dock.bring_forward()
-    settle()
-    settle()
-    panel = window.panel("side_by_side")
-    qtbot.waitUntil(lambda: len(panel.maps.content.cells) == 4, timeout=60_000)
-    places = panel.maps.visible_maps.places
-    assert all(place.map.height() >= 60 for place in places.cells)
-    assert all(place.map.bottom() <= places.scale.top() for place in places.cells)
-    assert all(place.value.bottom() <= place.map.top() for place in places.cells)
-    assert not too_wide(dock)
-    assert dock.widget().verticalScrollBar().maximum() > 0
-
-
-def test_words_in_a_narrow_map_are_written_smaller_rather_than_cut(qapp):
-    font = qapp.font()
-    room = 0.6 * QFontMetricsF(font).horizontalAdvance("Computing…")
-    small_font = shrunk(font, ("Computing…",), room)
-    assert QFontMetricsF(small_font).horizontalAdvance("Computing…") <= 1.05 * room
-    assert shrunk(font, ("Computing…",), 1000.0) is font
-
-
-@pytest.mark.parametrize("theme", ["light", "dark", "contrast"])
-def test_buttons_of_docks_are_as_light_or_dark_as_words(window, settle, theme):
-    window.appearance.use_theme(theme)
-    settle()
-    text_colour = QColor(THEMES[theme].text)
-    try:
-        for name in ("close", "float"):
-            (button,) = window.docks["skin"].findChildren(
-                QAbstractButton, f"qt_dockwidget_{name}button"
-            )
-            image = button.icon().pixmap(48, 48).toImage()
-            drawn = [
-                image.pixelColor(x, y)
-                for x in range(image.width())
-                for y in range(image.height())
-                if image.pixelColor(x, y).alpha() == 255
-            ]
-            assert drawn
-            assert set(map(QColor.name, drawn)) == {text_colour.name()}
-    finally:
-        window.appearance.use_theme("light")
 
 
 SPEC = ArrangementSpec(

@@ -5,8 +5,7 @@ import re
 import pytest
 from PySide6.QtGui import QFont
 
-import skinsource as ss
-from skinsource_gui.plots.pictures import save_drawing, searchable
+from skinsource_gui.plots.pictures import save_drawing
 from skinsource_gui.qt.theme import LIGHT, apply_theme, tabular
 from tests.gui.pages_of_paper import Paper
 
@@ -41,18 +40,3 @@ def test_what_fonts_say_is_mended_in_an_update_that_readers_find(page):
     assert listed
     for number, place in listed:
         assert written[int(place) :].startswith(number + b" 0 obj")
-
-
-def test_a_page_that_is_not_as_expected_stays_as_it_is():
-    assert searchable(b"%PDF-1.4 of somebody else") == b"%PDF-1.4 of somebody else"
-
-
-def test_the_picture_of_a_panel_can_be_searched(make_window, tmp_path):
-    tone = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)
-    window = make_window(ss.Design(limb="synthetic-1", inputs=(ss.track(7, tone),)))
-    picture = window.pictures.picture_of("skin")
-    save_drawing(tmp_path / "a.pdf", picture.draw, 600, 900)
-    text = Paper(tmp_path / "a.pdf").text()
-    # Lines of the caption are put one by one, and end where there is no room.
-    assert "scaling: probe" in text
-    assert "Limb: Synthetic 1 (175 mm)" in text

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
-from skinsource.base import errors, lock
+from skinsource.base import lock
 from skinsource.base.lock import Lock, read_owner, this_process, to_bytes
 from skinsource.design.design import Design, Input
 from skinsource.design.design_file import open_design, save_design
@@ -64,14 +64,6 @@ def test_an_open_file_is_held_until_another_is_opened_or_the_window_closes(windo
     assert read_owner(Lock(second).path) == this_process()
     window.close()
     assert not Lock(second).path.exists()
-
-
-def test_a_link_to_the_open_file_is_the_open_file(window, path, tmp_path):
-    window.files.open(path)
-    (tmp_path / "link.skinsource").symlink_to(path)
-    window.files.open(tmp_path / "link.skinsource")
-    assert Lock(path).path.exists()
-    assert not window.document.read_only
 
 
 def test_the_second_studio_opens_it_read_only_and_says_who_has_it(
@@ -151,13 +143,3 @@ def test_a_file_that_cannot_be_saved_keeps_the_lock_of_the_one_that_is_open(
     answers["save"] = str(tmp_path / "absent" / "a.skinsource")
     assert not window.files.ask_and_save()
     assert read_owner(Lock(path).path) == this_process()
-
-
-def test_where_no_lock_can_be_written_a_file_is_opened_all_the_same(window, path, monkeypatch):
-    def refuse(*_, **__):
-        raise errors.StorageError("no")
-
-    monkeypatch.setattr(Lock, "take", refuse)
-    window.files.open(path)
-    assert window.document.design == SAVED
-    assert not window.document.read_only

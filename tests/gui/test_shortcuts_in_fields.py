@@ -67,13 +67,6 @@ def test_shortcuts_work_on_desktops_where_lines_of_text_want_them(window, field)
         assert takes(line, key)
 
 
-def test_while_typing_undo_and_copy_are_of_the_text(field):
-    QTest.keyClick(field, Qt.Key.Key_F2)
-    QTest.keyClicks(field, "1")
-    assert takes(field, "Ctrl+Z")
-    assert takes(field, "Ctrl+C")
-
-
 def test_ctrl_e_in_a_number_field_exports(window, field, monkeypatch):
     asked = []
     monkeypatch.setattr(window.files, "ask_where", lambda *arguments: asked.append(arguments[0]))

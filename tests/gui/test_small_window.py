@@ -13,13 +13,13 @@ TONE = Tone(frequency_hz=100.0, duration_s=0.3)
 
 
 @pytest.fixture
-def window(make_window):
+def window(open_window):
     inputs = (
         track(7, TONE, amplitude=400.0),
         track(3, Tap(), colour=1),
         track(2, TONE, colour=2),
     )
-    return make_window(Design(limb="synthetic-1", inputs=inputs), View(selected_inputs=(1,)))
+    return open_window(Design(limb="synthetic-1", inputs=inputs), View(selected_inputs=(1,)))
 
 
 def bring(window, name):
@@ -61,28 +61,3 @@ def test_why_a_drive_is_refused_is_seen_without_scrolling(window):
     assert "leaves a velocity" in panel.figures.refusal.text()
     assert in_view(panel, panel.figures.refusal)
     assert in_view(panel, panel.figures.centred)
-
-
-def test_where_nothing_passes_a_limit_nothing_is_said(window):
-    panel = bring(window, "actuator")
-    select(window, 3)
-    bring(window, "actuator")
-    assert not panel.figures.limits.isVisible()
-    assert not panel.figures.refusal.isVisible()
-
-
-def test_playback_is_no_wider_than_its_place(window):
-    panel = bring(window, "playback")
-    area = panel.findChild(QScrollArea)
-    assert area.widget().width() <= area.viewport().width()
-    assert area.horizontalScrollBar().maximum() == 0
-    title = panel._rows[1].title
-    assert title.fontMetrics().horizontalAdvance(title.text()) <= title.width()
-
-
-def test_with_nothing_selected_no_panel_is_wider_than_its_place(window):
-    document = window.document
-    document.look(View(outputs=(), selected_inputs=()))
-    for name, dock in window.docks.items():
-        bring(window, name)
-        assert window.panel(name).width() <= dock.widget().viewport().width(), name

@@ -1,4 +1,3 @@
-import gc
 import os
 import signal
 import subprocess
@@ -6,7 +5,6 @@ import sys
 from functools import partial
 
 import pytest
-from PySide6.QtCore import QObject
 
 import skinsource as ss
 from skinsource.base.extras import extra_line
@@ -14,9 +12,7 @@ from skinsource.design.view import View
 from skinsource.export.tables import export_levels
 from skinsource.limbs.catalog import available_limbs
 from skinsource_gui import __main__ as start
-from skinsource_gui.app.app import GarbageCollector, manage_garbage_collection
 from skinsource_gui.qt import system_libraries
-from skinsource_gui.qt.lazy_modules import UNCALLED
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import start_design
 
@@ -185,11 +181,11 @@ import os, sys
 from pathlib import Path
 from PySide6.QtCore import QEvent, QObject, QTimer
 from PySide6.QtWidgets import QWidget
-from skinsource_gui.app.app import make_application, make_window
+from skinsource_gui.app.app import make_application, open_window
 from skinsource_gui.state.preferences import Preferences
 
 names, application = sys.argv[2].split(), make_application()
-window = make_window(None, Preferences(Path(sys.argv[1])))
+window = open_window(None, Preferences(Path(sys.argv[1])))
 painted = set()
 
 class Watch(QObject):
@@ -269,16 +265,6 @@ def rendered(tmp_path_factory):
     return left, read
 
 
-def test_what_numpy_brings_and_nobody_calls_is_not_run_but_could_be(rendered):
-    assert rendered[0].split() == list(UNCALLED)
-
-
-def test_qt_reads_the_source_of_nothing_that_is_imported_after_it(rendered):
-    # What was read before it could be told is of Qt and Python alone.
-    others = ("skinsource", "pyqtgraph", "numpy", "scipy")
-    assert not [name for name in rendered[1].split() if name.startswith(others)]
-
-
 def test_until_there_are_results_every_picture_says_so(qtbot, preferences):
     window = MainWindow(
         start_design("synthetic-1"), preferences=preferences, available_limbs=available_limbs()
@@ -304,14 +290,3 @@ def shows_something(panel):
         if image.rect().contains(middle.x() + x, middle.y() + y)
     }
     return len(colours) > 1
-
-
-def test_what_stands_at_the_start_is_not_looked_through_again():
-    owner = QObject()
-    try:
-        manage_garbage_collection(owner)
-        assert gc.get_freeze_count() > 0
-        assert not gc.isenabled()
-        assert len(owner.findChildren(GarbageCollector)) == 1
-    finally:
-        gc.unfreeze()

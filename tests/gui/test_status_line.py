@@ -4,9 +4,8 @@ from dataclasses import replace
 from itertools import pairwise
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint
-from PySide6.QtGui import QHelpEvent
-from PySide6.QtWidgets import QApplication, QLabel, QToolTip
+from PySide6.QtCore import QPoint
+from PySide6.QtWidgets import QApplication, QLabel
 
 from skinsource.base.work import Work
 from skinsource.design.clips import Clip
@@ -17,7 +16,7 @@ from skinsource.engine.gains import TraceError
 from skinsource.engine.transforms import BLOCK_FFT
 from skinsource_gui.qt.theme import DARK, LIGHT
 from skinsource_gui.shell.status import Scope, Sparkline
-from skinsource_gui.state.edit_times import EditTime, EditTimes, milliseconds, most_within, summary
+from skinsource_gui.state.edit_times import EditTimes, most_within, summary
 
 
 def label(window, name):
@@ -76,19 +75,6 @@ def test_while_results_are_awaited_nothing_is_called_up_to_date(window, qtbot, m
     assert label(window, "timing").isVisible()
 
 
-def test_hidden_traces_and_spectra_are_no_channels(window, qtbot):
-    for name in ("traces", "spectra"):
-        window.docks[name].close()
-    edit(window, amplitude=2.0)
-    qtbot.waitUntil(lambda: "No channel was brought back to time" in details(window))
-
-
-def test_a_hidden_map_is_not_spoken_of(window, qtbot):
-    window.docks["skin"].close()
-    edit(window, amplitude=2.0)
-    qtbot.waitUntil(lambda: "The map is not shown and was not computed" in details(window))
-
-
 def test_a_long_scene_is_told_to_be_computed_block_by_block(window, qtbot):
     edit(window, clips=(Clip(waveform=Tone(duration_s=14.0)),))
     qtbot.waitUntil(lambda: f"float64, overlap-save {BLOCK_FFT}" in details(window))
@@ -119,13 +105,6 @@ def test_an_edit_is_timed_from_hand_to_screen(window, qtbot):
     assert last.queue_s + last.compute_s + last.draw_s == pytest.approx(last.total_s)
     qtbot.waitUntil(lambda: "waiting" in label(window, "timing").toolTip())
     qtbot.waitUntil(lambda: "Last" in label(window, "timing").toolTip())
-
-
-def test_the_first_picture_is_no_edit(window, qtbot):
-    qtbot.waitUntil(lambda: not window.status_line.timing._is_first)
-    timing = window.status_line.timing
-    assert (timing.last, timing.times.seconds()) == (None, ())
-    assert label(window, "timing").text() == ""
 
 
 @pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
@@ -168,12 +147,6 @@ def test_transforms_beyond_those_of_channels_and_search_are_the_maps():
     )
 
 
-def test_every_phrasing_is_shorter_than_the_one_before():
-    for sample in (scope(), scope(streamed=True), scope(has_map=False), scope(inputs=0, audible=0)):
-        lengths = [len(phrase) for phrase in sample.phrases()]
-        assert lengths == sorted(set(lengths), reverse=True)
-
-
 def test_only_the_last_hundred_edits_are_remembered():
     times = EditTimes()
     for k in range(250):
@@ -191,22 +164,6 @@ def test_the_summary_names_median_95_percent_and_slowest():
     seconds = (0.004, 0.008, 0.3)
     assert summary(seconds) == ("Last 3 edits: median 8.0 ms, 95 % within 300 ms, slowest 300 ms.")
     assert summary(()) == ""
-
-
-@pytest.mark.parametrize(
-    ("seconds", "text"),
-    [(0.0004, "0.4 ms"), (0.00994, "9.9 ms"), (0.00996, "10 ms"), (0.3, "300 ms"), (1.26, "1.3 s")],
-)
-def test_times_have_two_digits(seconds, text):
-    assert milliseconds(seconds) == text
-
-
-def test_waiting_is_what_is_neither_computing_nor_drawing():
-    edit_time = EditTime(compute_s=0.003, draw_s=0.005, total_s=0.009)
-    assert edit_time.queue_s == pytest.approx(0.001)
-    assert edit_time.sentence() == (
-        "On screen 9.0 ms after the edit: 1.0 ms waiting, 3.0 ms computing, 5.0 ms drawing."
-    )
 
 
 @pytest.fixture
@@ -231,43 +188,3 @@ def test_a_slow_edit_is_a_high_amber_bar_and_a_quick_one_a_low_bar(sparkline, th
     assert picture.pixelColor(last, 13).name() == theme.accent
     assert picture.pixelColor(last, 10).name() not in (theme.accent, theme.warning)
     assert picture.pixelColor(3, 8).name() == theme.dim
-
-
-def test_the_sparkline_is_painted_at_most_four_times_a_second(sparkline, qtbot):
-    painted = []
-    original = sparkline.paintEvent
-
-    def count(event):
-        painted.append(event)
-        original(event)
-
-    sparkline.paintEvent = count
-    for k in range(50):
-        sparkline.show_times((0.001 * k,) * 5)
-        QApplication.processEvents()
-    assert len(painted) <= 2
-    qtbot.waitUntil(lambda: not sparkline._waits)
-    QApplication.processEvents()
-    assert len(painted) in (2, 3)
-
-
-def test_the_sparkline_says_its_numbers_on_hover_and_to_screen_readers(sparkline):
-    sparkline.show_times((0.01,))
-    here = QPoint(5, 5)
-    QApplication.sendEvent(
-        sparkline, QHelpEvent(QEvent.Type.ToolTip, here, sparkline.mapToGlobal(here))
-    )
-    assert QToolTip.text() == "about them"
-    assert sparkline.accessibleDescription() == "about them"
-    QToolTip.hideText()
-
-
-def test_a_message_has_the_line_for_itself_also_when_words_become_larger(window, settle, qtbot):
-    line, bar = window.status_line, window.statusBar()
-    bar.showMessage("Opened a scene")
-    window.do("arrange_presentation")
-    settle()
-    qtbot.waitUntil(lambda: not line.isVisible())
-    assert bar.currentMessage() == "Opened a scene"
-    bar.clearMessage()
-    qtbot.waitUntil(line.isVisible)

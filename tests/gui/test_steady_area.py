@@ -79,17 +79,3 @@ def test_it_goes_once_there_is_another_room(area):
     turn()
     assert area.verticalScrollBar().isVisible()
     assert area.verticalScrollBarPolicy() == Qt.ScrollBarPolicy.ScrollBarAsNeeded
-
-
-def test_a_bar_that_comes_and_goes_with_what_is_shown_is_as_needed(area):
-    for _ in range(3):
-        area.hide()
-        area.resize(400, 80)
-        area.show()
-        turn()
-        area.widget().setMinimumHeight(40)
-    assert area.verticalScrollBarPolicy() == Qt.ScrollBarPolicy.ScrollBarAsNeeded
-
-
-def test_panels_scroll_so(window):
-    assert {type(dock.widget()) for dock in window.docks.values()} == {SteadyArea}

@@ -1,14 +1,19 @@
 """The list of the panels in one place: a button where tabs do not fit, the right button, a key."""
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
-from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QToolButton
 
 from tests.gui.dock_bench import bar_with, bars, click_tab, in_sight, titles
 
 MANY = ("compare", "history", "library", "actuator", "playback", "statistics", "spectrogram")
+
+
+@pytest.fixture
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window
 
 
 def open_list(window):
@@ -53,38 +58,6 @@ def test_where_tabs_do_not_fit_a_button_lists_all_and_brings_one_to_the_front(cr
     settle()
     assert titles(bar_with(crowded, "Inspector")) == ["Inspector", "Compare"]
     assert not bar_with(crowded, "Inspector").findChild(QToolButton, "tab_list").isVisible()
-
-
-def test_button_and_arrows_stand_beside_each_other_and_cover_no_tab_in_front(crowded, settle):
-    for title in ("Inspector", "Playback", "Spectrogram"):
-        crowded.docks[title.lower()].bring_forward()
-        settle()
-        bar = bar_with(crowded, title)
-        ends = [
-            bar.findChild(QToolButton, name).geometry()
-            for name in ("ScrollLeftButton", "ScrollRightButton", "tab_list")
-        ]
-        # Qt lets the last pixel of a tab lie below the arrow.
-        front = bar.tabRect(bar.currentIndex()).adjusted(0, 0, -1, 0)
-        assert all(bar.rect().contains(arrow) for arrow in ends)
-        assert not any(arrow.intersects(front) for arrow in ends)
-        assert [arrow.left() for arrow in ends[1:]] == [arrow.right() + 1 for arrow in ends[:2]]
-
-
-def test_where_all_tabs_fit_there_is_no_button_and_the_right_button_lists_them(window, settle):
-    window.docks["traces"].hide()
-    window.tabifyDockWidget(window.docks["spectra"], window.docks["statistics"])
-    window.docks["statistics"].show()
-    settle()
-    bar = bar_with(window, "Spectra")
-    assert not bar.findChild(QToolButton, "tab_list").isVisible()
-    event = QContextMenuEvent(
-        QContextMenuEvent.Reason.Mouse, QPoint(4, 4), bar.mapToGlobal(QPoint(4, 4))
-    )
-    QApplication.sendEvent(bar, event)
-    menu = open_list(window)
-    assert entries(menu) == ["Spectra", "Statistics"]
-    menu.close()
 
 
 def test_the_key_lists_the_tabs_where_the_keyboard_is(crowded, settle):

@@ -2,10 +2,9 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QApplication, QMenu, QTextBrowser
+from PySide6.QtWidgets import QApplication
 
 from skinsource.design.view import View
-from skinsource_gui.pages.files.exports import EXPORTS
 from skinsource_gui.shell.actions import ACTIONS, MENUS
 from skinsource_gui.shell.actions.spec import ActionSpec
 from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS, Place
@@ -13,37 +12,10 @@ from skinsource_gui.shell.dock_layout import shared
 from skinsource_gui.shell.panels import PANELS
 
 
-def title_of(menu):
-    return menu.title().replace("&", "")
-
-
-def entries(menu):
-    return [action.text() for action in menu.actions()]
-
-
-def test_menus_hold_each_action_once_in_the_order_of_the_table(window):
-    for title in MENUS:
-        menu = next(
-            menu for menu in window.menuBar().findChildren(QMenu) if title_of(menu) == title
-        )
-        action_names = [action.objectName() for action in menu.actions() if action.objectName()]
-        names = [spec.name for spec in ACTIONS if spec.menu == title and not spec.submenu]
-        assert [name for name in action_names if name in names] == names
-
-
-def test_the_keys_page_lists_each_action_with_keys(window):
-    window.do("show_keys")
-    text = window.findChild(QTextBrowser, "page_text").toPlainText()
-    for spec in ACTIONS:
-        if spec.keys:
-            assert spec.text in text
-            assert spec.hint in text
-
-
-def test_each_export_is_an_action(window):
-    for spec in EXPORTS:
-        action = window.actions_by_name[f"export_{spec.name}"]
-        assert action.text() == f"Export {spec.title}"
+@pytest.fixture
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window
 
 
 def test_conditions_follow_the_document(window):
@@ -87,11 +59,6 @@ def test_each_arrangement_places_the_panels_of_the_table(window, settle):
 )
 def test_room_is_shared_but_nobody_gets_less_than_is_needed(whole, shares, least, expected):
     assert shared(whole, shares, least) == expected
-
-
-def test_the_panels_menu_shows_and_hides_each_panel(window):
-    menu = next(menu for menu in window.findChildren(QMenu) if menu.title() == "Panels")
-    assert entries(menu) == [spec.panel.title for spec in PANELS]
 
 
 @pytest.mark.parametrize("name", ["drawing", "analysis", "design"])

@@ -3,7 +3,6 @@
 import pytest
 from PySide6.QtWidgets import QApplication
 
-from skinsource_gui.qt.theme import DARK, LIGHT, current_theme, drawn_in
 from skinsource_gui.shell.panels import PANELS
 
 #: What is known of the sound card comes at any time.
@@ -41,9 +40,3 @@ def test_colours_that_are_chosen_later_are_those_of_a_window_that_opens_in_them(
     window.do("use_light_theme")
     light = pictures(window)
     assert [name for name in opened if opened[name] == light[name]] == []
-
-
-def test_a_page_has_colours_of_its_own_while_it_is_drawn():
-    with drawn_in(DARK):
-        assert current_theme() is DARK
-    assert current_theme() is LIGHT

@@ -8,7 +8,6 @@ from tests.gui.wheel import wheel_event
 
 SCALE = TimeScale(shown_s=(0.4, 0.6), left_px=10.0, width_px=200.0)
 HELD = Qt.KeyboardModifier
-_CTRL = HELD.ControlModifier
 
 
 def turned(x, y, held=HELD.NoModifier, at_px=60.0, whole_s=(0.0, 1.0)):

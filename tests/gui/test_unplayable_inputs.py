@@ -1,7 +1,5 @@
 """An input that cannot be played blanks nothing: the others are shown, and it is marked."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
@@ -35,8 +33,8 @@ def design(request):
 
 
 @pytest.fixture
-def window(make_window, design):
-    return make_window(design, VIEW)
+def window(open_window, design):
+    return open_window(design, VIEW)
 
 
 @pytest.fixture
@@ -87,14 +85,6 @@ def test_closed_it_is_not_said_again_until_it_is_something_else(window, design, 
     assert window.notice.text == message
 
 
-def test_muted_it_is_neither_said_nor_marked(window, design, settle):
-    window.document.edit("Mute", design.with_input(1, muted=True))
-    settle()
-    assert window.notice.text == ""
-    _, bad = content(window).lanes
-    assert (bad.problem, bad.silent) == ("", "muted")
-
-
 def test_lamps_stay_lit_and_say_what_is_left_out(window, settle, qtbot):
     lamps = window.validity.lamps
     qtbot.waitUntil(lambda: bool(lamps.findings), timeout=30_000)
@@ -116,18 +106,3 @@ def test_snapshots_keep_their_numbers(window, design, settle, qtbot):
     np.testing.assert_allclose(card.compared.values["output_levels_db"], expected, atol=1e-9)
     assert card.compared.left_out == message
     assert message in card.accessibleName()
-
-
-def test_a_muted_clip_that_cannot_be_sampled_does_not_matter(make_window, qtbot):
-    design = DESIGNS["cannot be sampled"]
-    bad = design.inputs[1].clips[0]
-    for muted in (design.with_input(1, muted=True), design.with_clip(bad.id, muted=True)):
-        window = make_window(muted, VIEW)
-        assert window.notice.text == ""
-        assert window.panel("skin").map.content.message == ""
-        assert set(content(window).waveforms) == {design.clips[0].id}
-        assert content(window).lanes[1].problem == ""
-        expected = ss.evaluate(replace(muted, inputs=muted.inputs[:1]), "output_levels_db")
-        levels_db = window.panel("skin").map.content.values
-        np.testing.assert_allclose(levels_db, expected["output_levels_db"], atol=1e-9)
-        window.close()

@@ -6,17 +6,15 @@ from functools import partial
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QComboBox, QWidget
+from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QWidget
 
 from skinsource.design.design import Design, track
 from skinsource.design.edits.edit import Edit
-from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.prediction import predict
 from skinsource.limbs.catalog import load_limb
 from skinsource.signals.projection import project_axes
-from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.state.preferences import start_design
 
 
@@ -60,26 +58,6 @@ def test_dragging_a_frequency_reaches_the_screen_and_is_one_undo_step(window, se
     assert window.document.design == before
 
 
-def test_hidden_panels_ask_for_nothing(window, settle, delivered):
-    for name in ("skin", "spectra"):
-        window.docks[name].close()
-    settle()
-    window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
-    settle()
-    quantities = delivered[-1].request.wanted
-    assert not quantities & {"surface_levels_db", "output_levels_db", "selected_spectra"}
-    assert "selected_traces" in quantities
-
-
-def test_a_sensors_only_map_does_not_interpolate(window, settle, delivered):
-    settings = SkinSettings(map_style="sensors")
-    window.document.look(with_settings(window.document.view, "skin", settings))
-    settle()
-    window.document.edit("a", window.document.design.with_input(0, amplitude=3.0))
-    settle()
-    assert "surface_levels_db" not in delivered[-1].request.wanted
-
-
 def test_a_limb_that_is_not_installed_says_so_and_empties_the_pictures(window, settle):
     design = replace(window.document.design, limb="measured-1")
     window.document.edit("Change limb", design)
@@ -88,17 +66,6 @@ def test_a_limb_that_is_not_installed_says_so_and_empties_the_pictures(window, s
     window.do("undo")
     settle()
     assert window.notice.text == ""
-
-
-def test_synthetic_stands_in_the_window_on_a_synthetic_limb(window):
-    assert "SYNTHETIC" in window._limb_note.text()
-
-
-def test_a_single_axis_needs_no_method(window):
-    combo = window.setup_bar.findChild(QComboBox, "method")
-    assert combo.isEnabled()
-    window.document.look(replace(window.document.view, axes="z"))
-    assert not combo.isEnabled()
 
 
 @pytest.mark.parametrize("size", [(1366, 728), (1920, 1040)])
@@ -134,8 +101,8 @@ def _text(widget):
         return ""
 
 
-def test_closing_during_an_evaluation_ends_cleanly(make_window):
-    window = make_window(
+def test_closing_during_an_evaluation_ends_cleanly(open_window):
+    window = open_window(
         Design(
             limb="synthetic-1",
             inputs=tuple(track(location=k, waveform=Tone(duration_s=2.0)) for k in range(1, 9)),

@@ -12,8 +12,7 @@ from skinsource.design import edits
 from skinsource.design.design import track
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import CentredTap, Tap
-from skinsource.engine.actuator_demand import LONGEST_S, ActuatorSettings, drive_at, strongest
-from skinsource.engine.quantities import new_graph, sources
+from skinsource.engine.actuator_demand import LONGEST_S, ActuatorSettings, strongest
 from skinsource_gui.panels.actuator.figures import (
     frequencies_of,
     frequency_axis,
@@ -35,9 +34,9 @@ TAP = track(3, Tap(), colour=1)
 
 
 @pytest.fixture
-def window(make_window):
+def window(open_window):
     design = design_of(TONE, TAP)
-    return make_window(design, View(selected_inputs=(design.ids[0],)))
+    return open_window(design, View(selected_inputs=(design.ids[0],)))
 
 
 @pytest.fixture
@@ -199,14 +198,6 @@ def test_while_it_is_hidden_it_costs_nothing(window, panel, qtbot):
     assert number(panel, "Peak acceleration") == pytest.approx(4.0, rel=0.03)
 
 
-def test_nothing_is_computed_twice_for_one_state(window, panel, qtbot):
-    results = panel._results
-    with counting() as again:
-        panel.show_results(results)
-        panel.show_state(window.document.design, window.document.view)
-    assert again.samples_moved == 0
-
-
 def test_a_long_drive_is_looked_at_where_it_is_strongest():
     drive = np.zeros(130_000)
     drive[100_000] = 2.0
@@ -217,26 +208,7 @@ def test_a_long_drive_is_looked_at_where_it_is_strongest():
     assert strongest(np.zeros(0), 1300.0).size == 1
 
 
-def test_inputs_at_one_place_add_up(window, panel):
-    design, view = window.document.design, window.document.view
-    placed = new_graph().evaluate(["placed"], sources(design, view))["placed"]
-    assert drive_at(placed, 7).max() == pytest.approx(10.0, rel=0.01)
-    twice = (placed[0], placed[0])
-    assert drive_at(twice, 7) == pytest.approx(2.0 * drive_at(placed, 7))
-    assert drive_at(placed, 11).size == 0
-
-
-def test_without_anything_that_plays_it_says_what_to_do(make_window, qtbot):
-    panel = brought_forward(make_window(design_of()), qtbot)
+def test_without_anything_that_plays_it_says_what_to_do(open_window, qtbot):
+    panel = brought_forward(open_window(design_of()), qtbot)
     assert "add an input" in panel.figures.refusal.text()
     assert panel.figures.table.figures == ()
-
-
-def test_a_track_that_lost_its_clips_asks_nothing_of_the_actuator(window, panel, qtbot):
-    before = number(panel, "Peak acceleration")
-    design, view = window.document.design, window.document.view
-    window.document.apply(edits.remove_clips(design, view, [clip.id for clip in design.clips]))
-    settle(window, qtbot)
-    assert len(window.document.design.inputs) == 2
-    assert before != 0.0
-    assert number(panel, "Peak acceleration") == 0.0

@@ -23,8 +23,8 @@ from tests.gui.actuator.bench import (
 
 
 @pytest.fixture
-def window(make_window):
-    return make_window(design_of(TONE), View(selected_inputs=(1,)))
+def window(open_window):
+    return open_window(design_of(TONE), View(selected_inputs=(1,)))
 
 
 def zoom(window):

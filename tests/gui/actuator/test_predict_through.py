@@ -1,33 +1,26 @@
 """Predict through the actuator: the switch, what follows it, and what is said where it cannot."""
 
-import numpy as np
 import pytest
 
 import skinsource as ss
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import CentredTap, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.actuator_demand import actuation_of
 from tests.gui.actuator.bench import brought_forward, choose, settle
 
 TONE = track(7, Tone(frequency_hz=40.0, duration_s=0.3), amplitude=2.0)
-TAP = track(3, Tap(), colour=1)
 
 
 @pytest.fixture
-def window(make_window):
+def window(open_window):
     design = Design(limb="synthetic-1", inputs=(TONE,))
-    return make_window(design, View(selected_inputs=(design.ids[0],)))
+    return open_window(design, View(selected_inputs=(design.ids[0],)))
 
 
 @pytest.fixture
 def panel(window, qtbot):
     return brought_forward(window, qtbot)
-
-
-def levels(window):
-    return window.panel("skin").results["output_levels_db"]
 
 
 def test_the_switch_predicts_through_what_the_panel_shows_and_back(window, panel, qtbot):
@@ -97,12 +90,6 @@ def test_another_actuator_than_the_one_that_is_shown_is_named(window, panel, qtb
     assert window.document.design.actuated == through
 
 
-def test_a_shape_cannot_be_predicted_through(window, panel, qtbot):
-    choose(panel, "actuator", ss.actuators.shape_names()[0])
-    settle(window, qtbot)
-    assert not panel.through.box.isEnabled()
-
-
 def test_a_shape_that_ends_predicting_through_says_why(window, panel, qtbot):
     panel.through.box.click()
     settle(window, qtbot)
@@ -129,25 +116,6 @@ def test_under_another_scaling_the_switch_stays_off_and_says_why(window, panel, 
     assert not panel.through.box.isChecked()
     assert window.document.design.actuated is None
     assert "Probe acceleration" in window.notice.text
-
-
-def test_a_tap_that_leaves_a_velocity_is_refused_and_a_centred_one_offered(make_window, qtbot):
-    design = Design(limb="synthetic-1", inputs=(TAP,))
-    window = make_window(design, View(selected_inputs=(design.ids[0],)))
-    window.docks["actuator"].bring_forward()
-    qtbot.waitUntil(lambda: window.panel("actuator").isVisible())
-    settle(window, qtbot)
-    panel = window.panel("actuator")
-    panel.through.box.click()
-    settle(window, qtbot)
-    assert "leaves a velocity" in panel.figures.refusal.text()
-    assert panel.figures.centred.isVisibleTo(panel)
-    panel.figures.centred.click()
-    settle(window, qtbot)
-    assert isinstance(window.document.design.clips[0].waveform, CentredTap)
-    assert panel.figures.refusal.text() == ""
-    levels_db = ss.evaluate(window.document.design, "output_levels_db")["output_levels_db"]
-    assert np.isfinite(levels_db).all()
 
 
 def test_pictures_and_tables_say_what_they_went_through(window, panel, qtbot):

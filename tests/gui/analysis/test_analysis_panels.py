@@ -1,19 +1,23 @@
 """The panels of analysis: what they show, say, copy, and cost."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QFont, QFontMetricsF, QGuiApplication, QImage, QPainter
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from skinsource.design.design import Design, track
 from skinsource.design.edits.edit import Edit
 from skinsource.design.panel_settings import SpectrogramSettings, settings_of
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.engine.evaluation import evaluate
-from skinsource_gui.panels.figure_panel import SILENT
+from skinsource_gui.plots import figure
+from skinsource_gui.plots.figure import Axis, fitted_axes
+from skinsource_gui.qt.theme import LIGHT, scaled
 from skinsource_gui.state.engine import FIRST_SLOT
 
 #: Panels, and the rule that each has for itself.
@@ -24,6 +28,8 @@ RULES_OF = {
     "main_axis": "output_main_axes",
     "wave": "line_wave",
 }
+
+
 OUTPUTS = (20, 22, 24, 26)
 
 
@@ -107,16 +113,6 @@ def test_silence_and_a_hundred_inputs_are_shown_without_a_fault(show, window, se
         copy = getattr(panel, "copy", None)
         assert name == "statistics" or copy is None or not (message_of(panel) and copy.isEnabled())
         window.docks[name].hide()
-
-
-def test_silence_has_no_main_axes_to_be_copied(show, window, settle):
-    panel = show("main_axis")
-    document = window.document
-    silent = replace(document.design, inputs=(replace(document.design.inputs[0], muted=True),))
-    document.apply(changed("Mute", silent, document.view))
-    settle()
-    assert message_of(panel) == SILENT
-    assert not panel.copy.isEnabled()
 
 
 def test_the_table_is_copied_with_numbers_that_read_back(show, window):
@@ -265,7 +261,68 @@ def test_the_wave_cautions_where_inputs_at_several_places_sound(show, window, se
         assert ("waves of several inputs overlap" in panel.note_label.text) is overlap
 
 
-def test_with_no_output_selected_the_spectrogram_says_what_to_do(show, window):
-    panel = show("spectrogram")
-    window.document.look(replace(window.document.view, outputs=()))
-    assert panel.output.shown_text == "Select outputs"
+@pytest.mark.parametrize("scale", [1.0, 1.75])
+@pytest.mark.parametrize("width", [200, 240, 303, 480, 900])
+@pytest.mark.parametrize(
+    ("lowest", "highest"),
+    [(0.0, 650.0), (0.0, 2000.0), (0.0, 2001.0), (0.0, 24_000.0), (10.0, 2000.0), (1.0, 110.0)],
+)
+def test_no_label_of_x_reaches_beyond_the_room(qapp, width, lowest, highest, scale):
+    metrics = QFontMetricsF(scaled(QApplication.font(), scale))
+    x = Axis(shown=(lowest, highest), title="Hz", log=lowest > 0.0)
+    y = Axis(shown=(-60.0, 20.0), title="dB")
+    fitted = fitted_axes(QRectF(0, 0, width, 200), x, y, metrics)
+    ends = [
+        fitted.frame.left()
+        + float(x.part(np.array(tick.value))) * fitted.frame.width()
+        + metrics.horizontalAdvance(tick.label) / 2
+        for tick in x.ticks(fitted.frame.width(), figure._TICK_X_PX)
+    ]
+    assert max(ends) <= width
+    assert fitted.frame.width() > 0.3 * width
+
+
+@pytest.mark.parametrize("width", [120, 170, 400])
+def test_the_title_of_x_is_whole_where_the_frame_is_narrower_than_it(qapp, width):
+    metrics = QFontMetricsF(QApplication.font())
+    x = Axis(shown=(0.0, 60.0), title="Strength (m/s²)")
+    fitted = fitted_axes(QRectF(0, 0, width, 200), x, Axis(shown=(-1.0, 0.0), title="dB"), metrics)
+    place = fitted.title_place(metrics)
+    assert place.width() >= metrics.horizontalAdvance(x.title)
+    assert (place.left() >= 0.0, place.right() <= width) == (True, True)
+    if width == 120:
+        assert fitted.frame.width() < place.width()
+    if width == 400:
+        assert place.center().x() == pytest.approx(fitted.frame.center().x(), abs=1.0)
+
+
+def numbers_below(width, scale):
+    """Numbers below an axis, each with where it begins and ends, from left to right."""
+    written = []
+
+    class Noting(QPainter):
+        def drawText(self, *what):
+            # Those beside the axis of y begin at the edge.
+            if what[0].left() > 0:
+                written.append((what[0].left(), what[0].right(), what[2]))
+
+    image = QImage(width, 200, QImage.Format.Format_Grayscale8)
+    painter = Noting(image)
+    painter.setFont(scaled(QFont("Sans", 10), scale))
+    time = Axis(shown=(1.01, 1.035), title="", factor=1e3)
+    level = Axis(shown=(0.0, 1.0), title="")
+    room = QRectF(0, 0, width, 200)
+    fitted_axes(room, time, level, QFontMetricsF(painter.font())).paint(painter, LIGHT)
+    painter.end()
+    return [number for number in written if number[2]]
+
+
+@pytest.mark.parametrize(("width", "scale"), [(240, 1.0), (240, 2.0), (240, 3.0), (600, 3.0)])
+def test_no_number_of_an_axis_is_cut_or_lies_on_another(qapp, width, scale):
+    numbers = numbers_below(width, scale)
+    assert numbers
+    metrics = QFontMetricsF(scaled(QFont("Sans", 10), scale))
+    for (_, end, _), (begin, _, _) in pairwise(numbers):
+        assert end < begin
+    for begin, end, label in numbers:
+        assert end - begin >= metrics.horizontalAdvance(label) - 0.01

@@ -1,17 +1,25 @@
 """Levels above threshold: in their panel and on the map."""
 
 from dataclasses import replace
+from itertools import groupby
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QApplication, QScrollArea
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QPushButton
 
+from skinsource.design.design import Design, track
 from skinsource.design.edits.edit import Edit
 from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
 from skinsource.engine.analysis_rules import Sensation
+from skinsource.engine.evaluation import evaluate
 from skinsource.perception.sensation import LIMITS
 from skinsource.perception.thresholds import PerceptionSettings
+from skinsource.perception.validity import Finding
+from skinsource.signals.analysis.wave_speed import travelling_wave
 from skinsource_gui.panels.perception.panel import (
     contact_list,
     contact_table,
@@ -20,6 +28,9 @@ from skinsource_gui.panels.perception.panel import (
     tab_separated,
 )
 from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.panels.wave.panel import wave_text
+from skinsource_gui.qt.theme import DARK
+from skinsource_gui.shell.validity_lamps import ValidityCard, ValidityLamps, _lamp_text
 from skinsource_gui.state.engine import FIRST_SLOT
 
 OUTPUTS = (29, 33, 57)
@@ -145,40 +156,6 @@ def test_what_is_not_felt_has_no_strength():
     assert loud[2:] == ["12.0", "12.0", "3.0", "1.5"]
 
 
-def test_a_channel_that_plays_no_part_is_copied_as_nothing():
-    levels = {"P": np.array([-200.0]), "NP I": np.array([3.0])}
-    sensation = Sensation(level_db=np.array([3.0]), by_channel=levels, strength=np.array([0.5]))
-    assert rows(sensation, (1,))[0][1:] == ["3.0", "–", "3.0", "0.5"]
-    assert tab_separated(sensation, (1,)).splitlines()[1].split("\t")[2:] == [
-        "3.0",
-        "",
-        "3.0",
-        "0.5",
-    ]
-
-
-def test_the_limits_of_the_numbers_need_no_scrolling_in_a_small_window(window, settle):
-    document = window.document
-    document.look(replace(document.view, outputs=(30, 33, 35, 38, 52)))
-    window.do("arrange_analysis")
-    window.docks["perception"].bring_forward()
-    settle()
-    panel = window.panel("perception")
-    area = next(
-        area
-        for area in window.findChildren(QScrollArea)
-        if area.widget() is not None and area.widget().isAncestorOf(panel)
-    )
-    QApplication.processEvents()
-    limits = panel.limits.mapTo(area.viewport(), panel.limits.rect().bottomLeft())
-    assert window.height() <= 768
-    assert limits.y() <= area.viewport().height()
-    assert area.verticalScrollBar().maximum() == 0
-    assert panel.limits.height() >= panel.limits.heightForWidth(panel.limits.width())
-    # Rows of the table are seen.
-    assert panel.table.viewport().height() > 3 * panel.table.rowHeight(0)
-
-
 @pytest.mark.parametrize("repair", ["the right table", "the model"])
 def test_why_a_table_was_refused_is_said_until_thresholds_are_taken(
     window, settle, tmp_path, repair
@@ -199,3 +176,205 @@ def test_why_a_table_was_refused_is_said_until_thresholds_are_taken(
     assert window.notice.text == ""
     source = "the model" if repair == "the model" else "right.csv"
     assert window.statusBar().currentMessage() == f"Thresholds are those of {source}"
+
+
+FINDINGS = (
+    Finding(name="band", state="left", sentence="Outside.", repair="band_limit"),
+    Finding(name="drive", state="unknown", sentence="Unknown.", repair="probe_scaling"),
+    Finding(name="noise", state="kept", sentence="Fine."),
+    Finding(name="limb", state="left", sentence="Synthetic."),
+)
+
+
+def state_of(window, name):
+    states = {finding.name: finding.state for finding in window.validity.lamps.findings}
+    return states.get(name)
+
+
+@pytest.fixture
+def lamps(qtbot):
+    lamps = ValidityLamps()
+    qtbot.addWidget(lamps)
+    lamps.show_findings(FINDINGS)
+    return lamps
+
+
+def test_a_lamp_is_called_in_its_explanation_as_beside_it():
+    heads = [_lamp_text(finding).splitlines()[0] for finding in FINDINGS[:3]]
+    assert heads == ["Band: caution", "Drive: unknown", "SNR: kept"]
+
+
+def test_lamps_are_explained_and_mended_with_one_click(window, qtbot):
+    validity = window.validity
+    qtbot.waitUntil(lambda: state_of(window, "drive") == "kept", timeout=30_000)
+    document = window.document
+    loud = document.design.with_input(0, amplitude=60.0)
+    document.apply(Edit(label="Louder", design=loud, view=document.view))
+    qtbot.waitUntil(lambda: state_of(window, "drive") == "left", timeout=30_000)
+    place = next(p for lamp, p in validity.lamps.places if lamp.name == "drive")
+    QTest.mouseClick(validity.lamps, Qt.MouseButton.LeftButton, pos=place.center().toPoint())
+    card = window.findChild(ValidityCard)
+    assert "mm/s" in card.findChild(QLabel, "validity_drive").text()
+    card.findChild(QPushButton, "mend_drive").click()
+    qtbot.waitUntil(lambda: state_of(window, "drive") == "kept", timeout=30_000)
+    assert document.undo_stack.undoText() == "Play within 40 mm/s"
+    qtbot.waitUntil(lambda: window.findChild(ValidityCard) is None)
+
+
+def awaits(lamps):
+    """Whether lamps are pale, or will be: they wait for what replaces them."""
+    return lamps._staleness.is_stale or lamps._staleness._timer.isActive()
+
+
+def test_lamps_are_pale_only_until_what_they_depend_on_is_judged_anew(window, qtbot, settle):
+    lamps, document = window.validity.lamps, window.document
+    qtbot.waitUntil(lambda: state_of(window, "drive") == "kept", timeout=30_000)
+    settle()
+    assert not awaits(lamps)
+    window.do("store_snapshot_1")
+    assert not awaits(lamps)
+    document.look(replace(document.view, outputs=(3, 4)))
+    assert not awaits(lamps)
+    loud = document.design.with_input(0, amplitude=60.0)
+    document.apply(Edit(label="Louder", design=loud, view=document.view))
+    assert awaits(lamps)
+    document.undo_stack.undo()
+    assert not awaits(lamps)
+    document.undo_stack.redo()
+    assert awaits(lamps)
+    qtbot.waitUntil(lambda: state_of(window, "drive") == "left", timeout=30_000)
+    assert not awaits(lamps)
+
+
+def test_hidden_lamps_cost_nothing_and_the_map_hatches_noise(window, qtbot, settle):
+    qtbot.waitUntil(lambda: bool(window.validity.lamps.findings), timeout=30_000)
+    runs = window.engine._graphs[FIRST_SLOT].runs
+    before = runs["validity"]
+    window.statusBar().hide()
+    document = window.document
+    quieter = document.design.with_input(0, amplitude=0.3)
+    document.apply(Edit(label="Quieter", design=quieter, view=document.view))
+    settle()
+    window.validity._idle.timeout.emit()
+    settle()
+    assert runs["validity"] == before
+    skin = window.panel("skin")
+    plain = skin.map.grab().toImage()
+    skin.show_noisy((67, 68, 61))
+    hatched = skin.map.grab().toImage()
+    assert hatched != plain
+    skin.show_noisy(())
+    assert skin.map.grab().toImage() == plain
+    # What can be seen of it is in pictures too.
+    before = skin.picture(300, 500)
+    skin.show_noisy((67, 68, 61))
+    assert skin.picture(300, 500) != before
+
+
+def written_names(lamps):
+    """Names of the lamps that have words."""
+    return [lamp.name for lamp, place in lamps.places if place.width() > 9]
+
+
+def test_lamps_have_words_as_there_is_room_and_the_worst_one_always(lamps, use_theme):
+    assert [lamp.name for lamp in lamps.row.lamps] == ["band", "drive", "noise"]
+    assert lamps.accessibleDescription() == "band: caution; drive: unknown; SNR: kept"
+    assert lamps.accessibleName() == "Validity of the prediction: 1 caution"
+    wide, narrow = lamps.sizeHint(), lamps.minimumSizeHint()
+    rows = []
+    for width in range(wide.width(), narrow.width() - 1, -1):
+        lamps.resize(width, wide.height())
+        rows.append(written_names(lamps))
+        assert all(place.right() <= width for _, place in lamps.places)
+    assert [group for group, _ in groupby(rows)] == [
+        ["band", "drive", "noise"],
+        ["band", "drive"],
+        ["band"],
+    ]
+    lamps.show_findings(tuple(replace(finding, state="kept") for finding in FINDINGS))
+    lamps.resize(lamps.minimumSizeHint())
+    assert written_names(lamps) == []
+    use_theme(DARK)
+    lamps.grab()
+
+
+def test_lamps_answer_the_keyboard_and_each_place(lamps, qtbot):
+    lamps.resize(lamps.sizeHint())
+    lamps.show()
+    chosen = []
+    lamps.chosen.connect(lambda name, place: chosen.append(name))
+    QTest.keyClick(lamps, Qt.Key.Key_Return)
+    for _, place in lamps.places:
+        QTest.mouseClick(lamps, Qt.MouseButton.LeftButton, pos=place.center().toPoint())
+    assert chosen == ["band", "band", "drive", "noise"]
+
+
+def test_the_card_offers_a_button_only_where_something_can_be_done(qtbot):
+    card = ValidityCard(FINDINGS, "band", None)
+    card.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
+    qtbot.addWidget(card)
+    names = {button.objectName() for button in card.findChildren(QPushButton)}
+    assert names == {"mend_band", "mend_drive"}
+    card.open_above(QPoint(50, 500))
+    card.grab()
+    repairs = []
+    card.repair_requested.connect(repairs.append)
+    card.findChild(QPushButton, "mend_drive").click()
+    assert repairs == [FINDINGS[1]]
+
+
+def the_wave():
+    """A tone burst that passes four points at 10 m/s."""
+    rate, way_mm = 4000.0, np.array([0.0, 20.0, 40.0, 60.0])
+    time = np.arange(2000) / rate
+    burst = [np.exp(-(((time - 0.2 - d / 1e4) * 60.0) ** 2)) for d in way_mm]
+    carried = [
+        b * np.sin(2 * np.pi * 150.0 * (time - d / 1e4)) for b, d in zip(burst, way_mm, strict=True)
+    ]
+    return travelling_wave(np.array(carried), way_mm, rate)
+
+
+def test_a_speed_is_said_where_delays_grow_with_the_way():
+    assert wave_text(the_wave()).startswith("Speed 10.0 ± ")
+
+
+def test_a_speed_less_sure_than_itself_is_none():
+    unsure = replace(the_wave(), speed_m_per_s=688.1, speed_deviation_m_per_s=3090.9)
+    assert wave_text(unsure).startswith("No speed: delays do not grow in step with the distance")
+    negative = replace(unsure, speed_m_per_s=-20.0, speed_deviation_m_per_s=30.0)
+    assert wave_text(negative).startswith("No speed")
+
+
+def test_a_way_to_and_fro_and_delays_out_of_step_are_said_to_have_no_speed():
+    nothing = replace(the_wave(), speed_m_per_s=np.nan, speed_deviation_m_per_s=np.nan)
+    back = wave_text(replace(nothing, straight=0.2))
+    assert back.startswith("No speed: the selected outputs do not go one way · attenuation")
+    jumping = wave_text(replace(nothing, explained=0.4))
+    assert jumping.startswith("No speed: delays do not grow in step with the distance")
+    late = wave_text(nothing)
+    assert late.startswith("No speed: the arrival is not later farther away")
+
+
+def test_all_outputs_one_after_the_other_are_no_line():
+    design = Design(limb="synthetic-1", inputs=(track(7),))
+    every = evaluate(design, "line_wave", view=View(outputs=tuple(range(1, 73))))["line_wave"]
+    assert every.wave.straight < 0.5
+    assert np.isnan(every.wave.speed_m_per_s)
+    assert wave_text(every.wave).startswith("No speed: the selected outputs do not go one way")
+
+
+def test_one_output_above_the_noise_has_neither_speed_nor_attenuation():
+    counted = np.array([True, False, False, False])
+    text = wave_text(replace(the_wave(), counted=counted, timed=counted))
+    assert text == "fewer than two outputs are more than noise"
+
+
+def test_a_line_through_two_outputs_is_said_to_have_no_uncertainty():
+    assert "two outputs: no uncertainty" not in wave_text(the_wave())
+    two = replace(
+        the_wave(),
+        timed=np.array([True, True, False, False]),
+        speed_deviation_m_per_s=float("nan"),
+    )
+    assert wave_text(two).startswith("Speed 10.0 m/s ")
+    assert wave_text(two).endswith("two outputs: no uncertainty")

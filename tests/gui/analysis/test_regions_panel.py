@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QTableWidget, QTableWidgetItem
 
 from skinsource.base.decibels import decibels
 from skinsource.design.comparing import Snapshot, region_levels_db
@@ -12,6 +13,7 @@ from skinsource.design.design import Design, track
 from skinsource.design.edits.edit import Edit
 from skinsource.engine.evaluation import evaluate
 from skinsource_gui.panels.regions.panel import columns_of_people, tab_separated
+from skinsource_gui.qt.labels import SHORT_NAME, fit_name_column, set_table_look
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.engine import Slot
 
@@ -163,15 +165,41 @@ def test_what_is_copied_says_whether_limbs_were_measured_and_what_is_a_deviation
     ]
 
 
-def test_where_there_is_no_level_nothing_can_be_copied(make_window, qtbot):
-    window = make_window(Design(limb="synthetic-1", inputs=(track(8, amplitude=0.0),)))
-    window.docks["regions"].bring_forward()
-    panel = window.panel("regions")
-    assert not panel.copy.isEnabled()
-    qtbot.waitUntil(lambda: len(panel.columns) == 6, timeout=60_000)
-    assert not panel.copy.isEnabled()
-    document = window.document
-    document.edit("Louder", document.design.with_input(0, amplitude=1.0))
-    qtbot.waitUntil(panel.copy.isEnabled, timeout=60_000)
-    document.edit("Change limb", replace(document.design, limb="lab-nowhere"))
-    qtbot.waitUntil(lambda: not panel.copy.isEnabled())
+@pytest.fixture
+def table(qtbot):
+    table = QTableWidget(2, 1)
+    qtbot.addWidget(table)
+    set_table_look(table)
+    for row, name in enumerate(("8  hand V", "12  IV middle ulnar")):
+        item = QTableWidgetItem(name)
+        item.setData(SHORT_NAME, name.split()[0])
+        table.setItem(row, 0, item)
+    return table
+
+
+@pytest.fixture
+def figures(qtbot):
+    """A table of names and of one number each, as wide as it is made."""
+    table = QTableWidget(2, 2)
+    qtbot.addWidget(table)
+    set_table_look(table)
+    fit_name_column(table)
+    for row, name in enumerate(("8  hand V", "12  IV middle ulnar")):
+        table.setItem(row, 0, QTableWidgetItem(name))
+        table.setItem(row, 1, QTableWidgetItem("0.123"))
+    table.resize(900, 200)
+    table.show()
+    qtbot.waitExposed(table)
+    return table
+
+
+def test_where_there_is_little_room_names_take_what_numbers_leave(figures, qtbot):
+    header = figures.horizontalHeader()
+    figures.resize(160, 200)
+    qtbot.waitUntil(lambda: header.length() == figures.viewport().width())
+    assert header.sectionSize(0) == figures.viewport().width() - header.sectionSize(1)
+    # What is filled anew, as often as one likes, is so too.
+    for _ in range(3):
+        fit_name_column(figures)
+    figures.resize(900, 200)
+    qtbot.waitUntil(lambda: header.length() < 400)

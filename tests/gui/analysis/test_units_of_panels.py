@@ -5,12 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtCore import QPointF
-from PySide6.QtGui import QColor, QGuiApplication
+from PySide6.QtGui import QGuiApplication
 
 from skinsource.engine.evaluation import evaluate
 from skinsource_gui.panels.spectrogram.panel import scale_text
 from skinsource_gui.panels.statistics.panel import StatisticsRow
-from skinsource_gui.qt.theme import current_theme
 
 LINE = (29, 31, 33, 35)
 
@@ -69,24 +68,6 @@ def test_the_wave_is_copied_in_millimetres_and_milliseconds(show, window):
         assert (axes.x.factor, axes.y.title) == (1e3, title)
 
 
-def test_where_there_is_no_main_axis_no_line_is_drawn(show):
-    picture = show("main_axis").picture
-    shown = picture.content
-
-    def dark_pixels():
-        image = picture.grab().toImage()
-        pixels = (
-            image.pixelColor(x, y) for x in range(image.width()) for y in range(image.height())
-        )
-        text = current_theme().text
-        return sum(pixel.name() == text.lower() for pixel in pixels)
-
-    none = np.ones(len(LINE), bool)
-    with_lines = dark_pixels()
-    picture.show_axes(replace(shown, main_axes=replace(shown.main_axes, none=none)))
-    assert dark_pixels() < with_lines / 2
-
-
 def test_a_spectrogram_is_in_seconds_from_where_traces_are(show):
     picture = show("spectrogram").picture
     spectrogram = picture.content.spectrogram
@@ -99,17 +80,6 @@ def test_a_spectrogram_is_in_seconds_from_where_traces_are(show):
         assert picture.axes.x.title == title
         text = picture.read(picture.axes.frame.center())
         assert title.endswith(f"({text.split()[1]})")
-
-
-def test_the_playhead_of_the_spectrogram_has_the_colour_of_every_playhead(show):
-    picture = show("spectrogram", playhead_s=0.2).picture
-    image = picture.grab().toImage()
-    x, y = picture.axes.to_screen(np.array([0.2]), np.array([300.0]))[0]
-    row = [image.pixelColor(round(x) + k, round(y)) for k in (-1, 0, 1)]
-    reddest = max(row, key=lambda colour: colour.red() - colour.blue())
-    expected = QColor(current_theme().error)
-    assert abs(reddest.red() - expected.red()) < 60
-    assert abs(reddest.blue() - expected.blue()) < 60
 
 
 def test_a_number_of_the_statistics_has_three_digits_whatever_they_are():

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.design.effects.level import Envelope
 from skinsource_gui.panels.clip_editor import tools
-from skinsource_gui.qt.labels import FittingLabel
 from tests.gui.clip_editor.bench import ALT, LEFT, NONE, RIGHT, SHIFT, whole
 
 
@@ -127,18 +126,6 @@ def test_the_handles_of_the_box_around_chosen_points_scale_them(tone):
     assert points(tone) == there
 
 
-def test_chosen_points_of_the_same_value_are_scaled_about_zero(tone):
-    tone.design = tone.design.with_clip(1, effects=(Envelope(((0.04, 0.5), (0.1, 0.5))),))
-    tone.show()
-    tone.panel._envelope.tool.chosen = (0, 1)
-    assert (0, -1) not in handles(tone)
-    pull(tone, (0, 1), 0.0, 0.25)
-    assert [point[:2] for point in points(tone)] == [
-        (0.04, pytest.approx(0.75, abs=0.01)),
-        (0.1, pytest.approx(0.75, abs=0.01)),
-    ]
-
-
 def test_a_double_click_puts_a_point_anywhere(tone):
     QTest.mouseDClick(tone.canvas.viewport(), LEFT, NONE, whole(tone.at(0.1, 0.5)))
     assert len(points(tone)) == 2
@@ -168,21 +155,6 @@ def test_insert_adds_a_point_that_changes_nothing_and_arrows_move_it(tone):
     tone.key(Qt.Key.Key_Insert)
     assert [round(time_s, 9) for time_s, *_ in points(tone)] == [0.0, 0.05, 0.1, 0.15]
     assert tone.panel._envelope.tool.chosen == (1,)
-
-
-def test_a_click_on_a_smooth_segment_splits_it_without_bending_it(tone):
-    shape = Envelope(((0.0, 0.2, "smooth"), (0.05, 0.9, "smooth"), (0.2, 0.4)))
-    tone.design = tone.design.with_clip(1, effects=(shape,))
-    tone.show()
-    times = np.linspace(0, 0.2, 400)
-    for time_s in (0.1, 0.03):
-        place = tone.at(time_s, float(shape.values_at(np.array([time_s]))[0]))
-        tone.press(place)
-        QTest.mouseRelease(tone.canvas.viewport(), LEFT, NONE, whole(place))
-    assert len(points(tone)) == 5
-    assert tone.panel._envelope.tool.chosen == (1,)
-    after = Envelope(points(tone)).values_at(times)
-    assert after == pytest.approx(shape.values_at(times), abs=1e-12)
 
 
 def menu_at(tone, time_s, value):
@@ -215,24 +187,3 @@ def test_the_right_button_opens_the_menu_of_a_small_curve(tone):
     lines["Add point here"].trigger()
     menu.close()
     assert points(tone)[1][0] == pytest.approx(0.05, abs=0.002)
-
-
-def test_a_menu_on_one_of_several_chosen_points_is_about_all_of_them(tone):
-    course = ((0.0, 0.5), (0.05, 0.9), (0.1, 0.9), (0.15, 0.5))
-    tone.design = tone.design.with_clip(1, effects=(Envelope(course),))
-    tone.show()
-    tone.panel._envelope.tool.chosen = (1, 2)
-    menu, lines = menu_at(tone, 0.1, 0.9)
-    lines["Remove 2 points"].trigger()
-    menu.close()
-    assert [time_s for time_s, *_ in points(tone)] == [0.0, 0.15]
-
-
-def test_how_to_begin_stands_above_the_waveform_until_something_has_begun(tone):
-    label = tone.panel.findChild(FittingLabel, "clip_words")
-    assert "a new point" in label.toolTip()
-    tone.press(tone.at(0.1, 1.0))
-    QTest.mouseRelease(tone.canvas.viewport(), LEFT, NONE, whole(tone.at(0.1, 1.0)))
-    assert "a new point" not in label.toolTip()
-    tone.panel.use("look")
-    assert "a new point" not in label.toolTip()

@@ -2,17 +2,18 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QMessageBox
+from PySide6.QtWidgets import QMessageBox, QToolButton
 
 from skinsource.design.design import Design
-from skinsource.design.effects.level import Envelope
 from skinsource.design.view import View
-from skinsource.design.waveforms.tones import Tone
-from skinsource_gui.panels.clip_editor.view import EditorItem, spectrum_db
-from skinsource_gui.qt.theme import DARK
-from tests.gui.clip_editor.bench import NONE, RATE_HZ, whole
+from skinsource.design.waveforms.tones import Glide, Tone
+from skinsource.signals.synthesis import curve_of
+from skinsource_gui.panels.clip_editor.tools import of_column
+from skinsource_gui.panels.clip_editor.view import spectrum_db
+from tests.gui.clip_editor.bench import LEFT, NONE, RATE_HZ, SHIFT, Bench, whole
+from tests.gui.wheel import NOTCH, turn_wheel
 
 
 def test_without_a_clip_the_panel_says_what_to_do(flat):
@@ -27,13 +28,6 @@ def test_the_spectrum_of_a_tone_peaks_at_its_frequency():
     frequency_hz, levels_db = spectrum_db(Tone(150.0, 0.0, 1.0).samples(RATE_HZ), RATE_HZ)
     assert frequency_hz[np.argmax(levels_db)] == pytest.approx(150.0, abs=1.0)
     assert levels_db.max() == pytest.approx(0.0)
-
-
-def test_the_value_under_the_pointer_is_read(tone):
-    tone.panel.use("look")
-    QTest.mouseMove(tone.canvas.viewport(), whole(tone.at(0.1, 0.0)))
-    tone.canvas.tool.move(tone.canvas.content, QPointF(tone.at(0.1, 0.0)), NONE)
-    assert not tone.panel.grab().isNull()
 
 
 def test_only_the_tool_that_is_taken_shows_and_changes_points(tone, monkeypatch):
@@ -59,58 +53,183 @@ def test_only_the_tool_that_is_taken_shows_and_changes_points(tone, monkeypatch)
     assert tone.canvas.tool is tone.panel._pen
 
 
-def test_a_low_wide_editor_has_its_spectrum_beside_the_curve(tone):
-    canvas, spectrum = tone.canvas, tone.panel._spectrum
-    tone.panel.resize(700, 420)
-    assert spectrum.y() >= canvas.geometry().bottom()
-    assert spectrum.width() == canvas.width()
-    tone.panel.resize(1300, 200)
-    assert spectrum.x() >= canvas.geometry().right()
-    assert spectrum.height() == canvas.height() > 140
-    assert canvas.width() > 2.5 * spectrum.width()
+@pytest.fixture
+def near(tone):
+    """The tone of 0.2 s, of which the middle is seen."""
+    tone.panel.use("look")
+    tone.key(Qt.Key.Key_Plus)
+    tone.key(Qt.Key.Key_Plus)
+    return tone
 
 
-def test_curves_are_painted_again_only_when_they_look_different(tone, monkeypatch, use_theme):
-    painted = []
-    paint = EditorItem._paint_curve
-
-    def counted(item, painter, content, samples, *args):
-        painted.append(samples)
-        paint(item, painter, content, samples, *args)
-
-    monkeypatch.setattr(EditorItem, "_paint_curve", counted)
-    tone.design = tone.design.with_clip(1, effects=(Envelope(((0.0, 0.5), (0.1, 0.5))),))
-    tone.panel.show_state(tone.design, tone.view)
-    tone.canvas.grab()
-    painted.clear()
-    # The points follow the pointer before it is known what they make of the clip.
-    tone.panel._envelope.tool.move(tone.canvas.content, tone.at(0.1, 0.5), NONE)
-    before = tone.canvas.grab().toImage()
-    assert painted == []
-    other = 0.25 * tone.drawn
-    tone.panel.show_results(
-        {
-            "inputs": tone.design.inputs,
-            "clip_waveforms": ((other,),),
-            "sample_rate_hz": RATE_HZ,
-        }
-    )
-    after = tone.canvas.grab().toImage()
-    assert after != before
-    # The waveform itself, and its axes, are as they were.
-    assert [samples is other for samples in painted] == [True]
-    tone.canvas.item.show_staleness(True)
-    assert tone.canvas.grab().toImage() != after
-    use_theme(DARK)
-    tone.canvas.grab()
-    assert len(painted) == 4
+def shown_s(bench):
+    return bench.canvas.content.scale.shown_s
 
 
-def test_all_of_it_is_seen_where_a_small_screen_leaves_it_little_height(tone):
-    # What a window of 1366 x 768 px under a title bar leaves it at its foot.
-    assert tone.panel.minimumHeight() <= 190
-    tone.panel.resize(1360, 190)
-    assert tone.panel.height() == 190
-    tone.canvas.lay_out()
-    assert tone.canvas.content.area.height() > 100
-    assert tone.canvas.geometry().bottom() <= tone.canvas.parentWidget().rect().bottom()
+def length_of(range_s):
+    return range_s[1] - range_s[0]
+
+
+def turn(bench, notches, held=NONE):
+    viewport = bench.canvas.viewport()
+    turn_wheel(viewport, viewport.rect().center(), (0, NOTCH * notches), held)
+
+
+def test_keys_show_the_middle_larger_and_all_of_it_again(tone):
+    whole_s = shown_s(tone)
+    tone.key(Qt.Key.Key_Plus)
+    assert length_of(shown_s(tone)) < length_of(whole_s)
+    assert sum(shown_s(tone)) == pytest.approx(sum(whole_s))
+    tone.key(Qt.Key.Key_Plus)
+    tone.key(Qt.Key.Key_Minus)
+    tone.key(Qt.Key.Key_0)
+    assert shown_s(tone) == whole_s
+
+
+def test_the_wheel_zooms_and_with_shift_goes_along(near):
+    before = shown_s(near)
+    turn(near, 1)
+    assert length_of(shown_s(near)) < length_of(before)
+    closer = shown_s(near)
+    turn(near, -1, SHIFT)
+    assert shown_s(near)[0] > closer[0]
+    assert length_of(shown_s(near)) == pytest.approx(length_of(closer))
+
+
+def test_a_drag_moves_what_is_seen_as_far_as_the_pointer_goes(near):
+    first_s, last_s = shown_s(near)
+    px_per_s = near.canvas.content.scale.px_per_s
+    start = near.at((first_s + last_s) / 2, 0.0)
+    near.press(start)
+    for k in range(1, 6):
+        at = whole(start) - QPoint(4 * k, 0)
+        near.canvas.tool.move(near.canvas.content, QPointF(at), NONE)
+        assert shown_s(near)[0] == pytest.approx(first_s + 4 * k / px_per_s, abs=0.6 / px_per_s)
+    QTest.mouseRelease(near.canvas.viewport(), LEFT, NONE, at)
+    assert shown_s(near)[0] == pytest.approx(first_s + 20 / px_per_s, abs=0.6 / px_per_s)
+    assert length_of(shown_s(near)) == pytest.approx(last_s - first_s)
+
+
+def test_nothing_moves_under_the_pen(flat):
+    flat.key(Qt.Key.Key_Plus)
+    before, reach = shown_s(flat), flat.canvas.content.reach
+    middle_s = sum(before) / 2
+    flat.drag((middle_s, 0.0), (middle_s + 0.001, 1.05), release=False)
+    turn(flat, 1)
+    assert (shown_s(flat), flat.canvas.content.reach) == (before, reach)
+
+
+POINTS = ((0.0, 100.0, 0.5), (0.2, 300.0, 0.5), (0.4, 300.0, 0.9))
+
+
+@pytest.fixture
+def glide(qtbot):
+    bench = Bench(qtbot, Glide(POINTS))
+    bench.panel.use("glide")
+    return bench
+
+
+def frequency_at(bench, time_s, hz):
+    return of_column(bench.canvas.content, "frequency").at(time_s, hz)
+
+
+def curve(bench, column):
+    return curve_of(bench.clip.waveform.points, column)
+
+
+def drag(bench, start, end, held=NONE, *, release=True):
+    view = bench.canvas.viewport()
+    QTest.mousePress(view, LEFT, held, whole(start))
+    for part in (0.5, 1.0):
+        bench.canvas.tool.move(bench.canvas.content, start + part * (end - start), held)
+    if release:
+        QTest.mouseRelease(view, LEFT, held, whole(end))
+
+
+def same(first, other):
+    np.testing.assert_allclose(np.array(first), np.array(other), rtol=0, atol=1e-12)
+
+
+def click(bench, at):
+    QTest.mouseClick(bench.canvas.viewport(), LEFT, pos=whole(at))
+
+
+def test_a_point_of_the_frequency_is_dragged_and_the_amplitude_stays(glide):
+    amplitude = curve(glide, "amplitude")
+    drag(glide, frequency_at(glide, 0.2, 300.0), frequency_at(glide, 0.25, 400.0))
+    times, values = zip(*curve(glide, "frequency"), strict=True)
+    assert times == pytest.approx((0.0, 0.25, 0.4), abs=0.002)
+    assert values == pytest.approx((100.0, 400.0, 300.0), abs=3.0)
+    same(curve(glide, "amplitude"), amplitude)
+    assert len(set(glide.steps)) == 1
+
+
+def test_a_point_of_the_amplitude_is_dragged_and_goes_no_higher_than_one(glide):
+    frequency = curve(glide, "frequency")
+    drag(glide, glide.at(0.4, 0.9), glide.at(0.4, 1.5))
+    assert curve(glide, "amplitude")[-1] == (pytest.approx(0.4, abs=0.001), 1.0)
+    assert glide.panel._glide.tool.active == "amplitude"
+    assert [hz for _, hz in curve(glide, "frequency")] == pytest.approx([hz for _, hz in frequency])
+    assert glide.refusals == []
+
+
+def test_the_frequency_stays_below_half_the_sample_rate(glide):
+    start = frequency_at(glide, 0.4, 300.0)
+    drag(glide, start, frequency_at(glide, 0.4, 900.0))
+    assert 640.0 < curve(glide, "frequency")[-1][1] < 650.0
+    assert np.abs(glide.drawn).max() <= 1.0
+
+
+def test_a_click_on_a_line_adds_a_point_that_bends_nothing_and_stays(glide):
+    before = glide.drawn
+    click(glide, frequency_at(glide, 0.1, 200.0))
+    tool = glide.panel._glide.tool.tools["frequency"]
+    assert len(tool._points()) == 4
+    np.testing.assert_allclose(glide.drawn, before, atol=1e-9)
+    glide.key(Qt.Key.Key_Up, SHIFT)
+    assert curve(glide, "frequency")[1] == pytest.approx((0.1, 210.0), abs=2.5)
+
+
+def test_the_last_point_moves_the_end_of_the_glide(glide):
+    drag(glide, frequency_at(glide, 0.4, 300.0), frequency_at(glide, 0.3, 300.0))
+    assert glide.clip.duration_s == pytest.approx(0.3, abs=0.002)
+    assert curve(glide, "amplitude")[-1][1] == pytest.approx(0.7, abs=0.02)
+
+
+def test_escape_gives_a_drag_up(glide):
+    before = glide.clip
+    start = frequency_at(glide, 0.2, 300.0)
+    drag(glide, start, frequency_at(glide, 0.25, 400.0), release=False)
+    assert glide.clip != before
+    glide.key(Qt.Key.Key_Escape)
+    same(glide.clip.waveform.points, POINTS)
+    QTest.mouseRelease(glide.canvas.viewport(), LEFT)
+    same(glide.clip.waveform.points, POINTS)
+
+
+def test_keys_choose_points_change_curves_and_move_and_remove(glide):
+    glide.key(Qt.Key.Key_PageDown)
+    glide.key(Qt.Key.Key_PageDown)
+    glide.key(Qt.Key.Key_Right)
+    glide.key(Qt.Key.Key_Up)
+    assert curve(glide, "frequency")[1] == pytest.approx((0.201, 301.0))
+    assert len(set(glide.steps)) == 1
+    glide.key(Qt.Key.Key_F)
+    glide.key(Qt.Key.Key_PageUp)
+    glide.key(Qt.Key.Key_Down)
+    assert curve(glide, "amplitude")[-1] == pytest.approx((0.4, 0.89))
+    glide.key(Qt.Key.Key_F)
+    glide.key(Qt.Key.Key_Delete)
+    assert [time for time, _ in curve(glide, "frequency")] == pytest.approx([0.0, 0.4])
+
+
+def test_only_a_glide_offers_the_tool_and_elsewhere_the_key_says_why_not(qtbot, glide):
+    button = glide.panel.findChild(QToolButton, "clip_glide")
+    assert button.isVisible()
+    glide.design = glide.design.with_clip(1, waveform=Tone(100.0, 0.0, 0.2))
+    glide.show()
+    assert not button.isVisible()
+    assert glide.panel._canvas.tool is glide.panel._view_tool
+    glide.key(Qt.Key.Key_G)
+    assert glide.refusals == ["The clip does not play a glide; choose that waveform first."]
+    assert glide.panel._canvas.tool is glide.panel._view_tool

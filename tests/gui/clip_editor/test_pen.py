@@ -2,14 +2,17 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QContextMenuEvent
-from PySide6.QtWidgets import QApplication, QMenu, QMessageBox
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QMessageBox
 
-from skinsource.design.waveforms.samples import Drawn
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.view import View
+from skinsource.design.waveforms.samples import Drawn, Recording
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
 from skinsource.specs.samples import Samples
+from skinsource_gui.panels.clip_editor.panel import DragStart
 from tests.gui.clip_editor.bench import RATE_HZ, RIGHT, SHIFT, Bench
 
 
@@ -99,10 +102,63 @@ def test_another_clip_takes_the_pen_away(flat):
     assert flat.canvas.tool is flat.panel._tools["look"]
 
 
-def test_the_right_button_of_the_pen_opens_no_menu(flat):
-    at = QPoint(100, 100)
-    event = QContextMenuEvent(
-        QContextMenuEvent.Reason.Mouse, at, flat.canvas.viewport().mapToGlobal(at)
+def test_the_way_back_leads_to_what_the_first_edit_of_the_drag_was_made_of():
+    first, later, view = Design(limb="synthetic-1"), Design(limb="synthetic-2"), View()
+    start = DragStart()
+    assert start.undo(7) is None
+    for design in (first, later):
+        start.note(7, design, view)
+    start.note(None, later, view)
+    back = start.undo(7)
+    assert (back.design, back.view, back.label) == (first, view, "")
+    assert start.undo(8) is None
+    start.note(8, later, view)
+    assert start.undo(8).design is later
+    assert start.undo(7) is None
+
+
+ESCAPE = Qt.Key.Key_Escape
+
+
+def test_escape_takes_back_the_envelope_that_a_drag_began(tone):
+    before = tone.design
+    tone.drag((0.1, 1.0), (0.1, 0.5), release=False)
+    assert len(tone.clip.effects) == 1
+    tone.key(ESCAPE)
+    assert tone.design == before
+    assert len(set(tone.steps)) == 1
+
+
+@pytest.fixture
+def questions(monkeypatch):
+    asked = []
+
+    def answer(*arguments):
+        asked.append(arguments[2])
+        return QMessageBox.StandardButton.Ok
+
+    monkeypatch.setattr(QMessageBox, "question", answer)
+    return asked
+
+
+def test_the_clip_of_another_design_is_asked_about_though_it_has_the_same_number(qtbot, questions):
+    bench = Bench(qtbot, Tone(100.0))
+    bench.panel.use("pen")
+    other = Design(
+        limb="synthetic-1", inputs=(Input(location=3, clips=(Clip(waveform=Tone(50.0)),)),)
     )
-    QApplication.sendEvent(flat.canvas.viewport(), event)
-    assert not [menu for menu in flat.canvas.findChildren(QMenu) if menu.isVisible()]
+    assert other.clips[0].id == bench.clip.id
+    bench.design = other
+    bench.show()
+    assert bench.canvas.tool is bench.panel._view_tool
+    bench.panel.use("pen")
+    assert len(questions) == 2
+
+
+def test_a_pen_draws_as_far_as_a_loud_recording_goes(qtbot, questions):
+    loud = Samples(values=8.0 * np.sin(np.arange(260)), sample_rate_hz=RATE_HZ, unit="m/s²")
+    bench = Bench(qtbot, Recording(loud))
+    bench.panel.use("pen")
+    bench.drag((0.05, 5.0), (0.1, 5.0))
+    assert isinstance(bench.clip.waveform, Drawn)
+    assert bench.drawn[round(0.07 * RATE_HZ)] == pytest.approx(5.0, abs=0.1)

@@ -4,18 +4,24 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPointF
+from PySide6.QtCore import QEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
-from skinsource.design.comparing import scale_end_db
+from skinsource.design.comparing import Snapshot, scale_end_db
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.tones import Tone
-from skinsource_gui.plots.small_map import small_frame
-from skinsource_gui.state.compared import ELSEWHERE
+from skinsource_gui.panels.compare.card import equal_captions, matching_text
+from skinsource_gui.state.compared import ELSEWHERE, SILENCE, Compared
 from tests.core.own_limbs.lab_bench import installed
 from tests.gui.compare.compare_bench import KEY, cards, edit, levels, shown_levels, two_places
+
+
+@pytest.fixture
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window
 
 
 def test_the_map_shows_how_much_louder_the_design_is(window, panel, settle):
@@ -73,19 +79,6 @@ def test_the_map_compares_snapshots_as_they_are_played(window, panel, settle):
     assert panel.map.difference.heading == "Snapshot 2 minus snapshot 1"
     levels_db = panel.map.difference.shown.levels_db
     np.testing.assert_allclose(levels_db, expected, rtol=0, atol=1e-6)
-
-
-def test_words_under_the_pointer_name_the_output_and_its_difference(window, panel, settle):
-    window.do("store_snapshot_1")
-    two_places(window)
-    settle()
-    shown = panel.map.difference.shown
-    area = panel.map._areas()[1]
-    places = small_frame(shown.limb_map, area).to_screen(shown.limb_map.output_positions)
-    text = panel.map.text_at(QPointF(*places[28]))
-    assert text.startswith("Output 29, ")
-    assert text.endswith(f"{shown.levels_db[28]:+.1f} dB".replace("-", "−"))
-    assert panel.map.text_at(QPointF(-500, -500)) == ""
 
 
 def test_cards_show_each_snapshot_its_level_and_what_is_in_the_window(window, panel, settle):
@@ -171,3 +164,85 @@ def test_designs_whose_outputs_are_at_other_places_have_no_difference_map(
     settle()
     assert panel.map.difference.text == ELSEWHERE
     assert panel.map.difference.shown is None
+
+
+@pytest.fixture
+def panel(window, settle):
+    window.docks["compare"].bring_forward()
+    settle()
+    return window.panel("compare")
+
+
+def card(panel, number):
+    return next(card for card in panel.cards if card.number == number)
+
+
+def test_a_snapshot_on_a_limb_that_was_missing_is_predicted_once_it_is_installed(
+    window, settle, panel, qtbot, synthetic_installed
+):
+    away = synthetic_installed.with_suffix(".away")
+    synthetic_installed.rename(away)
+    start = window.document.design
+    window.document.edit("a", Design(limb="measured-2", inputs=(track(7),)))
+    window.do("store_snapshot_1")
+    window.document.edit("b", start)
+    settle()
+    qtbot.waitUntil(lambda: bool(card(panel, 1).compared.problem))
+    away.rename(synthetic_installed)
+    QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
+    settle()
+    qtbot.waitUntil(lambda: card(panel, 1).compared.problem == "", timeout=5000)
+    assert card(panel, 1).compared.values is not None
+
+
+def test_what_cannot_be_predicted_is_not_said_to_be_as_loud(window, settle, panel):
+    here = window.document.design
+    window.do("match_levels")
+    window.do("store_snapshot_2")
+    window.document.edit("a", replace(here, inputs=(track(18),)))
+    window.do("store_snapshot_3")
+    window.document.edit("b", Design(limb="measured-2", inputs=(track(7),)))
+    window.do("store_snapshot_1")
+    settle()
+    assert (
+        panel.text_label.text() == "Snapshot 1 cannot be predicted: levels cannot be matched to it"
+    )
+
+
+def test_what_is_silent_is_not_said_to_be_as_loud(window, settle, panel):
+    window.do("match_levels")
+    window.document.edit("a", Design(limb="synthetic-1"))
+    window.do("store_snapshot_1")
+    window.document.edit("b", Design(limb="synthetic-1", inputs=(track(7),)))
+    window.do("store_snapshot_2")
+    settle()
+    text = panel.text_label.text()
+    assert "sil " not in text
+    assert text == "Snapshot 1 is silent: levels cannot be matched to it"
+    # 60 dB below the other one, as if that were its level, would be said of it.
+    assert panel.map.difference.shown is None
+    assert panel.map.difference.text == SILENCE
+    assert matching_text((), matched=True) == ""
+    # Nor is what sounds 60 dB above the one that is silent.
+    window.do("toggle_snapshots")
+    settle()
+    assert window.document.design.inputs == ()
+    assert (panel.map.difference.shown, panel.map.difference.text) == (None, SILENCE)
+    # Two that are silent are alike.
+    window.do("store_snapshot_2")
+    settle()
+    assert panel.map.difference.text != SILENCE
+
+
+def test_the_largest_amplitude_is_compared_with_what_is_matched_to_it():
+    loud, soft = (
+        Design(limb="synthetic-1", inputs=(track(7, amplitude=size),)) for size in (1000.0, 500.0)
+    )
+    first, second = Snapshot(number=1, design=loud), Snapshot(number=2, design=soft)
+    for gains in ((2.0, 4.0), (0.5, 1.0)):
+        sides = [
+            Compared(snapshot=side, gain=gain)
+            for side, gain in zip((first, second), gains, strict=True)
+        ]
+        assert "once levels match" in equal_captions(*sides)[1]
+        assert "once levels match" in equal_captions(*sides[::-1])[1]

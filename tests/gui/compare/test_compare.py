@@ -4,9 +4,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QFontMetricsF
 from PySide6.QtTest import QTest
 
+from skinsource.design import edits
 from skinsource.design.comparing import loudest_db
+from skinsource.design.design_file import open_design
+from skinsource_gui.plots.small_map import number_areas, small_frame
 from skinsource_gui.state.engine import FIRST_SLOT
 from tests.gui.compare.compare_bench import (
     ALT,
@@ -15,10 +20,15 @@ from tests.gui.compare.compare_bench import (
     cards,
     edit,
     levels,
-    show_matched,
     shown_levels,
     two_places,
 )
+
+
+@pytest.fixture
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window
 
 
 def test_keys_store_and_toggle_and_arrangements_have_moved(window, qtbot, settle):
@@ -101,37 +111,6 @@ def test_an_edit_while_levels_are_predicted_is_not_lost(window, settle):
     assert window.document.design.inputs[0].amplitude == 5.0
 
 
-@pytest.mark.parametrize("matched", [False, True])
-def test_however_often_one_goes_to_and_fro_it_is_one_step_or_none_at_all(window, settle, matched):
-    document, stack = window.document, window.document.undo_stack
-    if document.view.levels_matched != matched:
-        window.do("match_levels")
-    window.do("store_snapshot_1")
-    two_places(window)
-    edited, chosen = document.design, document.view.selected_inputs
-    settle()
-    counts = []
-    for _ in range(5):
-        window.do("toggle_snapshots")
-        settle()
-        counts.append(stack.count())
-    assert counts == [2, 1, 2, 1, 2]
-    assert len(document.design.inputs) == 1
-    window.do("undo")
-    assert (document.design, document.view.selected_inputs) == (edited, chosen)
-    window.do("redo")
-    assert len(document.design.inputs) == 1
-    # What is edited between is a step of its own, and so is what is shown after it.
-    edit(window, 2.0)
-    settle()
-    window.do("toggle_snapshots")
-    settle()
-    assert stack.count() == 4
-    for _ in range(3):
-        window.do("undo")
-    assert document.design == edited
-
-
 def test_without_a_snapshot_one_is_told_how_to_store_one(window):
     assert not window.actions_by_name["toggle_snapshots"].isEnabled()
     window.comparison.toggle()
@@ -175,23 +154,6 @@ def test_snapshots_that_differ_in_level_alone_are_equal_once_levels_match(window
     assert np.abs(difference.shown.levels_db).max() == pytest.approx(20 * np.log10(2), abs=1e-6)
 
 
-def test_other_inputs_of_the_same_levels_are_equal_in_these(window, panel, settle):
-    window.do("store_snapshot_1")
-    window.document.edit("turn", window.document.design.with_input(0, amplitude=-1.0))
-    settle()
-    difference = panel.map.difference
-    assert difference.heading == "Edited and snapshot 1 are equal"
-    assert difference.text.startswith("dB, the same levels by other inputs")
-
-
-def test_a_panel_that_comes_after_levels_were_predicted_waits_for_its_maps(window, settle):
-    show_matched(window, settle)
-    window.docks["compare"].bring_forward()
-    settle()
-    shown = cards(window.panel("compare"))
-    assert all(shown[number]._map is not None for number in (1, 2))
-
-
 def test_a_hidden_panel_costs_nothing(window, settle, requests):
     window.do("match_levels")
     window.do("store_snapshot_1")
@@ -223,25 +185,92 @@ def test_a_snapshot_is_predicted_once_however_long_one_edits(window, panel, sett
     assert requests.count("snapshot 1") <= 2
 
 
-@pytest.mark.parametrize("matched", [True, False])
-def test_what_is_said_after_going_to_and_fro_is_of_the_snapshot_that_is_shown_now(
-    window, settle, matched
-):
+OUTPUTS = (19, 21, 24, 32)
+
+
+@pytest.fixture
+def compared(window, panel, settle):
     window.do("store_snapshot_1")
+    two_places(window)
+    window.document.look(replace(window.document.view, outputs=OUTPUTS))
+    settle()
+    return panel.map
+
+
+@pytest.mark.parametrize("size", [(240, 90), (180, 200), (400, 600)])
+def test_numbers_stand_beside_their_rings_and_on_nothing_else(compared, size):
+    small, area = compared.difference.shown, QRectF(0, 0, *size)
+    metrics = QFontMetricsF(compared.font())
+    places = number_areas(small, area, OUTPUTS, metrics)
+    assert {number for number, _ in places} == set(OUTPUTS)
+    points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
+    for number, place in places:
+        x, y = points[number - 1]
+        assert abs(place.center().x() - x) + abs(place.center().y() - y) < 6 * metrics.height()
+        others = [other_place for other, other_place in places if other != number]
+        assert not any(place.intersects(other_place) for other_place in others)
+
+
+def test_storing_is_no_step_and_is_saved_with_the_file(window, settle, tmp_path):
+    window.files._save_to(tmp_path / "a.skinsource")
+    titles = []
+    window.document.title_changed.connect(lambda: titles.append(window.document.modified))
     edit(window, 2.0)
-    window.do("store_snapshot_2")
-    if matched:
-        window.do("match_levels")
-    settle()
-    window.do("toggle_snapshots")
-    settle()
-    # The one that others are matched to is shown as it is.
-    assert window.statusBar().currentMessage() == "Snapshot 1 is shown; X shows snapshot 2"
-    window.do("toggle_snapshots")
-    settle()
-    message = (
-        "Snapshot 2 is shown \N{MINUS SIGN}"
-        if matched
-        else "Snapshot 2 is shown; X shows snapshot 1"
+    window.do("store_snapshot_1")
+    assert (window.document.modified, titles) == (True, [True])
+    assert window.document.undo_stack.count() == 1
+    window.do("undo")
+    # What is in no file yet would be lost.
+    assert (window.document.modified, titles) == (True, [True])
+    assert not window.document.undo_stack.canUndo()
+    window.do("redo")
+    window.document.undo_stack.clear()
+    assert not window.document.undo_stack.canUndo()
+    window.files.save()
+    assert (window.document.modified, titles[-1]) == (False, False)
+    assert open_design(tmp_path / "a.skinsource").view.snapshots[0].design == window.document.design
+
+
+def test_a_snapshot_of_what_was_saved_is_nothing_that_could_be_lost(window, tmp_path):
+    document = window.document
+    window.files._save_to(tmp_path / "a.skinsource")
+    window.do("store_snapshot_1")
+    assert not document.modified
+    edit(window, 2.0)
+    assert document.modified
+    window.do("undo")
+    assert not document.modified
+    window.files.save()
+    window.document.apply(edits.forget_snapshot(document.design, document.view, 1))
+    assert document.modified
+
+
+def test_what_is_undone_later_takes_no_snapshot_away(window):
+    document = window.document
+    edit(window, 2.0)
+    window.do("store_snapshot_1")
+    window.do("undo")
+    assert [snapshot.number for snapshot in document.view.snapshots] == [1]
+    assert document.view.snapshots[0].design.inputs[0].amplitude == 2.0
+    window.do("redo")
+    assert len(document.view.snapshots) == 1
+    assert document.undo_stack.count() == 1
+
+
+def test_a_snapshot_that_another_replaces_comes_back_with_undo_and_later_ones_stay(window):
+    document = window.document
+    window.do("store_snapshot_1")
+    first = document.view.snapshots
+    edit(window, 2.0)
+    window.do("store_snapshot_1")
+    assert document.undo_stack.count() == 2
+    assert "Undo brings back" in window.notice.text or "Undo brings back" in (
+        window.statusBar().currentMessage()
     )
-    assert window.statusBar().currentMessage().startswith(message)
+    window.do("store_snapshot_3")
+    window.do("undo")
+    assert document.view.snapshots[0] == first[0]
+    assert [snapshot.number for snapshot in document.view.snapshots] == [1, 3]
+    window.do("redo")
+    assert document.view.snapshots[0].design.inputs[0].amplitude == 2.0
+    assert {snapshot.number for snapshot in document.view.snapshots} == {1, 3}

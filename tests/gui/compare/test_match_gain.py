@@ -6,10 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.design.comparing import louder, match_text
+from skinsource.design.comparing import louder
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design
-from skinsource.engine.evaluation import evaluate
 from skinsource_gui.state.playing import played_of
 from tests.gui.compare.compare_bench import edit, levels, show_matched, shown_levels
 
@@ -117,30 +116,6 @@ def test_what_is_opened_is_shown_with_the_gain_that_it_was_left_with(window, set
     settle()
     assert messages != []
     assert document.view.match_gain(document.design) != matched
-
-
-def test_tables_of_figures_say_the_gain_that_their_numbers_have(window, settle, matched):
-    document = window.document
-    document.look(replace(document.view, outputs=(20, 33)))
-    window.docks["statistics"].bring_forward()
-    settle()
-    text = match_text(matched)
-    statistics = window.panel("statistics")
-    assert f" · {text}" in statistics.about.text
-    rms = evaluate(louder(document.design, matched), "output_rms", view=document.view)["output_rms"]
-    assert statistics.model.rows[0].values[0] == pytest.approx(rms[19], rel=1e-9)
-    window.docks["perception"].bring_forward()
-    settle()
-    perception = window.panel("perception")
-    assert perception.limits.text().startswith(f"{text}. ")
-    assert perception.contact.text().endswith("with the amplitudes that were stored")
-    edit(window, 2.0)
-    settle()
-    assert "matched" not in perception.limits.text()
-    assert "stored" not in perception.contact.text()
-    window.docks["statistics"].bring_forward()
-    settle()
-    assert "matched" not in statistics.about.text
 
 
 def test_an_edit_is_shown_as_it_is(window, settle, matched):

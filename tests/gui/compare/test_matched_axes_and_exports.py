@@ -1,6 +1,5 @@
 """While levels of snapshots are matched every axis says so, and nothing that is exported has it."""
 
-import re
 from dataclasses import replace
 
 import numpy as np
@@ -8,19 +7,22 @@ import pytest
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from skinsource.design.comparing import louder, match_text
+from skinsource.design.comparing import match_text
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.skin.scale import fitting_title
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.plots.pictures import ALL_VISIBLE, drawn_image, save_drawing
-from skinsource_gui.qt.questions import CopyButton
+from skinsource_gui.plots.pictures import ALL_VISIBLE, drawn_image
 from skinsource_gui.shell.status import MatchNote
-from skinsource_gui.state.playing import played_of
 from tests.gui.compare.compare_bench import levels, show_matched, shown_levels
 
 OUTPUTS = (20, 33, 29)
 DRAWN = ("skin", "traces", "spectra", "compare", "spectrogram", "wave", "windowed", "side_by_side")
-COPIED = ("statistics", "perception", "regions", "side_by_side", "main_axis", "wave")
+
+
+@pytest.fixture
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window
 
 
 @pytest.fixture
@@ -103,43 +105,6 @@ def test_pictures_are_those_of_levels_that_are_not_matched(window, settle, gain_
     assert drawn() == on
 
 
-@pytest.mark.parametrize("name", ["statistics", "perception"])
-def test_pictures_of_tables_have_the_numbers_of_levels_that_are_not_matched(
-    window, settle, gain_text, tmp_path, name
-):
-    brought_forward(window, settle, name)
-
-    def drawn():
-        path = tmp_path / "table.svg"
-        save_drawing(path, window.pictures.picture_of(name).draw, 700, 600)
-        return re.sub(r"<[^>]+>", " ", path.read_text("utf-8")).split()
-
-    on = drawn()
-    window.do("match_levels")
-    settle()
-    assert drawn() == on
-
-
-def test_numbers_that_are_copied_are_not_matched(window, settle, gain_text):
-    for name in COPIED:
-        panel = brought_forward(window, settle, name)
-        [button] = panel.findChildren(CopyButton)
-
-        def copied(button=button):
-            button.click()
-            settle()
-            return QApplication.clipboard().text()
-
-        on = copied()
-        assert on, name
-        assert "matched" not in on, name
-        window.do("match_levels")
-        settle()
-        assert copied() == on, name
-        window.do("match_levels")
-        settle()
-
-
 def test_curves_that_are_saved_or_copied_are_not_matched(
     window, settle, gain_text, tmp_path, monkeypatch
 ):
@@ -161,19 +126,3 @@ def test_curves_that_are_saved_or_copied_are_not_matched(
         assert exported() == on
         window.do("match_levels")
         settle()
-
-
-def test_the_map_that_is_copied_is_not_matched(window, settle, gain_text):
-    on = window.panel("skin").picture(600, 900)
-    window.do("match_levels")
-    settle()
-    assert window.panel("skin").picture(600, 900) == on
-
-
-def test_what_is_played_stays_as_loud_while_something_is_taken_out(window, gain_text):
-    document = window.document
-    gain = document.view.match_gain(document.design)
-    with document.as_stored():
-        assert document.shown_view.match_gain(document.design) == 1.0
-        assert played_of(document) == louder(document.design, gain)
-    assert document.shown_view is document.view

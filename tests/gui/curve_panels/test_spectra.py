@@ -2,15 +2,17 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QFont, QFontMetricsF
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QFontMetricsF
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMenu
 
 from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.signals.spectra import MEAN_OF_BINS, magnitude_spectrum
 from skinsource_gui.panels.spectra.panel import SpectraSettings
-from skinsource_gui.panels.traces.panel import TracesSettings
-from skinsource_gui.plots.signal_view import SignalView, save_table
+from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.state.preferences import start_design
 from tests.gui.curve_panels.bench import click, header_of, plot_of
 from tests.gui.curve_panels.spectra_bench import LINEAR, SPECTRA, opener, results_for
@@ -57,33 +59,6 @@ def test_spectra_say_what_their_height_means(show, span, scaling):
     metrics = QFontMetricsF(plot_of(panel).text_font)
     assert header_of(panel).fitted(metrics, 10_000.0) == (f"m/s² · {scaling}", "")
     assert header_of(panel).fitted(metrics, 10.0) == ("m/s²", "")
-
-
-def test_the_words_belong_to_the_curves_that_are_drawn(show):
-    panel = show(LINEAR)
-    panel.show_state(start_design("synthetic-1"), replace(LINEAR, span="loudest"))
-    assert "whole record" in header_of(panel).scaling[0]
-    panel.show_results(results_for(replace(LINEAR, span="loudest")))
-    assert "loudest" in header_of(panel).scaling[0]
-
-
-def test_a_warning_goes_before_the_longer_words_of_the_scaling(show):
-    header = header_of(show(replace(LINEAR, method="mag", axes="xyz")))
-    metrics = QFontMetricsF(QFont())
-    for room in range(150, 700, 10):
-        unit, note = header.fitted(metrics, float(room))
-        assert note or unit == "m/s²"
-
-
-def test_a_tone_in_silence_reads_its_amplitude_in_the_loudest_250_ms(show):
-    view = replace(LINEAR, span="loudest")
-    panel = show(view)
-    legend = panel.findChild(SignalView).legend
-    for silence in (0, 2000):
-        panel.show_results(results_for(view, silence=silence))
-        plot_of(panel).crosshair.put(plot_of(panel).curves.nearest(100.0))
-        readings = [float(reading) for reading in legend.text.readings]
-        assert readings == pytest.approx([0.5, 0.05], rel=0.01)
 
 
 def test_the_level_switch_shows_db_of_the_same_results_at_once(show):
@@ -172,28 +147,6 @@ def test_a_zoom_is_kept_in_the_view_and_survives_new_data(show):
     assert settings(panel.views[-1]).frequency_range_hz is None
 
 
-def test_the_layout_is_that_of_the_spectra_alone(show):
-    panel = show()
-    click(panel, "stacked")
-    assert settings(panel.views[-1]).layout == "stacked"
-    assert settings_of(panel.views[-1], "traces", TracesSettings).layout == "overlaid"
-    assert len(plot_of(panel).stack.rows) == 2
-
-
-def test_silence_is_drawn_without_a_warning(show):
-    for level in (False, True):
-        panel = show(with_spectrum_settings(LINEAR, log_magnitude=level), amplitude=0.0)
-        assert plot_of(panel).curves is not None
-        panel.grab()
-
-
-def test_a_table_of_levels_holds_no_number_for_silence(show, tmp_path):
-    panel = show(with_spectrum_settings(LINEAR, log_magnitude=True), amplitude=0.0)
-    save_table(tmp_path / "spectra.csv", plot_of(panel), "Spectra")
-    *_, last = (tmp_path / "spectra.csv").read_text("utf-8").splitlines()
-    assert set(last.split(",")[1:]) == {"nan"}
-
-
 def test_a_problem_is_not_undone_by_a_switch(show):
     panel = show()
     panel.show_problem("the limb is not installed")
@@ -203,6 +156,34 @@ def test_a_problem_is_not_undone_by_a_switch(show):
     assert plot_of(panel).curves is None
 
 
-def test_without_outputs_the_panel_says_what_to_do(show):
-    panel = show(replace(LINEAR, outputs=()))
-    assert plot_of(panel).message == "Select outputs on the skin map"
+def average(panel):
+    """Choose it in the menu of the plot."""
+    panel.findChild(SignalView)._open_menu(QPoint(0, 0))
+    menu = panel.findChild(QMenu, "plot-menu")
+    next(action for action in menu.actions() if action.text() == "Mean of 10 bins").trigger()
+    menu.close()
+
+
+def noisy(n_times=650):
+    noise = np.random.default_rng(3).standard_normal((2, n_times))
+    return magnitude_spectrum(noise, 1300.0)
+
+
+def test_a_spectrum_can_be_drawn_as_the_mean_of_neighbouring_bins(show):
+    panel = show()
+    frequency_hz, magnitude = noisy()
+    panel.show_results({**results_for(LINEAR), "selected_spectra": (frequency_hz, magnitude)})
+    average(panel)
+    assert settings_of(panel.views[-1], "spectra", SpectraSettings).averaged
+    drawn = plot_of(panel).curves.y
+    k = 100
+    window = slice(k - MEAN_OF_BINS // 2, k + (MEAN_OF_BINS + 1) // 2)
+    assert drawn[:, k] == pytest.approx(magnitude[:, window].mean(axis=-1))
+    click(panel, "log-magnitude")
+    assert plot_of(panel).curves.y == pytest.approx(20.0 * np.log10(drawn))
+    click(panel, "log-magnitude")
+    click(panel, "relative")
+    assert plot_of(panel).curves.y.max(axis=-1) == pytest.approx([1.0, 1.0], rel=0.2)
+    click(panel, "relative")
+    average(panel)
+    assert plot_of(panel).curves.y == pytest.approx(magnitude)

@@ -4,8 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QSize
-from PySide6.QtGui import QColor, QImage, QPainter
 
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.engine.evaluation import evaluate
@@ -78,33 +76,6 @@ def test_a_peak_is_one_of_the_measured_band(show):
     assert plot.value_scale.values == (0.0, 1.1)
 
 
-@pytest.mark.parametrize("level", [False, True])
-def test_silence_has_no_peak(show, level):
-    view = with_settings(
-        LINEAR, "spectra", SpectraSettings(relative=True, log_magnitude=level, layout="axes")
-    )
-    panel = show()
-    panel.show_state(None, view)
-    panel.show_results(along_axes(view, 0.0 * PEAKS))
-    assert np.isfinite(plot_of(panel).curves.y).all()
-    panel.grab()
-
-
-def test_the_peaks_are_said_with_their_unit(show, panel, tmp_path):
-    alone = show()
-    click(alone, "relative")
-    legend = alone.findChild(SignalView).legend
-    assert (legend.text.where, legend.text.unit) == ("peak", "m/s²")
-    assert [float(reading) for reading in legend.text.readings] == pytest.approx([0.5, 0.05])
-    click(panel, "relative")
-    panel.show_results(along_axes(panel.views[-1]))
-    save_table(tmp_path / "spectra.csv", plot_of(panel), "Spectra")
-    text = (tmp_path / "spectra.csv").read_text("utf-8").split("peaks in m/s²: ")[1]
-    assert [
-        float(reading.split(": ")[1]) for reading in text.splitlines()[0].rstrip('"').split(", ")
-    ] == (pytest.approx(PEAKS.max(axis=-1)))
-
-
 def test_scales_need_nothing_that_was_not_there(show):
     panel = show()
     needed = panel.needs
@@ -170,27 +141,6 @@ def test_axes_say_so_whatever_was_chosen_and_nothing_of_rectified_magnitudes(pan
         assert "relative to its largest magnitude" in table
 
 
-def test_a_picture_has_the_colours_of_axes(panel):
-    image = QImage(QSize(800, 600), QImage.Format.Format_RGB32)
-    painter = QPainter(image)
-    panel.draw_picture(painter, 800, 600)
-    painter.end()
-    colours = {image.pixel(x, y) & 0xFFFFFF for x in range(800) for y in range(600)}
-    theme = current_theme()
-    assert {QColor(theme.axis_colour(k)).rgb() & 0xFFFFFF for k in range(2)} <= colours
-
-
-def test_back_from_axes_the_chosen_ones_are_waited_for(panel):
-    plot = plot_of(panel)
-    results = along_axes(panel.views[-1])
-    del results["selected_spectra"]
-    panel.show_results(results)
-    click(panel, "overlaid")
-    assert plot.curves.axes == ("x", "y", "z")
-    panel.show_results(results_for(panel.views[-1]))
-    assert plot.curves.axes == ()
-
-
 def test_the_window_shows_each_axis_as_if_it_alone_were_chosen(window, settle, qtbot):
     panel, document = window.panel("spectra"), window.document
     window.docks["spectra"].bring_forward()
@@ -207,12 +157,16 @@ def test_the_window_shows_each_axis_as_if_it_alone_were_chosen(window, settle, q
             assert plot_of(panel).curves.y[k::3] == pytest.approx(alone, rel=1e-9, abs=1e-12)
 
 
-def test_who_looks_at_the_scale_alone_computes_nothing(window, settle):
+def test_who_looks_at_the_scale_alone_computes_nothing(window, settle, monkeypatch):
     window.docks["spectra"].bring_forward()
     settle()
     asked = []
     ask = window.engine.request
-    window.engine.request = lambda request: (asked.append(request.wanted), ask(request))
+    monkeypatch.setattr(
+        window.engine,
+        "request",
+        lambda request: (asked.append(request.wanted), ask(request)),
+    )
     panel = window.panel("spectra")
     before = panel._results["selected_spectra"]
     for name in ("relative", "log-magnitude", "relative", "stacked"):
@@ -229,17 +183,3 @@ def test_who_looks_at_the_scale_alone_computes_nothing(window, settle):
     settle()
     assert asked
     assert not any("selected_axis_spectra" in request for request in asked)
-
-
-@pytest.mark.parametrize("name", ["1D", "2D"])
-def test_scenes_of_spectra_show_three_axes_relative_to_the_peak_of_each_output(
-    window, settle, qtbot, name
-):
-    window.scenes.open(name)
-    settle()
-    plot = plot_of(window.panel("spectra"))
-    qtbot.waitUntil(lambda: plot.curves is not None and plot.curves.axes == ("x", "y", "z"))
-    assert len(plot.stack.rows) == 7
-    peaks = plot.curves.y.reshape(7, 3, -1).max(axis=(1, 2))
-    assert (peaks >= 1.0 - 1e-12).all()
-    assert "three axes" not in window.document.design.notes

@@ -8,10 +8,14 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
+from skinsource.design.design import Design, track
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
-from skinsource_gui.panels.traces.panel import TracesSettings
-from skinsource_gui.plots.signal_view import SignalView, copy_of, save_table
+from skinsource.design.waveforms.tones import Tone
+from skinsource.engine.evaluation import evaluate
+from skinsource.signals.resampling import EXTREMES_ERROR, finer
+from skinsource_gui.panels.traces.panel import TracesPanel, TracesSettings
+from skinsource_gui.plots.signal_view import SignalView, _legend_lines, copy_of, save_table
 from skinsource_gui.state.preferences import start_design
 from tests.gui.curve_panels.bench import click, header_of, plot_of
 from tests.gui.curve_panels.traces_bench import SIGNED, opener, results_for
@@ -33,14 +37,6 @@ def test_curves_are_named_after_the_outputs_they_belong_to(show):
     # The view is ahead of the results: the old names stay with the old curves.
     panel.show_state(start_design("synthetic-1"), replace(SIGNED, outputs=(1, 2, 3)))
     assert panel.findChild(SignalView).legend.text.names == names
-
-
-def test_the_plot_keeps_most_of_a_small_panel(show):
-    panel = show()
-    area = plot_of(panel).places.area
-    assert area.height() >= 100
-    assert area.width() >= 360
-    assert area.left() >= 28
 
 
 @pytest.mark.parametrize(("method", "low"), [("pca", -0.32), ("mag", 0.0)])
@@ -87,16 +83,6 @@ def test_removing_the_delay_keeps_the_same_piece_of_the_curves_in_sight(show):
     assert panel.views[-1].time_range_s == pytest.approx((0.1, 0.2))
 
 
-def test_the_axis_speaks_of_the_curves_that_are_drawn_not_of_those_to_come(show):
-    panel = show()
-    shown = plot_of(panel).x_window
-    panel.show_state(
-        start_design("synthetic-1"), replace(SIGNED, delay_removed=True, time_range_s=(0.0, 0.1))
-    )
-    assert plot_of(panel).x_window == shown
-    assert "late" in plot_of(panel).stack.x_axis.titles[0]
-
-
 def test_stacked_and_overlaid_are_chosen_by_mouse_and_by_arrow_keys(show, qtbot):
     panel = show()
     panel.activateWindow()
@@ -130,17 +116,6 @@ def test_a_zoom_survives_new_data_and_is_left_by_the_button(show):
     assert not leave.isVisible()
 
 
-def test_without_outputs_the_panel_says_what_to_do(show):
-    panel = show(replace(SIGNED, outputs=()))
-    assert plot_of(panel).message == "Select outputs on the skin map"
-    panel.show_state(start_design("synthetic-1"), SIGNED)
-    panel.show_results(results_for(SIGNED))
-    assert plot_of(panel).message == ""
-    panel.show_state(start_design("synthetic-1"), replace(SIGNED, outputs=()))
-    assert plot_of(panel).message == "Select outputs on the skin map"
-    assert plot_of(panel).curves is None
-
-
 def test_a_problem_empties_the_picture_until_there_are_results(show):
     panel = show()
     panel.show_problem("input 3 has no samples")
@@ -155,33 +130,10 @@ def test_a_problem_empties_the_picture_until_there_are_results(show):
     assert plot.stack.rows[0].n_curves == 3
 
 
-def test_tab_reaches_every_control(show, qtbot):
-    panel = show(replace(SIGNED, time_range_s=(0.1, 0.2)))
-    panel.activateWindow()
-    qtbot.waitUntil(panel.isActiveWindow)
-    visited = set()
-    for _ in range(12):
-        QTest.keyClick(panel.window().focusWidget() or panel, Qt.Key.Key_Tab)
-        visited.add(panel.window().focusWidget().objectName())
-    assert visited >= {"overlaid", "remove-delay", "show-all", "traces-plot"}
-
-
 def test_outputs_without_a_main_axis_are_named_in_the_plot(show):
     panel = show(View(axes="xyz", method="pca", outputs=(29, 52)), without_axis=(29,))
     assert "selected_without_main_axis" in panel.needs
     assert "no main axis at 29" in header_of(panel).notes[0]
-
-
-def test_silence_misses_no_main_axis(show):
-    panel = show(
-        View(axes="xyz", method="pca", outputs=(29, 52)), amplitude=0.0, without_axis=(29, 52)
-    )
-    assert header_of(panel).notes == ()
-
-
-def test_a_projection_on_a_fixed_axis_asks_for_no_main_axis(show):
-    for view in (View(axes="z"), View(axes="xyz", method="soc")):
-        assert "selected_without_main_axis" not in show(view).needs
 
 
 @pytest.mark.parametrize(("until_s", "unit"), [(0.999, "ms"), (1.0, "s"), (60.0, "s")])
@@ -223,13 +175,6 @@ def test_each_curve_can_be_drawn_relative_to_its_own_peak(show):
     assert plot.unit.symbol == "m/s²"
 
 
-def test_what_is_known_is_drawn_anew_once_it_shall_be_relative_and_nothing_is_computed(show):
-    panel = show()
-    settings = replace(settings_of(panel._view, "traces", TracesSettings), relative=True)
-    panel.show_state(panel._design, with_settings(panel._view, "traces", settings))
-    assert np.allclose(np.abs(plot_of(panel).curves.y).max(axis=-1), 1.0)
-
-
 def test_zoomed_in_values_fit_what_is_seen_if_that_is_chosen(show):
     panel = show(SIGNED)
     plot = plot_of(panel)
@@ -267,13 +212,6 @@ def test_that_values_fit_is_chosen_in_the_menu_and_left_above_the_plot(show):
     assert not switch.isVisible()
 
 
-def test_silence_has_no_peak_to_be_relative_to(show):
-    panel = show()
-    click(panel, "relative")
-    panel.show_results(results_for(panel._view, amplitude=0.0))
-    assert not plot_of(panel).curves.y.any()
-
-
 def test_a_table_of_curves_relative_to_their_peaks_says_so_and_which_these_are(show, tmp_path):
     panel = show()
     peak = float(np.abs(plot_of(panel).curves.y[0]).max())
@@ -283,3 +221,96 @@ def test_a_table_of_curves_relative_to_their_peaks_says_so_and_which_these_are(s
     assert "output_29_of_its_peak" in table
     (line,) = [line for line in table.splitlines() if line.startswith("# peaks in m/s²: ")]
     assert f"29: {peak!r}" in line
+
+
+def test_the_peaks_to_which_curves_are_relative_are_said_with_their_unit(show):
+    panel = show()
+    plot, legend = plot_of(panel), panel.findChild(SignalView).legend
+    numbers = [name.number for name in plot.curves.names]
+    peaks = np.abs(plot.curves.y).max(axis=-1)
+    assert legend.text.readings == ()
+    click(panel, "relative")
+    assert (legend.text.where, legend.text.unit) == ("peak", "m/s²")
+    read = [float(reading.replace("\N{THIN SPACE}", "")) for reading in legend.text.readings]
+    assert read == pytest.approx(peaks, rel=5e-3)
+    first, second, *_ = legend.text.lines().splitlines()
+    assert first == "peak"
+    assert second.startswith(f"{numbers[0]}  ")
+    assert second.endswith(f": {legend.text.readings[0]} m/s²")
+    # In a picture too, where nothing is read.
+    texts = [text for line in _legend_lines(plot) for _, _, text in line]
+    assert texts[0].endswith(f", peak {legend.text.readings[0]} m/s²")
+    # Where the crosshair is, parts of the peaks are read.
+    plot.crosshair.put(100)
+    assert legend.text.unit == "of its peak"
+    plot.crosshair.put(None)
+    click(panel, "relative")
+    assert legend.text.readings == ()
+
+
+def test_curves_before_a_problem_do_not_come_back_relative_to_their_peaks(show):
+    panel = show()
+    panel.show_problem("There is no such thing.")
+    relative = with_settings(SIGNED, "traces", TracesSettings(relative=True))
+    panel.show_state(start_design("synthetic-1"), relative)
+    assert plot_of(panel).curves is None
+    assert plot_of(panel).message == "There is no such thing."
+
+
+# A quarter of the rate.
+TONE = Tone(frequency_hz=325.0, phase_rad=0.7853981633974483, duration_s=0.6)
+
+
+OUTPUTS = 20, 26
+
+
+@pytest.fixture
+def panel(qtbot):
+    made = TracesPanel()
+    qtbot.addWidget(made)
+    made.resize(240, 300)
+    made.show()
+    qtbot.waitExposed(made)
+    return made
+
+
+@pytest.mark.parametrize("method", ["mag", "pca"])
+@pytest.mark.parametrize("layout", ["overlaid", "stacked"])
+@pytest.mark.parametrize("relative", [False, True])
+def test_curves_reach_as_far_as_the_wave(panel, method, layout, relative):
+    design = Design(limb="synthetic-1", inputs=(track(location=8, waveform=TONE),))
+    view = View(axes="xyz", method=method, outputs=OUTPUTS)
+    settings = TracesSettings(layout=layout, relative=relative)
+    view = with_settings(view, panel.name, settings)
+    results = evaluate(design, *panel.needs, view=replace(view, outputs=OUTPUTS))
+    panel.show_state(design, view)
+    panel.show_results(results)
+    plot = panel._plot.plot
+    dense_s, axes = finer(results["response_time_s"], results["axis_traces"])
+    dense = results["selected_projection"].signals(axes)
+    if relative:
+        dense = dense / np.abs(results["selected_traces"]).max(axis=-1, keepdims=True)
+    drawn = [curve for row in plot.stack.rows for curve in row.curves[: row.n_curves]]
+    low, high = plot.value_scale.values
+    factor = plot.x_window.axis.factor
+    near = (high - low) / plot.places.row(0).height()
+    missed = 0.0
+    for rank, curve in enumerate(drawn):
+        heights = (curve.points.y - plot.value_scale.edge) / (1 - 2 * plot.value_scale.edge)
+        values = low + heights * (high - low)
+        for first_s in np.arange(0.2, 0.5, 0.02):
+            ends = first_s, first_s + 0.02
+            of_wave = (dense_s >= ends[0]) & (dense_s < ends[1])
+            at_s = curve.points.x / factor
+            top = values[(at_s >= ends[0]) & (at_s < ends[1])].max()
+            expected = dense[rank, of_wave].max()
+            peak = np.abs(dense[rank]).max()
+            assert top == pytest.approx(expected, abs=EXTREMES_ERROR * peak + near)
+            response_time_s = results["response_time_s"]
+            samples = plot.curves.y[
+                rank, (response_time_s >= ends[0]) & (response_time_s < ends[1])
+            ]
+            missed = max(missed, (expected - samples.max()) / peak)
+    # Samples alone would lie.
+    assert missed > 0.1
+    assert high >= dense.max()

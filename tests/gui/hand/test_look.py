@@ -1,17 +1,26 @@
 """The hand panel, driven by real mouse and key events."""
 
+import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF
-from PySide6.QtGui import QColor, QFontMetricsF, QHelpEvent, QImage, QPainter
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QHelpEvent
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
-from skinsource.design.design import track
-from skinsource_gui.panels.hand import layout
-from skinsource_gui.panels.hand.layout import Marker, contrast, paint_occupied, readable_on
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.engine import evaluation
+from skinsource.limbs.own_limbs import install_limb
+from skinsource.limbs.synthetic import standard_hand
+from skinsource_gui.panels.hand import layout as site_marker
+from skinsource_gui.panels.hand.layout import HandState, Mark, contrast, palmar_drawing, readable_on
+from skinsource_gui.panels.hand.panel import HandPanel
+from skinsource_gui.panels.hand.picture import caption_of
 from skinsource_gui.qt.theme import DARK, LIGHT, Theme
-from tests.gui.hand.bench import KEY
-
-# Showing
+from skinsource_gui.qt.wheel import FREE, WHOLE
+from tests.core.own_limbs.lab_bench import own_limb, response
+from tests.gui.hand.bench import KEY, LEFT, NONE, Studio
+from tests.gui.skin.bench import wheel
 
 
 def test_an_input_has_its_own_colour_on_the_hand_in_both_themes(studio, use_theme):
@@ -31,41 +40,11 @@ def test_a_silent_input_is_hollow(studio):
     assert image.pixelColor(point + QPoint(0, 7)).name() != LIGHT.inputs[0]
 
 
-def test_sites_of_both_contacts_differ_in_shape(studio):
-    hand = studio.diagram.stage.layout
-    assert [site for site in range(1, 21) if hand.push(site) is not None] == [1, 2, 3, 4, 5]
-
-
 @pytest.mark.parametrize("theme", [LIGHT, DARK], ids=lambda theme: theme.name)
 def test_numbers_are_readable_on_every_input_colour(theme: Theme):
     for number in range(len(theme.inputs)):
         colour = theme.input_colour(number)
         assert contrast(readable_on(colour), colour) >= 4.5
-
-
-def test_which_hand_it_is_stands_whole_in_letters_of_any_size(studio):
-    rooms = []
-
-    class Noting(QPainter):
-        def drawText(self, *args):
-            if isinstance(args[0], QRectF) and "palm side" in str(args[-1]):
-                rooms.append((args[0], args[-1], QFontMetricsF(self.font())))
-            super().drawText(*args)
-
-    image = QImage(900, 700, QImage.Format.Format_RGB32)
-    picture = studio.diagram.stage._picture
-    for points in (9.0, 27.0):
-        painter = Noting(image)
-        font = painter.font()
-        font.setPointSizeF(points)
-        painter.setFont(font)
-        picture.resize(image.size(), QFontMetricsF(font))
-        picture._paint_side(painter)
-        painter.end()
-    assert len(rooms) == 2
-    for room, text, metrics in rooms:
-        assert room.width() >= max(map(metrics.horizontalAdvance, text.split("\n")))
-        assert room.left() > 0.0
 
 
 def test_the_tooltip_names_place_contact_and_inputs(studio):
@@ -93,10 +72,6 @@ def test_a_selection_that_the_design_has_lost_is_not_shown(studio):
     assert studio.diagram.state.selected is None
 
 
-def test_the_panel_needs_nothing_computed(studio):
-    assert studio.panel.needs == frozenset()
-
-
 @pytest.mark.parametrize("size", [(260, 330), (260, 900), (900, 330), (700, 1200)])
 def test_all_sites_stay_inside_at_every_size(studio, size):
     studio.panel.resize(*size)
@@ -106,51 +81,182 @@ def test_all_sites_stay_inside_at_every_size(studio, size):
         assert studio.diagram.rect().contains(area.adjusted(-radius // 4, 0, radius // 4, 0))
 
 
-@pytest.mark.parametrize("count", [2, 9, 21, 100])
-def test_the_count_of_inputs_at_a_site_is_never_cut_off(qtbot, count):
-    image = QImage(160, 80, QImage.Format.Format_RGB32)
-    image.fill(QColor("red"))
-    painter = QPainter(image)
-    place = Marker(site=9, centre=QPointF(60, 30), radius_px=11.0, push=None)
-    paint_occupied(painter, place, LIGHT, [QColor("red")] * count, silent=False)
-    painter.end()
-    # Digits are written in the colour of the ground, on a badge in the colour of words, which
-    # must be left and right of every one of them.
-    middle = round(30 + 0.95 * 11.0)
-    row = [image.pixelColor(x, middle).lightness() for x in range(160)]
-    dark = [x for x in range(40, 160) if row[x] < 60]
-    line = "".join("#" if row[x] < 60 else "." for x in range(dark[0], dark[-1] + 1))
-    font_px = 9
-    assert len(line) >= 0.55 * font_px * len(f"×{count}")
-    assert line.startswith("##")
-    assert line.endswith("##")
+MARKS = (Mark(site=7, colour=QColor("red")), Mark(site=13, colour=QColor("blue")))
 
 
-def test_in_large_words_only_places_in_use_and_the_one_pointed_at_have_numbers(studio, monkeypatch):
+def caption(most=200, **state):
+    return caption_of(HandState(**state), "synthetic-1", lambda text: len(text) <= most)
+
+
+def test_pointer_and_ring_are_both_named_where_they_differ():
+    state = {"marks": MARKS, "selected": 0, "hovered": 13}
+    whole = caption(**state)
+    assert whole == "Pointer: 13 · Digit III, base  |  Selected: 7 · Digit II, pad"
+    short = caption(**state, most=len(whole) - 1)
+    assert short.startswith("Pointer: 13 · III")
+    assert short.endswith("Selected: 7 · II pad")
+    assert caption(**state, most=len(short) - 1).endswith("Selected: 7")
+    assert caption(**state, most=1) == "Pointer: 13  |  Selected: 7"
+    # The ring of the keyboard is drawn rather than that of the selection.
+    assert caption(**state, cursor=5).endswith("Keys: 5 · " + caption(cursor=5).split(" · ")[1])
+
+
+@pytest.fixture
+def with_places(user_data, qtbot):
+    """Makes a panel on a limb with places at these points, mm around the middle of a hand."""
+
+    def make(points, size=(300, 380)) -> Studio:
+        evaluation._evaluator.cache_clear()
+        places = np.asarray(points, float)
+        limb = own_limb(input_positions=places, input_names=(), axes="z", n_taps=8)
+        install_limb(limb, (response(1, "z")[..., :8] for _ in places))
+        panel = HandPanel()
+        qtbot.addWidget(panel)
+        panel.resize(*size)
+        with qtbot.waitExposed(panel):
+            panel.show()
+        studio = Studio(panel)
+        studio.design, studio.view = Design(limb="lab-1"), View(selected_inputs=())
+        panel.show_state(studio.design, studio.view)
+        return studio
+
+    return make
+
+
+@pytest.fixture
+def numbered(monkeypatch):
+    """Sites whose number was painted, while a panel is grabbed."""
     numbers = []
-    paint = layout._paint_number
+    paint = site_marker._paint_number
 
     def note(painter, place, colour, *, bold):
         numbers.append(place.site)
         paint(painter, place, colour, bold=bold)
 
-    def shown():
+    def of(studio):
         numbers.clear()
         studio.diagram.grab()
         return set(numbers)
 
-    monkeypatch.setattr(layout, "_paint_number", note)
-    studio.panel.resize(500, 500)
-    studio.show(track(location=7), track(location=12, muted=True), selected=0)
-    assert shown() == set(range(1, 21))
-    font = studio.diagram.font()
-    font.setPointSizeF(1.25 * font.pointSizeF())
-    studio.diagram.setFont(font)
-    assert shown() == {7, 12}
-    studio.diagram.stage.change(hovered=18)
-    assert shown() == {7, 12, 18}
-    studio.diagram.stage.change(hovered=None, cursor=3)
-    assert shown() == {3, 7, 12}
-    # While an input is moved all places offer themselves.
-    studio.diagram.stage.change(cursor=None, moving=0, ghost=QPointF(10, 10), target=15)
-    assert shown() == set(range(1, 21))
+    monkeypatch.setattr(site_marker, "_paint_number", note)
+    return of
+
+
+def crowd(n):
+    return np.random.default_rng(2).uniform((-35, -50), (35, 50), (n, 2))
+
+
+@pytest.mark.parametrize("n", [64, 128, 256])
+def test_no_marker_covers_another_however_many_there_are(with_places, n):
+    hand = with_places(crowd(n)).diagram.stage.layout
+    distances_px = np.linalg.norm(hand.centres[:, None] - hand.centres[None], axis=-1)
+    np.fill_diagonal(distances_px, np.inf)
+    touching = hand.radii_px[:, None] + hand.radii_px[None] >= distances_px
+    # Only where they lie so near that they could not be seen else.
+    assert (np.minimum(hand.radii_px[:, None], hand.radii_px[None])[touching] == 2.5).all()
+    assert hand.radii_px.min() == 2.5
+    assert hand.radii_px.max() > 2.0 * hand.radii_px.min()
+
+
+def test_numbers_stand_where_they_fit_and_come_as_one_looks_closer(with_places, numbered):
+    studio = with_places(crowd(128))
+    stage = studio.diagram.stage
+    few = numbered(studio)
+    assert len(few) < 32
+    assert all(stage.layout.radius_px(site) >= 4.5 for site in few)
+    for _ in range(8):
+        stage.pan_zoom.step("zoom_in")
+    assert len(numbered(studio)) > 3 * len(few)
+
+
+def test_what_is_pointed_at_or_in_use_has_its_number_and_lies_above(with_places, numbered):
+    studio = with_places(crowd(256))
+    stage = studio.diagram.stage
+    small = int(np.argmin(stage.layout.radii_px)) + 1
+    assert small not in numbered(studio)
+    stage.change(hovered=small)
+    assert small in numbered(studio)
+    stage.change(hovered=None, cursor=small)
+    assert small in numbered(studio)
+    stage.change(cursor=None)
+    studio.click(small)
+    assert studio.sites == [small]
+    assert small in numbered(studio)
+    assert stage.layout.radius_in_use_px(small) >= 8.0
+
+
+def test_places_at_one_point_lie_beside_each_other_and_each_can_be_clicked(with_places):
+    studio = with_places([(0.0, 0.0), (0.0, 0.0), (20.0, 20.0)])
+    stage = studio.diagram.stage
+    first, second = stage.layout.centres[:2]
+    assert np.linalg.norm(first - second) > 4.0
+    # Their middle is where both are.
+    np.testing.assert_allclose(
+        (first + second) / 2.0,
+        stage.layout.centres[2] + stage.layout.transform.m11() * np.array([80.0, 80.0]),
+        atol=1e-6,
+    )
+    studio.click(2)
+    studio.click(1)
+    assert studio.sites == [2, 1]
+
+
+def test_a_place_that_lies_nowhere_stands_beside_the_hand(with_places):
+    studio = with_places([(np.nan, np.nan), (0.0, 0.0), (np.nan, np.nan)])
+    stage = studio.diagram.stage
+    outline = stage.layout.transform.map(stage.drawing.outline).boundingRect()
+    for site in (1, 3):
+        marker = stage.layout.marker_area(site)
+        assert marker.right() < outline.left() + 2.0
+        assert QRectF(studio.diagram.rect()).contains(marker)
+    QTest.mouseClick(studio.diagram, LEFT, NONE, studio.diagram.site_centre(3))
+    assert studio.sites == [3]
+    assert stage.site_at(QPointF(outline.center())) == 2
+
+
+def test_the_wheel_zooms_at_the_pointer_and_back_to_the_whole_hand(studio):
+    before = studio.diagram.stage.layout.transform.m11()
+    at = studio.diagram.site_centre(18)
+    wheel(studio.diagram, at, 3)
+    assert studio.diagram.stage.layout.transform.m11() > 1.5 * before
+    assert (studio.diagram.site_centre(18) - at).manhattanLength() <= 2
+    wheel(studio.diagram, at, -9)
+    assert studio.diagram.stage.layout.transform.m11() == before
+
+
+def test_what_is_magnified_beyond_the_picture_is_not_hit(studio):
+    diagram = studio.diagram
+    wheel(diagram, diagram.site_centre(3), 8)
+    below = [k for k in range(1, 21) if diagram.site_centre(k).y() > diagram.height()]
+    assert below
+    assert diagram.stage.site_at(QPointF(diagram.site_centre(below[0]))) is None
+    QTest.mouseClick(diagram, LEFT, pos=QPoint(diagram.width() // 2, diagram.height() - 3))
+    assert studio.edits == []
+
+
+def test_a_double_click_beside_the_places_shows_the_whole_hand(studio):
+    wheel(studio.diagram, studio.diagram.site_centre(3), 4)
+    assert studio.diagram.stage.pan_zoom.fit == FREE
+    empty = next(
+        QPoint(x, y)
+        for y in range(10, studio.diagram.height(), 7)
+        for x in range(10, studio.diagram.width(), 7)
+        if studio.diagram.stage.layout.site_at(QPointF(x, y)) is None
+    )
+    QTest.mouseDClick(studio.diagram, Qt.MouseButton.LeftButton, pos=empty)
+    assert studio.diagram.stage.pan_zoom.fit == WHOLE
+    assert studio.edits == []
+
+
+def test_the_hand_cannot_be_moved_out_of_sight(studio):
+    diagram = studio.diagram
+    wheel(diagram, QPoint(2, 2), 4)
+    for _ in range(60):
+        diagram.stage.pan_zoom.pan(80, 80)
+    outline = diagram.stage.layout.transform.map(palmar_drawing(standard_hand()).outline)
+    middle, reach = QPointF(diagram.rect().center()), 0.25 * diagram.width()
+    assert any(
+        outline.contains(middle + QPointF(dx * reach, dy * reach))
+        for dx in (-1, -0.5, 0, 0.5, 1)
+        for dy in (-1, -0.5, 0, 0.5, 1)
+    )

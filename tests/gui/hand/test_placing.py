@@ -4,14 +4,13 @@ from itertools import combinations
 
 import pytest
 from PySide6.QtCore import QPoint, QPointF
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 
 from skinsource.design.design import MAX_INPUTS, track
 from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.tones import Tone
-from tests.gui.hand.bench import CONTROL, KEY, LEFT, NONE, SHIFT
-
-# Placing and selecting
+from tests.gui.hand.bench import CONTROL, KEY, LEFT, NONE, SHIFT, short
 
 
 @pytest.mark.parametrize("site", range(1, 21))
@@ -118,3 +117,142 @@ def test_a_full_design_says_so_and_takes_no_more(studio):
     studio.click(7)
     assert studio.edits == []
     assert str(MAX_INPUTS) in studio.refusals[-1]
+
+
+@pytest.mark.parametrize("key", [KEY.Key_Delete, KEY.Key_Backspace])
+@pytest.mark.parametrize(
+    ("selected", "left", "then"), [(0, [8, 9], 2), (1, [7, 9], 3), (2, [7, 8], 2)]
+)
+def test_delete_removes_the_selected_input_and_selects_a_neighbour(
+    studio, key, selected, left, then
+):
+    studio.show(*(track(location=site) for site in (7, 8, 9)), selected=selected)
+    studio.keys(key)
+    assert studio.sites == left
+    assert studio.view.selected_input == then
+    assert len(studio.edits) == 1
+
+
+@pytest.mark.parametrize(
+    "reason", [QContextMenuEvent.Reason.Mouse, QContextMenuEvent.Reason.Keyboard]
+)
+def test_the_menu_of_a_site_selects_mutes_solos_removes_and_adds(studio, reason):
+    studio.show(track(location=7), track(location=3), selected=0)
+    studio.keys(KEY.Key_3)
+    actions = studio.menu(3, reason)
+    assert studio.view.selected_input == 2
+    actions["Mute"].trigger()
+    assert studio.design.inputs[1].muted
+    assert studio.diagram.state.marks[1].silent
+    studio.close_menu()
+    actions = studio.menu(3, reason)
+    assert actions["Mute"].isChecked()
+    actions["Mute"].trigger()
+    actions["Solo"].trigger()
+    assert (studio.design.inputs[1].muted, studio.design.inputs[1].solo) == (False, True)
+    assert studio.diagram.state.marks[0].silent
+    actions["Add input here"].trigger()
+    assert studio.sites == [7, 3, 3]
+    studio.close_menu()
+    studio.menu(3, reason)["Remove"].trigger()
+    assert studio.sites == [7, 3]
+    studio.close_menu()
+
+
+def test_the_menu_of_an_empty_site_only_adds(studio):
+    actions = studio.menu(12, QContextMenuEvent.Reason.Mouse)
+    assert [text for text, action in actions.items() if action.isEnabled()] == ["Add input here"]
+    actions["Add input here"].trigger()
+    assert studio.sites == [12]
+    studio.close_menu()
+
+
+def test_the_menu_of_one_of_several_acts_on_all(studio):
+    studio.show(*(track(location=site) for site in (7, 8, 9)), selected=0)
+    studio.click(8, CONTROL)
+    actions = studio.menu(7, QContextMenuEvent.Reason.Mouse)
+    assert studio.view.selected_inputs == (1, 2)
+    actions["Mute 2 inputs"].trigger()
+    assert [track.muted for track in studio.design.inputs] == [True, True, False]
+    studio.close_menu()
+    assert studio.menu(8, QContextMenuEvent.Reason.Mouse)["Mute 2 inputs"].isChecked()
+    studio.close_menu()
+    # Elsewhere, it is about the one below it.
+    studio.menu(9, QContextMenuEvent.Reason.Mouse)["Remove"].trigger()
+    assert studio.sites == [7, 8]
+    studio.close_menu()
+
+
+def test_a_drag_moves_the_input_live_in_one_gesture(studio):
+    studio.show(track(location=7), track(location=18), selected=0)
+    studio.press(18)
+    studio.drag_to(studio.diagram.site_centre(16))
+    assert studio.sites == [7, 16]
+    assert studio.diagram.state.moving == 1
+    studio.drag_to(studio.diagram.site_centre(13))
+    assert studio.sites == [7, 13]
+    studio.release(studio.diagram.site_centre(13))
+    assert studio.diagram.state.moving is None
+    assert studio.view.selected_input == 2
+    assert [label for label, _, _ in studio.edits] == [
+        f"Move input to 16 ({short(16)})",
+        f"Move input to 13 ({short(13)})",
+    ]
+    gestures = {gesture for _, _, gesture in studio.edits}
+    assert len(gestures) == 1
+    assert None not in gestures
+
+
+def test_escape_during_a_drag_restores_the_design(studio):
+    studio.show(track(location=18), selected=0)
+    before = studio.design
+    studio.press(18)
+    studio.drag_to(studio.diagram.site_centre(13))
+    studio.keys(KEY.Key_Escape)
+    assert studio.design == before
+    studio.drag_to(studio.diagram.site_centre(8))
+    studio.release(studio.diagram.site_centre(8))
+    assert studio.design == before
+    assert len({gesture for _, _, gesture in studio.edits}) == 1
+
+
+def test_dropping_away_from_every_site_restores_the_design(studio):
+    studio.show(track(location=18), selected=0)
+    before = studio.design
+    studio.press(18)
+    studio.drag_to(studio.diagram.site_centre(13))
+    assert studio.design != before
+    studio.drag_to(QPoint(4, 300))
+    studio.release(QPoint(4, 300))
+    assert studio.design == before
+    assert studio.diagram.state.ghost is None
+
+
+def test_hiding_the_panel_during_a_drag_restores_the_design(studio):
+    studio.show(track(location=18), selected=0)
+    before = studio.design
+    studio.press(18)
+    studio.drag_to(studio.diagram.site_centre(13))
+    studio.panel.hide()
+    assert studio.design == before
+
+
+def test_a_drag_ends_when_its_input_is_taken_away(studio):
+    studio.show(track(location=18), selected=0)
+    studio.press(18)
+    studio.drag_to(studio.diagram.site_centre(13))
+    studio.show()
+    edits = len(studio.edits)
+    studio.drag_to(studio.diagram.site_centre(8))
+    studio.release(studio.diagram.site_centre(8))
+    assert len(studio.edits) == edits
+    assert studio.diagram.state.moving is None
+
+
+def test_a_shaky_click_is_no_drag(studio):
+    studio.show(track(location=18), selected=0)
+    point = studio.diagram.site_centre(18)
+    studio.press(18)
+    studio.drag_to(point + QPoint(2, 2))
+    studio.release(point + QPoint(2, 2))
+    assert studio.edits == []

@@ -1,6 +1,7 @@
 """The history lists what was done, and a click goes there."""
 
 import time
+from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -10,12 +11,19 @@ from PySide6.QtWidgets import QApplication
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource_gui.fields.number_field import NumberField
-from skinsource_gui.panels.history.panel import DONE, PRESENT, TIME, HistoryPanel, row_text
+from skinsource_gui.panels.history.panel import DONE, PRESENT, TIME, HistoryPanel
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.historian import Historian
 from skinsource_gui.state.panel import PanelRegistry
+from skinsource_gui.state.preferences import start_design
 
 KEY = Qt.Key
+
+
+@pytest.fixture
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window
 
 
 @pytest.fixture
@@ -54,19 +62,6 @@ def test_each_step_is_listed_with_its_label_and_time(window, panel):
     assert rows(panel, TIME)[0] == ""
     assert all(before <= when <= after for when in rows(panel, TIME)[1:])
     assert rows(panel, PRESENT) == [False, False, True]
-
-
-def test_a_long_label_is_cut_and_leaves_room_for_its_time(panel):
-    metrics = panel.rows.fontMetrics()
-    room_px = 4 * metrics.horizontalAdvance("12:34:56")
-    long = "Change the amplitude of all inputs of the design at once"
-    label, when = row_text(metrics, long, "12:34:56", room_px)
-    assert when == "12:34:56"
-    assert label.endswith("…")
-    assert metrics.horizontalAdvance(label) + metrics.horizontalAdvance(when) < room_px
-    assert row_text(metrics, "Add", "", room_px) == ("Add", "")
-    # Where hardly anything of the label would be left, it goes before the time.
-    assert row_text(metrics, long, "12:34:56", room_px // 3)[1] == ""
 
 
 def test_a_click_goes_there_and_back(window, panel):
@@ -179,9 +174,9 @@ def test_a_number_that_is_dragged_twice_makes_two_steps(window, panel):
     assert amplitude(window) == first
 
 
-def test_a_burst_of_keys_ends_where_another_input_is_selected(make_window, qtbot):
+def test_a_burst_of_keys_ends_where_another_input_is_selected(open_window, qtbot):
     design = Design(limb="synthetic-1", inputs=(track(location=7), track(location=9)))
-    window = make_window(design, View(selected_inputs=(1,)))
+    window = open_window(design, View(selected_inputs=(1,)))
     field = window.panel("inspector").findChild(NumberField, "amplitude_field")
     QTest.keyClick(field, KEY.Key_Up)
     QTest.keyClick(field, KEY.Key_Up)
@@ -192,3 +187,16 @@ def test_a_burst_of_keys_ends_where_another_input_is_selected(make_window, qtbot
     window.do("undo")
     assert [track.amplitude for track in window.document.design.inputs] == [first, 1.0]
     assert second != 1.0
+
+
+def test_a_design_that_is_saved_under_another_name_was_not_opened_by_that_name(qtbot):
+    document = Document(start_design("any"))
+    historian = Historian(document, PanelRegistry.of())
+    assert historian.history().start == "New design"
+    document.mark_saved(Path("b.skinsource"))
+    assert historian.history().start == "New design"
+    document.start_over(document.design, View(), Path("a.skinsource"))
+    document.mark_saved(Path("b.skinsource"))
+    assert historian.history().start == "Opened a.skinsource"
+    document.start_over(document.design, View(), None)
+    assert historian.history().start == "New design"

@@ -4,16 +4,14 @@ import numpy as np
 import pytest
 import soundfile
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
 from skinsource.design import edits
 from skinsource.design.recordings import take
 from skinsource.readers.reader import dft321
 from skinsource_gui.pages import actions
-from skinsource_gui.pages.importing.page import ReadingWorker
+from skinsource_gui.pages.importing.form import DraggedPart
 from skinsource_gui.qt.frames import DropPlace
-
-NO_KEYS = Qt.KeyboardModifier.NoModifier
 
 
 def choose(page, qtbot, name, option):
@@ -96,21 +94,6 @@ def test_an_acceleration_in_g_keeps_its_size_and_is_said_in_both_units(
     page = page_at(tmp_path / "accel_g.csv")
     choose(page, qtbot, "scale", "peak")
     assert "peak 1 ·" in page.preview.text
-
-
-def test_a_rate_that_is_assumed_is_said_so_until_it_is_typed(page_at, qtbot, tmp_path):
-    np.save(tmp_path / "raw.npy", np.sin(np.arange(2600) * 0.3))
-    page = page_at(tmp_path / "raw.npy")
-    warning = page.findChild(object, "import_warning")
-    assert warning.isVisible()
-    assert "1300" in warning.text()
-    field = page.form.findChild(object, "import_rate")
-    field.set_value(2600.0)
-    field.edited.emit(2600.0, None)
-    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
-    QApplication.processEvents()
-    assert not warning.isVisible()
-    assert page.preview.text.startswith("1 s")
 
 
 def test_missing_numbers_are_a_choice(page_at, qtbot, tmp_path):
@@ -223,22 +206,6 @@ def test_time_stamps_say_how_long_a_table_is(page_at, qtbot, tmp_path):
     assert page.form.choice.duration_s == pytest.approx(0.6, abs=0.02)
 
 
-def test_a_shorter_recording_of_an_assumed_rate_is_taken_whole(page_at, qtbot, tmp_path):
-    np.save(tmp_path / "raw.npy", np.sin(np.arange(2601) * 0.3))
-    page = page_at(tmp_path / "raw.npy")
-    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
-    assert page.form.choice.duration_s == pytest.approx(2601 / 1300, rel=1e-12)
-
-
-def test_what_was_wanted_before_is_not_taken_for_what_is_wanted_now(page_at, qtbot, sound):
-    page = page_at(sound)
-    before, worker = page.form.choice, page.findChild(ReadingWorker)
-    page.form.findChild(QWidget, "import_scale").choose("keep")
-    worker.converted.emit(before, take(sound))
-    assert not page.ready
-    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
-
-
 def test_a_track_that_has_gone_meanwhile_is_said_to_be_gone(window, page_on, sound):
     page = page_on(sound)
     window.do("clear_inputs")
@@ -261,22 +228,6 @@ def test_without_a_place_it_starts_at_the_playhead(desk, page_at, sound):
     desk.document.apply(edits.move_playhead(design, view, 0.25), None)
     page_at(sound).accept()
     assert desk.document.design.inputs[0].clips[-1].onset_s == 0.25
-
-
-def test_the_menu_asks_for_a_file(window, monkeypatch, qtbot, sound):
-    asked = []
-
-    def answer(_parent, title, _folder, kinds):
-        asked.append((title, kinds))
-        return str(sound), kinds
-
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", answer)
-    window.do("import_recording")
-    assert "*.wav" in asked[0][1]
-    assert "*.mat" in asked[0][1]
-    (page,) = window.imports.pages
-    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
-    page.reject()
 
 
 def test_places_begin_with_the_likeliest(desk):
@@ -310,3 +261,81 @@ def test_three_axes_are_offered_as_one(desk, page_at, qtbot, tmp_path):
     assert waveform.name == "a.csv, acc_x, acc_y, acc_z"
     expected = dft321((axes - axes.mean(axis=0)).T)
     np.testing.assert_allclose(waveform.samples.values, 9.80665 * expected, rtol=0, atol=1e-6)
+
+
+@pytest.fixture
+def form(page_on, qtbot, tmp_path):
+    """Fields of a recording of 2 s."""
+    soundfile.write(tmp_path / "two.wav", 0.5 * np.sin(np.arange(16_000) * 0.1), 8000)
+    page = page_on(tmp_path / "two.wav")
+    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
+    return page.form
+
+
+def type_in(field, seconds):
+    field.set_value(seconds)
+    field.edited.emit(seconds, None)
+
+
+def test_a_later_start_leaves_what_is_left_and_comes_back(form):
+    assert form.choice.duration_s == 2.0
+    type_in(form._start, 0.4)
+    assert form._duration.value_si == pytest.approx(1.6)
+    assert form.choice.start_s == 0.4
+    assert form.choice.duration_s == pytest.approx(1.6)
+    # A drag that goes on to an earlier start takes as much again.
+    type_in(form._start, 0.1)
+    assert form.choice.duration_s == pytest.approx(1.9)
+    type_in(form._start, 0.0)
+    assert form.choice.duration_s == 2.0
+
+
+def test_a_length_that_was_chosen_stays_where_there_is_room_for_it(form):
+    type_in(form._duration, 0.5)
+    type_in(form._start, 1.8)
+    assert form.choice.duration_s == pytest.approx(0.2)
+    type_in(form._start, 1.0)
+    assert form.choice.duration_s == 0.5
+
+
+@pytest.fixture
+def part():
+    """From 2 to 4 s."""
+    made = DraggedPart(5.0, lambda: 800)
+    made.show(8.0, 2.0, 2.0)
+    return made
+
+
+def dragged(part, *places_px):
+    """Where it goes, s."""
+    part.hold(places_px[0])
+    for x_px in places_px[1:]:
+        part.drag(x_px)
+    part.release()
+    return part.start_s, part.end_s
+
+
+def test_a_press_beside_it_brings_its_middle_there(part):
+    assert part.hold(600.0)
+    assert (part.start_s, part.end_s) == (5.0, 7.0)
+
+
+def test_it_keeps_its_length_and_stays_in_the_recording(part):
+    assert dragged(part, 300.0, 350.0) == (2.5, 4.5)
+    assert dragged(part, 350.0, 900.0) == (6.0, 8.0)
+    assert dragged(part, 700.0, -50.0) == (0.0, 2.0)
+
+
+def test_where_all_is_taken_a_drag_chooses_a_part_and_a_press_alone_does_not(part):
+    part.show(4.0, 0.0, 4.0)
+    assert not part.hold(400.0)
+    assert not part.drag(401.0)
+    assert dragged(part, 400.0, 300.0) == (1.5, 2.0)
+
+
+def test_all_is_as_much_as_may_be_taken(part):
+    part.take_all()
+    assert (part.start_s, part.end_s) == (0.0, 5.0)
+    part.show(3.0, 1.0, 1.0)
+    part.take_all()
+    assert (part.start_s, part.end_s) == (0.0, 3.0)

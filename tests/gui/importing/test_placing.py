@@ -1,6 +1,12 @@
 """Where a recording goes when one is selected."""
 
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDropEvent
+from PySide6.QtWidgets import QApplication, QWidget
+
 from skinsource.design import edits
+from skinsource.design.waveforms.samples import Recording
 from skinsource_gui.pages import actions
 
 
@@ -40,3 +46,77 @@ def test_a_recording_whose_place_went_while_its_page_was_open_is_refused(desk, p
     page.accept()
     assert messages == ["That recording is no longer there; import it to another place."]
     assert document.design == without
+
+
+NO_KEYS = Qt.KeyboardModifier.NoModifier
+
+
+def drop(window, path, at, kind=QDropEvent):
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path))])
+    where = QPointF(at) if kind is QDropEvent else at
+    event = kind(where, Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton, NO_KEYS)
+    QApplication.sendEvent(window, event)
+    return event
+
+
+def site(window, number):
+    diagram = window.panel("hand").diagram
+    return diagram.mapTo(window, diagram.site_centre(number))
+
+
+@pytest.mark.parametrize("where", ["site", "row", "elsewhere"])
+def test_a_file_that_is_dropped_goes_where_it_was_dropped(window, qtbot, sound, where):
+    first = window.document.design.inputs[0]
+    row = window.findChild(QWidget, "input_rows").rows[0]
+    at = {
+        "site": site(window, 13),
+        "row": row.mapTo(window, row.rect().center()),
+        "elsewhere": window.panel("traces").mapTo(window, QPoint(50, 50)),
+    }[where]
+    assert drop(window, sound, at, QDragEnterEvent).isAccepted()
+    assert drop(window, sound, at).isAccepted()
+    (page,) = window.imports.pages
+    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
+    QApplication.processEvents()
+    page.accept()
+    inputs = window.document.design.inputs
+    if where == "site":
+        assert inputs[-1].location == 13
+        assert isinstance(inputs[-1].clips[0].waveform, Recording)
+    else:
+        # The start design's only input is the selected one.
+        assert [track.id for track in inputs] == [first.id]
+        assert isinstance(inputs[0].clips[-1].waveform, Recording)
+
+
+def test_a_file_that_is_dropped_on_a_lane_starts_there(window, qtbot, sound):
+    lanes = window.panel("timeline").findChild(QWidget, "lanes")
+    lanes.set_snaps(False)
+    content = lanes.content
+    track = content.lanes[0]
+    at = lanes.mapTo(window, QPoint(round(content.scale.x(0.125)), round(track.top_px) + 4))
+    drop(window, sound, at, QDragEnterEvent)
+    drop(window, sound, at, QDragMoveEvent)
+    assert lanes.overlay.preview.label == "A clip here"
+    drop(window, sound, at)
+    assert lanes.overlay.preview.label == ""
+    (page,) = window.imports.pages
+    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
+    QApplication.processEvents()
+    page.accept()
+    (dropped,) = window.document.design.inputs
+    assert dropped.clips[-1].onset_s == pytest.approx(0.125, abs=0.01)
+    assert dropped.clips[-1].waveform.name.startswith("tap.wav")
+
+
+def test_a_site_lights_up_while_a_recording_is_held_over_it(window, sound, tmp_path):
+    stage = window.panel("hand").diagram.stage
+    at = site(window, 13)
+    drop(window, sound, at, QDragEnterEvent)
+    drop(window, sound, at, QDragMoveEvent)
+    assert stage.state.target == 13
+    QApplication.sendEvent(window, QDragLeaveEvent())
+    assert stage.state.target is None
+    drop(window, tmp_path / "a.skinsource", at, QDragEnterEvent)
+    assert stage.state.target is None

@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter
 
-from skinsource_gui.panels.linearity.content import Curve, part_of, part_text
+from skinsource_gui.panels.linearity.content import Curve
 from skinsource_gui.panels.linearity.diagram import places_of_labels, x_with_room_for_labels
 from skinsource_gui.plots.figure import Axis, fitted_axes, legend_texts
 from skinsource_gui.plots.pictures import save_drawing
@@ -65,16 +65,6 @@ def test_labels_of_bands_are_whole_inside_the_plot_and_apart(painter, size, lett
     assert ends == sorted(ends, reverse=True)
 
 
-def test_labels_that_have_room_stand_at_their_curves(painter):
-    metrics = QFontMetricsF(painter.font())
-    axes = fitted_axes(QRectF(0, 0, 600, 400), X, Y, metrics)
-    spread_curves = [replace(curve, y=curve.y / 4.0**k) for k, curve in enumerate(CURVES[:4])]
-    _, places = places_of_labels(axes, tuple(spread_curves), painter.font())
-    for place, curve in places:
-        end = axes.to_screen(curve.x[-1:], curve.y[-1:])[0, 1]
-        assert place.center().y() == pytest.approx(end)
-
-
 def test_a_legend_has_all_outputs_or_counts_those_without_room(painter):
     assert legend_texts((20,), 400.0, painter) == ["Output", "20"]
     assert legend_texts((20, 26), 400.0, painter) == ["Outputs", "20", "26"]
@@ -105,14 +95,3 @@ def test_it_says_which_part_is_drawn_over_time_and_how_to_see_another(show):
     _, panel = show(STRENGTHS, time_range_s=(0.05, 0.1))
     assert "loudest part" not in panel.about.text
     assert panel.picture.diagrams[0].x.shown == pytest.approx((0.05, 0.1), abs=2e-3)
-
-
-def test_a_part_of_the_zoom_alone_is_told_with_its_times():
-    time_s = np.arange(6500) / 1300.0
-    curves = np.ones((2, 1, time_s.size))
-    for zoom in ((1.0, 1.2), (4.5, 9.0), (1.0, 1.0 + 1499 / 1300)):
-        first, end = part_of(time_s, curves, zoom)
-        assert part_text((time_s[first], time_s[end - 1]), time_s, zoom) == "", zoom
-    first, end = part_of(time_s, curves, (1.0, 4.0))
-    text = part_text((time_s[first], time_s[end - 1]), time_s, (1.0, 4.0))
-    assert text == "over time of what is in sight 1000 to 2153 ms: zoom Traces further in"

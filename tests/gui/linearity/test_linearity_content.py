@@ -10,12 +10,17 @@ from skinsource_gui.panels.linearity.content import (
     of_amplitudes,
     part_of,
     proportion_text,
-    superposition_text,
 )
 
 RATE_HZ = 1300.0
+
+
 TIME_S = np.arange(4000) / RATE_HZ
+
+
 STRENGTHS = np.array([1.0, 2.0, 4.0])
+
+
 ROWS = (1, 3)
 
 
@@ -110,19 +115,3 @@ def test_the_sum_is_wide_below_the_joint_response_and_they_are_held_against_each
         np.testing.assert_array_equal(dots.y, joint[row, first:end])
     assert against.x.title.startswith("Sum")
     assert against.y.title.startswith("Joint")
-
-
-def test_a_response_of_one_sample_is_a_dot():
-    at = np.array([0.1])
-    alone = responses(1)
-    grown = proportion(STRENGTHS, STRENGTHS[:, None, None] * alone, RATE_HZ, (25.0, 600.0))
-    added = superposition((alone, 2.0 * alone), 3.0 * alone)
-    drawn = (
-        diagrams_of_proportion(grown, ROWS, at, None, of_amplitudes("m/s²"))[0],
-        diagrams_of_superposition(added, ROWS, at, (0.05, 0.2))[0],
-    )
-    for diagram in drawn:
-        assert diagram.x.shown == pytest.approx((0.099, 0.101))
-        assert all(curve.x.tolist() == [0.1] and curve.width_px == 0.0 for curve in diagram.curves)
-    # Nothing is said of how alike curves of one point are.
-    assert superposition_text(added).endswith("no difference")

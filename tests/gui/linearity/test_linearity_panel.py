@@ -4,21 +4,27 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtGui import QFontInfo, QFontMetricsF
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
 from skinsource.design.comparing import Snapshot
 from skinsource.design.edits.setup import remove_delay
+from skinsource.design.panel_settings import settings_of
 from skinsource.design.view import View
+from skinsource.engine.evaluation import evaluate
+from skinsource.perception.validity import probe_velocity
 from skinsource.studies.checking import Proportion, Superposition
-from skinsource_gui.panels.figure_panel import SILENT
-from skinsource_gui.panels.linearity.diagram import font_in
-from skinsource_gui.qt.theme import scaled
+from skinsource.studies.figures.figures import lines_of
+from skinsource_gui.panels.linearity.content import diagrams_of_proportion, of_amplitudes
+from skinsource_gui.panels.linearity.settings import LinearitySettings
 from skinsource_gui.state.compared import Compared
+from tests.gui.linearity.test_linearity_content import ROWS, TIME_S, bent
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.1)
+
+
 OUTPUTS = (20, 26)
 
 
@@ -32,16 +38,18 @@ def snapshots_of(*designs):
 
 
 STRENGTHS = [played(8, amplitude=k) for k in (1.0, 2.0, 4.0)]
+
+
 PARTS = [played(8), played(13), played(8, 13)]
 
 
 @pytest.fixture
-def show(make_window, qtbot):
+def show(open_window, qtbot):
     """A window on the last of designs that are kept, with the panel in front."""
 
     def opened(designs, **view):
         looked = View(**{"axes": "z", "outputs": OUTPUTS, "levels_matched": False, **view})
-        window = make_window(designs[-1], replace(looked, snapshots=snapshots_of(*designs)))
+        window = open_window(designs[-1], replace(looked, snapshots=snapshots_of(*designs)))
         window.docks["linearity"].bring_forward()
         panel = window.panel("linearity")
         qtbot.waitUntil(lambda: settled(window, panel), timeout=30_000)
@@ -130,14 +138,6 @@ def test_while_snapshots_are_computed_anew_what_is_drawn_is_told_to_be_of_others
     assert not panel.is_stale
 
 
-def test_words_above_the_diagrams_have_a_row_of_their_own(show):
-    _, panel = show(STRENGTHS)
-    switches = max(widget.geometry().bottom() for widget in (panel.bands, panel.copy))
-    assert switches < panel.about.y()
-    assert panel.about.geometry().bottom() < panel.picture.y()
-    assert panel.about.width() > 0.9 * panel.width()
-
-
 def test_other_outputs_are_shown_as_soon_as_they_are_selected(show, qtbot):
     window, panel = show(STRENGTHS)
     window.document.look(replace(window.document.view, outputs=(30,)))
@@ -186,13 +186,6 @@ def test_rms_are_copied_by_strength_output_and_axis(show):
     np.testing.assert_allclose(table[:, 1:], table[:, :1] * rms, rtol=1e-6)
 
 
-def test_actuators_that_are_switched_off_make_no_volts(show):
-    coil = ss.ActuatorAt(model=ss.actuators.load("example-voice-coil"))
-    off = ss.Actuation(actuators=(coil,), on=False)
-    _, panel = show([replace(design, actuation=off) for design in STRENGTHS])
-    assert panel.picture.diagrams[1].x.title == "Strength (m/s²)"
-
-
 def test_what_cannot_be_held_against_each_other_says_what_to_store(show, qtbot):
     window, panel = show([played(8), played(9)])
     assert "with Ctrl+1 to Ctrl+4" in panel.figure.message
@@ -204,15 +197,6 @@ def test_what_cannot_be_held_against_each_other_says_what_to_store(show, qtbot):
     qtbot.waitUntil(lambda: panel.result is not None, timeout=30_000)
 
 
-def test_of_several_axes_z_is_drawn_and_all_are_counted(show):
-    _, panel = show(STRENGTHS, axes="xyz")
-    assert panel.result.rms.shape == (3, 3 * len(OUTPUTS))
-    growth = panel.picture.diagrams[1].curves
-    for rank, row in enumerate((2, 5)):
-        np.testing.assert_array_equal(growth[2 * rank + 1].y, panel.result.rms[:, row])
-    assert "Along z" in panel.about.text
-
-
 def test_what_is_too_long_for_a_picture_says_where_it_is_checked(show, monkeypatch):
     monkeypatch.setattr("skinsource_gui.panels.linearity.panel._MOST_VALUES", 1000)
     _, panel = show(STRENGTHS)
@@ -220,50 +204,168 @@ def test_what_is_too_long_for_a_picture_says_where_it_is_checked(show, monkeypat
     assert panel.result is None
 
 
-def test_what_plays_nothing_is_said_to_be_silent(show):
-    still = [replace(design, inputs=(replace(design.inputs[0], clips=()),)) for design in STRENGTHS]
-    _, panel = show(still)
-    assert panel.figure.message == SILENT
-
-
 def test_strengths_on_a_limb_that_is_missing_say_so(show):
     _, panel = show([replace(design, limb="lab-9", limb_digest="0" * 64) for design in STRENGTHS])
     assert "lab-9" in panel.figure.message
 
 
-def test_hidden_it_has_no_traces_computed(show, qtbot):
+def test_hidden_it_has_no_traces_computed(show, qtbot, monkeypatch):
     window, _ = show(STRENGTHS)
     asked = []
     ask = window.engine.request
-    window.engine.request = lambda request: (asked.append(request.slot.name), ask(request))
+    monkeypatch.setattr(
+        window.engine,
+        "request",
+        lambda request: (asked.append(request.slot.name), ask(request)),
+    )
     window.docks["linearity"].hide()
     window.document.look(replace(window.document.view, outputs=(30, 31)))
     qtbot.waitUntil(lambda: not window.engine.busy)
     assert not any("snapshot" in request for request in asked)
 
 
-@pytest.mark.parametrize("name", ["5A", "5D", "5F"])
-def test_scenes_of_linearity_open_with_it(make_window, qtbot, name):
-    window = make_window()
-    window.scenes.open(name)
-    assert window.docks["linearity"].in_sight
+__all__ = ["show"]
+
+
+def test_adjusted_r2_is_told_of_all_outputs(show, qtbot):
+    window, panel = show(STRENGTHS)
+    assert [curve.rank for curve in panel.picture.diagrams[2].curves] == [0, 1]
+    switch(window, panel, qtbot, "every_output")
+    qtbot.waitUntil(lambda: panel.all_outputs is not None, timeout=30_000)
+    assert settings_of(window.document.view, "linearity", LinearitySettings).every_output
+    assert panel.all_outputs.adjusted_r2.shape[:2] == (72, 1)
+    straight = panel.picture.diagrams[2]
+    assert [curve.label for curve in straight.curves] == ["median", "worst"]
+    assert straight.y.title == "Adjusted R², all outputs"
+    assert "of all 72 outputs" in panel.note_label.text
+    head, *rows = (line.split("\t") for line in panel.table().splitlines())
+    assert head == ["frequency_hz", *(f"adjusted_r2_{k}_z" for k in range(1, 73))]
+    assert len(rows) == panel.all_outputs.frequency_hz.size
+    panel.grab()
+    switch(window, panel, qtbot, "every_output")
+    qtbot.waitUntil(lambda: panel.all_outputs is None)
+    assert [curve.rank for curve in panel.picture.diagrams[2].curves] == [0, 1]
+
+
+def test_the_worst_of_all_outputs_is_drawn_below_their_median():
+    fits = bent()
+    n_bins = fits.frequency_hz.size
+    every = np.stack([np.full(n_bins, ratio) for ratio in (1.0, 0.98, 0.5)])
+    every[:, 0] = np.nan
+    *_, straight = diagrams_of_proportion(
+        fits, ROWS, TIME_S, None, of_amplitudes("V"), all_outputs=every
+    )
+    median, worst = straight.curves
+    assert median.y == pytest.approx(0.98)
+    assert worst.y == pytest.approx(0.5)
+    # Where nothing is heard there is no line that could be straight.
+    assert worst.x == pytest.approx(fits.frequency_hz[1:])
+    silent = np.full((3, n_bins), np.nan)
+    *_, straight = diagrams_of_proportion(
+        fits, ROWS, TIME_S, None, of_amplitudes("V"), all_outputs=silent
+    )
+    assert straight.curves == ()
+
+
+RATE_HZ = 1300.0
+
+
+def switch(window, panel, qtbot, name):
+    QTest.mouseClick(getattr(panel, name), Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: settled(window, panel))
+
+
+def test_a_divided_response_has_the_unit_of_response_and_strength(show):
+    _, panel = show(STRENGTHS)
+    over, growth, _ = panel.picture.diagrams
+    assert over.y.title == "Divided (m/s² per m/s²)"
+    assert growth.x.title == "Strength (m/s²)"
+    _, panel = show([replace(design, scaling="relative") for design in STRENGTHS])
+    assert panel.picture.diagrams[0].y.title == "Divided (m/s²)"
+    assert not panel.velocity.isVisible()
+
+
+def test_strengths_are_velocities_of_the_probe_where_these_are_known(show, qtbot):
+    window, panel = show(STRENGTHS)
+    divided = panel.picture.diagrams[0].curves[0].y
+    fastest = []
+    for design in STRENGTHS:
+        [(_, drive)] = evaluate(design, "place_drives")["place_drives"]
+        fastest.append(probe_velocity(drive, RATE_HZ))
+        fastest_m_per_s = evaluate(design, "fastest_probe_m_per_s")["fastest_probe_m_per_s"]
+        assert fastest_m_per_s == pytest.approx(fastest[-1])
+    switch(window, panel, qtbot, "velocity")
+    settings = settings_of(window.document.view, "linearity", LinearitySettings)
+    assert settings.velocity
+    over, growth, _ = panel.picture.diagrams
+    assert (over.y.title, over.y.short) == ("Divided (m/s² per mm/s)", "m/s² per mm/s")
+    assert growth.x.title == "Probe velocity (mm/s)"
+    assert growth.curves[0].x == pytest.approx(1e3 * np.array(fastest))
+    assert over.curves[0].y * 1e3 * fastest[0] == pytest.approx(divided)
+    head, *rows = panel.table().splitlines()
+    assert head.startswith("probe_velocity_m_per_s\trms_20_z_m_per_s2")
+    assert [float(row.split("\t")[0]) for row in rows] == pytest.approx(fastest)
+
+
+@pytest.mark.parametrize("scaling", ["relative", "upstream"])
+def test_no_velocity_is_known_in_other_scalings(scaling):
+    design = replace(STRENGTHS[0], scaling=scaling)
+    assert evaluate(design, "fastest_probe_m_per_s")["fastest_probe_m_per_s"] is None
+
+
+def test_outputs_are_drawn_band_by_band_over_logarithmic_axes(show, qtbot):
+    window, panel = show(STRENGTHS)
+    switch(window, panel, qtbot, "bands")
+    growth = panel.picture.diagrams[1]
+    assert growth.x.log
+    assert growth.y.log
+    labels = [curve.label for curve in growth.curves if curve.label]
+    assert labels == ["50 Hz", "100 Hz", "200 Hz", "400 Hz"] * len(OUTPUTS)
+    for line, dots in zip(growth.curves[::2], growth.curves[1::2], strict=True):
+        assert dots.y == pytest.approx(line.y, rel=1e-6)
+        assert dots.y / dots.x == pytest.approx(dots.y[0] / dots.x[0], rel=1e-6)
+    panel.grab()
+    origin, axes = panel.picture._placed[1]
+    assert "In the band (m/s²)" in panel.picture.read(origin + axes.frame.center())
+
+
+def test_the_copied_bands_are_those_of_the_printed_figure(window, qtbot):
+    window.scenes.open("5D")
     panel = window.panel("linearity")
     qtbot.waitUntil(lambda: panel.result is not None, timeout=60_000)
-    kind = Superposition if name == "5F" else Proportion
-    assert isinstance(panel.result, kind)
-    assert panel.result.largest_difference < 1e-9
+    assert panel.bands.isChecked()
+    head, *rows = (line.split("\t") for line in panel.table().splitlines())
+    fits = lines_of(ss.scenes.open_scene("5D"))
+    numbers = np.array([[float(cell) for cell in row] for row in rows])
+    assert numbers[:, 0] == pytest.approx(fits.frequency_hz)
+    for level, strength in enumerate((0.75, 1.5, 3.0, 6.0)):
+        for output in (20, 26):
+            column = head.index(f"band_rms_{output}_z_m_per_s2 at strength {strength:g}")
+            expected = fits.output_rms[level, output - 1]
+            assert numbers[:, column] == pytest.approx(expected, rel=1e-6)
+    assert numbers[:, head.index("adjusted_r2_26_z")] == pytest.approx(1.0)
+    assert "RMS over all bands" not in window.document.design.notes
 
 
-def test_in_the_largest_letters_those_of_narrow_diagrams_are_smaller_but_can_be_read(qapp):
-    font = scaled(qapp.font(), 3.0)
-    line, usual_px = QFontMetricsF(font).height(), QFontInfo(qapp.font()).pixelSize()
-
-    def drawn_in(*widths):
-        return font_in([QRectF(0, 0, width, 300) for width in widths], font)
-
-    assert drawn_in(20 * line, 10 * line) is font
-    seven = QFontMetricsF(drawn_in(20 * line, 7 * line)).height()
-    assert seven == pytest.approx(0.7 * line, rel=0.05)
-    assert QFontInfo(drawn_in(10.0)).pixelSize() >= usual_px
-    small = scaled(qapp.font(), 11.0 / usual_px)
-    assert font_in([QRectF(0, 0, 10.0, 300)], small) is small
+def test_the_switches_compute_no_prediction_and_are_about_strengths(show, qtbot, monkeypatch):
+    window, panel = show(STRENGTHS)
+    asked = []
+    ask = window.engine.request
+    monkeypatch.setattr(
+        window.engine,
+        "request",
+        lambda request: (asked.append(request.slot.name), ask(request)),
+    )
+    traces = panel._drawn[-len(STRENGTHS) :]
+    for name in ("velocity", "bands", "velocity", "bands"):
+        before = panel.picture.diagrams
+        switch(window, panel, qtbot, name)
+        assert panel.picture.diagrams is not before
+        drawn = panel._drawn[-len(STRENGTHS) :]
+        assert all(trace is other for trace, other in zip(traces, drawn, strict=True))
+    assert not any("snapshot" in request for request in asked)
+    window.document.look(replace(window.document.view, snapshots=snapshots_of(*PARTS)))
+    window.document.edit("Both", PARTS[2])
+    qtbot.waitUntil(lambda: len(panel.picture.diagrams) == 2, timeout=30_000)
+    assert not panel.velocity.isVisible()
+    assert not panel.bands.isVisible()

@@ -228,8 +228,8 @@ def test_the_rig_of_the_machine_holds_while_matching(sound, studio, qtbot, tmp_p
     studio.playback.matching.end()
 
 
-def test_a_studio_that_closes_lets_go_of_the_device(sound, make_window, qtbot, tmp_path):
-    studio = make_window()
+def test_a_studio_that_closes_lets_go_of_the_device(sound, open_window, qtbot, tmp_path):
+    studio = open_window()
     studio.do("match_strength")
     begin(filled(studio.playback.matching.page, qtbot, tmp_path), qtbot)
     studio.close_unasked()

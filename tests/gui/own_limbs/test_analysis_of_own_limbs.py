@@ -30,10 +30,10 @@ DESIGN = Design(
 
 
 @pytest.fixture(params=["xz", "x"])
-def window(request, user_data, make_window):
+def window(request, user_data, open_window):
     installed(axes=request.param, output_names=NAMES)
     edit = edits.change_limb(DESIGN, View(method="mag", outputs=(4, 31, 9)), "lab-1")
-    return make_window(edit.design, edit.view)
+    return open_window(edit.design, edit.view)
 
 
 def shown(window, name, qtbot):

@@ -10,14 +10,20 @@ from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from tests.core.own_limbs.lab_bench import installed
 
-PLAYED = Design(limb="synthetic-1", inputs=(track(5, Tone(frequency_hz=900.0, duration_s=0.1)),))
+WIDE_BAND = Design(limb="synthetic-1", inputs=(track(5, Tone(frequency_hz=900.0, duration_s=0.1)),))
+
+
+@pytest.fixture
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window
 
 
 @pytest.mark.parametrize("band", [None, (40.0, 1500.0), (40.0, 800.0)])
-def test_the_advice_beside_fields_asks_the_limb(user_data, make_window, qtbot, band):
+def test_the_advice_beside_fields_asks_the_limb(user_data, open_window, qtbot, band):
     installed(band_hz=band)
-    edit = edits.change_limb(PLAYED, View(selected_inputs=(1,), outputs=(3,)), "lab-1")
-    window = make_window(edit.design, edit.view)
+    edit = edits.change_limb(WIDE_BAND, View(selected_inputs=(1,), outputs=(3,)), "lab-1")
+    window = open_window(edit.design, edit.view)
     for name in ("inspector", "clip_editor", "spectra", "spectrogram"):
         window.docks[name].bring_forward()
     qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)

@@ -1,19 +1,34 @@
 """The page that imports a limb: from a file in the layout, from arrays and tables."""
 
+import struct
+import zlib
+from dataclasses import replace
 from threading import Event
 
 import h5py
 import numpy as np
 import pytest
-from PySide6.QtWidgets import QDialog, QLabel, QMessageBox
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QDialog, QMessageBox
 
+from skinsource.base.errors import RecordingError
 from skinsource.base.job import Job, stop_if
+from skinsource.base.run_limited import LimitedProcess
+from skinsource.design import edits
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb_import import LimbSource, import_limb
 from skinsource.limbs.limb_layout import export_limb
-from skinsource.limbs.own_limbs import facts_of, own_limb_names, remove_limb
-from skinsource_gui.qt.labels import NameLine
-from tests.core.own_limbs.lab_bench import installed
+from skinsource.limbs.own_limbs import facts_of, install_limb, own_limb_names, remove_limb
+from skinsource_gui.pages.limbs import photograph
+from skinsource_gui.pages.limbs.page import PageJobs
+from skinsource_gui.state.engine import FIRST_SLOT, Purpose
+from skinsource_gui.state.job_runner import JobProgress, JobRunner
+from tests.core.own_limbs.lab_bench import N_TAPS, RATE_HZ, installed, own_limb, response
 from tests.gui.own_limbs.limb_page_bench import button, imported, opened, text_of_page
 
 YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.No
@@ -67,10 +82,6 @@ def test_a_file_in_the_layout_is_imported_and_can_be_chosen_at_once(
             NO,
         )
     ]
-
-
-def test_names_on_the_page_are_selected_by_the_first_click(page):
-    assert all(isinstance(field, NameLine) for field in (page.form.name, page.form.title))
 
 
 def test_a_limb_of_the_same_name_is_replaced_after_a_question(
@@ -156,20 +167,6 @@ def test_computed_responses_are_said_to_be_and_a_file_in_the_layout_says_so_itse
     assert not load_limb("lab-1").synthetic
 
 
-def test_tables_that_were_opened_stay_when_an_array_takes_the_place_of_a_file_in_the_layout(
-    user_data, tmp_path, page, qtbot
-):
-    installed()
-    export_limb("lab-1", tmp_path / "lab.h5")
-    np.save(tmp_path / "plain.npy", np.zeros((7, 31, 2, 9)))
-    (tmp_path / "in.csv").write_text("1,2\n" * 7)
-    opened(page, tmp_path / "lab.h5", "responses", qtbot)
-    opened(page, tmp_path / "in.csv", "inputs", qtbot)
-    opened(page, tmp_path / "plain.npy", "responses", qtbot)
-    page.form.axes.choose("xz")
-    assert text_of_page(page) == "0 of 31 outputs have a place: click them, or open a table."
-
-
 def test_what_cannot_be_read_is_said_and_nothing_is_kept(user_data, tmp_path, page, qtbot):
     (tmp_path / "a.h5").write_bytes(b"nothing at all")
     opened(page, tmp_path / "a.h5", "responses", qtbot)
@@ -183,17 +180,6 @@ def test_what_cannot_be_read_is_said_and_nothing_is_kept(user_data, tmp_path, pa
     assert "row 2" in text_of_page(page)
     assert not button(page, "import_limb").isEnabled()
     assert own_limb_names() == ()
-
-
-def test_a_file_that_is_refused_is_not_named_as_the_chosen_one(user_data, tmp_path, page, qtbot):
-    (tmp_path / "line.csv").write_text("0,0\n9,0\n9,9\n")
-    (tmp_path / "bad.svg").write_text("<svg><path")
-    opened(page, tmp_path / "line.csv", "outline", qtbot)
-    assert page.findChild(QLabel, "chosen_outline").text() == "line.csv"
-    opened(page, tmp_path / "bad.svg", "outline", qtbot)
-    assert "bad.svg" in text_of_page(page)
-    assert page.findChild(QLabel, "chosen_outline").text() == "line.csv"
-    assert len(page.draft.outline) == 3
 
 
 def test_a_table_of_too_few_places_is_said_before_a_file_in_the_layout_is_imported(
@@ -269,3 +255,186 @@ def test_an_svg_and_the_tables_beside_it_lie_on_each_other_as_the_command_has_th
     (tmp_path / "line.csv").write_text("0,0\n60,0\n60,90\n")
     opened(page, tmp_path / "line.csv", "outline", qtbot)
     np.testing.assert_allclose(page.draft.inputs, [(10, 20), (15, 60)])
+
+
+def test_places_are_clicked_on_a_photograph(user_data, tmp_path, window, page, qtbot):
+    responses = np.random.default_rng(1).standard_normal((2, 3, N_TAPS))
+    np.save(tmp_path / "two.npy", responses)
+    picture = QImage(200, 300, QImage.Format.Format_RGB32)
+    picture.fill(Qt.GlobalColor.lightGray)
+    picture.save(str(tmp_path / "hand.png"))
+    opened(page, tmp_path / "two.npy", "responses", qtbot)
+    assert page.form.name.text() == "two"
+    assert text_of_page(page) == "0 of 2 inputs have a place: click them, or open a table."
+    opened(page, tmp_path / "hand.png", "photograph", qtbot)
+
+    def click(what, *points):
+        page.click.set_value(what)
+        for point in points:
+            at = page.canvas.place_of(*point).toPoint()
+            qtbot.mouseClick(page.canvas, Qt.MouseButton.LeftButton, pos=QPoint(at))
+
+    click("inputs", (50, 60), (150, 60), (150, 90))
+    button(page, "remove_last").click()
+    click("outputs", (100, 100), (100, 150), (120, 200))
+    click("outline", (20, 20), (180, 20), (180, 280), (20, 280))
+    assert text_of_page(page).startswith("Click both ends of the hand's length")
+    click("hand", (100, 30), (100, 230))
+    imported(page, "two", qtbot)
+    limb = load_limb("two")
+    assert limb.band_hz is None
+    assert limb.sample_rate_hz == RATE_HZ
+    np.testing.assert_array_equal(limb.response_to(2)[:, 0], responses[1])
+    scale = limb.map.hand_length_px
+    assert scale == pytest.approx(200, abs=3)
+    np.testing.assert_allclose(limb.map.input_positions, [(50, -60), (150, -60)], atol=2)
+    np.testing.assert_allclose(limb.map.outline[0], (20, -20), atol=2)
+
+
+def test_on_a_photograph_all_of_a_file_in_the_layout_is_clicked_or_nothing(
+    user_data, tmp_path, page, qtbot
+):
+    installed()
+    export_limb("lab-1", tmp_path / "lab.h5")
+    picture = QImage(200, 300, QImage.Format.Format_RGB32)
+    picture.save(str(tmp_path / "hand.png"))
+    opened(page, tmp_path / "lab.h5", "responses", qtbot)
+    opened(page, tmp_path / "hand.png", "photograph", qtbot)
+    assert text_of_page(page) == "Ready to import."
+    for what, points, message in (
+        ("inputs", 7, "0 of 31 outputs"),
+        ("outputs", 31, "Click the corners of the outline"),
+        ("outline", 3, "Click both ends of the hand's length"),
+        ("hand", 2, "Ready to import."),
+    ):
+        for k in range(points):
+            page._take(page.draft.with_point(what, (10.0 * k, 7.0 * k * k)))
+        assert text_of_page(page).startswith(message)
+
+
+@pytest.fixture(scope="module")
+def process():
+    with LimitedProcess() as process:
+        yield process
+
+
+def png_of(width, height):
+    """A picture that says it is so large, and holds nothing."""
+
+    def chunk(kind, content):
+        whole = kind + content
+        return struct.pack(">I", len(content)) + whole + struct.pack(">I", zlib.crc32(whole))
+
+    head = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", b"") + chunk(b"IEND", b"")
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("drawing.png", b"<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>"),
+        ("bomb.png", png_of(200_000, 200_000)),
+        ("cut.png", png_of(64, 64)),
+        ("none.jpg", b""),
+    ],
+)
+def test_what_is_no_photograph_is_refused_and_the_next_one_is_read(
+    tmp_path, process, name, content
+):
+    (tmp_path / name).write_bytes(content)
+    with pytest.raises(RecordingError, match="no picture can be read") as caught:
+        photograph.read(tmp_path / name, process)
+    assert name in str(caught.value)
+    QImage(8, 8, QImage.Format.Format_RGB32).save(str(tmp_path / "next.bmp"))
+    assert photograph.read(tmp_path / "next.bmp", process).width() == 8
+
+
+def test_nothing_is_said_of_a_job_of_another_page(qtbot):
+    runner, gate, messages, ended = JobRunner(), Event(), [], []
+    page = PageJobs(runner, runner)
+    page.progressed.connect(messages.append)
+    for signal in (page.done, page.failed, page.cancelled):
+        signal.connect(lambda *_: ended.append(1))
+    own = Job("Importing a limb", lambda progress, stop: gate.wait(30.0))
+    other = Job("Exporting a.csv", lambda progress, stop: None)
+    page.add(own)
+    messages.clear()
+    for job in (other, own):
+        runner.progressed.emit(job, JobProgress(done=1, total=2))
+    # How much there is to do is not known yet.
+    runner.progressed.emit(own, JobProgress())
+    assert messages == ["Importing a limb: 50 %"]
+    runner.done.emit(other, None)
+    runner.failed.emit(other, ValueError("x"))
+    runner.cancelled.emit(other)
+    assert (ended, page.busy) == ([], True)
+    gate.set()
+    qtbot.waitUntil(lambda: ended == [1])
+    assert not page.busy
+    runner.close()
+
+
+PLAYED = Design(
+    limb="synthetic-1",
+    inputs=(track(5, Tone(frequency_hz=1500.0, duration_s=0.1)), track(2, Noise(seed=1))),
+)
+
+
+@pytest.fixture
+def large(user_data):
+    """A limb with a place too many; returns how PLAYED is put onto it."""
+    rng = np.random.default_rng(1)
+    places = rng.uniform(-30, 30, (65, 2))
+    limb = own_limb(input_positions=places, input_names=(), axes="z", n_taps=20)
+    install_limb(limb, (response(1, "z")[..., :20] for _ in range(65)))
+    return edits.change_limb(PLAYED, View(outputs=(3,)), "lab-1")
+
+
+@pytest.fixture
+def large_window(large, open_window, qtbot):
+    window = open_window(large.design, large.view)
+    rested(window, qtbot)
+    return window
+
+
+def rested(window, qtbot):
+    qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+    window.catch_up()
+
+
+def test_clips_have_their_waveforms_and_follow_edits(large_window, qtbot):
+    window = large_window
+    lanes = window.panel("timeline")._table.lanes
+    tone, noise = (track.clips[0].id for track in window.document.design.inputs)
+    assert set(lanes.content.waveforms) == {tone, noise}
+    before = lanes.content.waveforms[tone]
+    # 100 ms at the rate of the limb.
+    assert before.size == 400
+    assert "follow edits up to" in window.panel("skin").map.content.message
+    assert window.panel("timeline")._foot.text() == ""
+    clip = window.document.design.inputs[0].clips[0]
+    slower = replace(clip, waveform=replace(clip.waveform, frequency_hz=100.0))
+    window.document.edit("Slower", window.document.design.with_input(0, clips=(slower,)))
+    rested(window, qtbot)
+    after = lanes.content.waveforms[tone]
+    assert not np.array_equal(after, before)
+    assert "follow edits up to" in window.panel("skin").map.content.message
+
+
+def test_no_response_is_read_for_it_and_nothing_is_judged(large, open_window, qtbot):
+    results, judged = [], []
+    window = open_window(large.design, large.view)
+    window.engine.finished.connect(results.append)
+    rested(window, qtbot)
+    window.validity._judge()
+    window.document.edit("Softer", window.document.design.with_input(0, amplitude=0.5))
+    rested(window, qtbot)
+    window.validity._judge()
+    rested(window, qtbot)
+    judged = [result for result in results if result.request.purpose is Purpose.JUDGE]
+    shown = [result for result in results if result.request.place == (FIRST_SLOT, Purpose.SHOW)]
+    assert shown
+    assert sum(result.work.bytes_read for result in shown) == 0
+    assert judged == []
+    assert window.validity.lamps.findings == ()
+    assert window.notice.text == ""

@@ -1,7 +1,5 @@
 """A design of a limb whose file is gone, in the whole window."""
 
-from dataclasses import replace
-
 import pytest
 from PySide6.QtCore import QEvent, QPoint
 from PySide6.QtWidgets import QApplication, QLabel
@@ -84,14 +82,6 @@ def test_a_limb_that_goes_takes_its_hand_and_outline_and_brings_them_back(user_d
     rested(window, qtbot)
     assert hand.diagram.isVisibleTo(hand)
     assert "OWN LIMB" in window.findChild(LimbNote).text()
-
-
-def test_another_limb_brings_its_hand(gone, qtbot):
-    gone.document.edit("Change limb", replace(gone.document.design, limb="synthetic-1"))
-    rested(gone, qtbot)
-    hand = gone.panel("hand")
-    assert hand.diagram.isVisibleTo(hand)
-    assert "SYNTHETIC LIMB" in gone.findChild(LimbNote).text()
 
 
 def test_a_new_design_on_a_limb_whose_file_has_come_back_tells_its_name(user_data, window, qtbot):

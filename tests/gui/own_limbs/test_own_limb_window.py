@@ -13,10 +13,10 @@ from skinsource.design.design_file import save_design
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.tones import Tone
-from skinsource.limbs.own_limbs import facts_of, install_limb, mirror_limb, remove_limb
+from skinsource.limbs.own_limbs import facts_of, mirror_limb, remove_limb
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.shell.limb_note import LimbNote
-from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed, own_limb, response
+from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed
 
 PLAYED = Design(
     limb="synthetic-1",
@@ -30,9 +30,9 @@ def lab(user_data):
 
 
 @pytest.fixture
-def lab_window(lab, make_window):
+def lab_window(lab, open_window):
     edit = edits.change_limb(PLAYED, View(method="mag", outputs=(3, 31, 5)), "lab-1")
-    return make_window(edit.design, edit.view)
+    return open_window(edit.design, edit.view)
 
 
 def lane(window):
@@ -148,16 +148,6 @@ def test_a_design_whose_limb_is_gone_opens_read_only_and_says_so_wherever_result
     assert "(read-only)" in window.windowTitle()
 
 
-def test_another_limb_unlocks_a_design_whose_limb_is_gone(lab_window, qtbot):
-    remove_limb("lab-1")
-    design = replace(lab_window.document.design)
-    lab_window.findChild(ChoiceField, "limb").choose("synthetic-2")
-    assert lab_window.document.design.limb == "synthetic-2"
-    lab_window.document.edit("Mute", lab_window.document.design.with_input(0, muted=True))
-    assert lab_window.document.design.inputs[0].muted
-    assert design.limb == "lab-1"
-
-
 def test_a_left_hand_is_mirrored_in_every_panel_on_request(lab_window, lab, qtbot):
     hand = lab_window.panel("hand").diagram
     before = hand.stage.layout.centres[:, 0].copy()
@@ -173,13 +163,13 @@ def test_a_left_hand_is_mirrored_in_every_panel_on_request(lab_window, lab, qtbo
 
 @pytest.mark.parametrize("n_unplaced", [0, 13, 30])
 def test_outputs_without_a_place_stand_beside_the_map_however_many(
-    user_data, make_window, qtbot, n_unplaced
+    user_data, open_window, qtbot, n_unplaced
 ):
     places = np.random.default_rng(2).uniform(-30, 30, (N_OUTPUTS, 2))
     places[:n_unplaced] = np.nan
     installed(output_positions=places)
     edit = edits.change_limb(PLAYED, View(outputs=(1, 31)), "lab-1")
-    window = make_window(edit.design, edit.view)
+    window = open_window(edit.design, edit.view)
     rested(window, qtbot)
     skin = window.panel("skin").map
     layout = skin.stage.layout
@@ -190,19 +180,6 @@ def test_outputs_without_a_place_stand_beside_the_map_however_many(
     assert all(layout.palmar_card.contains(QPointF(*point)) for point in beside)
     assert not skin.grab().isNull()
     assert window.notice.text == ""
-
-
-def test_a_limb_too_large_to_follow_edits_says_what_computes_it(user_data, make_window, qtbot):
-    rng = np.random.default_rng(1)
-    limb = own_limb(
-        input_positions=rng.uniform(-30, 30, (65, 2)), input_names=(), axes="z", n_taps=20
-    )
-    install_limb(limb, (response(1, "z")[..., :20] for _ in range(65)))
-    edit = edits.change_limb(PLAYED, View(outputs=(3,)), "lab-1")
-    window = make_window(edit.design, edit.view)
-    message = window.panel("skin").map.content.message
-    assert "65 places and 31 outputs" in message
-    assert "Export and sweeps compute it" in message
 
 
 def test_a_limb_too_large_to_follow_edits_shows_its_own_places_and_why_there_is_no_more(
@@ -242,20 +219,6 @@ def test_outputs_that_a_limb_lacks_leave_the_selection_and_undo_brings_them_back
     assert window.notice.text == ""
     document.undo_stack.undo()
     assert document.view.outputs == (3, 52)
-
-
-def test_a_design_that_looks_at_no_output_of_its_limb_looks_at_the_first(lab, make_window, qtbot):
-    design = edits.change_limb(PLAYED, View(), "lab-1").design
-    window = make_window(design, View(outputs=(40, 52)))
-    rested(window, qtbot)
-    assert window.document.view.outputs == (1, 2)
-    assert window.notice.text == ""
-    window.document.start_over(design, View(outputs=(31, 32)), None)
-    assert window.document.view.outputs == (31,)
-    # Of a limb that is not here nobody knows what it has.
-    remove_limb("lab-1")
-    window.document.start_over(design, View(outputs=(80,)), None)
-    assert window.document.view.outputs == (80,)
 
 
 def test_an_input_at_a_place_that_the_limb_lacks_is_said_with_what_to_do(lab, window, qtbot):

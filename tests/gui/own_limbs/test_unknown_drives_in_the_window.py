@@ -23,7 +23,7 @@ from skinsource_gui.plots.pictures import caption_of
 from tests.core.own_limbs.lab_bench import installed
 from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
 
-PLAYED = Design(
+UNDRIVEN = Design(
     limb="synthetic-1",
     inputs=(track(3, Tone(frequency_hz=100.0, duration_s=0.1), amplitude=0.5),),
 )
@@ -39,7 +39,7 @@ def limbs(user_data):
 
 
 def on(limb, **changes):
-    edit = edits.change_limb(replace(PLAYED, **changes), LOOKED, limb)
+    edit = edits.change_limb(replace(UNDRIVEN, **changes), LOOKED, limb)
     return edit.design, edit.view
 
 
@@ -98,9 +98,9 @@ def shows(window, qtbot, unit):
     assert ("of the probe" in hint) is (unit == "m/s²")
 
 
-def opened_with(front, make_window, qtbot, monkeypatch):
+def opened_with(front, open_window, qtbot, monkeypatch):
     use(monkeypatch, SyntheticSoundLibrary(Two=2))
-    window = make_window(*on(DRIVE))
+    window = open_window(*on(DRIVE))
     window.front = front
     window.docks[front].bring_forward()
     rested(window, qtbot)
@@ -108,13 +108,13 @@ def opened_with(front, make_window, qtbot, monkeypatch):
 
 
 @pytest.fixture(params=IN_FRONT)
-def opened(request, limbs, make_window, qtbot, monkeypatch):
-    return opened_with(request.param, make_window, qtbot, monkeypatch)
+def opened(request, limbs, open_window, qtbot, monkeypatch):
+    return opened_with(request.param, open_window, qtbot, monkeypatch)
 
 
 @pytest.fixture
-def playback_in_front(limbs, make_window, qtbot, monkeypatch):
-    return opened_with("playback", make_window, qtbot, monkeypatch)
+def playback_in_front(limbs, open_window, qtbot, monkeypatch):
+    return opened_with("playback", open_window, qtbot, monkeypatch)
 
 
 def test_another_limb_changes_the_unit_everywhere_at_once(opened, qtbot):
@@ -142,19 +142,6 @@ def test_a_transfer_function_is_per_what_is_driven(playback_in_front, qtbot):
         assert picture.content.unit == f"1 (m/s²)/{unit}"
 
 
-def test_another_scaling_changes_what_playback_says(playback_in_front, qtbot):
-    opened = playback_in_front
-    scaling = opened.findChild(ChoiceField, "scaling")
-    scaling.choose("relative")
-    rested(playback_in_front, qtbot)
-    text = opened.panel("playback").findChild(QLabel, "playback_words").text()
-    assert "an amplitude of 1 is full scale" in text
-    assert "one unit of the drive" in tooltip_of_scaling(opened)
-    scaling.choose("upstream")
-    rested(playback_in_front, qtbot)
-    assert set(shown_unit(opened).values()) == {"m/s²"}
-
-
 def test_of_a_limb_that_goes_the_unit_is_not_known_until_it_is_back(opened, qtbot):
     opened.findChild(ChoiceField, "limb").choose(PROBE)
     shows(opened, qtbot, "m/s²")
@@ -168,11 +155,11 @@ def test_of_a_limb_that_goes_the_unit_is_not_known_until_it_is_back(opened, qtbo
 
 
 @pytest.mark.parametrize(("limb", "unit"), [(DRIVE, "a.u."), (PROBE, "m/s²")])
-def test_strengths_of_snapshots_are_told_in_it(limbs, make_window, qtbot, limb, unit):
+def test_strengths_of_snapshots_are_told_in_it(limbs, open_window, qtbot, limb, unit):
     design, view = on(limb)
     designs = [design.with_input(0, amplitude=k) for k in (1.0, 2.0, 4.0)]
     snapshots = tuple(Snapshot(number=k, design=design) for k, design in enumerate(designs, 1))
-    window = make_window(design, replace(view, snapshots=snapshots, levels_matched=False))
+    window = open_window(design, replace(view, snapshots=snapshots, levels_matched=False))
     window.docks["linearity"].bring_forward()
     panel = window.panel("linearity")
     qtbot.waitUntil(lambda: panel.result is not None and not window.engine.busy, **WAIT)
@@ -203,8 +190,8 @@ def test_pages_ask_for_drives_in_it(limbs, make_desk, qtbot, monkeypatch, limb, 
     desk.playback.matching.end()
 
 
-def test_amplitudes_are_typed_with_that_unit_or_without(limbs, make_window, qtbot):
-    window = make_window(*on(DRIVE))
+def test_amplitudes_are_typed_with_that_unit_or_without(limbs, open_window, qtbot):
+    window = open_window(*on(DRIVE))
     (head,) = window.panel("timeline").findChildren(NumberField, "amplitude_field")
     for text in ("2", "2 a.u.", "2 au", "2a.u"):
         assert parse_number(text, head.spec) == 2.0

@@ -25,7 +25,7 @@ def folder(tmp_path, design):
 
 
 @pytest.fixture
-def studio(make_window, folder, design):
-    window = make_window(design)
+def studio(open_window, folder, design):
+    window = open_window(design)
     window.files.open(folder / "2 tone.skinsource")
     return window

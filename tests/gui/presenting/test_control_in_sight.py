@@ -2,12 +2,11 @@
 
 import pytest
 from PySide6.QtCore import QRect
-from PySide6.QtGui import QFont, QFontMetrics, QRegion
+from PySide6.QtGui import QRegion
 from PySide6.QtWidgets import QAbstractButton, QApplication
 
 from skinsource.studies.scenes.catalog import all_scenes
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.panels.frequency_and_amplitude.panel import Heading
 from skinsource_gui.panels.side_by_side.view import MapsView
 from skinsource_gui.plots.axis import PlotViewBox
 from skinsource_gui.plots.figure import Figure
@@ -15,12 +14,12 @@ from skinsource_gui.plots.plot import Plot
 
 
 @pytest.fixture
-def presented(make_window, qtbot, design):
+def presented(open_window, qtbot, design):
     """A studio that presents on a screen of some size, in letters of some size."""
     windows = []
 
     def make(screen, scale):
-        window = make_window(design)
+        window = open_window(design)
         windows.append(window)
         window.appearance._scale_text(scale)
         window.do("present")
@@ -116,43 +115,3 @@ def test_pictures_and_switches_of_each_scene_are_seen_in_the_largest_letters(pre
                     )
                     # Cards of snapshots go on below.
                     assert shown.height() == button.height() or len(tops) == 1, (*at, button.text())
-
-
-@pytest.fixture
-def heading(qtbot):
-    heading = Heading("")
-    qtbot.addWidget(heading)
-    heading.setFont(QFont("Sans", 10))
-    heading.show()
-    return heading
-
-
-TITLE = "Five strengths of three tones on the palm side of the hand of the first of four people"
-
-
-def test_words_above_what_is_turned_are_as_high_for_long_titles_as_for_short_ones(heading):
-    heading.resize(2 * QFontMetrics(heading.font()).horizontalAdvance("Tone at place 8"), 100)
-    heading.show_phrases(f"{TITLE} · Tone at place 8", TITLE, "Tone at place 8")
-    assert heading.text() == "Tone at place 8"
-    assert heading.toolTip() == f"{TITLE} · Tone at place 8"
-    height = heading.minimumHeight()
-    heading.show_phrases("Tone at place 8")
-    assert not heading.toolTip()
-    assert heading.minimumHeight() == height
-
-
-def test_with_more_room_more_is_said(heading):
-    full = QFontMetrics(heading.font()).horizontalAdvance(TITLE)
-    heading.show_phrases(f"{TITLE} · Tone at place 8", TITLE, "Tone at place 8")
-    texts = []
-    for share in (0.3, 0.6, 1.0):
-        heading.resize(int(share * full), 100)
-        texts.append(heading.text())
-    assert texts == ["Tone at place 8", TITLE, f"{TITLE} · Tone at place 8"]
-
-
-def test_words_that_can_be_said_in_no_shorter_way_have_the_lines_that_they_need(heading):
-    heading.resize(200, 100)
-    heading.show_phrases(TITLE)
-    assert heading.text() == TITLE
-    assert heading.minimumHeight() >= heading.heightForWidth(200)

@@ -7,13 +7,17 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QMessageBox
 
-from skinsource.design.design_file import save_design
-from skinsource.design.view import View
+from skinsource.design.panel_settings import with_settings
 from skinsource.studies.scenes.catalog import all_scenes, open_scene
-from skinsource_gui.panels.skin.settings import use_colours
+from skinsource_gui.panels.frequency_and_amplitude.settings import ControlSettings
 from skinsource_gui.plots.small_map import level_style
 from skinsource_gui.shell.presenting import NotesWindow
-from skinsource_gui.state.historian import Historian
+
+
+@pytest.fixture
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window
 
 
 def title(window):
@@ -30,8 +34,8 @@ def test_scenes_are_the_designs_of_the_folder_in_their_order(studio):
     assert studio.document.path is None
 
 
-def test_without_a_file_the_scenes_are_those_of_the_paper(make_window, design):
-    window = make_window(design)
+def test_without_a_file_the_scenes_are_those_of_the_paper(open_window, design):
+    window = open_window(design)
     window.do("next_scene")
     assert all_scenes()[0].name in title(window)
     window.do("next_scene")
@@ -42,9 +46,9 @@ def test_without_a_file_the_scenes_are_those_of_the_paper(make_window, design):
 
 @pytest.mark.parametrize("opened_by", ["gallery", "key"])
 def test_a_scene_that_is_open_is_presented_with_the_panels_that_show_it(
-    make_window, opened_by, design
+    open_window, opened_by, design
 ):
-    window = make_window(design)
+    window = open_window(design)
     names = [scene.name for scene in all_scenes()]
     if opened_by == "gallery":
         page = window.scenes.show()
@@ -88,8 +92,8 @@ def louder(window, amplitude):
     return window.document.design
 
 
-def test_what_is_turned_while_a_scene_is_presented_is_not_asked_about(make_window, asked, design):
-    window = make_window(design)
+def test_what_is_turned_while_a_scene_is_presented_is_not_asked_about(open_window, asked, design):
+    window = open_window(design)
     window.do("next_scene")
     window.do("present")
     first = louder(window, 2.0)
@@ -101,8 +105,8 @@ def test_what_is_turned_while_a_scene_is_presented_is_not_asked_about(make_windo
     assert not asked
 
 
-def test_of_a_scene_that_was_turned_it_is_said_that_it_is_left_as_it_was(make_window, design):
-    window = make_window(design)
+def test_of_a_scene_that_was_turned_it_is_said_that_it_is_left_as_it_was(open_window, design):
+    window = open_window(design)
     window.do("next_scene")
     window.do("present")
     name, first = all_scenes()[0].name, window.document.design
@@ -147,8 +151,8 @@ def test_work_on_a_file_from_before_it_was_presented_is_asked_about(studio, aske
 
 
 @pytest.mark.parametrize("presented", ["never", "afterwards", "before"])
-def test_work_that_was_done_in_a_scene_is_not_lost_unasked(make_window, asked, presented, design):
-    window = make_window(design)
+def test_work_that_was_done_in_a_scene_is_not_lost_unasked(open_window, asked, presented, design):
+    window = open_window(design)
     window.do("next_scene")
     if presented == "before":
         window.do("present")
@@ -162,8 +166,8 @@ def test_work_that_was_done_in_a_scene_is_not_lost_unasked(make_window, asked, p
     window.document.mark_saved(window.document.path)
 
 
-def test_the_next_scene_is_that_after_the_one_that_was_opened_last(make_window, design):
-    window = make_window(design)
+def test_the_next_scene_is_that_after_the_one_that_was_opened_last(open_window, design):
+    window = open_window(design)
     names = [scene.name for scene in all_scenes()]
     window.do("next_scene")
     window.scenes.open(names[5])
@@ -207,40 +211,15 @@ def test_keys_of_presenting_work_on_the_notes_too_whichever_came_first(studio, q
     assert not notes.isVisible()
 
 
-def test_a_design_without_a_title_is_called_as_its_file_when_it_is_paged_to(studio, folder, design):
-    save_design(folder / "4 twenty.skinsource", design, View())
-    studio.do("present")
-    for _ in range(2):
-        studio.do("next_scene")
-    studio.do("present")
-    assert studio.windowTitle().startswith("4 twenty")
-    assert studio.document.findChild(Historian).history().start == "Scene: 4 twenty"
-    studio.files.new()
-    assert studio.document.findChild(Historian).history().start == "New design"
-
-
-def test_at_the_last_scene_nobody_is_asked_for_what_stays(studio, folder, asked):
-    messages = []
-    studio.presenter.done.connect(messages.append)
-    studio.files.open(folder / "3 both.skinsource")
-    edited = louder(studio, 2.0)
-    studio.do("next_scene")
-    assert messages[-1] == "This is the last scene"
-    assert not asked
-    studio.do("previous_scene")
-    assert len(asked) == 1
-    assert studio.document.design == edited
-
-
 def colours(window):
     return level_style(window.document.view).colours
 
 
 @pytest.mark.parametrize("presented", [True, False])
 def test_levels_stay_in_the_colours_that_were_chosen_from_scene_to_scene(
-    make_window, design, presented
+    open_window, design, presented
 ):
-    window = make_window(design)
+    window = open_window(design)
     if presented:
         window.do("present")
     window.do("next_scene")
@@ -259,38 +238,65 @@ def test_levels_stay_in_the_colours_that_were_chosen_from_scene_to_scene(
     assert colours(window) == "viridis"
 
 
-def test_a_scene_of_the_gallery_has_the_colours_that_were_chosen(make_window, design):
-    window = make_window(design)
-    window.do("use_cividis_colours")
-    window.scenes.open("2H")
-    assert colours(window) == "cividis"
+def test_a_scene_says_what_is_turned(open_window, design):
+    window = open_window(design)
+    window.do("arrange_presentation")
+    view, panel = window.document.view, window.panel("frequency_and_amplitude")
+    for control, shown in {
+        "onset": {"onset_s"},
+        "all": {"frequency_hz", "amplitude"},
+        "frequency": {"frequency_hz"},
+        "amplitude": {"amplitude"},
+    }.items():
+        window.document.look(
+            with_settings(view, "frequency_and_amplitude", ControlSettings(control=control))
+        )
+        cells = {"amplitude": panel._amplitude, "onset_s": panel._onset}
+        if panel._frequency is not None:
+            cells["frequency_hz"] = panel._frequency
+        assert {name for name, cell in cells.items() if cell.isVisible()} == shown, control
 
 
-def test_files_that_are_stepped_through_keep_their_own_colours(studio, folder, design):
-    magma = use_colours("magma", design, View()).view
-    save_design(folder / "3 both.skinsource", design, magma)
-    studio.do("next_scene")
-    assert colours(studio) == "magma"
-    studio.do("previous_scene")
-    assert colours(studio) == "viridis"
+def test_turning_the_onset_moves_the_clip(open_window, design):
+    window = open_window(design)
+    panel = window.panel("frequency_and_amplitude")
+    panel._change("onset_s", 0.1, None)
+    assert window.document.design.inputs[0].clips[0].onset_s == 0.1
 
 
-def test_colours_chosen_in_a_show_of_files_stay_where_a_file_has_chosen_none(
-    studio, folder, design
-):
-    magma = use_colours("magma", design, View()).view
-    save_design(folder / "3 both.skinsource", design, magma)
-    studio.do("use_cividis_colours")
-    colour_sets = []
-    for step in ("previous_scene", "next_scene", "next_scene", "previous_scene"):
-        studio.do(step)
-        colour_sets.append(colours(studio))
-    assert colour_sets == ["cividis", "cividis", "magma", "cividis"]
-    studio.do("use_viridis_colours")
-    studio.do("previous_scene")
-    assert colours(studio) == "viridis"
-    # Another show begins with what it is opened on.
-    studio.do("use_cividis_colours")
-    studio.files.open(folder / "1 tap.skinsource")
-    studio.do("next_scene")
-    assert colours(studio) == "viridis"
+def test_the_only_input_is_turned_without_being_selected(open_window, design):
+    window = open_window(replace(design, inputs=design.inputs[:1]))
+    window.do("arrange_presentation")
+    panel = window.panel("frequency_and_amplitude")
+    unselected = replace(window.document.view, selected_inputs=())
+    window.document.look(unselected)
+    assert "place 7" in panel._heading.text()
+    assert not panel._amplitude_part.isHidden()
+    panel._change("amplitude", 0.25, None)
+    assert window.document.design.inputs[0].amplitude == 0.25
+    panel._change("frequency_hz", 60.0, None)
+    assert window.document.design.inputs[0].clips[0].waveform.frequency_hz == 60.0
+
+
+def test_after_a_show_the_panels_of_the_scene_that_is_open_are_in_front(open_window, qtbot, design):
+    window = open_window(design)
+    # So low that other panels stand behind each other than on the whole screen.
+    window.resize(1366, 600)
+    names = [scene.name for scene in all_scenes()]
+    window.scenes.open("1G")
+    assert "side_by_side" in in_front(window)
+    window.do("present")
+    for _ in range(names.index("2H") - names.index("1G")):
+        window.do("next_scene")
+    window.do("present")
+    qtbot.waitUntil(lambda: "windowed" in in_front(window))
+    qtbot.waitUntil(lambda: window.height() == 600)
+    settle()
+    assert "windowed" in in_front(window)
+    assert "timeline" in in_front(window)
+
+
+def settle():
+    """Docks have their room."""
+    for _ in range(20):
+        QApplication.processEvents()

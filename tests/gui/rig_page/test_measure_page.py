@@ -38,9 +38,9 @@ def card(monkeypatch, recording):
 
 
 @pytest.fixture
-def rig_page(card, make_window, qtbot):
+def rig_page(card, open_window, qtbot):
     design = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tone()),))
-    window = make_window(design)
+    window = open_window(design)
     settings = window.playback.player.settings
     settings.choose(Output(sample_rate_hz=RATE_HZ))
     window.do("edit_rig")

@@ -17,12 +17,20 @@ from skinsource_gui.pages.rig.page import RigDraft, RigPage, title_of
 from tests.core.own_limbs.lab_bench import N_INPUTS, installed
 
 WAIT = {"timeout": 30_000}
+
+
 FLAT = MeasuredResponse(((20.0, 50.0, 0.0), (1000.0, 50.0, 0.0)))
 
 
 @pytest.fixture
-def window(make_window):
-    return make_window(
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window
+
+
+@pytest.fixture
+def window(open_window):
+    return open_window(
         ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Gabor(200.0)),))
     )
 

@@ -18,6 +18,12 @@ from skinsource_gui.panels.skin.settings import SkinSettings
 SCENE = "1C"
 
 
+@pytest.fixture
+def window(new_window):
+    """A studio of each test's own."""
+    return new_window
+
+
 def in_sight(window):
     QApplication.processEvents()
     QApplication.processEvents()

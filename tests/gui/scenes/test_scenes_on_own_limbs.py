@@ -10,19 +10,13 @@ OPEN = QDialogButtonBox.StandardButton.Open
 
 
 @pytest.fixture
-def lab_window(user_data, make_window):
+def lab_window(user_data, open_window):
     installed()
-    return make_window(ss.Design(limb="synthetic-1"))
+    return open_window(ss.Design(limb="synthetic-1"))
 
 
 def selected(page, name):
     page.list.setCurrentRow(ss.scenes.names().index(name))
-
-
-def test_without_a_limb_of_ones_own_none_is_asked_for(window):
-    page = window.scenes.show()
-    assert page.played_on.isHidden()
-    page.reject()
 
 
 def test_a_scene_is_opened_on_a_limb_of_ones_own(lab_window, qtbot):

@@ -80,11 +80,15 @@ def test_it_follows_edits_and_says_silence_and_what_cannot_be(window, panel, qtb
     assert only.heading == "Along z"
 
 
-def test_only_who_looks_at_axes_pays_for_them(window, panel, qtbot, settle):
+def test_only_who_looks_at_axes_pays_for_them(window, panel, qtbot, settle, monkeypatch):
     shown(panel, qtbot, 3)
     asked = []
     ask = window.engine.request
-    window.engine.request = lambda request: (asked.append(request), ask(request))
+    monkeypatch.setattr(
+        window.engine,
+        "request",
+        lambda request: (asked.append(request), ask(request)),
+    )
     document = window.document
     amplitudes = iter((2.0, 3.0, 4.0))
 
@@ -105,14 +109,3 @@ def test_only_who_looks_at_axes_pays_for_them(window, panel, qtbot, settle):
     window.docks["side_by_side"].toggleViewAction().trigger()
     settle()
     assert not quantities_of_an_edit() & OWN
-
-
-def test_the_scene_of_three_axes_shows_them(window, qtbot, settle):
-    window.scenes.open("1E")
-    settle()
-    panel = window.panel("side_by_side")
-    assert panel.isVisible()
-    cells = shown(panel, qtbot, 3)
-    assert [cell.heading for cell in cells] == ["Along x", "Along y", "Along z"]
-    assert panel.maps.content.common_scale is not None
-    assert "one axis at a time" not in window.document.design.notes

@@ -4,17 +4,24 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, QRectF, Qt
 from PySide6.QtGui import QGuiApplication, QImage, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design.comparing import scale_end_db
+from skinsource.design.comparing import Snapshot, scale_end_db
+from skinsource.design.design import Design, track
 from skinsource.design.panel_settings import with_settings
 from skinsource.engine.evaluation import evaluate
 from skinsource.signals.map_range import map_range_db
-from skinsource_gui.panels.side_by_side.view import fitting
+from skinsource_gui.panels.side_by_side.content import (
+    Cells,
+    snapshot_names,
+)
 from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.plots.small_map import paint_small_map, tick_text
+from skinsource_gui.qt.theme import LIGHT
+from skinsource_gui.state.compared import Compared
 from tests.gui.side_by_side.side_by_side_bench import choose, point_at, shown
 
 LIMBS = tuple(f"synthetic-{k}" for k in (1, 2, 3, 4))
@@ -30,22 +37,6 @@ def ring(maps, index, output):
     image = maps.grab().toImage()
     x, y = (round(coordinate) for coordinate in maps.visible_maps.points_of(index)[output - 1])
     return [image.pixel(x + dx, y + dy) for dx in range(-9, 10) for dy in range(-9, 10)]
-
-
-def test_values_are_said_in_as_many_words_as_a_narrow_dock_has_room_for(window, panel, qtbot):
-    cell = shown(panel, qtbot, 4)[0]
-    whole, level, number = cell.value_texts(None)
-    assert whole == f"{level} at {int(np.argmax(cell.values_db)) + 1}"
-    assert level == f"{number} dB"
-    assert cell.value_texts(3)[0].endswith(" dB")
-    assert cell.value_texts(10_000) == ("no such output", "none")
-    image = QImage(200, 40, QImage.Format.Format_RGB32)
-    painter = QPainter(image)
-    metrics = painter.fontMetrics()
-    for text in (whole, level, number):
-        room = metrics.horizontalAdvance(text) + 0.5 * metrics.height()
-        assert fitting(painter, cell.value_texts(None), room) == text
-    painter.end()
 
 
 def test_four_limbs_have_their_own_levels_one_scale_one_pointer_and_one_selection(
@@ -110,7 +101,9 @@ def test_differences_and_mean_and_spread_are_those_of_the_levels(window, panel, 
     assert only.values_db == pytest.approx(expected[2] - expected[0], abs=1e-9)
 
 
-def test_it_costs_nothing_while_hidden_and_follows_edits_while_seen(window, panel, qtbot, settle):
+def test_it_costs_nothing_while_hidden_and_follows_edits_while_seen(
+    window, panel, qtbot, settle, monkeypatch
+):
     graphs = window.engine._graphs
     shown(panel, qtbot, 4)
     # The limb in the window is predicted once, for the window.
@@ -128,7 +121,11 @@ def test_it_costs_nothing_while_hidden_and_follows_edits_while_seen(window, pane
     qtbot.waitUntil(lambda: not any("limb" in slot.name for slot in graphs))
     asked = []
     ask = window.engine.request
-    window.engine.request = lambda request: (asked.append(request.slot.name), ask(request))
+    monkeypatch.setattr(
+        window.engine,
+        "request",
+        lambda request: (asked.append(request.slot.name), ask(request)),
+    )
     window.document.edit("Softer", design.with_input(0, amplitude=0.5))
     settle()
     assert asked == ["A"]
@@ -198,3 +195,76 @@ def test_a_range_that_is_fixed_on_the_skin_map_holds_for_maps_in_the_same_unit(
     assert mean.range_db == (-60.0, -20.0)
     assert spread.range_db[0] == 0.0
     assert spread.text_below == "dB"
+
+
+@pytest.mark.parametrize(
+    ("value", "reached", "text"),
+    [
+        (-20.0, (-57.0, 3.0), "≤ −20"),
+        (20.0, (-57.0, 3.0), "+20"),
+        (20.0, (-1.0, 20.5), "≥ +20"),
+        (0.0, (-57.0, 60.0), "0"),
+        (-20.0, None, "−20"),
+    ],
+)
+def test_the_ends_of_a_scale_say_what_else_has_their_colour(value, reached, text):
+    assert tick_text(value, (-20.0, 20.0), reached, signed=True) == text
+
+
+def test_snapshots_of_a_scene_are_told_by_what_their_titles_do_not_share():
+    def stored(number, title):
+        design = Design(limb="synthetic-1", title=title)
+        return Compared(snapshot=Snapshot(number=number, design=design))
+
+    tones = [stored(1, "Fig. 2B: Far · 50 Hz"), stored(2, "Fig. 2B: Far · 100 Hz")]
+    first, second = snapshot_names(tones, "xyz")
+    assert first == (
+        "Snapshot 1 · Fig. 2B: Far · 50 Hz",
+        "Snapshot 1 · 50 Hz",
+        "1 · 50 Hz",
+        "Snapshot 1",
+        "1",
+    )
+    assert second[1] == "Snapshot 2 · 100 Hz"
+    # What is the same throughout is said; nothing is taken from titles that share nothing.
+    assert snapshot_names([tones[0], tones[0]], "xyz")[0][1] == "Snapshot 1 · 50 Hz"
+    assert snapshot_names([tones[0], stored(2, "Other")], "xyz")[1] == (
+        "Snapshot 2 · Other",
+        "Snapshot 2",
+        "2",
+    )
+    assert snapshot_names([stored(1, "")], "xyz") == [("Snapshot 1", "1")]
+
+
+DESIGN = Design(limb="synthetic-1", inputs=(track(7),))
+
+
+def compared(number, noisy):
+    names = ("limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db")
+    values = dict(evaluate(DESIGN, *names))
+    above = np.full(72, 20.0)
+    above[[output - 1 for output in noisy]] = 5.9
+    return Compared(
+        snapshot=Snapshot(number=number, design=DESIGN), values={**values, "above_noise_db": above}
+    )
+
+
+def painted(small):
+    image = QImage(120, 280, QImage.Format.Format_RGB32)
+    image.fill(0xFFFFFF)
+    painter = QPainter(image)
+    paint_small_map(painter, QRectF(0, 0, 120, 280), small, None, LIGHT)
+    painter.end()
+    return image
+
+
+def test_what_is_mostly_noise_is_hatched_on_each_map_and_on_what_is_made_of_several(qapp):
+    pair = [compared(1, noisy=(3, 70)), compared(2, noisy=(70, 71))]
+    names = [("one",), ("two",)]
+    first, second = Cells().of_levels(pair, names)
+    assert (first.small.noisy, second.small.noisy) == ((3, 70), (70, 71))
+    [difference] = Cells().of_differences(pair, names, 0)
+    assert difference.small.noisy == (3, 70, 71)
+    assert [cell.small.noisy for cell in Cells().of_spread(pair, names, 0)] == [(3, 70, 71)] * 2
+    [quiet, _] = Cells().of_levels([compared(1, noisy=()), pair[1]], names)
+    assert painted(first.small) != painted(quiet.small)

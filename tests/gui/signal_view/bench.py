@@ -38,15 +38,6 @@ def drawn(signals):
     return [curve for row in rows for curve in row.curves[: row.n_curves]]
 
 
-def heights_px(signals, curve):
-    """Heights of the points of a curve, px from the top."""
-    row = next(row for row in signals.plot.stack.rows if curve in row.curves)
-    return [
-        signals.plot.mapFromScene(row.view.mapViewToScene(QPointF(x, y))).y()
-        for x, y in zip(curve.points.x, curve.points.y, strict=True)
-    ]
-
-
 def header_of(signals):
     """What is said above the curves."""
     return signals.plot.stack.header.header

@@ -1,15 +1,18 @@
 """What the view of signals draws, and where."""
 
+from dataclasses import replace
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QPointF
-from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter
+from PySide6.QtGui import QFontMetricsF
 
-from skinsource_gui.plots.axis import Axis
-from skinsource_gui.plots.curves import CurvePoints, Curves, SignalCurve
-from skinsource_gui.qt.theme import LIGHT
+from skinsource.signals.resampling import FINER, finer
+from skinsource_gui.plots.curves import Curves, output_names
+from skinsource_gui.plots.ranges import wave_of
+from skinsource_gui.qt.theme import LIGHT, current_theme
 from tests.gui.signal_view.bench import TIME, drawn, header_of, waves
 
 
@@ -42,42 +45,6 @@ def test_a_curve_is_drawn_at_the_heights_of_its_values(signals):
         assert abs(at.x() - (area.left() + k / 650 * area.width())) < 1e-9
 
 
-def test_what_is_around_the_curves_is_painted_once(signals, monkeypatch):
-    painted = []
-    paint = Axis.drawPicture
-    monkeypatch.setattr(
-        Axis, "drawPicture", lambda axis, *how: (painted.append(axis), paint(axis, *how))
-    )
-    signals.show_curves(waves(2, amplitude=0.3), synthetic=False)
-    signals.plot.grab()
-    painted.clear()
-    for amplitude in (0.31, 0.29, 0.3):
-        signals.show_curves(waves(2, amplitude=amplitude), synthetic=False)
-        signals.plot.grab()
-    assert painted == []
-    signals.show_curves(waves(2, amplitude=3.0), synthetic=False)
-    signals.plot.grab()
-    assert painted == [signals.plot.stack.rows[0].axis]
-
-
-def test_labels_lie_inside_the_plot_and_do_not_touch(signals):
-    plot = signals.plot
-    metrics = QFontMetricsF(plot.font())
-    for amplitude in (1e-7, 0.05, 123456.0):
-        signals.show_curves(waves(4, amplitude=amplitude), synthetic=True)
-        for stacked in (False, True):
-            signals.set_view(TIME, None, stacked=stacked)
-            ticks = [
-                (row.axis.mapToScene(0, at).y(), text)
-                for row in plot.stack.rows
-                for at, text in row.axis.ticks()
-            ]
-            widest = max(metrics.horizontalAdvance(text) for _, text in ticks)
-            assert widest * 0.9 <= plot.places.left
-            labelled = sorted(at for at, text in ticks if text)
-            assert np.all(np.diff(labelled) >= 0.7 * metrics.height())
-
-
 def test_stacked_rows_have_equal_heights_and_one_scale(signals):
     signals.resize(500, 500)
     signals.show_curves(waves(4), synthetic=False)
@@ -104,19 +71,6 @@ def test_more_than_twelve_rows_are_counted_instead_of_drawn(signals):
     assert len(drawn(signals)) == 15
 
 
-def test_thin_rows_say_their_range_in_words(signals):
-    signals.show_curves(waves(12), synthetic=False)
-    signals.set_view(TIME, None, stacked=True)
-    assert header_of(signals).unit == "m/s², each row ±0.32"
-
-
-def test_only_blocks_of_strokes_go_without_smooth_edges(signals):
-    x = np.arange(20_000) / 1300
-    y = np.array([np.sin(2 * np.pi * 100 * x), 1e-3 * x])
-    signals.show_curves(Curves(x=x, y=y, names=waves(2).names), synthetic=False)
-    assert [curve.points.smooth for curve in drawn(signals)] == [False, True]
-
-
 def test_a_block_of_strokes_has_no_gaps(signals):
     x = np.arange(26_000) / 1300
     y = np.sin(2 * np.pi * 100 * x + 0.3)[np.newaxis]
@@ -128,22 +82,6 @@ def test_a_block_of_strokes_has_no_gaps(signals):
         assert {picture.pixelColor(column, row).name() for column in columns} == {LIGHT.outputs[0]}
 
 
-@pytest.mark.parametrize("ratio", [1.0, 1.5, 2.0])
-def test_curves_are_one_pixel_wide_on_every_screen(qapp, ratio):
-    picture = QImage(60, 60, QImage.Format.Format_RGB32)
-    picture.setDevicePixelRatio(ratio)
-    picture.fill(QColor("white"))
-    curve = SignalCurve()
-    curve.set_look(LIGHT.output_pen(0, 0.0), stale=False)
-    x, y = np.array([0.0, 30.0]), np.full(2, 20.25 / ratio)
-    curve.show_points(CurvePoints(x=x, y=y, smooth=False))
-    painter = QPainter(picture)
-    curve.paint(painter, None, None)
-    painter.end()
-    inked = [row for row in range(60) if picture.pixelColor(10, row).name() == LIGHT.outputs[0]]
-    assert inked == [20]
-
-
 def test_stale_curves_are_pale(signals, qtbot):
     signals.show_curves(waves(2), synthetic=False)
     assert [curve.opacity() for curve in drawn(signals)] == [1.0, 1.0]
@@ -151,14 +89,6 @@ def test_stale_curves_are_pale(signals, qtbot):
     qtbot.waitUntil(lambda: [curve.opacity() for curve in drawn(signals)] == [0.5, 0.5])
     signals.show_curves(waves(2), synthetic=False)
     assert [curve.opacity() for curve in drawn(signals)] == [1.0, 1.0]
-
-
-def test_curves_keep_their_colours_when_each_gets_a_row_of_its_own(signals):
-    signals.show_curves(waves(5), synthetic=False)
-    for stacked in (True, False, True):
-        signals.set_view(TIME, None, stacked=stacked)
-        colours = [curve.pen.color() for curve in drawn(signals)]
-        assert colours == [LIGHT.output_colour(rank) for rank in range(5)]
 
 
 @pytest.mark.parametrize("size", [(160, 90), (240, 110), (300, 140), (420, 150)])
@@ -178,3 +108,130 @@ def test_both_axes_have_two_labels_at_least_however_small_the_plot(signals, size
         x_axis = plot.stack.x_axis
         _, _, labels = x_axis.generateDrawSpecs(None)
         assert len(labels) >= 2
+
+
+RATE_HZ = 1300.0
+
+
+CLOSE = (0.4, 0.43)
+
+
+def tone(at_s, frequency_hz=400.0, phase=0.3):
+    return np.sin(2 * np.pi * frequency_hz * at_s + phase)
+
+
+def sampled(asked, signal=tone, n_points=1300, n_curves=2):
+    """Samples of a tone and of half of it, which note what is asked between them."""
+    x = np.arange(n_points) / RATE_HZ
+    y = np.outer(1.0 / (1 + np.arange(n_curves)), signal(x))
+
+    def points(first, end):
+        asked.append((first, end))
+        return finer(x, y, first, end)
+
+    wave = replace(wave_of(x, y), points=points)
+
+    names = output_names(tuple(range(1, n_curves + 1)), "synthetic-1")
+    return Curves(x=x, y=y, names=names, wave=wave)
+
+
+def values(signals, heights):
+    scale = signals.plot.value_scale
+    low, high = scale.values
+    return low + (np.asarray(heights) - scale.edge) / (1 - 2 * scale.edge) * (high - low)
+
+
+@pytest.mark.parametrize("stacked", [False, True])
+def test_zoomed_in_it_draws_the_tone_itself_through_every_sample(signals, stacked):
+    asked = []
+    curves = sampled(asked)
+    signals.show_curves(curves, synthetic=False)
+    signals.set_view(TIME, CLOSE, stacked=stacked)
+    for rank, curve in enumerate(drawn(signals)):
+        at_s, levels = curve.points.x, values(signals, curve.points.y)
+        assert at_s[0] <= CLOSE[0] <= CLOSE[1] <= at_s[-1]
+        np.testing.assert_allclose(levels, tone(at_s) / (1 + rank), rtol=0, atol=1e-4)
+        first = round(at_s[0] * RATE_HZ)
+        samples = curves.y[rank, first : first + at_s[::FINER].size]
+        np.testing.assert_allclose(levels[::FINER], samples, rtol=0, atol=1e-12)
+    # Straight lines would miss much of it.
+    assert np.abs(np.interp(at_s, curves.x, curves.y[0]) - tone(at_s)).max() > 0.2
+
+
+def test_its_points_are_not_computed_until_there_are_two_pixels_for_each_sample(signals):
+    asked = []
+    curves = sampled(asked)
+    signals.show_curves(curves, synthetic=False)
+    width = signals.plot.places.row(0).width()
+    signals.set_view(TIME, (0.1, 0.1 + (0.5 * width + 10) / RATE_HZ), stacked=False)
+    assert asked == []
+    assert set(np.diff(drawn(signals)[0].points.x).round(6)) == {round(1 / RATE_HZ, 6)}
+    n_seen = int(0.5 * width - 10)
+    signals.set_view(TIME, (0.1, 0.1 + n_seen / RATE_HZ), stacked=False)
+    [(first, end)] = asked
+    # Of the visible stretch alone.
+    assert (first, end) == (129, 129 + end - first)
+    assert end - first <= n_seen + 4
+
+
+def test_samples_are_marked_where_eight_pixels_lie_between_them(signals):
+    curves = sampled([])
+    signals.show_curves(curves, synthetic=False)
+    width = signals.plot.places.row(0).width()
+    signals.set_view(TIME, (0.1, 0.1 + width / 7 / RATE_HZ), stacked=False)
+    assert all(curve.dots is None for curve in drawn(signals))
+    plain = signals.plot.grab().toImage()
+    signals.set_view(TIME, (0.1, 0.1 + width / 20 / RATE_HZ), stacked=False)
+    for rank, curve in enumerate(drawn(signals)):
+        dots = [(curve.dots.at(k).x(), curve.dots.at(k).y()) for k in range(curve.dots.count())]
+        at_s, heights = np.array(dots).T
+        first = round(at_s[0] * RATE_HZ)
+        samples = slice(first, first + len(dots))
+        np.testing.assert_allclose(at_s, curves.x[samples], atol=1e-9)
+        np.testing.assert_allclose(values(signals, heights), curves.y[rank, samples], atol=1e-12)
+    # As wide as they are high, whatever is stretched: a sample at a crest, and what is around it.
+    picture, row = signals.plot.grab().toImage(), signals.plot.stack.rows[0]
+    best = int(np.argmax(curves.y[0, samples]))
+    at = row.view.mapViewToScene(drawn(signals)[0].dots.at(best))
+    colour = current_theme().output_colour(0).name()
+
+    def inked(dx, dy):
+        return picture.pixelColor(round(at.x() + dx), round(at.y() + dy)).name() == colour
+
+    assert inked(0, 0)
+    for far in (-5, 5):
+        assert not inked(far, -3)
+    assert picture != plain
+
+
+def test_peaks_between_samples_are_in_the_range_and_readings_stay_those_of_samples(signals):
+    # Four samples a period, none of them at a peak.
+    curves = sampled([], partial(tone, frequency_hz=325.0, phase=np.pi / 4))
+    assert curves.y.max() < 0.75
+    signals.show_curves(curves, synthetic=False)
+    whole = signals.plot.value_scale.values
+    assert whole[1] >= 1.0
+    signals.set_view(TIME, CLOSE, stacked=False)
+    assert signals.plot.value_scale.values == whole
+    assert values(signals, drawn(signals)[0].points.y).max() == pytest.approx(1.0, abs=1e-3)
+    signals.plot.crosshair.put(curves.nearest(0.4102))
+    index = signals.plot.crosshair.index
+    assert index == round(0.4102 * RATE_HZ)
+    reading = float(signals.legend.text.readings[0].replace("−", "-"))
+    assert reading == pytest.approx(curves.y[0, index], abs=1e-3)
+
+
+def test_ranges_do_not_change_while_data_change_a_little(signals):
+    signals.show_curves(waves(2, amplitude=0.3), synthetic=False)
+    before = signals.plot.places
+    for amplitude in (0.31, 0.25, 0.2, 0.31):
+        signals.show_curves(waves(2, amplitude=amplitude), synthetic=False)
+        assert signals.plot.places is before
+
+
+def test_values_that_are_not_finite_empty_the_picture(signals):
+    curves = waves(1)
+    curves.y[0, 3] = np.nan
+    signals.show_curves(curves, synthetic=False)
+    assert signals.plot.curves is None
+    assert "not finite" in signals.plot.message

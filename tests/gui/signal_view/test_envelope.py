@@ -13,7 +13,7 @@ from skinsource_gui.plots.curves import Curves, output_names
 from skinsource_gui.plots.plot import Plot
 from skinsource_gui.plots.ranges import wave_of
 from skinsource_gui.plots.signal_view import draw_signals
-from tests.gui.signal_view.bench import TIME, drawn, waves
+from tests.gui.signal_view.bench import TIME, waves
 
 RATE_HZ = 1300.0
 SIZE = 900, 600
@@ -21,11 +21,6 @@ SIZE = 900, 600
 
 def tone(at_s, frequency_hz):
     return np.sin(2 * np.pi * frequency_hz * at_s + np.pi / 4)
-
-
-def sweep(at_s):
-    """From 100 to 600 Hz, through a quarter and a third of the rate."""
-    return np.sin(2 * np.pi * (100.0 * at_s + 250.0 * at_s**2 / at_s[-1]))
 
 
 def curves_of(signal, n_points, n_curves=1):
@@ -99,64 +94,6 @@ def test_a_tone_reaches_its_peak_everywhere_whatever_its_samples_miss(
             assert picture.max() <= peak + near
         np.testing.assert_allclose(on_screen, printed, rtol=0, atol=near)
     assert paper.value_scale.values == signals.plot.value_scale.values
-
-
-@pytest.mark.parametrize("n_points", [1300, 6500])
-def test_a_sweep_has_no_notch_where_it_beats_with_the_rate(signals, pictured, n_points):
-    curves = curves_of(sweep, n_points)
-    signals.show_curves(curves, synthetic=False)
-    n_windows = n_points // 20
-    for plot in (signals.plot, pictured(signals.plot)):
-        assert envelope(plot, 0, n_windows).min() >= 1.0 - EXTREMES_ERROR
-    # Its samples have one.
-    assert curves.y[0].reshape(-1, 20).max(axis=1)[10:-10].min() < 0.9
-
-
-def test_the_range_counts_the_wave_also_where_it_is_not_seen(signals, pictured):
-    def burst(at_s):
-        return tone(at_s, 325.0) * np.exp(-(((at_s - 3.0) / 0.2) ** 2))
-
-    curves = curves_of(burst, 6500)
-    assert curves.y.max() < 0.75
-    for zoom in ((1.0, 1.02), (1.0, 1.5), (1.0, 4.0), None):
-        signals.plot.reset_range()
-        signals.set_view(TIME, zoom, stacked=False)
-        signals.show_curves(curves, synthetic=False)
-        assert signals.plot.value_scale.values == (-1.25, 1.25)
-        assert pictured(signals.plot).value_scale.values == (-1.25, 1.25)
-
-
-def test_a_range_that_is_held_on_the_screen_is_that_of_the_picture(signals, pictured):
-    signals.show_curves(waves(amplitude=0.95), synthetic=False)
-    signals.show_curves(waves(amplitude=0.7), synthetic=False)
-    held = signals.plot.value_scale.values
-    assert held[1] > 0.9
-    assert pictured(signals.plot).value_scale.values == held
-    # To draw it changed nothing on the screen.
-    assert signals.plot.value_scale.values == held
-
-
-def test_where_each_sample_is_drawn_one_of_those_beside_a_crest_takes_it_over(signals):
-    curves = curves_of(partial(tone, frequency_hz=325.0), 400)
-    signals.show_curves(curves, synthetic=False)
-    [curve] = drawn(signals)
-    np.testing.assert_allclose(curve.points.x, curves.x, atol=1e-12)
-    low, high = signals.plot.value_scale.values
-    values = (low + curve.points.y * (high - low))[20:-20]
-    # Of each two above zero and each two below it.
-    pairs = np.abs(values[2:-2]).reshape(-1, 2)
-    np.testing.assert_allclose(pairs.max(axis=1), 1.0, atol=EXTREMES_ERROR)
-    np.testing.assert_allclose(pairs.min(axis=1), np.sqrt(0.5), atol=EXTREMES_ERROR)
-
-
-def test_a_tone_of_many_samples_a_period_is_joined_as_smoothly_as_its_samples(signals):
-    curves = curves_of(partial(tone, frequency_hz=30.0), 1000)
-    signals.show_curves(curves, synthetic=False)
-    [curve] = drawn(signals)
-    assert curve.points.smooth
-    low, high = signals.plot.value_scale.values
-    values = low + curve.points.y * (high - low)
-    np.testing.assert_allclose(values[20:-20], curves.y[0, 20:-20], atol=0.005)
 
 
 def test_curves_whose_wave_is_not_known_are_joined_as_they_are(signals):

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QRectF, Qt
+from PySide6.QtCore import QPoint, QRectF, Qt
 from PySide6.QtGui import QContextMenuEvent, QImage, QPainter
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtTest import QTest
@@ -56,28 +56,9 @@ def test_the_right_button_opens_a_menu_that_shows_everything(signals, qtbot):
     assert asked.args == [None]
 
 
-def test_after_the_menu_a_drag_starts_where_it_starts(signals, qtbot):
-    signals.show_curves(waves(2), synthetic=False)
-    open_menu(signals).close()
-    viewport, area = signals.plot.viewport(), signals.plot.places.area
-    with qtbot.waitSignal(signals.zoom_requested) as asked:
-        QTest.mousePress(viewport, Qt.MouseButton.LeftButton, pos=QPoint(300, 60))
-        QTest.mouseMove(viewport, QPoint(350, 60))
-        QTest.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=QPoint(350, 60))
-    assert asked.args[0][0] == pytest.approx(0.5 * (300 - area.left()) / area.width())
-
-
 def test_without_curves_there_is_no_menu(signals):
     signals.show_message("Select outputs on the skin map")
     assert open_menu(signals) is None
-
-
-def test_twenty_openings_of_the_menu_leave_nothing(signals):
-    signals.show_curves(waves(2), synthetic=False)
-    for _ in range(20):
-        open_menu(signals).close()
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    assert signals.findChildren(QMenu) == []
 
 
 def test_the_picture_on_the_clipboard_is_light_large_and_has_a_legend(signals, use_theme):
@@ -100,22 +81,6 @@ def test_the_picture_on_the_clipboard_is_light_large_and_has_a_legend(signals, u
     assert signals.plot.crosshair.index == 100
 
 
-def test_the_heading_of_a_picture_takes_as_many_lines_as_it_needs(signals, save_to):
-    parts = ("Synthetic 1 (175 mm)", "x, y, z, principal axis", "scaling: peak of each input")
-    signals.resize(300, signals.height())
-    texts, heights = [], []
-    for heading in ((), parts):
-        signals.show_curves(replace(waves(2), heading=heading), synthetic=False)
-        path = save_to("traces.svg")
-        choose(signals, "Save picture")
-        texts.append(path.read_text())
-        heights.append(QSvgRenderer(str(path)).defaultSize().height())
-    assert heights[1] > heights[0]
-    for part in parts:
-        assert part not in texts[0]
-        assert part in texts[1]
-
-
 def test_a_picture_is_saved_as_png(signals, save_to):
     signals.show_curves(waves(2), synthetic=False)
     path = save_to("traces.png")
@@ -136,19 +101,6 @@ def test_a_picture_has_the_size_and_the_colours_that_were_asked_for(signals, sav
     assert {picture.pixelColor(x, size[1] - 1).name() for x in range(size[0])} == {DARK.base}
     lower = [picture.pixelColor(x, int(0.8 * size[1])).name() for x in range(size[0])]
     assert len(set(lower[size[0] // 2 :])) > 1
-
-
-def test_size_and_colours_are_offered_again_and_none_is_no_picture(signals, save_to, monkeypatch):
-    signals.show_curves(waves(2), synthetic=False)
-    save_to("traces.png", width_px=777, colours="dark")
-    choose(signals, "Save picture")
-    offered = []
-    monkeypatch.setattr(
-        signal_view, "ask_picture_options", lambda _, usual, **page: offered.append(usual)
-    )
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: pytest.fail("not asked for"))
-    choose(signals, "Save picture")
-    assert (offered[0].width_px, offered[0].colours) == (777, "dark")
 
 
 def test_a_page_is_saved_as_pdf(signals, save_to):

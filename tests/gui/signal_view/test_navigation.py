@@ -1,11 +1,19 @@
 """The plot of traces and spectra, without a panel."""
 
+import gc
+import weakref
+
 import numpy as np
+import pyqtgraph
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QCursor
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QScrollArea, QVBoxLayout, QWidget
 
 from skinsource_gui.plots.curves import Curves, output_names
+from skinsource_gui.plots.signal_view import SignalView
+from skinsource_gui.qt.wheel import PAUSE_S, ScrollGesture
 from tests.gui.signal_view.bench import FREQUENCY, TIME, left_and_width, turn_wheel, waves
 
 
@@ -45,17 +53,6 @@ def test_the_crosshair_reads_what_is_under_a_pointer_that_rests_while_the_wheel_
     QTest.keyClick(plot, Qt.Key.Key_Escape)
     signals.set_view(TIME, (0.1, 0.3), stacked=False)
     assert plot.crosshair.index is None
-
-
-def test_the_crosshair_is_drawn_at_once_where_it_reads(signals):
-    signals.show_curves(waves(2), synthetic=False)
-    crosshair, line = signals.plot.crosshair, signals.plot.stack.rows[0].line
-    for index in (130, 400):
-        crosshair.put(index)
-        assert line.isVisible()
-        assert line.value() == crosshair.position
-    crosshair.put(None)
-    assert not line.isVisible()
 
 
 def test_the_crosshair_keeps_its_place_when_data_change(signals):
@@ -200,3 +197,105 @@ def test_a_zoom_that_holds_no_data_says_how_to_leave_it(signals):
     assert "Press 0" in signals.plot.stack.hint.text
     signals.set_view(TIME, None, stacked=False)
     assert signals.plot.stack.hint.text == ""
+
+
+def test_a_closed_view_leaves_no_plot_no_scene_and_no_view_box(qapp):
+    boxes, widgets = set(pyqtgraph.ViewBox.AllViews), set(QApplication.allWidgets())
+    view = SignalView("plot", "Plot")
+    view.show()
+    view.set_view(TIME, None, stacked=True)
+    view.show_curves(waves(5), synthetic=True)
+    view.plot.crosshair.put(10)
+    QApplication.processEvents()
+    assert len(set(pyqtgraph.ViewBox.AllViews) - boxes) == 5
+    gone = [weakref.ref(part) for part in (view, view.plot, view.plot.scene())]
+    view.close()
+    view.deleteLater()
+    del view
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    gc.collect()
+    assert [part() for part in gone] == [None, None, None]
+    assert set(pyqtgraph.ViewBox.AllViews) <= boxes
+    assert set(QApplication.allWidgets()) <= widgets
+
+
+PLAIN, CTRL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier
+
+
+class ScrolledPlot:
+    """A plot below a tall text, and a clock that is set by hand."""
+
+    def __init__(self, qtbot):
+        self.now_s, self.zooms = 100.0, []
+        self.view = SignalView("scrolled", "Scrolled")
+        self.view.setMinimumHeight(400)
+        inside, self.area = QWidget(), QScrollArea()
+        column = QVBoxLayout(inside)
+        text = QWidget()
+        text.setFixedHeight(400)
+        column.addWidget(text)
+        column.addWidget(self.view)
+        self.area.setWidgetResizable(True)
+        self.area.setWidget(inside)
+        qtbot.addWidget(self.area)
+        plot = self.view.plot
+        plot.scrolling_on = ScrollGesture(plot, lambda: self.now_s)
+        self.area.resize(400, 300)
+        self.area.show()
+        qtbot.waitExposed(self.area)
+        self.view.set_view(TIME, None, stacked=False)
+        self.view.show_curves(waves(), synthetic=False)
+        self.view.zoom_requested.connect(self.zooms.append)
+        QCursor.setPos(self.area.mapToGlobal(QPoint(200, 150)))
+
+    @property
+    def scrolled(self):
+        return self.area.verticalScrollBar().value()
+
+    def turn(self, held=PLAIN):
+        at = QCursor.pos()
+        QTest.wheelEvent(
+            self.area.windowHandle(),
+            QPointF(self.area.mapFromGlobal(at)),
+            QPoint(0, -120),
+            QPoint(),
+            held,
+        )
+
+    def turn_until_over_the_plot(self):
+        for _ in range(20):
+            self.turn()
+            self.now_s += 0.1
+            if QApplication.widgetAt(QCursor.pos()) is self.view.plot.viewport():
+                return
+        raise AssertionError("the plot never came under the pointer")
+
+
+@pytest.fixture
+def bench(qtbot):
+    return ScrolledPlot(qtbot)
+
+
+def test_a_turn_that_began_as_scrolling_goes_on_to_the_end_and_beyond(bench):
+    bench.turn_until_over_the_plot()
+    before = bench.scrolled
+    bench.turn()
+    assert bench.scrolled > before
+    for _ in range(20):
+        bench.now_s += PAUSE_S - 0.1
+        bench.turn()
+    assert bench.scrolled == bench.area.verticalScrollBar().maximum()
+    assert bench.zooms == []
+
+
+@pytest.mark.parametrize("why", ["moved", "rested", "key"])
+def test_the_plot_takes_the_wheel_when_it_is_meant(bench, why):
+    bench.turn_until_over_the_plot()
+    before = bench.scrolled
+    if why == "moved":
+        QCursor.setPos(QCursor.pos() + QPoint(0, 8))
+    elif why == "rested":
+        bench.now_s += PAUSE_S
+    bench.turn(CTRL if why == "key" else PLAIN)
+    assert len(bench.zooms) == 1
+    assert bench.scrolled == before

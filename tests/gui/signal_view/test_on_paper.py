@@ -1,6 +1,5 @@
 """On paper, where dots are finer than pixels, curves are as they are."""
 
-import re
 from dataclasses import replace
 from functools import partial
 
@@ -42,23 +41,6 @@ def test_the_wave_itself_is_drawn_not_lines_between_samples(signals):
     tops = np.argmax(columns, axis=0)
     # Lines between three samples in a period lose up to half of its height.
     assert np.ptp(tops) <= 0.03 * columns.shape[0]
-
-
-def test_lines_are_as_wide_in_print_as_everything_else(signals):
-    signals.set_view(TIME, None, stacked=False)
-    level = replace(waves(1), y=np.linspace(-1.0, 1.0, 651)[np.newaxis])
-    signals.show_curves(level, synthetic=False)
-    pixels = ink(signals.plot, 600)
-    column = pixels[pixels.shape[0] // 4 :, pixels.shape[1] // 2]
-    assert column.sum() >= 5
-
-
-def test_lines_of_a_drawing_grow_with_it(signals, tmp_path):
-    signals.show_curves(waves(10), synthetic=False)
-    save_drawing(tmp_path / "a.svg", partial(draw_signals, plot=signals.plot), *SIZE)
-    lines = re.findall(r"<(?:polyline|path)[^>]*>", (tmp_path / "a.svg").read_text("utf-8"))
-    assert lines
-    assert not any("non-scaling-stroke" in line for line in lines)
 
 
 def test_words_above_that_are_too_long_for_a_line_are_broken(signals, tmp_path):

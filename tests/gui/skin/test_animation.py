@@ -6,12 +6,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QLabel
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError, Stopped, StorageError
 from skinsource.base.job import never
-from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
 from skinsource.export import exported_design
 from skinsource.export.video import video_file
@@ -20,16 +18,12 @@ from skinsource.perception.validity import Finding
 from skinsource_gui.panels.skin import film as animation
 from skinsource_gui.panels.skin import time
 from skinsource_gui.panels.skin.film import (
-    MOST_PX,
-    FilmOptions,
     export_animation,
     film_of,
-    frame_size,
 )
-from skinsource_gui.panels.skin.layout import VisiblePart
 from skinsource_gui.panels.skin.settings import MAGNITUDE, RMS, SkinSettings, Z
 from skinsource_gui.panels.skin.time import slow_down_factor
-from skinsource_gui.plots.pictures import LAYOUTS, PictureDialog, PictureOptions, with_caption
+from skinsource_gui.plots.pictures import PictureOptions, with_caption
 from skinsource_gui.qt.theme import DARK
 
 imageio_ffmpeg = pytest.importorskip("imageio_ffmpeg")
@@ -69,22 +63,6 @@ def test_frames_are_written_as_they_come_and_not_all_held_until_the_end(tmp_path
             add(noise[number % 8])
         [part] = tmp_path.iterdir()
         qtbot.waitUntil(lambda: part.stat().st_size > 0, timeout=30_000)
-
-
-def test_colours_of_a_gif_that_come_late_are_those_of_the_bar(tmp_path):
-    frame = np.zeros((64, 64, 3), np.uint8)
-    frame[:, -8:] = (4 * np.arange(64))[:, None, None]  # a colour bar
-    with video_file(tmp_path / "a.gif", (64, 64), "", never) as add:
-        for _ in range(60):
-            add(frame)
-        for grey in (100, 200):
-            late = frame.copy()
-            late[:, :-8] = grey
-            add(late)
-    *_, first, second = frames_of(tmp_path / "a.gif", 64 * 64)
-    bar = 8 * 126.0
-    assert first == pytest.approx((56 * 100 + bar) / 64, abs=2.0)
-    assert second == pytest.approx((56 * 200 + bar) / 64, abs=2.0)
 
 
 def test_what_is_no_animation_is_refused_and_nothing_is_left(tmp_path):
@@ -214,17 +192,6 @@ def test_what_is_mostly_noise_is_hatched_in_a_film_and_the_caption_says_it(monke
     assert camera._caption.endswith(" 2 noisy.")
 
 
-@pytest.mark.parametrize(
-    ("options", "size"),
-    [
-        (PictureOptions(width_px=901, height_px=1201), (900, 1200)),
-        (PictureOptions(width_px=1280, height_px=720, dpi=144), (1920, 1080)),
-    ],
-)
-def test_a_film_has_the_size_and_the_ground_that_was_asked_for(options, size):
-    assert frame_size(options) == size
-
-
 def test_a_film_has_its_stimulus_below_it_at_every_size(monkeypatch):
     captions = []
     monkeypatch.setattr(
@@ -243,23 +210,3 @@ def test_a_film_has_its_stimulus_below_it_at_every_size(monkeypatch):
     assert tuple(frame[1, 1]) == QColor(DARK.base).getRgb()[:3]
     # Its words, in the colour of words, at the foot.
     assert (np.abs(frame[-60:].astype(int) - frame[1, 1]).sum(axis=2) > 100).any()
-
-
-def test_a_film_that_no_encoder_takes_is_refused(tmp_path):
-    poster = FilmOptions(width_px=1588, height_px=2117, dpi=300)
-    with pytest.raises(InvalidInputError, match="4962 x 6616 pixels, expected at most 4096"):
-        export_animation(tmp_path / "a.mp4", DESIGN, VIEW, options=poster)
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_the_sizes_of_pictures_are_offered_for_films_and_none_is_too_large(qtbot):
-    dialog = PictureDialog(
-        PictureOptions(width_px=900, height_px=1200), kinds="MP4 or GIF", most_px=MOST_PX
-    )
-    qtbot.addWidget(dialog)
-    for layout in LAYOUTS:
-        dialog._edit("layout", layout.name, None)
-        assert max(frame_size(dialog.options)) <= MOST_PX
-        assert dialog.options.layout == layout.name
-    texts = [label.text() for label in dialog.findChildren(QLabel)]
-    assert "The next step asks where to, and whether as MP4 or GIF." in texts

@@ -1,13 +1,13 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
-from PySide6.QtGui import QContextMenuEvent, QFontMetrics
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.signals.map_range import map_range_db
-from skinsource_gui.panels.skin.scale import fitting_title
-from skinsource_gui.panels.skin.settings import MapQuantity, tick_levels
+from skinsource_gui.panels.skin.scale import PulledRange
+from skinsource_gui.panels.skin.settings import moved, tick_levels, with_high
 from skinsource_gui.plots.small_map import COLOURS
 from tests.gui.skin.bench import (
     CONTROL,
@@ -15,8 +15,6 @@ from tests.gui.skin.bench import (
     PLAIN,
     drag,
 )
-
-# The range of the colours
 
 
 def test_the_automatic_range_holds_the_loudest_output(window):
@@ -67,16 +65,6 @@ def test_a_drag_between_the_handles_moves_both(window):
     assert high - low == pytest.approx(50.0)
 
 
-def test_the_scale_stands_still_while_a_handle_is_dragged(window):
-    strip = window.panel.colour_bar.strip
-    QTest.mousePress(strip.high, LEFT, PLAIN, QPoint(10, 6))
-    before = strip.low.pos(), strip.high.pos().y()
-    QTest.mouseMove(strip.high, QPoint(10, 36))
-    assert strip.low.pos() == before[0]
-    assert strip.high.pos().y() == pytest.approx(before[1] + 30, abs=1)
-    QTest.mouseRelease(strip.high, LEFT, PLAIN, QPoint(10, 6))
-
-
 def test_a_double_click_brings_the_automatic_range_back(window):
     window.show(map_range_db=(-30.0, -20.0))
     QTest.mouseDClick(window.panel.colour_bar.strip, LEFT, PLAIN, QPoint(17, 200))
@@ -92,24 +80,6 @@ def test_keys_move_a_handle_or_the_whole_range(window):
     assert window.settings.map_range_db == (-60.1, -9.0)
     QTest.keyClick(strip, Qt.Key.Key_PageUp)
     assert window.settings.map_range_db == pytest.approx((-50.1, 1.0))
-
-
-def test_exact_levels_are_typed(window):
-    field = window.panel.colour_bar.low_field
-    field.setFocus()
-    field.selectAll()
-    QTest.keyClicks(field, "-42.5")
-    QTest.keyClick(field, Qt.Key.Key_Return)
-    assert window.settings.map_range_db == (-42.5, -10.0)
-    assert field.text() == "−42.5"
-
-
-def test_a_level_may_have_a_decimal_comma_and_a_unit(window):
-    field = window.panel.colour_bar.low_field
-    field.setFocus()
-    QTest.keyClicks(field, "-45,5 dB")
-    QTest.keyClick(field, Qt.Key.Key_Return)
-    assert window.settings.map_range_db == (-45.5, -10.0)
 
 
 @pytest.mark.parametrize(
@@ -163,16 +133,6 @@ def test_ticks_are_round_and_apart():
     assert tick_levels(-1.0, 0.0, room_px=200.0, spacing_px=24.0) == [-1.0, -0.5, 0.0]
 
 
-def test_a_title_that_has_no_room_is_shortened_and_never_cut(qapp):
-    metrics = QFontMetrics(qapp.font())
-    for quantity in (MapQuantity(), MapQuantity(name="z"), MapQuantity(name="sensation")):
-        for room_px in range(30, 700, 10):
-            title = fitting_title(quantity, metrics, room_px)
-            assert metrics.horizontalAdvance(title) <= room_px
-            assert title in quantity.titles or title.endswith("…")
-        assert title == quantity.titles[0]
-
-
 def test_the_right_button_on_the_colour_bar_offers_the_colours(window):
     strip = window.panel.colour_bar.strip
     at = strip.rect().center()
@@ -189,12 +149,28 @@ def test_the_right_button_on_the_colour_bar_offers_the_colours(window):
     assert not strip.findChildren(QMenu, "colours_menu")
 
 
-def test_numbers_of_the_scale_stand_beside_its_handles(window):
-    strip = window.panel.colour_bar.strip
-    strip.high.hide()
-    strip.low.hide()
-    image = strip.grab().toImage()
-    handle, ground = strip.high.geometry(), strip.palette().window().color()
-    for y in range(max(handle.top(), 0), handle.bottom()):
-        assert image.pixelColor(handle.right(), y) == ground
-        assert image.pixelColor(handle.right() + 1, y) == ground
+def test_the_scale_goes_beyond_the_range_and_follows_it():
+    pulled_range = PulledRange((-60.0, -10.0))
+    assert pulled_range.axis_db == (-66.0, -4.0)
+    pulled_range.show((-60.0, 40.0))
+    assert pulled_range.axis_db == (-72.0, 52.0)
+
+
+def test_while_it_is_held_the_scale_stays_and_it_is_pulled_from_where_it_was():
+    pulled_range = PulledRange((-60.0, -10.0))
+    pulled_range.hold()
+    for part, expected in ((0.1, (-53.8, -3.8)), (0.2, (-47.6, 2.4)), (0.0, (-60.0, -10.0))):
+        assert pulled_range.pulled(moved, part) == expected
+        pulled_range.show(expected)
+        assert pulled_range.axis_db == (-66.0, -4.0)
+    pulled_range.show((-47.6, 2.4))
+    pulled_range.release()
+    assert pulled_range.axis_db == (-53.6, 8.4)
+
+
+def test_nothing_is_wanted_of_a_range_that_is_not_held_or_not_yet_pulled():
+    pulled_range = PulledRange((-60.0, -10.0))
+    assert pulled_range.pulled(moved, 0.5) is None
+    pulled_range.hold()
+    assert pulled_range.pulled(moved, 0.0005) is None
+    assert pulled_range.pulled(lambda held, by: with_high(held, held[1] + by), 0.5) == (-60.0, 21.0)

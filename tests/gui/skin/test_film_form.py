@@ -1,6 +1,5 @@
 """What is asked before a film of the skin map is written."""
 
-import re
 from dataclasses import replace
 from functools import partial
 
@@ -92,14 +91,6 @@ def test_a_limb_that_is_not_measured_along_z_is_filmed_in_magnitude(monkeypatch)
     assert film_options(DESIGN, shown("levels"), SIZES).quantity == "magnitude"
 
 
-def test_it_begins_with_the_size_and_the_resolution_of_the_last_time():
-    sizes = PictureOptions(layout="slide", width_px=640, height_px=480, dpi=144)
-    for last in (sizes, FilmOptions(layout="slide", width_px=640, height_px=480, dpi=144)):
-        options = film_options(DESIGN, shown("z"), last)
-        known = options.layout, options.width_px, options.height_px, options.dpi
-        assert known == ("slide", 640, 480, 144)
-
-
 def test_length_frames_and_size_follow_what_is_chosen(form):
     begin = "50 to 150 ms of the response: "
     assert remark(form) == f"{begin}10 s of film, 601 frames, 0.5 to 2 MB."
@@ -149,13 +140,6 @@ def test_what_cannot_be_written_says_why_and_cannot_be_saved(qtbot):
     assert not save.isEnabled()
 
 
-def test_the_window_of_the_sliding_rms_is_asked_for_where_that_is_shown(form):
-    window = form.findChild(NumberField, "rms_window_s_field")
-    assert not window.isVisible()
-    choose(form, "quantity", "rms")
-    assert window.isVisible()
-
-
 def test_the_window_of_the_sliding_rms_can_be_another_one(form):
     choose(form, "quantity", "rms")
     form.findChild(NumberField, "rms_window_s_field").edited.emit(0.075, None)
@@ -202,30 +186,3 @@ def test_what_was_chosen_is_filmed_and_not_what_the_screen_shows(tmp_path, monke
     assert look[-1] == VisiblePart(fit="hand")
     # How it is drawn is as on the screen.
     assert settings_of(options.view_of(view), "skin", SkinSettings).map_style == "sensors"
-
-
-@pytest.mark.parametrize("kind", [".mp4", ".webm", ".gif"])
-def test_the_size_that_is_told_is_about_that_of_the_file(tmp_path, kind):
-    pytest.importorskip("imageio_ffmpeg")
-    view = shown("z", View(time_range_s=(0.05, 0.08)), slow_motion=50.0)
-    options = replace(film_options(DESIGN, view, SIZES), width_px=300, height_px=400, kind=kind)
-    path = tmp_path / f"a{kind}"
-    export_animation(path, DESIGN, view, options=options)
-    least, most = predicted_bytes(view, options)
-    # Of so small films what is in no frame is a large part.
-    assert least / 2 < path.stat().st_size < most * 2
-
-
-@pytest.mark.parametrize("kind", [".mp4", ".webm", ".gif"])
-def test_more_pixels_are_never_told_as_a_smaller_file(kind):
-    view = shown("z", slow_motion=50.0)
-    upright = replace(film_options(DESIGN, view, SIZES), kind=kind)
-    wide = replace(upright, width_px=1920, height_px=1080)
-    assert predicted_bytes(view, wide) >= predicted_bytes(view, upright)
-
-
-def predicted_bytes(view, options):
-    text = film_remark(DESIGN, view, options).text.replace("\N{NO-BREAK SPACE}", " ")
-    least, most, unit = re.search(r"frames, ([\d.]+) to ([\d.]+) (kB|MB)\.", text).groups()
-    known = {"kB": 1e3, "MB": 1e6}[unit]
-    return float(least) * known, float(most) * known

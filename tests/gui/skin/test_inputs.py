@@ -1,18 +1,18 @@
 """Inputs on the map: a click selects one, Delete removes it, Escape takes the click back."""
 
-from dataclasses import replace
-
 import pytest
-from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QHelpEvent
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QColor, QHelpEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.design.design import track
 from skinsource.design.edits.edit import Refusal
+from skinsource.design.labels import TRIAD_SENTENCE
 from skinsource.design.waveforms.pulses import Tap
 from skinsource_gui.plots.outputs import output_at
-from tests.gui.skin.bench import LEFT, PLAIN, SHIFT, click
+from skinsource_gui.qt.theme import DARK, LIGHT
+from tests.gui.skin.bench import LEFT, PLAIN, SHIFT, click, pixel, place
 
 KEY = Qt.Key
 
@@ -93,23 +93,6 @@ def test_escape_after_a_click_on_an_output_leaves_the_inputs_selected(window, ma
     assert window.view.selected_inputs == window.design.ids[1:]
 
 
-def test_escape_after_the_clicked_input_went_elsewhere_selects_no_outputs(window, map_):
-    click_input(map_, 16)
-    window.view = replace(window.view, selected_inputs=())
-    window.show()
-    QTest.keyClick(map_, KEY.Key_Escape)
-    assert window.view.outputs == ()
-
-
-def test_escape_gives_up_what_the_mouse_began_before_it_takes_back_the_input(window, map_):
-    click_input(map_, 16)
-    QTest.mousePress(map_, LEFT, PLAIN, QPointF(10, 10).toPoint())
-    QTest.keyClick(map_, KEY.Key_Escape)
-    QTest.mouseRelease(map_, LEFT, PLAIN, QPointF(10, 10).toPoint())
-    assert window.view.selected_inputs == window.design.ids[1:]
-    assert window.view.outputs == (29, 52)
-
-
 def test_of_inputs_at_one_place_each_click_selects_the_next(window, map_):
     window.design = window.design.adding(track(location=16)).adding(track(location=16))
     window.show(selected_inputs=())
@@ -162,3 +145,105 @@ def test_a_tooltip_names_the_inputs_at_a_place(window, map_):
     assert [line.partition(":")[0] for line in lines[:3]] == ["Input 6", "Input 5", "Input 4"]
     assert lines[3:] == ["…", "Click again for the next one here"]
     QToolTip.hideText()
+
+
+def test_the_readout_follows_the_mouse(window):
+    view = window.panel.map
+    QTest.mouseMove(view, place(window, 29))
+    assert window.panel.readout.text() == (
+        "Output 29, Digit II, beside the nail, radial\n"
+        "−11.0 dB re 1 m/s²  (0.282 m/s² RMS, whole record)"
+    )
+    window.show(outputs=())
+    QTest.mouseMove(view, (place(window, 60) + place(window, 69)) / 2)
+    assert window.panel.readout.text().endswith(" mm/s² RMS, whole record)")
+    QTest.mouseMove(view, QPoint(5, 5))
+    assert window.panel.readout.text().startswith("No output selected")
+
+
+def test_an_output_tells_its_number_place_and_level(window):
+    at = place(window, 29)
+    event = QHelpEvent(QEvent.Type.ToolTip, at, window.panel.map.mapToGlobal(at))
+    QApplication.sendEvent(window.panel.map, event)
+    assert QToolTip.text().startswith("Output 29, Digit II, beside the nail, radial\n−11.0 dB")
+    QToolTip.hideText()
+
+
+def test_buttons_change_the_view(window):
+    toolbar = window.panel.toolbar
+    QTest.mouseClick(toolbar.sensors_only, LEFT)
+    assert window.settings.map_style == "sensors"
+    assert not toolbar.sensors.isEnabled()
+    QTest.mouseClick(toolbar.interpolated, LEFT)
+    assert window.settings.map_style == "interpolated"
+    QTest.mouseClick(toolbar.sensors, LEFT)
+    assert not window.settings.sensors_shown
+
+
+def test_everything_that_can_be_used_is_reached_by_tab_and_named(window):
+    panel = window.panel
+    reached, widget = [], panel.nextInFocusChain()
+    while widget is not panel:
+        stops = widget.focusPolicy() & Qt.FocusPolicy.TabFocus and widget.focusProxy() is None
+        if stops and widget.isEnabled() and widget.isVisibleTo(panel):
+            reached.append(widget)
+        widget = widget.nextInFocusChain()
+    names = [widget.objectName() for widget in reached]
+    assert names == [
+        "map_interpolated",
+        "map_sensors_shown",
+        "map_fit_all",
+        "map_fit_hand",
+        "skin_quantity",
+        "skin_map",
+        "range_high_field",
+        "colour_strip",
+        "range_high",
+        "range_low",
+        "range_low_field",
+        "range_auto",
+    ]
+    assert all(widget.accessibleName() or widget.text() for widget in reached)
+
+
+@pytest.mark.parametrize("theme", [LIGHT, DARK])
+def test_the_map_follows_the_theme(window, theme, use_theme):
+    use_theme(theme)
+    corner = pixel(window.panel.map.grab().toImage(), QPoint(4, 4))
+    assert corner == QColor(theme.base).getRgb()[:3]
+
+
+@pytest.mark.parametrize("size", [(250, 300), (300, 330), (300, 900), (420, 640), (1200, 500)])
+def test_the_map_shows_which_way_the_axes_point_and_says_more_on_hover(window, size):
+    window.panel.resize(*size)
+    view = window.panel.map
+    card = view.stage.layout.triad_card
+    assert view.stage.layout.room.contains(card)
+    assert not card.intersects(view.stage.layout.palmar_card)
+    inked = view.grab(card.toRect()).toImage()
+    dark = sum(
+        QColor(inked.pixel(x, y)).lightnessF() < 0.5
+        for x in range(inked.width())
+        for y in range(inked.height())
+    )
+    assert dark > 100
+    at = card.center().toPoint()
+    event = QHelpEvent(QEvent.Type.ToolTip, at, view.mapToGlobal(at))
+    QApplication.sendEvent(view, event)
+    assert " ".join(QToolTip.text().split()) == TRIAD_SENTENCE
+    QToolTip.hideText()
+
+
+def test_in_a_narrow_panel_the_fits_are_left_to_keys_and_menu(window):
+    toolbar = window.panel.toolbar
+    assert toolbar.hand.isVisible()
+    window.panel.resize(window.panel.minimumSize())
+    assert not toolbar.hand.isVisible()
+    QApplication.processEvents()
+    buttons = (toolbar.interpolated, toolbar.sensors_only, toolbar.sensors)
+    for part in (*buttons, window.panel.colour_bar):
+        right = part.mapTo(window.panel, part.rect().bottomRight()).x()
+        assert right < window.panel.width()
+        assert part.width() >= part.minimumSizeHint().width()
+    window.panel.resize(420, 640)
+    assert toolbar.hand.isVisible()

@@ -1,24 +1,23 @@
+import re
 from copy import copy
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QPointF, QRectF, QTimer
-from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter
+from PySide6.QtCore import QPoint, QPointF, QRectF
+from PySide6.QtGui import QColor, QImage, QPainter
+from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QApplication
 
 from skinsource.limbs.limb import LimbMap
-from skinsource_gui.panels.skin.map import SkinMap, message_card, message_place, paint_map_texts
+from skinsource_gui.panels.skin import picture as map_picture
+from skinsource_gui.panels.skin.map import SkinMap, message_place, paint_map_texts
 from skinsource_gui.panels.skin.painting import (
     MapContent,
-    is_crowded,
-    is_on_card,
-    output_labels,
-    small_font,
 )
-from skinsource_gui.panels.skin.panel import SkinPanel
-from skinsource_gui.panels.skin.picture import SILENT
+from skinsource_gui.panels.skin.picture import SILENT, heading_of
 from skinsource_gui.plots.colour_maps import colour_indices, colour_table
+from skinsource_gui.plots.pictures import save_drawing
 from skinsource_gui.plots.small_map import FieldImage
 from skinsource_gui.qt.theme import LIGHT
 from tests.gui.skin.bench import (
@@ -26,8 +25,6 @@ from tests.gui.skin.bench import (
     pixel,
     place,
 )
-
-# What is asked for
 
 
 def test_the_surface_is_asked_for_only_while_the_map_is_interpolated(window):
@@ -44,17 +41,6 @@ def test_sensors_only_is_drawn_without_a_surface(window):
     expected = QColor(int(colour_table()[colour_indices(np.array(level), low_high)]))
     picture = window.panel.map.grab().toImage()
     assert pixel(picture, place(window, 52)) == expected.getRgb()[:3]
-
-
-def test_a_map_kept_from_before_is_not_shown_when_interpolation_is_switched_on_again(window):
-    window.show(map_style="sensors")
-    window.show(map_style="interpolated")
-    assert window.panel.map.content.shown_field is None
-    window.deliver()
-    assert window.panel.map.content.shown_field is not None
-
-
-# The picture
 
 
 def test_every_place_of_the_skin_is_drawn_where_it_is(qtbot):
@@ -105,25 +91,6 @@ def near(argb, colours):
     return [c for c, d in zip(colours, distance, strict=True) if d == distance.min()]
 
 
-def test_the_rim_shows_no_empty_pixel(window):
-    window.show(outputs=(), sensors_shown=False, map_range_db=(-100.0, -99.0))
-    window.panel.resize(900, 1900)
-    view = window.panel.map
-    picture = view.grab().toImage()
-    highest = QColor(int(colour_table()[-1])).getRgb()[:3]
-    layout = view.stage.layout
-    outline = layout.frame.to_screen(window.results["limb_map"].outline)
-    ahead = np.roll(outline, -1, axis=0) - outline
-    # The outline runs counter-clockwise; on the screen, with y down, inside is to the left.
-    inwards = np.stack([ahead[:, 1], -ahead[:, 0]], axis=1)
-    inwards /= np.linalg.norm(inwards, axis=1)[:, None]
-    wrong = 0
-    for x, y in outline + 2.0 * inwards:
-        wrong += pixel(picture, QPoint(int(x), int(y))) != highest
-    # Where it bends, two pixels inwards may lie on the line itself.
-    assert wrong <= 0.01 * len(outline)
-
-
 def test_levels_outside_the_range_have_the_colours_of_its_ends():
     levels = np.array([-200.0, -50.0, -24.95, 0.0, 40.0, np.nan])
     assert colour_indices(levels, (-50.0, 0.0)).tolist() == [0, 0, 128, 255, 255, 0]
@@ -157,27 +124,12 @@ def test_a_problem_empties_the_map_and_is_told_there(window):
     assert window.panel.map.content.message == ""
 
 
-def test_a_problem_before_any_result_is_told(qtbot):
-    panel = SkinPanel()
-    qtbot.addWidget(panel)
-    panel.show_problem("no dataset is installed")
-    empty = SkinPanel()
-    qtbot.addWidget(empty)
-    assert panel.grab().toImage() != empty.grab().toImage()
-
-
 def test_something_outdated_is_marked_after_a_while(window, qtbot):
     window.panel.show_stale(True)
     assert not window.panel.map.content.outdated
     qtbot.waitUntil(lambda: window.panel.map.content.outdated)
     window.deliver()
     assert not window.panel.map.content.outdated
-
-
-def test_results_in_time_prevent_the_mark(window):
-    window.panel.show_stale(True)
-    window.deliver()
-    assert not any(timer.isActive() for timer in window.panel.findChildren(QTimer))
 
 
 def test_a_synthetic_limb_is_named_so_on_the_map_and_in_pictures(window):
@@ -250,51 +202,54 @@ def test_a_message_hides_no_output_and_no_card(window):
     assert message_place(room, room, layout) is None
 
 
-@pytest.mark.parametrize("size", [(236, 288), (200, 400), (266, 576), (420, 640)])
-def test_words_on_a_small_map_are_broken_rather_than_that_they_hide_a_card(window, size):
-    view = window.panel.map
-    view.resize(*size)
-    layout, room = view.stage.layout, QRectF(view.rect()).adjusted(8, 5, -5, -6)
-    card = message_card("Silent: nothing is driven", room, layout, QFontMetricsF(view.font()))
-    assert room.contains(card)
-    assert not card.intersects(layout.palmar_card)
-    assert not card.intersects(layout.triad_card)
-    assert not any(card.contains(QPointF(x, y)) for x, y in layout.points)
+@pytest.mark.parametrize("size", [(320, 240), (600, 800), (2000, 1200)])
+def test_pictures_have_the_size_asked_for(window, size):
+    picture = window.panel.picture(*size)
+    assert isinstance(picture, QImage)
+    assert (picture.width(), picture.height()) == size
 
 
-def test_numbers_of_outputs_lie_beside_the_words_above_the_map(window):
-    view = window.panel.map
-    metrics = QFontMetricsF(small_font(view.font()))
-    caption_area = QRectF(0, 0, 2000, 1.7 * metrics.height())
-    for size in ((266, 576), (420, 640), (900, 500)):
-        view.resize(*size)
-        labels = output_labels(range(1, 61), view.stage.layout, 4.5, metrics, QRectF())
-        assert len(labels) > 10
-        assert not any(label.area.intersects(caption_area) for label in labels)
+def test_pictures_say_what_is_shown_over_what_and_of_whom(window):
+    heading = heading_of(window.design, window.view)
+    assert heading.title == "Skin acceleration, RMS over the whole record"
+    assert heading.details == "Synthetic 1 (175 mm) · x, y, z, principal axis"
 
 
-def test_many_selected_outputs_do_not_hide_the_map_until_it_is_magnified(window):
-    view = window.panel.map
-    view.resize(266, 400)
-    layout = view.stage.layout
-    assert is_crowded(44, layout)
-    assert not is_crowded(12, layout)
-    view.stage.pan_zoom.zoom(6.0, view.stage.place_of(20))
-    assert not is_crowded(44, view.stage.layout)
+def test_pictures_say_what_strokes_mean_where_there_are_some(window, monkeypatch):
+    headings = []
+    monkeypatch.setattr(
+        map_picture,
+        "_paint_heading",
+        lambda painter, inner, heading, *rest: headings.append(heading) or 0.0,
+    )
+    for noisy in ((), (3, 4)):
+        window.panel.show_noisy(noisy)
+        window.panel.picture(300, 400)
+    assert ["hatched" in cell.details for cell in headings] == [False, True]
+    assert headings[1].details.endswith("hatched: less than 6 dB above the noise")
 
 
-def test_what_lies_under_a_card_has_neither_ring_nor_number(window):
-    view = window.panel.map
-    view.stage.pan_zoom.zoom(4.0, view.stage.place_of(20))
-    card = view.stage.layout.triad_card.center()
-    for number in range(1, 61):
-        by = card - view.stage.place_of(number)
-        view.stage.pan_zoom.pan(by.x(), by.y())
-        if is_on_card(number, view.stage.layout):
-            break
-    assert is_on_card(number, view.stage.layout)
-    assert not is_on_card(61, view.stage.layout)
-    view.show_content(replace(view.content, outputs=()))
-    plain = view.grab(view.stage.layout.triad_card.toAlignedRect()).toImage()
-    view.show_content(replace(view.content, outputs=(number,)))
-    assert view.grab(view.stage.layout.triad_card.toAlignedRect()).toImage() == plain
+def test_pictures_of_lines_look_like_those_of_pixels(window, tmp_path):
+    for name in ("map.png", "map.svg", "map.pdf"):
+        save_drawing(tmp_path / name, window.panel.draw_picture, 600, 900)
+    expected = QImage(str(tmp_path / "map.png"))
+    assert (expected.width(), expected.height()) == (600, 900)
+    drawn = QImage(600, 900, QImage.Format.Format_RGB32)
+    painter = QPainter(drawn)
+    renderer = QSvgRenderer(str(tmp_path / "map.svg"))
+    assert renderer.isValid()
+    renderer.render(painter)
+    painter.end()
+    difference = np.abs(
+        np.frombuffer(drawn.constBits(), np.uint8).astype(int)
+        - np.frombuffer(expected.convertToFormat(drawn.format()).constBits(), np.uint8)
+    )
+    assert difference.mean() < 6
+    svg = (tmp_path / "map.svg").read_text("utf-8")
+    assert "<path" in svg
+    assert "whole record" in svg
+    pdf = (tmp_path / "map.pdf").read_bytes()
+    assert pdf.startswith(b"%PDF-")
+    # 600 x 900 px at 96 to the inch, in points.
+    box = re.search(rb"/MediaBox \[([\d. ]+)\]", pdf)
+    assert [float(side) for side in box[1].split()] == pytest.approx([0, 0, 450, 675], abs=1)

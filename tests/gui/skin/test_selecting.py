@@ -1,15 +1,16 @@
+from dataclasses import replace
+
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QFontMetricsF
 from PySide6.QtTest import QTest
 
 from skinsource.base.measurement_conditions import VOLAR_OUTPUTS
-from skinsource_gui.panels.skin import painting
+from skinsource_gui.fields.units import output_text
 from skinsource_gui.panels.skin.painting import output_labels, ring_radius, small_font, square
 from skinsource_gui.plots.outputs import output_beyond
+from skinsource_gui.qt.wheel import FREE, WHOLE
 from tests.gui.skin.bench import CONTROL, LEFT, PLAIN, SHIFT, click, drag, empty_place, place
-
-# Selecting
 
 
 def test_a_click_selects_one_output(window):
@@ -81,11 +82,6 @@ def test_control_a_selects_all_dorsal_outputs(window):
     assert len(window.view.outputs) == 66
 
 
-def test_control_shift_a_is_left_to_the_window(window):
-    QTest.keyClick(window.panel.map, Qt.Key.Key_A, CONTROL | SHIFT)
-    assert window.views == []
-
-
 def test_arrows_and_space_select_outputs(window):
     view = window.panel.map
     view.setFocus()
@@ -112,22 +108,6 @@ def test_arrows_reach_every_output(window):
     assert reached == set(range(1, 73))
 
 
-@pytest.mark.parametrize("text", [1.0, 1.25, 1.5])
-@pytest.mark.parametrize("size", [(300, 480), (420, 640)])
-def test_many_labels_do_not_pile_up_however_large_the_text(window, size, text):
-    window.panel.resize(*size)
-    font = small_font(window.panel.map.font())
-    font.setPointSizeF(font.pointSizeF() * text)
-    layout, radius = window.panel.map.stage.layout, 4.5
-    for outputs, least in ((tuple(range(20, 38)), 0.75), (tuple(range(1, 61)), 0.4)):
-        labels = output_labels(outputs, layout, radius, QFontMetricsF(font), QRectF())
-        rings = [square(window.panel.map.stage.place_of(number), radius) for number in outputs]
-        for label in labels:
-            others = [other_label.area for other_label in labels if other_label is not label]
-            assert not any(map(label.area.intersects, others + rings)), label
-        assert len(labels) >= least * len(outputs)
-
-
 @pytest.mark.parametrize("size", [(300, 330), (340, 480), (420, 640)])
 @pytest.mark.parametrize("outputs", [(54, 55, 70, 72), tuple(range(67, 73)), (52, 53, 54, 55)])
 def test_labels_of_neighbours_cover_neither_each_other_nor_a_ring(window, size, outputs):
@@ -143,27 +123,34 @@ def test_labels_of_neighbours_cover_neither_each_other_nor_a_ring(window, size, 
         assert not any(map(label.area.intersects, others + rings)), label
 
 
-@pytest.mark.parametrize("text", [1.0, 1.5, 2.5])
-def test_no_number_lies_under_the_bar_of_millimetres(window, text):
-    view, outputs = window.panel.map, tuple(range(67, 73))
-    layout, font = view.stage.layout, small_font(view.font())
-    font.setPointSizeF(font.pointSizeF() * text)
-    radius = ring_radius(54, view.content, layout)
-    free = output_labels(outputs, layout, radius, QFontMetricsF(font), QRectF())
-    # Where a bar takes the place of a number, that goes elsewhere.
-    for label in free:
-        bar = label.area.adjusted(-20, -4, 0, 4)
-        labels = output_labels(outputs, layout, radius, QFontMetricsF(font), bar)
-        assert not any(label.area.intersects(bar) for label in labels)
+def test_outputs_that_the_limb_does_not_have_are_not_drawn_and_stay_selected(window):
+    window.show(outputs=(29, 52))
+    without = window.panel.map.grab().toImage()
+    window.show(outputs=(29, 52, 80))
+    assert window.panel.map.grab().toImage() == without
+    assert not window.panel.picture(300, 400).isNull()
+    click(window, 3, SHIFT)
+    assert window.view.outputs == (29, 52, 80, 3)
 
 
-def test_numbers_are_painted_beside_the_bar_of_millimetres(window, monkeypatch):
-    known = []
-    monkeypatch.setattr(
-        painting, "paint_labels", lambda *given: known.append(given[-1]), raising=True
-    )
-    click(window, 72)
-    window.panel.map.grab()
-    assert known
-    assert not known[-1].isEmpty()
-    assert known[-1].bottom() < window.panel.map.stage.layout.room.bottom()
+def test_the_cursor_begins_at_an_output_that_is_there(window):
+    window.show(outputs=(80, 29))
+    window.panel.map.setFocus()
+    QTest.keyClick(window.panel.map, Qt.Key.Key_Space)
+    assert window.view.outputs == (29,)
+
+
+def test_an_output_that_is_not_there_is_named():
+    assert output_text(80) == "Output 80, not on this limb"
+    assert output_text(72).startswith("Output 72, Elbow")
+
+
+def test_another_limb_is_seen_as_a_whole(window):
+    view = window.panel.map
+    view.stage.pan_zoom.zoom(4.0, QPointF(150, 200))
+    assert view.stage.pan_zoom.fit == FREE
+    before = view.stage.layout
+    limb_map = view.content.limb_map
+    view.show_content(replace(view.content, limb_map=replace(limb_map)))
+    assert view.stage.pan_zoom.fit == WHOLE
+    assert view.stage.layout.frame.scale < before.frame.scale

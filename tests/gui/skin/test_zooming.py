@@ -3,14 +3,14 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QContextMenuEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu, QScrollArea
+from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource_gui.panels.skin import layout
 from skinsource_gui.panels.skin import picture as map_picture
 from skinsource_gui.panels.skin.layout import HAND
 from skinsource_gui.qt.theme import LIGHT
-from skinsource_gui.qt.wheel import FREE, PAUSE_S, WHOLE, ScrollGesture
-from tests.gui.skin.bench import CONTROL, LEFT, MIDDLE, PLAIN, SHIFT, drag, pixel, place, wheel
+from skinsource_gui.qt.wheel import PAUSE_S, WHOLE, ScrollGesture
+from tests.gui.skin.bench import CONTROL, LEFT, MIDDLE, PLAIN, drag, pixel, place, wheel
 
 # Zooming
 
@@ -23,66 +23,6 @@ def test_the_wheel_zooms_around_the_pointer_with_control_or_without(window, modi
     after = view.stage.layout.frame
     assert after.scale > 1.5 * before.scale
     assert after.to_drawing(QPointF(at)) == pytest.approx(before.to_drawing(QPointF(at)))
-
-
-def test_a_turn_that_began_as_scrolling_of_the_dock_goes_on_over_the_map(window):
-    view, at = window.panel.map, QPoint(150, 100)
-    area = QScrollArea()
-    area.setWidget(window.panel)
-    window.panel.resize(420, 1200)
-    area.resize(440, 300)
-    area.show()
-    QApplication.processEvents()
-    area.verticalScrollBar().setValue(40)
-    before = view.stage.layout.frame.scale
-    wheel(view, at, 1, PLAIN)
-    assert view.stage.layout.frame.scale == before
-    wheel(view, at, 1, CONTROL)  # meant for the map
-    assert view.stage.layout.frame.scale > before
-    area.takeWidget()
-
-
-def box(window):
-    """Of the outline on the screen."""
-    layout = window.panel.map.stage.layout
-    x, y = layout.frame.to_screen(window.results["limb_map"].outline).T
-    return QRectF(QPointF(x.min(), y.min()), QPointF(x.max(), y.max()))
-
-
-def resized(window, height):
-    window.panel.resize(420, height)
-    QApplication.processEvents()
-
-
-def test_a_magnified_map_leaves_no_more_room_empty_in_a_larger_dock(window):
-    pan_zoom = window.panel.map.stage.pan_zoom
-    resized(window, 420)
-    whole_px = box(window).height()
-    pan_zoom.zoom(2.0, QPointF(150, box(window).bottom()))
-    resized(window, 620)
-    magnified = box(window)
-    assert pan_zoom.fit == FREE
-    pan_zoom.show(WHOLE)
-    whole = box(window)
-    assert 1.2 * whole_px < whole.height() < magnified.height()
-    assert magnified.top() <= whole.top() + 0.01
-    assert magnified.bottom() >= whole.bottom() - 0.01
-
-
-def test_a_map_that_would_be_smaller_than_all_of_it_is_fitted_anew(window):
-    resized(window, 420)
-    window.panel.map.stage.pan_zoom.zoom(1.1, QPointF(150, 100))
-    resized(window, 800)
-    assert window.panel.map.stage.pan_zoom.fit == WHOLE
-
-
-def test_a_magnified_map_keeps_its_middle_in_another_dock(window):
-    view = window.panel.map
-    view.stage.pan_zoom.zoom(6.0, view.stage.place_of(25))
-    before = view.stage.layout.frame.to_drawing(QRectF(view.rect()).center())
-    resized(window, window.panel.height() + 80)
-    after = view.stage.layout.frame.to_drawing(QRectF(view.rect()).center())
-    assert after == pytest.approx(before, abs=1e-6)
 
 
 def test_the_wheel_scrolls_the_dock_where_nothing_is_left_to_zoom_out(window):
@@ -176,16 +116,6 @@ def test_the_map_cannot_be_panned_out_of_sight(window, zoom, way):
     card = view.stage.layout.palmar_card
     drawn = [at for at in places if not card.contains(at) and pixel(picture, at) != ground]
     assert len(drawn) > 0.03 * len(places)
-
-
-def test_shift_and_wheel_pan_to_the_side(window):
-    view = window.panel.map
-    view.stage.pan_zoom.zoom(4.0, QPointF(150, 200))
-    before = view.stage.layout.frame
-    wheel(view, QPoint(150, 100), 1, SHIFT)
-    after = view.stage.layout.frame
-    assert (after.scale, after.top) == (before.scale, before.top)
-    assert after.left > before.left
 
 
 def menu_of(window, qtbot):

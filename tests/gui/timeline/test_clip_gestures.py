@@ -47,30 +47,6 @@ def test_an_edge_snaps_to_the_end_of_a_clip_on_another_track_and_shows_where(lan
     assert lanes.lanes.overlay.preview.guide_s is None
 
 
-def test_alt_moves_freely(lanes):
-    start = middle(lanes, 3)
-    lanes.drag(start, start + px(lanes, -0.4 + 0.003), ALT)
-    assert lanes.onset(3) != pytest.approx(0.3, abs=1e-6)
-    assert lanes.onset(3) == pytest.approx(0.3, abs=0.006)
-
-
-def test_a_clip_is_dragged_to_another_track_and_shift_keeps_it_on_its_own(lanes):
-    down = QPointF(0, 48)
-    lanes.drag(middle(lanes, 3), middle(lanes, 3) + down, SHIFT)
-    assert lanes.design.track_of(3).id == 1
-    lanes.drag(middle(lanes, 3), middle(lanes, 3) + down)
-    assert lanes.design.track_of(3).id == 2
-
-
-def test_ctrl_copies_and_the_copy_is_selected(lanes):
-    lanes.drag(middle(lanes, 4), middle(lanes, 4) + px(lanes, 0.25), CONTROL)
-    assert len(lanes.design.inputs[1].clips) == 2
-    assert lanes.onset(4) == 0.1
-    (copy,) = lanes.view.selected_clips
-    assert copy != 4
-    assert lanes.design.clip(copy).waveform == lanes.design.clip(4).waveform
-
-
 def test_selected_clips_move_together_and_none_starts_before_zero(lanes):
     lanes.click(middle(lanes, 4))
     lanes.click(middle(lanes, 2), CONTROL)
@@ -92,15 +68,6 @@ def test_escape_gives_a_drag_up_as_if_it_had_not_begun(lanes):
     QTest.mouseRelease(lanes.lanes.viewport(), LEFT)
     assert len(lanes.edits) == after_escape
     assert lanes.edits[-1][2] == lanes.edits[0][2]
-
-
-def test_an_end_is_dragged_and_trims(lanes):
-    lanes.lanes.set_snaps(False)
-    box = lanes.box(2)
-    lanes.drag(QPointF(box.right() - 2, box.center().y()), box.center() + px(lanes, 0.0))
-    clip = lanes.design.clip(2)
-    assert clip.onset_s == 0.3
-    assert clip.duration_s == pytest.approx(0.1, abs=0.004)
 
 
 def test_a_start_is_dragged_and_the_end_stays(lanes):
@@ -125,16 +92,6 @@ def test_a_click_on_the_ground_puts_the_playhead_there_and_selects_the_track(lan
     lanes.click(lanes.at(0.62, lane=1))
     assert lanes.view.playhead_s == pytest.approx(0.62, abs=0.002)
     assert (lanes.view.selected_clips, lanes.view.selected_inputs) == ((), (2,))
-
-
-def test_a_double_click_on_the_ground_adds_a_clip_of_the_last_kind(lanes):
-    lanes.click(middle(lanes, 3))
-    QTest.mouseDClick(lanes.lanes.viewport(), LEFT, pos=lanes.at(0.62, lane=1).toPoint())
-    clips = lanes.design.inputs[1].clips
-    assert len(clips) == 2
-    assert clips[-1].waveform == lanes.design.clip(3).waveform
-    assert clips[-1].onset_s == pytest.approx(0.62, abs=0.02)
-    assert lanes.view.selected_clips == (clips[-1].id,)
 
 
 def test_the_pointer_shows_what_can_be_dragged(lanes):
@@ -182,14 +139,3 @@ def test_a_corner_fades_and_the_fade_is_caught_again_where_it_ends(lanes):
     lanes.drag(end, end + px(lanes, -0.02))
     (fade,) = lanes.design.clip(2).effects
     assert fade.in_s == pytest.approx(0.03, abs=0.004)
-
-
-@pytest.mark.parametrize("held", [ALT, SHIFT])
-def test_an_end_with_alt_or_shift_stretches(lanes, held):
-    lanes.lanes.set_snaps(False)
-    box = lanes.box(2)
-    end = QPointF(box.right() - 2, box.center().y())
-    lanes.drag(end, end + px(lanes, 0.1), held)
-    (stretch,) = lanes.design.clip(2).effects
-    assert lanes.design.clip(2).duration_s == pytest.approx(0.3, abs=0.004)
-    assert stretch.factor == pytest.approx(1.5, abs=0.02)

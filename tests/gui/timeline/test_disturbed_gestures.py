@@ -41,15 +41,6 @@ def test_a_drag_that_has_not_moved_yet_keeps_what_changes_meanwhile(lanes):
     assert lanes.design == muted
 
 
-def test_escape_takes_back_all_of_a_drag(lanes):
-    before = lanes.design
-    start = middle(lanes, 3)
-    lanes.drag(start, start + QPointF(60, 0), release=False)
-    assert lanes.design != before
-    QTest.keyClick(lanes.lanes, Qt.Key.Key_Escape)
-    assert lanes.design == before
-
-
 def test_what_could_not_be_copied_is_not_cut(lanes, monkeypatch):
     def refuse(fragment):
         raise InvalidInputError("too many bytes")

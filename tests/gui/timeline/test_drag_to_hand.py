@@ -25,8 +25,8 @@ DESIGN = Design(
 
 
 @pytest.fixture
-def window(make_window):
-    return make_window(DESIGN, View(selected_inputs=(1,), selected_clips=(1,)))
+def window(open_window):
+    return open_window(DESIGN, View(selected_inputs=(1,), selected_clips=(1,)))
 
 
 @pytest.fixture

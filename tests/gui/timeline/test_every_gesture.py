@@ -2,12 +2,11 @@
 
 import pytest
 from PySide6.QtCore import QPointF
-from PySide6.QtTest import QTest
 
 from skinsource_gui.panels.timeline.content import timeline_tooltip
 from skinsource_gui.qt.keys import MOUSE
-from tests.gui.timeline.gestures_made import MADE, SHIFT, end_of, middle, px
-from tests.gui.timeline.lanes_bench import LEFT, LanesBench
+from tests.gui.timeline.gestures_made import MADE, end_of, middle
+from tests.gui.timeline.lanes_bench import LanesBench
 
 
 @pytest.fixture
@@ -32,11 +31,3 @@ def test_over_the_end_of_a_clip_it_says_how_to_trim_and_how_to_stretch(lanes):
     assert "fade" in timeline_tooltip(lanes.content, lanes.box(2).topLeft() + QPointF(3, 3))
     assert timeline_tooltip(lanes.content, middle(lanes, 2)) == ""
     assert timeline_tooltip(lanes.content, lanes.at(0.6)) == ""
-
-
-def test_while_an_end_is_dragged_the_label_says_what_shift_would_do(lanes):
-    lanes.drag(end_of(lanes, 2), end_of(lanes, 2) + px(lanes, -0.1), release=False)
-    assert lanes.lanes.overlay.preview.label.endswith("ms · Shift: stretch")
-    lanes.lanes.mouse.move(end_of(lanes, 2) + px(lanes, 0.1), SHIFT)
-    assert lanes.lanes.overlay.preview.label.startswith("Stretched to ")
-    QTest.mouseRelease(lanes.lanes.viewport(), LEFT)

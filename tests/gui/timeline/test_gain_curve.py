@@ -9,10 +9,11 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource_gui.panels.timeline.content import show_gain_curves, shown_gain_curves
-from skinsource_gui.panels.timeline.gain import has_hint
 from tests.gui.timeline.lanes_bench import LEFT, LanesBench
 
 _Key = Qt.Key
+
+
 CONTROL, SHIFT, ALT = (
     Qt.KeyboardModifier.ControlModifier,
     Qt.KeyboardModifier.ShiftModifier,
@@ -135,13 +136,6 @@ def test_a_line_goes_up_and_down_with_both_its_ends(lanes):
     assert third == 0.2
 
 
-def test_the_line_of_a_track_without_a_curve_makes_one(lanes):
-    start = on_line(lanes, 0.62)
-    lanes.drag(start, start + px(lanes, gain=-0.5))
-    assert len(curve(lanes)) == 1
-    assert curve(lanes)[0][1] == pytest.approx(0.5, abs=0.06)
-
-
 def test_a_point_rests_on_a_gain_of_one_and_on_ends_of_clips_unless_alt_is_held(lanes):
     lanes.lanes.set_snaps(True)
     with_curve(lanes, (0.1, 1.0), (0.45, 0.5), (0.9, 1.0))
@@ -237,13 +231,6 @@ def test_a_curve_that_is_not_shown_is_hinted_at_and_not_caught(lanes):
     assert curve(lanes) == ((0.1, 1.0), (0.5, 0.4))
 
 
-def test_a_clip_below_the_curve_is_still_dragged(lanes):
-    with_curve(lanes, (0.1, 1.9))
-    lanes.drag(lanes.box(3).center(), lanes.box(3).center() + px(lanes, 0.05))
-    assert lanes.onset(3) == pytest.approx(0.75, abs=0.005)
-    assert curve(lanes) == ((0.1, 1.9),)
-
-
 def test_a_lane_gives_higher_gains_room_only_once_the_button_is_up(lanes):
     with_curve(lanes, (0.1, 1.0), (0.5, 1.0))
     start = on_line(lanes, 0.5)
@@ -252,13 +239,3 @@ def test_a_lane_gives_higher_gains_room_only_once_the_button_is_up(lanes):
     assert strip(lanes).top == 2.0
     QTest.mouseRelease(lanes.lanes.viewport(), LEFT)
     assert strip(lanes).top > 3.0
-
-
-def test_how_a_curve_begins_is_said_of_a_selected_track_without_one(lanes):
-    lanes._look(replace(show_gain_curves(lanes.view, (1, 2)), selected_inputs=(2,)))
-    with_curve(lanes)
-    assert [has_hint(strip) for strip in lanes.content.strips] == [False, True]
-    lanes._look(replace(lanes.view, selected_inputs=(1,)))
-    assert [has_hint(strip) for strip in lanes.content.strips] == [True, False]
-    with_curve(lanes, (0.1, 1.0))
-    assert [has_hint(strip) for strip in lanes.content.strips] == [False, False]

@@ -2,11 +2,10 @@
 
 import pytest
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtTest import QTest
 
 from skinsource.design.clips import Marker
 from skinsource.design.design import Design
-from tests.gui.timeline.lanes_bench import LEFT, NONE, LanesBench
+from tests.gui.timeline.lanes_bench import LanesBench
 
 CONTROL, ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
 
@@ -42,20 +41,3 @@ def test_a_marker_does_not_snap_to_where_it_was(lanes):
     flag = QPointF(lanes.content.scale.x(0.61), 4.0)
     lanes.drag(flag, flag + QPointF(6.0, 0.0))
     assert lanes.design.markers[0].time_s > 0.61
-
-
-def test_the_middle_button_takes_the_time_with_it(lanes):
-    lanes.lanes.time_zoom.show_range((0.2, 0.6))
-    view, start = lanes.lanes.viewport(), lanes.at(0.4)
-    QTest.mousePress(view, Qt.MouseButton.MiddleButton, NONE, start.toPoint())
-    lanes.lanes.mouse.move(start - px(lanes, 0.1), NONE)
-    QTest.mouseRelease(view, Qt.MouseButton.MiddleButton, NONE, start.toPoint())
-    assert lanes.content.scale.shown_s == pytest.approx((0.3, 0.7), abs=0.005)
-
-
-def test_a_free_drag_to_the_left_says_that_it_ends_at_0(lanes):
-    start = lanes.box(2).center()
-    lanes.drag(start, start - px(lanes, 0.5), ALT, release=False)
-    assert lanes.onset(2) == 0.0
-    assert lanes.lanes.overlay.preview.label.startswith("0 ")
-    QTest.mouseRelease(lanes.lanes.viewport(), LEFT)

@@ -7,10 +7,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QToolTip
 
 from skinsource.design.clips import Clip
-from skinsource.design.design import Input
 from skinsource.design.waveforms.tones import Tone
-from skinsource_gui.panels.timeline import content, painting
-from skinsource_gui.panels.timeline.content import Overlaps, Stretch, overlapping, stretches
+from skinsource_gui.panels.timeline.content import Stretch, overlapping, stretches
 from tests.gui.timeline.lanes_bench import LEFT, LanesBench
 
 LONG, SHORT = Tone(100.0, 0.0, 0.6), Tone(100.0, 0.0, 0.1)
@@ -36,15 +34,6 @@ def test_stretches_are_where_two_clips_or_more_play():
     # Clips that follow each other, with the rounding of their lengths, do not overlap.
     assert stretches((Clip(onset_s=0.1, waveform=SHORT), Clip(onset_s=0.2, waveform=SHORT))) == ()
     assert stretches(()) == ()
-
-
-def test_the_stretches_of_a_track_that_stays_are_found_once(monkeypatch):
-    stretches, count = content.stretches, []
-    monkeypatch.setattr(content, "stretches", lambda clips: count.append(1) or stretches(clips))
-    memory, track = Overlaps(), Input(location=1, clips=CLIPS, id=1)
-    assert memory.of(track) is memory.of(track)
-    assert len(count) == 1
-    assert memory.of(Input(location=1, clips=CLIPS[2:], id=1)) == ()
 
 
 def test_repeated_clicks_go_through_the_clips_below_the_pointer(lanes):
@@ -109,32 +98,9 @@ def test_the_menu_lists_the_clips_here(lanes):
         action.close()
 
 
-def test_where_one_clip_is_the_menu_lists_none(lanes):
-    lanes.lanes.menu_requested.emit(QPoint(0, 0), lanes.at(0.05))
-    assert lanes.panel.findChild(QMenu, "clips_here") is None
-    for menu in lanes.panel.findChildren(QMenu, "lanes_menu"):
-        menu.close()
-
-
 def test_the_pointer_is_told_how_many_clips_are_here(lanes):
     at = lanes.at(0.25).toPoint()
     view = lanes.lanes.viewport()
     event = QHelpEvent(QEvent.Type.ToolTip, at, view.mapToGlobal(at))
     QApplication.sendEvent(view, event)
     assert QToolTip.text() == "2 clips here: click again, or O, for the next"
-
-
-def test_overlaps_are_marked_at_the_foot_of_the_lane(lanes, monkeypatch):
-    marked = lanes.lanes.grab().toImage()
-    monkeypatch.setattr(painting, "paint_overlaps", lambda *_: None)
-    lanes.lanes.item.update()
-    plain = lanes.lanes.grab().toImage()
-    lane, scale = lanes.content.lanes[0], lanes.content.scale
-    y = round(lane.bottom_px - 5)
-
-    def is_marked(time_s):
-        x = round(scale.x(time_s))
-        return marked.pixel(x, y) != plain.pixel(x, y)
-
-    marks = [is_marked(time_s) for time_s in (0.1, 0.25, 0.4, 0.575, 0.62)]
-    assert marks == [False, True, False, True, False]

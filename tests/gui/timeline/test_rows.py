@@ -2,15 +2,22 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QObject, QPoint, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
-from skinsource.design.design import Design, track
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.effects.level import Fade
+from skinsource.design.signal_path import UnplayableInput
+from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.samples import Recording
 from skinsource.design.waveforms.tones import Tone
 from skinsource.specs.samples import Samples
 from skinsource_gui.panels.timeline.head_row import row_places
+from skinsource_gui.qt.theme import DARK, apply_theme
 from tests.gui.timeline.bench import PLACES, Bench, click, design_of, results_of
+from tests.gui.timeline.lanes_bench import LanesBench
 
 
 def test_there_is_one_row_for_each_input_in_the_order_of_the_design(bench):
@@ -94,50 +101,6 @@ def test_what_is_not_heard_is_shown_as_silent(bench):
     assert [row.state.silent for row in bench.rows.rows] == [False, True, True]
 
 
-def test_a_muted_row_looks_different(bench):
-    bench.panel.show_results(results_of(bench.design))
-    before = bench.row(1).grab().toImage()
-    bench.show(bench.design.with_input(1, muted=True))
-    assert bench.row(1).grab().toImage() != before
-
-
-class Paints(QObject):
-    """Counts how often a widget is painted."""
-
-    def __init__(self, widget):
-        super().__init__(widget)
-        self.times = 0
-        widget.installEventFilter(self)
-
-    def eventFilter(self, watched, event):
-        self.times += event.type() == QEvent.Type.Paint
-        return False
-
-
-def test_a_row_is_painted_anew_only_for_what_is_seen_on_it(bench):
-    QApplication.processEvents()
-    parts = [Paints(part) for part in (bench.row(1), bench.row(1).amplitude)]
-
-    def painted(index, **changes):
-        for part in parts:
-            part.times = 0
-        bench.show(bench.design.with_input(index, **changes))
-        QApplication.processEvents()
-        return [part.times for part in parts]
-
-    clip = bench.design.inputs[1].clips[0]
-    played = replace(clip, waveform=Tone(180.0, 0.0, 0.3))
-    assert painted(1, clips=(played,)) == [0, 0]
-    # It says so all the same.
-    assert "180 Hz" in bench.row(1).toolTip()
-    assert painted(0, location=3) == [0, 0]
-    for changes in ({"location": 4}, {"colour": 5}):
-        assert painted(1, **changes)[0] == 1
-    # Silent, because of another one.
-    assert painted(0, solo=True)[0] == 1
-    assert painted(1, amplitude=0.25)[1] == 1
-
-
 @pytest.mark.parametrize("scale", [1.0, 1.3, 2.0])
 def test_heads_and_the_buttons_above_them_have_room_for_larger_text(bench, scale):
     font = bench.panel.font()
@@ -151,19 +114,6 @@ def test_heads_and_the_buttons_above_them_have_room_for_larger_text(bench, scale
     number = bench.row(0).fontMetrics().horizontalAdvance("15")
     assert places.swatch.width() >= number
     assert places.name.left() >= places.swatch.right()
-
-
-def test_the_row_that_has_the_keyboard_may_give_way_to_others(bench):
-    """As when another design is opened while a number of the list is selected."""
-    first = bench.row(0)
-    first.amplitude.setFocus()
-    new = Design(
-        limb="synthetic-1", inputs=tuple(replace(track(location=k), id=50 + k) for k in (4, 5))
-    )
-    bench.show(new)
-    assert [row.id for row in bench.rows.rows] == [54, 55]
-    assert bench.rows.hasFocus()
-    assert all(row.state.list_focused for row in bench.rows.rows)
 
 
 def test_the_head_of_a_recording_that_keeps_its_size_says_the_peak_beside_a_gain(bench):
@@ -185,3 +135,134 @@ def test_the_head_of_a_recording_that_keeps_its_size_says_the_peak_beside_a_gain
     bench.show(bench.design.with_clip(clip.id, waveform=Tone()))
     assert first.amplitude.spec.unit == "m/s²"
     assert first.amplitude.geometry() == beside
+
+
+def test_a_place_that_is_not_on_this_hand_is_named(bench):
+    bench.show(design_of(7, 25))
+    row = bench.row(1)
+    assert row.accessibleName().startswith("Input at 25, Place 25, not on this hand: Tone")
+    assert not bench.panel.grab().isNull()
+
+
+ALT, NONE = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.NoModifier
+
+
+TONE = Tone(100.0, 0.0, 0.2)
+
+
+@pytest.fixture
+def four_lanes(qtbot):
+    made = LanesBench(qtbot)
+    made.panel.resize(1000, 400)
+    clips = (Clip(onset_s=0.1, waveform=TONE), Clip(onset_s=0.5, waveform=Tap()))
+    tracks = tuple(Input(location=1 + k, clips=clips) for k in range(4))
+    made.view = replace(made.view, time_range_s=(0.0, 1.2), selected_inputs=())
+    made.show(Design(limb="synthetic-1", inputs=tracks))
+    made.panel.show_results(results_of(made.design))
+    settled(made)
+    return made
+
+
+def settled(four_lanes):
+    """Have everything painted that is to be painted; how many lanes that were."""
+    before = four_lanes.lanes.item.painted_lanes
+    QApplication.processEvents()
+    four_lanes.lanes.viewport().repaint()
+    return four_lanes.lanes.item.painted_lanes - before
+
+
+def picture(four_lanes):
+    return four_lanes.lanes.viewport().grab().toImage()
+
+
+def changed(four_lanes, index, **changes):
+    """Show a design in which the first clip of a track is something else."""
+    clip = four_lanes.design.inputs[index].clips[0]
+    four_lanes.show(four_lanes.design.with_clip(clip.id, **changes))
+
+
+def test_a_lane_that_cannot_be_played_is_framed_and_no_other(four_lanes):
+    before = picture(four_lanes)
+    (unplayable, *_) = four_lanes.design.inputs
+    four_lanes.panel.show_unplayable((UnplayableInput(unplayable.id, "Too low. Choose another."),))
+    after = picture(four_lanes)
+    frames = [box.rect for box in four_lanes.lanes.content.boxes]
+    reddened = [
+        QColor(after.pixel(round(rect.center().x()), round(rect.top()))).red()
+        > QColor(before.pixel(round(rect.center().x()), round(rect.top()))).red()
+        for rect in frames
+    ]
+    assert reddened == [True, True] + [False] * (len(frames) - 2)
+
+
+def test_an_edit_of_one_clip_repaints_one_lane(four_lanes):
+    changed(four_lanes, 1, onset_s=0.15)
+    assert settled(four_lanes) == 1
+
+
+def test_results_repaint_the_lane_whose_samples_are_new(four_lanes):
+    results = results_of(four_lanes.design)
+    four_lanes.panel.show_results(results)
+    assert settled(four_lanes) == 4
+    four_lanes.panel.show_results(dict(results))
+    assert settled(four_lanes) == 0
+    first, *others = results["clip_waveforms"]
+    results["clip_waveforms"] = ((first[0] * 0.5, first[1]), *others)
+    four_lanes.panel.show_results(results)
+    assert settled(four_lanes) == 1
+
+
+def test_a_drag_of_a_clip_repaints_its_lane_at_each_move(four_lanes):
+    start = four_lanes.box(3).center()
+    four_lanes.drag(start, start + QPointF(10, 0), ALT, release=False, steps=1)
+    settled(four_lanes)
+    four_lanes.lanes.mouse.move(start + QPointF(40, 0), ALT)
+    assert settled(four_lanes) == 1
+    four_lanes.lanes.mouse.move(start + QPointF(80, 0), ALT)
+    assert settled(four_lanes) == 1
+
+
+EDITS = {
+    "clip moved over another": lambda bench: changed(bench, 1, onset_s=0.4),
+    "clip stronger than all": lambda bench: changed(bench, 2, gain=3.0),
+    "clip muted": lambda bench: changed(bench, 0, muted=True),
+    "clip renamed": lambda bench: changed(bench, 0, label="knock"),
+    "clip faded": lambda bench: changed(bench, 3, effects=(Fade(),)),
+    "track muted": lambda bench: bench.show(bench.design.with_input(2, muted=True)),
+    "track alone": lambda bench: bench.show(bench.design.with_input(1, solo=True)),
+    "another colour": lambda bench: bench.show(bench.design.with_input(1, colour=7)),
+    "clip added": lambda bench: bench.show(
+        bench.design.with_input(
+            3, clips=(*bench.design.inputs[3].clips, Clip(onset_s=0.8, waveform=TONE))
+        )
+    ),
+    "no clips": lambda bench: bench.show(bench.design.with_input(0, clips=())),
+    "loop": lambda bench: bench.show(replace(bench.design, loop_s=(0.2, 0.7))),
+    "clip selected": lambda bench: bench._look(replace(bench.view, selected_clips=(3,))),
+    "track selected": lambda bench: bench._look(replace(bench.view, selected_inputs=(2,))),
+    "other times": lambda bench: bench._look(replace(bench.view, time_range_s=(0.0, 0.9))),
+    "hovered": lambda bench: bench.lanes.item.show_hovered(3),
+    "no samples": lambda bench: bench.panel.show_problem("No limb."),
+    "theme": lambda bench: apply_theme(QApplication.instance(), DARK),
+}
+
+
+def test_a_clip_that_the_inspector_showed_already_is_seen_to_be_selected(four_lanes):
+    four_lanes._look(replace(four_lanes.view, selected_inputs=(2,)))
+    settled(four_lanes)
+    shown = picture(four_lanes)
+    four_lanes._look(replace(four_lanes.view, selected_clips=(3,)))
+    assert settled(four_lanes) == 1
+    assert picture(four_lanes) != shown
+
+
+@pytest.mark.parametrize("name", EDITS)
+def test_what_was_not_repainted_looks_as_if_everything_were(four_lanes, name):
+    before = picture(four_lanes)
+    EDITS[name](four_lanes)
+    settled(four_lanes)
+    zoomed_picture = picture(four_lanes)
+    assert zoomed_picture != before
+    four_lanes.lanes.item.update()
+    settled(four_lanes)
+    assert zoomed_picture == picture(four_lanes)

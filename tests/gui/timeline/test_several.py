@@ -37,22 +37,6 @@ def test_shift_click_selects_all_on_the_way_from_the_last_plain_click(qtbot):
     assert bench.view.selected_inputs == (3, 2, 1)
 
 
-def test_an_arrow_pressed_on_a_button_of_a_row_takes_the_keyboard_to_the_list(bench):
-    bench.row(0).mute.setFocus()
-    bench.key(KEY.Key_Down)
-    assert bench.rows.hasFocus()
-    assert bench.view.selected_inputs == (2,)
-
-
-def test_shift_click_selects_from_the_row_that_ctrl_click_added(qtbot):
-    bench = Bench(qtbot, design_of(*range(1, 7)))
-    press_row(bench, 0)
-    press_row(bench, 1, SHIFT)
-    press_row(bench, 3, CONTROL)
-    press_row(bench, 5, SHIFT)
-    assert bench.view.selected_inputs == (4, 5, 6)
-
-
 def test_a_click_on_one_of_several_selects_it_alone(bench):
     bench.key(KEY.Key_A, CONTROL)
     assert set(bench.view.selected_inputs) == {1, 2, 3}
@@ -132,14 +116,6 @@ def test_escape_gives_a_drag_up(bench):
     assert bench.edits == []
 
 
-def test_several_rows_are_dragged_together(qtbot):
-    bench = Bench(qtbot, design_of(1, 2, 3, 4))
-    press_row(bench, 2, CONTROL)
-    end = drag_row(bench, 0, bench.row(3).geometry().bottom())
-    QTest.mouseRelease(bench.rows, LEFT, Qt.KeyboardModifier.NoModifier, end)
-    assert bench.places == [2, 4, 1, 3]
-
-
 def test_an_amplitude_typed_in_one_of_several_rows_sets_all(bench):
     bench.key(KEY.Key_Down, SHIFT)
     click(bench.row(0).amplitude)
@@ -175,14 +151,6 @@ def test_the_list_follows_the_selection_from_elsewhere(qtbot):
         bench.view = bench.view.__class__(selected_inputs=(index + 1,))
         bench.show(bench.design)
         qtbot.waitUntil(lambda index=index: in_sight(bench, index))
-
-
-def test_the_list_shows_what_was_duplicated_and_what_was_placed(qtbot):
-    bench = Bench(qtbot, design_of(*[1 + k % 20 for k in range(12)]))
-    bench.key(KEY.Key_D, CONTROL)
-    qtbot.waitUntil(lambda: in_sight(bench, 12))
-    bench.key(KEY.Key_D, CONTROL)
-    qtbot.waitUntil(lambda: in_sight(bench, 13))
 
 
 def test_a_drag_held_on_an_amplitude_ends_when_its_input_goes(bench):

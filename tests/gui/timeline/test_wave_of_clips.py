@@ -12,7 +12,6 @@ from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.timeline.painting import ClipPictures, ClipSamples, ClipStyle
-from skinsource_gui.plots.ranges import MOST_WHILE_DRAWN
 from tests.gui.timeline.bench import results_of
 from tests.gui.timeline.lanes_bench import LanesBench
 
@@ -43,17 +42,6 @@ def test_crests_between_samples_are_as_high_as_they_are(reach):
     assert pictures.waves == 1
 
 
-def test_a_wave_that_is_higher_than_its_samples_is_not_cut():
-    square = np.where(np.arange(60) // 10 % 2, 1.0, -1.0)
-    pictures = ClipPictures()
-    picture = pictures.picture(
-        ClipSamples(square, RATE_HZ), QSizeF(600, HEIGHT), ClipStyle(BLUE, 1.0)
-    )
-    tops = tops_of(picture)
-    # It touches the edge at its crests alone.
-    assert 0 < np.count_nonzero(tops <= 1) < 40
-
-
 @pytest.mark.parametrize("n_samples", [600, 2600, 13_000])
 def test_zoomed_out_it_reaches_as_far_as_its_wave_whatever_its_samples_miss(n_samples):
     samples = 0.7 * np.sin(0.5 * np.pi * np.arange(n_samples) + np.pi / 4)
@@ -64,22 +52,6 @@ def test_zoomed_out_it_reaches_as_far_as_its_wave_whatever_its_samples_miss(n_sa
     # Each four columns hold a crest.
     tops = tops_of(picture)[8:-8].reshape(-1, 4).min(axis=1)
     assert np.abs(tops - 0.3 * HEIGHT / 2).max() <= 3
-
-
-def test_of_more_samples_than_are_worth_it_only_those_are_joined():
-    pictures = ClipPictures()
-    for n_samples in (MOST_WHILE_DRAWN, MOST_WHILE_DRAWN + 1):
-        pictures.picture(
-            ClipSamples(tone(n_samples), RATE_HZ), QSizeF(500, 40), ClipStyle(BLUE, 1.0)
-        )
-    assert (pictures.painted, pictures.waves) == (2, 1)
-
-
-def test_its_wave_is_computed_once_for_each_look():
-    pictures, played = ClipPictures(), ClipSamples(tone(260), RATE_HZ)
-    for width in (100, 521, 100, 521):
-        pictures.picture(played, QSizeF(width, 40), ClipStyle(BLUE, 1.0))
-    assert (pictures.painted, pictures.waves) == (2, 2)
 
 
 @pytest.mark.parametrize("seen_s", [(0.0, 2.0), (0.1, 0.2)])

@@ -13,8 +13,8 @@ TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
 
 
 @pytest.fixture
-def window(make_window):
-    return make_window(TRAIN, ss.View(outputs=(29, 30)))
+def window(open_window):
+    return open_window(TRAIN, ss.View(outputs=(29, 30)))
 
 
 @pytest.fixture
@@ -57,27 +57,6 @@ def test_in_the_largest_letters_windows_are_drawn_and_the_rest_scrolls(
     assert_apart(strip.places, strip.fontMetrics().height())
     assert strip.places.plot.bottom() <= strip.height()
     assert dock.widget().verticalScrollBar().maximum() > 0
-
-
-@pytest.mark.parametrize("name", ["spectrogram", "wave", "transfer", "main_axis"])
-def test_in_the_largest_letters_pictures_are_some_lines_high(large, qtbot, settle, name):
-    large.docks[name].bring_forward()
-    settle()
-    picture = large.panel(name).picture
-    qtbot.waitUntil(lambda: picture.height() >= 6 * picture.fontMetrics().height())
-
-
-def test_the_map_of_differences_is_seen_in_the_largest_letters_below_the_cards(large, settle):
-    for number in (1, 2):
-        large.do(f"store_snapshot_{number}")
-        large.document.edit("Louder", TRAIN.with_input(0, amplitude=2.0))
-    large.docks["compare"].bring_forward()
-    settle()
-    panel = large.panel("compare")
-    _, area, bottom = panel.map._areas()
-    assert area.height() >= 60
-    assert area.bottom() <= bottom.top()
-    assert panel.map.mapTo(panel, panel.map.rect().topLeft()).y() > panel.cards[1].height()
 
 
 def test_names_of_curves_are_as_long_as_they_fit():

@@ -8,17 +8,15 @@ from PySide6.QtGui import QImage, QPainter
 
 import skinsource as ss
 from skinsource.design.design import Design, track
-from skinsource.design.panel_settings import with_settings
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.engine import window_rules
-from skinsource_gui.panels.skin.settings import SkinSettings
 
 TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
 
 
 @pytest.fixture
-def panel(make_window):
-    window = make_window(TRAIN, ss.View(method="mag", windows_cut="length", window_s=0.12))
+def panel(open_window):
+    window = open_window(TRAIN, ss.View(method="mag", windows_cut="length", window_s=0.12))
     window.docks["windowed"].bring_forward()
     panel = window.panel("windowed")
     window.catch_up()
@@ -171,16 +169,6 @@ def test_its_picture_has_the_maps_and_says_what_they_are(panel):
     assert "magnitude" in panel._heading()
 
 
-def test_a_picture_of_what_is_not_there_says_so(panel, studio, qtbot):
-    studio.document.edit("Empty", Design(limb="synthetic-4"))
-    settle(studio, qtbot)
-    image = QImage(800, 600, QImage.Format.Format_RGB32)
-    painter = QPainter(image)
-    panel.draw_picture(painter, 800, 600)
-    painter.end()
-    assert image.pixelColor(400, 400).name() == "#ffffff"
-
-
 def test_its_head_says_that_the_traces_show_it_later_unless_their_delay_is_taken_away(
     panel, studio, qtbot
 ):
@@ -199,24 +187,3 @@ def test_its_head_says_that_the_traces_show_it_later_unless_their_delay_is_taken
     panel.strip.resize(220, 400)
     metrics = panel.strip.fontMetrics()
     assert metrics.horizontalAdvance(panel.strip.head_text + "SYNTHETIC") < 220
-
-
-def test_a_range_that_is_fixed_on_the_skin_map_holds_here_too(panel, studio, qtbot):
-    followed = panel.strip.content.scale.range_db
-    computed = panel.strip.content.levels_db
-    skin = with_settings(studio.document.view, "skin", SkinSettings(map_range_db=(-60.0, -20.0)))
-    studio.document.look(skin)
-    settle(studio, qtbot)
-    assert panel.strip.content.levels_db is computed
-    assert panel.strip.content.scale.range_db == (-60.0, -20.0)
-    studio.document.edit("Softer", TRAIN.with_input(0, amplitude=0.05))
-    settle(studio, qtbot)
-    assert panel.strip.content.levels_db is not computed
-    assert panel.strip.content.scale.range_db == (-60.0, -20.0)
-    assert panel.strip.content.scale.text_below == "dB re 1 m/s² · range fixed"
-
-    studio.document.edit("As before", TRAIN)
-    studio.document.look(with_settings(studio.document.view, "skin", SkinSettings()))
-    settle(studio, qtbot)
-    assert panel.strip.content.scale.range_db == followed
-    assert panel.strip.content.scale.text_below == "dB re 1 m/s²"
