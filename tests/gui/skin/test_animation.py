@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError, Stopped, StorageError
 from skinsource.base.job import never
+from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
 from skinsource.export import exported_design
 from skinsource.export.video import video_file
@@ -21,6 +22,7 @@ from skinsource_gui.panels.skin.film import (
     export_animation,
     film_of,
 )
+from skinsource_gui.panels.skin.layout import VisiblePart
 from skinsource_gui.panels.skin.settings import MAGNITUDE, RMS, SkinSettings, Z
 from skinsource_gui.panels.skin.time import slow_down_factor
 from skinsource_gui.plots.pictures import PictureOptions, with_caption
