@@ -47,7 +47,7 @@ class Endless:
 
 WRONG = [
     *(None, -3, 10**400, float("nan"), "x", b"x", object(), (object(),), [[1.0]], {"a": 1}),
-    *(np.timedelta64(3, "s"), np.array([None])),
+    np.array([None]),
 ]
 
 

@@ -2,7 +2,6 @@
 
 import ctypes
 import sys
-from collections.abc import Callable
 
 _TRIM_THRESHOLD, _MMAP_THRESHOLD = -1, -3
 _LARGEST_BLOCK_BYTES = 32 * 2**20
@@ -16,26 +15,11 @@ def keep_freed_memory() -> bool:
     thousand page faults at the next edit, which takes longer than the computation.  Programs
     call it at their start; importing the library changes nothing.  Only glibc (Linux) can do it.
     """
-    mallopt = _of_the_c_library("mallopt")
-    if mallopt is None:
+    if not sys.platform.startswith("linux"):
+        return False
+    try:
+        mallopt = ctypes.CDLL(None).mallopt
+    except (OSError, AttributeError):
         return False
     accepted = mallopt(_TRIM_THRESHOLD, _KEPT_BYTES)
     return bool(accepted and mallopt(_MMAP_THRESHOLD, _LARGEST_BLOCK_BYTES))
-
-
-def give_back_freed_memory() -> None:
-    """Give the system what `keep_freed_memory` kept; now and then, so that it does not add up."""
-    malloc_trim = _of_the_c_library("malloc_trim")
-    if malloc_trim is not None:
-        malloc_trim(0)
-
-
-def _of_the_c_library(name: str) -> Callable[..., int] | None:
-    """Return a function of glibc; None elsewhere."""
-    if not sys.platform.startswith("linux"):
-        return None
-    try:
-        function: Callable[..., int] = ctypes.CDLL(None)[name]
-    except (OSError, AttributeError):
-        return None
-    return function

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource.actuators.equalising import followed_band
 from skinsource.base.errors import InvalidInputError, RecordingError
 from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.design import edits
@@ -16,7 +17,6 @@ from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
-from skinsource.engine import stimulus
 from skinsource.engine.analysis_rules import Sensation
 from skinsource.engine.evaluation import Evaluator
 from skinsource.engine.stimulus import stimulus_of
@@ -124,8 +124,12 @@ def test_what_plays_is_judged_mended_drawn_and_written_in_the_band_of_the_limb(u
     assert stimulus_of(PLAYED).band_hz == (0.0, pytest.approx(2000.0 * 12 / 13))
     # At a higher rate there is no more to follow.
     for rate_hz, top_hz in ((None, 2000.0), (48_000, 2000.0), (1000, 500.0)):
-        followed = stimulus._band_of(stimulus_of(PLAYED, rate_hz))
-        assert followed == (25.0, pytest.approx(top_hz * 12 / 13))
+        played = stimulus_of(PLAYED, rate_hz)
+        lower_hz = min(played.sample_rate_hz, played.own_rate_hz)
+        assert followed_band(played.limb_band_hz, lower_hz) == (
+            25.0,
+            pytest.approx(top_hz * 12 / 13),
+        )
 
 
 def test_a_velocity_is_told_from_where_the_limb_was_measured(user_data):

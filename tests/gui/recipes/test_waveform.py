@@ -85,7 +85,7 @@ panel.show_state(design, replace(view, selected_inputs=design.ids))
 cells = {cell.name: cell.field for cell in panel.findChildren(FieldCell)}
 assert cells["gap_s"].value_si == 0.04
 assert cells["name"].text() == "touché"
-assert cells["envelope"].text() == "0 0.5; 500 1"
+assert cells["envelope"].line.text() == "0 0.5; 500 1"
 assert cells["drawn"].text().startswith("4 at 1300 Hz")
 print("all of it works")
 """

@@ -86,7 +86,7 @@ def install(
             stop_if(stop, STOPPED)
             content = io.BytesIO()
             np.save(content, np.ascontiguousarray(arrays[name], kind), allow_pickle=False)
-            store.writestr(ZipInfo(f"{name}.npy"), content.getbuffer())
+            store.writestr(ZipInfo(f"{name}.npy"), content.getvalue())
             total = len(published.ARRAYS)
             progress(N_ROWS + N_ROWS * done // total, 2 * N_ROWS, f"Writing {path.name}")
     return describe(path)
