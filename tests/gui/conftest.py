@@ -34,6 +34,11 @@ def _makes_widgets(request):
     return "qtbot" in request.fixturenames
 
 
+def _threads():
+    """Return the threads that run, but for that of the engine, which stays until the end."""
+    return {t for t in threading.enumerate() if not t.name.startswith("skinsource-sums")}
+
+
 @pytest.fixture(autouse=True, scope="session")
 def _nothing_of_ours_outlives_python(qapp):
     """What was copied is kept by Qt, offscreen until after Python has ended, and then destroyed."""
@@ -126,7 +131,7 @@ def window(open_window):
 def make_window(qtbot, preferences):
     """Open studio windows of a test's own; close them, and see that no thread is left."""
     opened = []
-    before = set(threading.enumerate())
+    before = _threads()
 
     def make(design=None, view=None):
         window = made_window(preferences, design, view)
@@ -139,7 +144,7 @@ def make_window(qtbot, preferences):
         forget_changes(window)
         window.close()
     QApplication.processEvents()
-    left = [thread for thread in threading.enumerate() if thread not in before]
+    left = [thread for thread in _threads() if thread not in before]
     assert not left, f"threads outlive the window: {left}"
 
 
@@ -153,7 +158,7 @@ def new_window(make_window):
 def make_desk(qtbot, preferences):
     """Make what pages stand in front of, without panels; see that no thread is left."""
     opened = []
-    before = set(threading.enumerate())
+    before = _threads()
 
     def make(design=None, view=None):
         desk = Desk(preferences, design, view)
@@ -167,7 +172,7 @@ def make_desk(qtbot, preferences):
     for desk in opened:
         desk.end()
     QApplication.processEvents()
-    left = [thread for thread in threading.enumerate() if thread not in before]
+    left = [thread for thread in _threads() if thread not in before]
     assert not left, f"threads outlive the desk: {left}"
 
 
@@ -200,7 +205,7 @@ def settle(window):
 @pytest.fixture(scope="module", autouse=True)
 def _nothing_outlives_the_tests_of_a_file(qapp):
     """See that no window, dialog or thread is left once the tests of a file are done."""
-    running = set(threading.enumerate())
+    running = _threads()
     yield
     QApplication.processEvents()
     left = [
@@ -209,5 +214,5 @@ def _nothing_outlives_the_tests_of_a_file(qapp):
         if widget.isVisible() and widget.parent() is None
     ]
     assert not left, f"windows outlive the tests of this file: {left}"
-    threads = [thread for thread in threading.enumerate() if thread not in running]
+    threads = [thread for thread in _threads() if thread not in running]
     assert not threads, f"threads outlive the tests of this file: {threads}"

@@ -42,7 +42,7 @@ class Autosave(autosave.Autosave):
 
 keeping.Autosave = Autosave
 
-def open_window(*words):
+def make_window(*words):
     made.append(make(*words))
     made[0].conductor.delivered.connect(begin)
     return made[0]
@@ -68,7 +68,7 @@ def begin(_outcome):
         timer.timeout.connect(edit)
         timer.start()
 
-make, app.open_window = app.open_window, open_window
+make, app.make_window = app.make_window, make_window
 sys.exit(app.run(Path(sys.argv[2]) if len(sys.argv) > 2 else None))
 """
 KILLS, INTERVAL_S, SEED, MOST_TOLD = 5, 0.2, 8, 5000

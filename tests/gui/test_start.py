@@ -181,11 +181,11 @@ import os, sys
 from pathlib import Path
 from PySide6.QtCore import QEvent, QObject, QTimer
 from PySide6.QtWidgets import QWidget
-from skinsource_gui.app.app import make_application, open_window
+from skinsource_gui.app.app import make_application, make_window
 from skinsource_gui.state.preferences import Preferences
 
 names, application = sys.argv[2].split(), make_application()
-window = open_window(None, Preferences(Path(sys.argv[1])))
+window = make_window(None, Preferences(Path(sys.argv[1])))
 painted = set()
 
 class Watch(QObject):

@@ -222,7 +222,7 @@ def run_on_two_threads(tasks: Iterable[Callable[[], None]]) -> None:
 
 @cache
 def _second_thread() -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(1)
+    return ThreadPoolExecutor(1, thread_name_prefix="skinsource-sums")
 
 
 #: Outputs whose spectra, for stimuli of a second, stay in the cache of a core.

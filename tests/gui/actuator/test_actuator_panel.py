@@ -34,9 +34,9 @@ TAP = track(3, Tap(), colour=1)
 
 
 @pytest.fixture
-def window(open_window):
+def window(make_window):
     design = design_of(TONE, TAP)
-    return open_window(design, View(selected_inputs=(design.ids[0],)))
+    return make_window(design, View(selected_inputs=(design.ids[0],)))
 
 
 @pytest.fixture

@@ -36,6 +36,12 @@ from skinsource_gui.state.engine import FIRST_SLOT
 OUTPUTS = (29, 33, 57)
 
 
+@pytest.fixture
+def window(new_window):
+    """A studio of each test's own."""
+    return new_window
+
+
 def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
     window, settle, tmp_path
 ):

@@ -44,12 +44,12 @@ PARTS = [played(8), played(13), played(8, 13)]
 
 
 @pytest.fixture
-def show(open_window, qtbot):
+def show(make_window, qtbot):
     """A window on the last of designs that are kept, with the panel in front."""
 
     def opened(designs, **view):
         looked = View(**{"axes": "z", "outputs": OUTPUTS, "levels_matched": False, **view})
-        window = open_window(designs[-1], replace(looked, snapshots=snapshots_of(*designs)))
+        window = make_window(designs[-1], replace(looked, snapshots=snapshots_of(*designs)))
         window.docks["linearity"].bring_forward()
         panel = window.panel("linearity")
         qtbot.waitUntil(lambda: settled(window, panel), timeout=30_000)
