@@ -191,7 +191,7 @@ class Entry:
 
     Attributes
     ----------
-    words
+    text
         Its text; braces are replaced by the number of inputs if there are several.
     key
         Name of the key in the table of keys.

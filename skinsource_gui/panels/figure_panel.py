@@ -26,7 +26,7 @@ class FigurePanel(OutputsPanel):
 
     Attributes
     ----------
-    figure, choices, heads, words
+    figure, choices, heads, note_label
         Its parts; ``heads`` is a row of its own between choices and figure.
     """
 
@@ -101,8 +101,8 @@ class FigurePanel(OutputsPanel):
         if self.figure.cursor_at is None:
             self.note_label.say(text)
 
-    def show_staleness(self, late: bool) -> None:
-        self.figure.show_staleness(late)
+    def show_staleness(self, stale: bool) -> None:
+        self.figure.show_staleness(stale)
 
     def _open_menu(self, at: QPoint) -> None:
         if not self.figure.message:

@@ -15,7 +15,7 @@ class Staleness(QObject):
 
     Attributes
     ----------
-    late
+    is_stale
         Whether that is so.
     """
 

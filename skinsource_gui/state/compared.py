@@ -37,7 +37,7 @@ class Compared:
         Factor with which it is shown now, so that it is as loud as the others.
     axes
         Which of the limb's axes take part; empty: those of the view.
-    late
+    is_stale
         Whether ``values`` are those of the design before, until they are known anew.
     """
 

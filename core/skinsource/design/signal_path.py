@@ -327,19 +327,19 @@ class Voice:
     start: int
     amplitude: float
     audible: bool
-    chain: SignalPath
+    signal_path: SignalPath
 
     @property
     def unit(self) -> "UnitVoice":
         """The same voice at amplitude 1 and start 0."""
-        return UnitVoice(self.chain, self.location)
+        return UnitVoice(self.signal_path, self.location)
 
 
 @dataclass(frozen=True, slots=True)
 class UnitVoice:
     """A voice at amplitude 1 and start 0: a signal path and its input place."""
 
-    chain: SignalPath
+    signal_path: SignalPath
     location: int
 
 

@@ -112,7 +112,7 @@ _KnownChain = tuple[tuple[Clip, ...], Curve, float, tuple[int, SignalPath]]
 _MOST = 1000
 
 
-class PlacedChains:
+class PlacedSignalPaths:
     """The latest signal path of each track, made anew when its clips change."""
 
     def __init__(self) -> None:
@@ -153,7 +153,7 @@ class Drives:
         InvalidInputError
             It cannot be sampled, or a sample is not a usable number.
         """
-        key = unit.chain, sample_rate_hz
+        key = unit.signal_path, sample_rate_hz
         drive = self._drawn.find(key)
         if drive is None:
             drive = self._alive.get(key) or self._played(unit, sample_rate_hz)
@@ -166,14 +166,14 @@ class Drives:
     ) -> Complexes:
         """Return the spectrum of the ``drive`` of a voice from time 0 on, (n_fft // 2 + 1,)."""
         return self._spectra.get(
-            (unit.chain, sample_rate_hz, n_fft), lambda: forward(drive.samples, n_fft)
+            (unit.signal_path, sample_rate_hz, n_fft), lambda: forward(drive.samples, n_fft)
         )
 
     def _played(self, unit: UnitVoice, sample_rate_hz: float) -> Drive:
         def drawn(part: Part) -> Floats:
             return self.clips.of(part.waveform, part.effects, sample_rate_hz, part.shift_s)
 
-        return drive_played(unit.chain, sample_rate_hz, unit.location, drawn)
+        return drive_played(unit.signal_path, sample_rate_hz, unit.location, drawn)
 
 
 def delayed(spectrum: Complexes, delay_samples: int, n_fft: int) -> Complexes:

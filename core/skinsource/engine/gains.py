@@ -23,7 +23,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, never, stop_if
 from skinsource.base.work import tally
 from skinsource.design.signal_path import Drive, UnitVoice, Voice, check_drive
-from skinsource.engine.drives import ClipWaveforms, Drives, PlacedChains
+from skinsource.engine.drives import ClipWaveforms, Drives, PlacedSignalPaths
 from skinsource.engine.memory import GAINS_BYTES, Memory
 from skinsource.engine.spectra import (
     BAND_BINS,
@@ -355,7 +355,7 @@ class EngineMemory:
 
     def __init__(self) -> None:
         self.responses = ResponseSpectra()
-        self.chains = PlacedChains()
+        self.signal_paths = PlacedSignalPaths()
         self.drives = Drives()
         self.clip_waveforms = ClipWaveforms(self.drives.clips)
         self.gains = Gains()

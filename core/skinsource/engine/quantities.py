@@ -31,11 +31,13 @@ from skinsource.limbs.surface.operator import SurfaceOperator
 def voices(
     remembered: EngineMemory, inputs: tuple[Input, ...], sample_rate_hz: float
 ) -> tuple[Voice, ...]:
-    """What sounds where, from when, how strong, through what chain: one for each input."""
+    """What sounds where, from when, how strong, through what signal path: one for each input."""
     audible = set(audible_indices(inputs))
     result = []
     for index, track in enumerate(inputs):
-        start, chain = remembered.chains.of(track.id, track.clips, track.gain_curve, sample_rate_hz)
+        start, signal_path = remembered.signal_paths.of(
+            track.id, track.clips, track.gain_curve, sample_rate_hz
+        )
         result.append(
             Voice(
                 id=track.id,
@@ -43,7 +45,7 @@ def voices(
                 start=start,
                 amplitude=track.amplitude,
                 audible=index in audible,
-                chain=chain,
+                signal_path=signal_path,
             )
         )
     return tuple(result)

@@ -487,8 +487,8 @@ def _samples_of(
 
     for track in tracks:
         stop_if(stop)
-        start, chain = placed_signal_path(track.clips, track.gain_curve, own_rate_hz)
-        drive = drive_played(chain, own_rate_hz, track.location, drawn)
+        start, signal_path = placed_signal_path(track.clips, track.gain_curve, own_rate_hz)
+        drive = drive_played(signal_path, own_rate_hz, track.location, drawn)
         pieces.append((rows[track.id], start, track.amplitude * drive.factor, drive.samples))
     n = max([1, *(start + samples.size for _, start, _, samples in pieces)])
     # Samples of both rates coincide at time 0, so that the lead is a whole number of both.

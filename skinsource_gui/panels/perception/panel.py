@@ -284,10 +284,10 @@ class PerceptionPanel(OutputsPanel):
         self.table.show()
         self.copy.offer(True)
 
-    def show_staleness(self, late: bool) -> None:
-        super().show_staleness(late)
+    def show_staleness(self, stale: bool) -> None:
+        super().show_staleness(stale)
         # The text is hidden: its single line has no room for the mark of stale results.
-        self.contact.setHidden(late)
+        self.contact.setHidden(stale)
 
     def show_problem(self, reason: str) -> None:
         super().show_problem(reason)

@@ -121,8 +121,8 @@ class WindowedPanel(Panel):
         self.strip.show_content(content, message)
         self.strip.show_time(self._view.playhead_s)
 
-    def show_staleness(self, late: bool) -> None:
-        self.strip.show_outdated(late)
+    def show_staleness(self, stale: bool) -> None:
+        self.strip.show_outdated(stale)
 
     def show_problem(self, reason: str) -> None:
         self.strip.show_content(None, reason)
