@@ -290,3 +290,9 @@ def shows_something(panel):
         if image.rect().contains(middle.x() + x, middle.y() + y)
     }
     return len(colours) > 1
+
+
+def test_qt_reads_the_source_of_nothing_that_is_imported_after_it(rendered):
+    # What was read before it could be told is of Qt and Python alone.
+    others = ("skinsource", "pyqtgraph", "numpy", "scipy")
+    assert not [name for name in rendered[1].split() if name.startswith(others)]

@@ -11,9 +11,10 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource_gui.panels.timeline.panel import TimelineToolbar
+from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.plots.toolbar import PlotToolbar
 from skinsource_gui.qt.fitting import width_in
-from skinsource_gui.qt.theme import scaled
+from skinsource_gui.qt.theme import UNIT_PX, scaled
 
 
 @pytest.mark.parametrize("kind", [QToolButton, QPushButton])
@@ -76,3 +77,33 @@ def test_in_any_room_words_settle_in_one_size(qtbot, make, scale):
         bar.removeEventFilter(fits)
         # Once for the room; once or twice more where words take another size or another row.
         assert fits.count <= 6, (width, bar.width())
+
+
+@pytest.mark.parametrize(
+    ("height", "scale", "n_rows"), [(250, 0.7, 1), (700, 0.7, 2), (250, 0.3, 2)]
+)
+def test_switches_take_a_second_row_where_the_plot_is_high_enough_or_they_would_be_cut(
+    qtbot, height, scale, n_rows
+):
+    view = SignalView("plot", "Plot")
+    qtbot.addWidget(view)
+    # In large letters: small ones leave room in any plot.
+    view.setFont(scaled(view.font(), 2.0))
+    for name in ("Remove 52 ms delay", "Each to its peak"):
+        view.toolbar.add_switch(name, name, name, lambda on: None)
+    view.toolbar.show_state(layout="overlaid", zoomed=False)
+    view.show()
+    QApplication.processEvents()
+    shown = [
+        button for button in view.toolbar.findChildren(QToolButton) if button.isVisibleTo(view)
+    ]
+    # What words of that size need, and what is around and between them.
+    width = width_in(scaled(view.toolbar.font(), scale), shown) + 4 * UNIT_PX
+    for at in (250, 700, height):
+        view.resize(width, at)
+        for _ in range(20):
+            QApplication.processEvents()
+    assert len({button.geometry().y() for button in shown}) == n_rows
+    for switch in shown:
+        assert view.toolbar.rect().contains(switch.geometry())
+        assert switch.height() >= switch.fontMetrics().height()

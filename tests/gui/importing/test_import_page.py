@@ -339,3 +339,18 @@ def test_all_is_as_much_as_may_be_taken(part):
     part.show(3.0, 1.0, 1.0)
     part.take_all()
     assert (part.start_s, part.end_s) == (0.0, 3.0)
+
+
+def test_a_rate_that_is_assumed_is_said_so_until_it_is_typed(page_at, qtbot, tmp_path):
+    np.save(tmp_path / "raw.npy", np.sin(np.arange(2600) * 0.3))
+    page = page_at(tmp_path / "raw.npy")
+    warning = page.findChild(object, "import_warning")
+    assert warning.isVisible()
+    assert "1300" in warning.text()
+    field = page.form.findChild(object, "import_rate")
+    field.set_value(2600.0)
+    field.edited.emit(2600.0, None)
+    qtbot.waitUntil(lambda: not page.busy, timeout=60_000)
+    QApplication.processEvents()
+    assert not warning.isVisible()
+    assert page.preview.text.startswith("1 s")
