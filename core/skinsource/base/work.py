@@ -53,28 +53,12 @@ def counting() -> Iterator[Work]:
         _counted.reset(token)
 
 
-def tally(
-    *,
-    forward_transforms: int = 0,
-    inverse_transforms: int = 0,
-    search_transforms: int = 0,
-    samples_drawn: int = 0,
-    bytes_read: int = 0,
-    rules_run: int = 0,
-    operators_built: int = 0,
-    samples_moved: int = 0,
-) -> None:
-    """Add to the counts of `counting`; do nothing outside of it."""
+def tally(**counts: int) -> None:
+    """Add to the counts of `counting`, by their names; do nothing outside of it."""
     work = _counted.get()
     if work is not None:
-        work.forward_transforms += forward_transforms
-        work.inverse_transforms += inverse_transforms
-        work.search_transforms += search_transforms
-        work.samples_drawn += samples_drawn
-        work.bytes_read += bytes_read
-        work.rules_run += rules_run
-        work.operators_built += operators_built
-        work.samples_moved += samples_moved
+        for name, count in counts.items():
+            setattr(work, name, getattr(work, name) + count)
 
 
 def counted(count: int, noun: str, plural: str = "") -> str:

@@ -23,11 +23,10 @@ from skinsource.base.measurement_conditions import (
     N_OUTPUTS,
     N_TAPS,
     SAMPLE_RATE_HZ,
-    VOLAR_OUTPUTS,
     check_input_location,
 )
 from skinsource.base.quoting import quoted
-from skinsource.limbs.hand import HandProportions, HandShape, hand_shape
+from skinsource.limbs.hand import HAND_LENGTH_PX, HandShape, drawn_hand
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.locations import ARM_REGIONS, DIGITS, INPUTS, OUTPUTS
 
@@ -54,8 +53,7 @@ class Paths:
 
 def paths_in(shape: HandShape) -> Paths:
     """Return the paths between all places of a hand."""
-    outputs = shape.output_positions.copy()
-    outputs[np.array(VOLAR_OUTPUTS) - 1] = shape.volar_positions
+    outputs = shape.output_positions
     digit_in = _digits([place.region for place in INPUTS])
     digit_out = _digits([place.region for place in OUTPUTS])
     on_arm = np.array([place.region in ARM_REGIONS for place in OUTPUTS])
@@ -310,29 +308,15 @@ def synthetic_model(number: int) -> SyntheticModel:
 
 
 @cache
-def standard_hand() -> HandShape:
-    """Return the hand that all synthetic limbs are variations of; the studio draws it."""
-    shape = hand_shape(_proportions(_parameters()["hand"]))
-    _read_only(shape)
-    return shape
-
-
-@cache
 def _model(number: int) -> SyntheticModel:
     shared = _parameters()
     limb = next(entry for entry in shared["limbs"] if entry["number"] == number)
     model = _prepare(shared, limb)
-    _read_only(model.shape)
-    _read_only(model)
+    for field in fields(model):
+        value = getattr(model, field.name)
+        if isinstance(value, np.ndarray):
+            value.flags.writeable = False
     return model
-
-
-def _read_only(holder: HandShape | SyntheticModel) -> None:
-    for field in fields(holder):
-        value = getattr(holder, field.name)
-        for array in value if isinstance(value, tuple) else (value,):
-            if isinstance(array, np.ndarray):
-                array.flags.writeable = False
 
 
 @cache
@@ -342,13 +326,8 @@ def _parameters() -> dict[str, Any]:
     return parameters
 
 
-def _proportions(hand: Mapping[str, Any]) -> HandProportions:
-    lists = {key: tuple(value) for key, value in hand.items() if isinstance(value, list)}
-    return HandProportions(**{**hand, **lists})
-
-
 def _prepare(shared: Mapping[str, Any], limb: Mapping[str, Any]) -> SyntheticModel:
-    shape = hand_shape(_proportions({**shared["hand"], **limb["hand"]}))
+    shape = drawn_hand(limb["number"])
     skin = Skin(**shared["skin"])
     stiffness = skin.rising_shear_modulus_pa * limb["shear_factor"]
     skin = replace(skin, rising_shear_modulus_pa=stiffness)
@@ -358,7 +337,7 @@ def _prepare(shared: Mapping[str, Any], limb: Mapping[str, Any]) -> SyntheticMod
     mode_hz = bending["frequency_hz"] * limb["bending_factor"] * (1 + spread)
 
     paths = paths_in(shape)
-    along_mm = paths.lengths_px * limb["hand_length_mm"] / shape.hand_length_px
+    along_mm = paths.lengths_px * limb["hand_length_mm"] / HAND_LENGTH_PX
     on_palm = np.array([place.region == "hand" for place in INPUTS])
     depth_mm = np.where(on_palm, spreading["palm_depth_mm"], spreading["digit_depth_mm"])
     path_mm = np.hypot(along_mm, depth_mm[:, None])

@@ -316,27 +316,11 @@ def linear_sweep_turns(
 
     They are the integral of f0 + (f1 - f0) t / T, (n,), with an error below 1e-13 turns.
     """
-    low_hz, high_hz = ends_hz
+    low_hz, high_hz = map(Decimal, ends_hz)
     with localcontext(prec=DIGITS):
-        slope = (Decimal(high_hz) - Decimal(low_hz)) / Decimal(duration_s)
-        bend = float(slope / (2 * Decimal(float(sample_rate_hz)) ** 2))
-
-        def starts() -> Iterator[tuple[float, float]]:
-            first, rate = Decimal(low_hz), Decimal(float(sample_rate_hz))
-            block, shift = 0, Decimal(float(shift_s))
-            while True:
-                time = block / rate - shift
-                yield (
-                    float((first + slope / 2 * time) * time % 1),
-                    float((first + slope * time) / rate),
-                )
-                block += _SWEEP_BLOCK
-
-        start, step = _blocks(starts(), n)
-    within = np.arange(_SWEEP_BLOCK)
-    phases = np.multiply.outer(step, within)
-    phases += bend * within**2
-    return _less_whole_turns(phases, start, n)
+        slope = (high_hz - low_hz) / Decimal(duration_s)
+    shift = Decimal(float(shift_s))
+    return bent_turns(Decimal(0), low_hz, slope, -shift, n, float(sample_rate_hz))
 
 
 def logarithmic_sweep_turns(

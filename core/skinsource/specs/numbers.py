@@ -162,48 +162,6 @@ class RangeSpec(Spec):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CurveSpec(Spec):
-    """Points of a curve: pairs of x and y, x never falling.
-
-    Attributes
-    ----------
-    x, y
-        Specifications of the numbers of a point.
-    fewest, most
-        Limits of the number of points.
-    """
-
-    x: NumberSpec
-    y: NumberSpec
-    fewest: int = 2
-    most: int = 10_000
-
-    def checked(self, value: Any) -> tuple[tuple[float, float], ...]:
-        """Return a tuple of points of two plain numbers."""
-        expected = (
-            f"{self.fewest} to {self.most} points (x, y), x {self.x.expected} and never falling, "
-            f"y {self.y.expected}"
-        )
-        if not isinstance(value, tuple) or not self.fewest <= len(value) <= self.most:
-            raise ValidationError(expected)
-        if not all(isinstance(point, tuple) and len(point) == 2 for point in value):
-            raise ValidationError(expected)
-        points = tuple((self.x.checked(x), self.y.checked(y)) for x, y in value)
-        if any(after[0] < before[0] for before, after in pairwise(points)):
-            raise ValidationError(expected)
-        return points
-
-    def encoded(self, value: tuple[tuple[float, float], ...]) -> Tree:
-        """Return a list of lists of two numbers."""
-        return [list(point) for point in value]
-
-    def decoded(self, tree: Tree, at: Address) -> Any:
-        """Return a tuple of tuples."""
-        del at
-        return tuple_of_points(tree, self.most)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
 class PointsSpec(Spec):
     """Points of several numbers, the first of which never falls.
 
@@ -254,6 +212,42 @@ class PointsSpec(Spec):
         """Return a tuple of tuples; of too long a list, unread."""
         del at
         return tuple_of_points(tree, self.most)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CurveSpec(Spec):
+    """Points of a curve: pairs of x and y, x never falling.
+
+    Attributes
+    ----------
+    x, y
+        Specifications of the numbers of a point.
+    fewest, most
+        Limits of the number of points.
+    """
+
+    x: NumberSpec
+    y: NumberSpec
+    fewest: int = 2
+    most: int = 10_000
+
+    @property
+    def points(self) -> PointsSpec:
+        """The same as a specification of points of two numbers."""
+        columns = (self.x, self.y)
+        return PointsSpec(label=self.label, columns=columns, fewest=self.fewest, most=self.most)
+
+    def checked(self, value: Any) -> tuple[tuple[float, ...], ...]:
+        """Return a tuple of points of two plain numbers."""
+        return self.points.checked(value)
+
+    def encoded(self, value: tuple[tuple[float, ...], ...]) -> Tree:
+        """Return a list of lists of two numbers."""
+        return self.points.encoded(value)
+
+    def decoded(self, tree: Tree, at: Address) -> Any:
+        """Return a tuple of tuples."""
+        return self.points.decoded(tree, at)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

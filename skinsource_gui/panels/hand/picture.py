@@ -14,7 +14,7 @@ from skinsource.base.arrays import Floats
 from skinsource.limbs.limb import LimbFacts, LimbMap
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of, own_map
-from skinsource.limbs.synthetic import standard_hand
+from skinsource.limbs.hand import drawn_hand
 from skinsource_gui.panels.hand.layout import (
     HandDrawing,
     HandLayout,
@@ -91,7 +91,7 @@ def drawing_of(limb: str) -> HandDrawing:
 
 @lru_cache(maxsize=1)
 def _standard() -> HandDrawing:
-    return palmar_drawing(standard_hand())
+    return palmar_drawing(drawn_hand(1))
 
 
 @lru_cache(maxsize=8)

@@ -11,7 +11,7 @@ from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.engine import evaluation
 from skinsource.limbs.own_limbs import install_limb
-from skinsource.limbs.synthetic import standard_hand
+from skinsource.limbs.hand import drawn_hand
 from skinsource_gui.panels.hand import layout as site_marker
 from skinsource_gui.panels.hand.layout import HandState, Mark, contrast, palmar_drawing, readable_on
 from skinsource_gui.panels.hand.panel import HandPanel
@@ -253,7 +253,7 @@ def test_the_hand_cannot_be_moved_out_of_sight(studio):
     wheel(diagram, QPoint(2, 2), 4)
     for _ in range(60):
         diagram.stage.pan_zoom.pan(80, 80)
-    outline = diagram.stage.layout.transform.map(palmar_drawing(standard_hand()).outline)
+    outline = diagram.stage.layout.transform.map(palmar_drawing(drawn_hand(1)).outline)
     middle, reach = QPointF(diagram.rect().center()), 0.25 * diagram.width()
     assert any(
         outline.contains(middle + QPointF(dx * reach, dy * reach))

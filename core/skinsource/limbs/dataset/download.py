@@ -1,6 +1,5 @@
 """Download the published files, each continued where it was cut, and install them."""
 
-import time
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -27,8 +26,6 @@ STOPPED = (
 _GO_ON = "Check the connection and run 'skinsource dataset fetch' again"
 _CONNECT_S, _READ_S = 10.0, 30.0
 _PIECE_BYTES = 2**16
-# At less than a thousand bytes per second the files would take a day.
-_PACE_S, _LEAST_BYTES = 60.0, 60_000
 _ALL, _PART, _RANGE_REFUSED = 200, 206, 416
 
 
@@ -92,11 +89,9 @@ def _receive(
         with storage_errors_of(part):
             out = part.open("ab" if have else "wb")
         with out:
-            speed = _SpeedCheck(file)
             # What has come, at once: for a larger piece a slow server would keep the user waiting.
             while piece := answer.raw.read1(_PIECE_BYTES, decode_content=True):
                 stop_if(stop, STOPPED)
-                speed.note(len(piece))
                 with storage_errors_of(part):
                     out.write(piece)
                     out.flush()
@@ -105,27 +100,6 @@ def _receive(
                 if have > file.size_bytes:
                     break
     return True
-
-
-class _SpeedCheck:
-    """Gives up on a server that sends next to nothing."""
-
-    def __init__(self, file: RemoteFile) -> None:
-        self._url = file.url
-        self._since_s = time.monotonic()
-        self._n_bytes = 0
-
-    def note(self, n_bytes: int) -> None:
-        """Count what has come; raise `DownloadError` where it was too little for too long."""
-        self._n_bytes += n_bytes
-        now_s = time.monotonic()
-        if now_s - self._since_s >= _PACE_S:
-            if self._n_bytes < _LEAST_BYTES:
-                raise DownloadError(
-                    f"{self._url}: comes too slowly ({self._n_bytes} bytes in {_PACE_S:g} s, "
-                    f"expected at least {_LEAST_BYTES}); what has arrived is kept. {_GO_ON}."
-                )
-            self._since_s, self._n_bytes = now_s, 0
 
 
 def _check_answer(answer: Any, file: RemoteFile, have: int) -> None:

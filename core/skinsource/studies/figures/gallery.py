@@ -45,8 +45,10 @@ def mark_of(opened: OpenedScene) -> str:
     """Return a digest of designs, view and synthetic limbs of a scene."""
     parts = (opened.design, opened.view, *opened.conditions)
     content = [_changed_fields(part) for part in parts]
-    limbs = (data_folder() / "synthetic-limbs.json").read_bytes()
-    return hashlib.sha256(repr(content).encode() + limbs).hexdigest()[:16]
+    digest = hashlib.sha256(repr(content).encode())
+    for path in (data_folder() / "synthetic-limbs.json", *sorted(data_folder().glob("hands/*"))):
+        digest.update(path.read_bytes())
+    return digest.hexdigest()[:16]
 
 
 def _changed_fields(value: Any) -> Any:
