@@ -41,38 +41,30 @@ def refused_rows(download, refused, write_table):
     return attempt
 
 
-@pytest.mark.parametrize("version", ["v7", "v7.3"])
-def test_a_row_of_wrong_shape_is_named_with_what_was_expected(refused_rows, complete_rows, version):
+def _with_nan(data, *place):
+    changed = data.copy()
+    changed[11, 2, 0] = np.nan
+    return changed, *place
+
+
+ROWS = {
+    "shape": (lambda data, *place: (data[:500], *place), r"has shape \(500, 72, 3\), expected"),
+    "finite": (_with_nan, "1 value not finite, the first at tap 12, output 3, axis 1"),
+    "kind": (lambda data, *place: (data.astype(np.int32), *place), "values of type int32"),
+    "repeated": (lambda data, *_: (data, 1.0, 1.0), r"\(model 1, location 1\) repeats an earlier"),
+    "model": (lambda data, _, place: (data, 5.0, place), "Model 5.0, expected a whole number 1 to"),
+    "half": (lambda data, _, place: (data, 1.5, place), "has Model 1.5"),
+    "place": (lambda data, limb, _: (data, limb, 0.0), "has Location 0.0, expected a whole number"),
+    "no place": (lambda data, limb, _: (data, limb, np.nan), "has Location nan"),
+}
+
+
+@pytest.mark.parametrize("case", ROWS)
+def test_a_row_that_is_not_what_it_should_be_is_named(refused_rows, complete_rows, case):
+    change, message = ROWS[case]
     rows = list(complete_rows)
-    rows[16] = (rows[16][0][:500], *rows[16][1:])
-    assert refused_rows(rows, version) == (
-        "impulseResponses.mat: row 17 (model 1, location 17) has shape (500, 72, 3), expected "
-        "(522, 72, 3) (taps, outputs, axes). The download may be cut short; run 'skinsource "
-        "dataset fetch' again."
-    )
-
-
-@pytest.mark.parametrize("bad", [np.nan, np.inf])
-def test_a_value_that_is_not_finite_is_named_with_its_place(refused_rows, complete_rows, bad):
-    rows = list(complete_rows)
-    data = rows[42][0].copy()
-    data[11, 2, 0] = bad
-    rows[42] = (data, *rows[42][1:])
-    message = refused_rows(rows)
-    assert "row 43 (model 3, location 3) holds 1 value not finite" in message
-    assert "tap 12, output 3, axis 1" in message
-
-
-def test_whole_numbers_in_place_of_double_are_refused(refused_rows, complete_rows):
-    rows = list(complete_rows)
-    rows[0] = (rows[0][0].astype(np.int32), *rows[0][1:])
-    assert "row 1 (model 1, location 1) holds values of type int32" in refused_rows(rows)
-
-
-def test_a_repeated_row_is_refused(refused_rows, complete_rows):
-    rows = list(complete_rows)
-    rows[30] = rows[29]
-    assert "row 31 (model 2, location 10) repeats an earlier row" in refused_rows(rows)
+    rows[42] = change(*rows[42])
+    assert re.search(f"^impulseResponses.mat: row 43 .*{message}", refused_rows(rows))
 
 
 def test_a_row_with_the_values_of_another_is_refused(refused_rows, complete_rows):
@@ -86,27 +78,8 @@ def test_a_row_with_the_values_of_another_is_refused(refused_rows, complete_rows
 
 def test_a_missing_row_is_named(refused_rows, complete_rows):
     rows = complete_rows[:64] + complete_rows[65:]
-    message = refused_rows(rows)
+    message = refused_rows(rows, "v7")
     assert "has 79 of 80 rows, the first missing one is model 4, location 5" in message
-
-
-@pytest.mark.parametrize(
-    ("column", "value", "message"),
-    [
-        (1, 5.0, "row 8 has Model 5.0, expected a whole number 1 to 4"),
-        (1, 1.5, "row 8 has Model 1.5"),
-        (2, 0.0, "row 8 has Location 0.0, expected a whole number 1 to 20"),
-        (2, np.nan, "row 8 has Location nan"),
-    ],
-)
-def test_a_model_or_location_that_does_not_exist_is_refused(
-    refused_rows, complete_rows, column, value, message
-):
-    rows = list(complete_rows)
-    row = list(rows[7])
-    row[column] = value
-    rows[7] = tuple(row)
-    assert message in refused_rows(rows)
 
 
 def test_a_table_without_the_columns_is_refused(download, refused):
@@ -137,7 +110,7 @@ def test_a_file_that_is_no_matlab_file_is_refused(download, refused, content):
 
 
 @pytest.mark.parametrize("version", ["v7", "v7.3"])
-@pytest.mark.parametrize("share", [0.02, 0.5, 0.999])
+@pytest.mark.parametrize("share", [0.02, 0.999])
 def test_a_file_that_was_cut_off_is_refused(
     download, refused, write_table, complete_rows, version, share
 ):
@@ -153,18 +126,8 @@ def test_a_file_that_was_cut_off_is_refused(
     [
         ("outputLocations", "outputLocations", np.zeros((71, 2)), r"shape \(71, 2\)"),
         ("outputLocations", "outputLocations", np.zeros((72, 2)), "expected NaN"),
-        (
-            "outputLocations",
-            "outputLocations",
-            np.full((72, 2), np.nan),
-            "expected finite",
-        ),
-        (
-            "inputLocations",
-            "inputLocations",
-            np.full((20, 2), np.nan),
-            "expected finite",
-        ),
+        ("outputLocations", "outputLocations", np.full((72, 2), np.nan), "expected finite"),
+        ("inputLocations", "inputLocations", np.full((20, 2), np.nan), "expected finite"),
         ("inputLocations", "inputLocations", np.zeros((2, 20)), r"expected \(20, 2\)"),
         ("adjacencyMatrix", "adjacencyMatrix", np.zeros((5, 72)), r"expected \(1505, 72\)"),
         ("adjacencyMatrix", "adjacencyMatrix", -np.ones((1505, 72)), "expected distances"),

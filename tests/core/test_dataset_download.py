@@ -7,13 +7,12 @@ import socket
 import sys
 import threading
 from dataclasses import replace
-from time import monotonic
 
 import pytest
 
 from skinsource.base.errors import DownloadError, MissingExtraError, Stopped, StorageError
 from skinsource.base.extras import extra_line
-from skinsource.limbs.dataset import download, published
+from skinsource.limbs.dataset import published
 from skinsource.limbs.dataset.download import fetch
 from skinsource.limbs.dataset.store import is_installed, load_measured_limb
 from tests.core.misbehaving_server import RESPONSES, Handler, Served
@@ -63,18 +62,6 @@ def part(user_data):
 
 def _asked_for_responses(served):
     return [requested for name, requested in served.asked if name == RESPONSES]
-
-
-def test_the_published_files_are_the_nine_of_the_published_record():
-    files = published.published_files()
-    assert len(files) == 9
-    responses = files[-1]
-    assert responses.url == (
-        "https://zenodo.org/records/10547601/files/impulseResponses.mat?download=1"
-    )
-    assert responses.size_bytes == 69_367_862
-    assert responses.checksum == "md5:9226dcefe3f80809a06376fbaa42ae91"
-    assert all("3d3ed8ae97b4854ede92ce9024fa41ca8e330d30" in file.url for file in files[:-1])
 
 
 def test_the_sizes_and_checksums_of_the_map_files_are_those_of_the_real_files(dataset_folder):
@@ -175,13 +162,6 @@ def test_a_longer_file_than_the_published_one_is_refused(served, files, part):
     assert not part.exists()
 
 
-def test_a_file_that_is_not_there_is_an_error_with_the_answer_of_the_server(served, files):
-    del served.content["surface.mat"]
-    with pytest.raises(DownloadError, match=r"surface\.mat: the server answered 404 Not Found"):
-        fetch(files=files)
-    assert not is_installed()
-
-
 def test_what_a_server_says_reaches_no_terminal_as_a_command(served, files, part):
     del served.content["surface.mat"]
     served.regret = "\x1b[2J" + "n" * 1000
@@ -241,16 +221,6 @@ def test_a_missing_package_is_found_out_before_anything_is_downloaded(
     with pytest.raises(MissingExtraError, match=re.escape(extra_line("dataset"))):
         fetch(files=files)
     assert served.asked == []
-
-
-def test_a_server_that_sends_next_to_nothing_is_given_up(served, files, part, monkeypatch):
-    monkeypatch.setattr(download, "_PACE_S", 0.2)
-    served.dribbles = True
-    latest_s = monotonic() + 30.0  # else it would go on for hours
-    with pytest.raises(DownloadError, match=r"comes too slowly \(\d+ bytes in 0\.2 s"):
-        fetch(files=files, stop=lambda: monotonic() > latest_s)
-    assert 0 < part.stat().st_size < 1000
-    assert not is_installed()
 
 
 def test_a_stop_is_heard_while_a_server_dribbles(served, files):
