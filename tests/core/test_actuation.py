@@ -12,7 +12,7 @@ import skinsource as ss
 from skinsource.actuators.actuation import transfers_of
 from skinsource.base.errors import InvalidInputError
 from skinsource.design import edits
-from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.edits.edit import Edit
 from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.shared import Shared
@@ -79,16 +79,6 @@ def test_without_an_actuator_nothing_changes_by_a_bit_and_no_work_is_added():
     assert graph.runs == other.runs
 
 
-def test_an_amplitude_drag_through_an_actuator_transforms_nothing():
-    design = replace(design_of(tone(), tone(3, 60.0)), actuation=actuation(equaliser=INVERSE))
-    view, graph = View(outputs=(5,), selected_inputs=(1,)), new_graph()
-    graph.evaluate({"output_rms", "selected_traces"}, sources(design, view))
-    louder = design.with_input(0, amplitude=0.3)
-    graph.evaluate({"output_rms", "selected_traces"}, sources(louder, view))
-    work = graph.work
-    assert (work.forward_transforms, work.inverse_transforms, work.samples_drawn) == (0, 0, 0)
-
-
 def test_a_changed_drive_through_an_actuator_costs_the_transforms_of_one_without():
     counted = []
     for through in (None, actuation(equaliser=INVERSE)):
@@ -100,15 +90,6 @@ def test_a_changed_drive_through_an_actuator_costs_the_transforms_of_one_without
         graph.evaluate(quantities, sources(edited, view))
         counted.append((graph.work.forward_transforms, graph.work.inverse_transforms))
     assert counted[0] == counted[1]
-
-
-def test_levels_of_the_record_are_over_the_record_and_not_over_what_rings():
-    # In its flat band the inverse changes next to nothing, so levels stay.
-    design = design_of(tone(frequency_hz=200.0))
-    plain = ss.evaluate(design, "output_levels_db")["output_levels_db"]
-    through = replace(design, actuation=actuation(equaliser=INVERSE))
-    output_levels_db = ss.evaluate(through, "output_levels_db")["output_levels_db"]
-    assert np.abs(output_levels_db - plain).max() < 0.1
 
 
 def test_a_long_design_through_an_actuator_is_the_sum_of_its_parts():
@@ -158,13 +139,6 @@ def test_a_place_without_an_actuator_is_refused_and_named():
         ss.evaluate(design, "output_rms")
 
 
-@pytest.mark.parametrize("scaling", ["upstream", "relative"])
-def test_drives_without_a_unit_are_refused(scaling):
-    design = design_of(tone(), scaling=scaling, actuation=actuation())
-    with pytest.raises(InvalidInputError, match="Choose the scaling Probe acceleration"):
-        ss.evaluate(design, "output_rms")
-
-
 def test_a_drive_that_leaves_a_velocity_is_refused_through_an_equaliser_alone():
     tap = ss.track(13, ss.waveforms.Tap())
     refused = design_of(tap, actuation=actuation(equaliser=INVERSE))
@@ -195,25 +169,6 @@ def test_all_shipped_actuators_can_be_predicted_through(name, equaliser):
     assert 0 < transfer.lead <= 650
     assert transfer.samples.size <= 1300
     assert np.isfinite(transfer.samples).all()
-
-
-def test_all_places_share_one_beginning():
-    own = tuple(
-        ss.ActuatorAt(place=place, actuator=name, model=ss.actuators.load(name))
-        for place, name in enumerate(ss.actuators.names(), 1)
-    )
-    transfers = transfers_of(ss.Actuation(actuators=own), 1300.0)
-    assert len({transfer.lead for transfer in transfers.values()}) == 1
-    assert len({transfer.samples.size for transfer in transfers.values()}) == 1
-
-
-def test_a_transfer_is_the_response_in_the_band():
-    transfer = transfers_of(actuation(COIL), 1300.0)[None]
-    frequency_hz = np.linspace(25.0, 600.0, 200)
-    times_s = (np.arange(transfer.samples.size) - transfer.lead) / 1300.0
-    shown = np.exp(-2j * np.pi * frequency_hz[:, np.newaxis] * times_s) @ transfer.samples
-    response = COIL.response(frequency_hz)
-    assert np.abs(shown - response).max() < 1e-4 * np.abs(response).max()
 
 
 def test_a_transfer_lasts_as_long_at_a_high_rate():
@@ -263,16 +218,6 @@ def test_switching_it_on_and_off_are_edits_that_remember():
     assert off.label == "Predict without the actuator"
     assert off.design.actuated is None
     assert off.design.actuation == actuation(on=False)
-
-
-def test_it_is_refused_under_other_scalings_and_so_are_they_through_it():
-    view = View()
-    outcome = edits.predict_through(design_of(tone(), scaling="upstream"), view, actuation())
-    assert isinstance(outcome, Refusal)
-    assert "Probe acceleration" in outcome.sentence
-    through = design_of(tone(), actuation=actuation())
-    assert isinstance(edits.change_scaling(through, view, "upstream"), Refusal)
-    assert isinstance(edits.change_scaling(through, view, "probe"), Edit)
 
 
 def test_a_limb_behind_actuators_goes_with_its_graph():

@@ -84,16 +84,6 @@ def test_a_parameter_at_the_end_of_all_numbers_moves_it_or_is_refused(actuator, 
         assert np.isfinite(result).all()
 
 
-def test_no_voltage_at_all_is_no_motion():
-    assert COIL.simulate([], 1300.0).current.shape == (0,)
-    assert PIEZO.simulate([3.0], 1300.0).current == pytest.approx([0.03])
-
-
-def test_responses_beyond_all_numbers_are_refused():
-    with pytest.raises(InvalidInputError, match="parameters"):
-        ss.actuators.VoiceCoil(1e-300, 1e-300, 1e-300, 1e-300, 0.0, 0.0).response(1e9)
-
-
 def test_a_limit_that_is_passed_is_called_as_in_the_panel_with_its_unit():
     sentences = [str(Breach(field.name, 0.0123456, 0.002)) for field in fields(Limits)]
     assert sentences[0] == "peak voltage: 0.01235 V, expected at most 0.002 V"

@@ -46,35 +46,8 @@ def test_the_gain_at_0_hz_is_one_over_the_area_of_the_pulse():
     assert ratio == pytest.approx(1 / (PEAK_M_PER_S2 * WIDTH_S * RATE_HZ), rel=1e-5)
 
 
-def test_a_longer_record_gives_the_same_response():
-    pulse_response = struck_by_the_pulse(system())
-    longer = np.pad(pulse_response, ((0, 0), (0, 300)))
-    calibrated = per_probe_acceleration(longer, RATE_HZ)[:, :522]
-    np.testing.assert_allclose(
-        per_probe_acceleration(pulse_response, RATE_HZ), calibrated, atol=1e-6
-    )
-
-
 def test_what_comes_before_the_start_does_not_come_round_to_the_end():
     early = np.zeros(522)
     early[1] = 1.0
     calibrated = np.abs(per_probe_acceleration(early, RATE_HZ))
     assert calibrated[-100:].max() < 1e-5 * calibrated.max()
-
-
-def test_calibration_is_linear_and_keeps_the_shape():
-    random = np.random.default_rng(2)
-    first, second = random.standard_normal((2, 4, 3, 522))
-    calibrated = per_probe_acceleration(3 * first - second, RATE_HZ)
-    assert calibrated.shape == (4, 3, 522)
-    parts = 3 * per_probe_acceleration(first, RATE_HZ) - per_probe_acceleration(second, RATE_HZ)
-    np.testing.assert_allclose(calibrated, parts, rtol=0, atol=1e-14)
-    assert not per_probe_acceleration(np.zeros((4, 522)), RATE_HZ).any()
-
-
-def test_no_frequency_is_raised_by_more_than_8_db_over_0_hz():
-    impulse = np.zeros(522)
-    impulse[261] = 1.0
-    gain = np.abs(np.fft.rfft(per_probe_acceleration(impulse, RATE_HZ)))
-    assert gain.max() / gain[0] < 10 ** (8 / 20)
-    assert gain.min() > 0.9 * gain[0]

@@ -5,7 +5,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource.base.errors import InvalidInputError
 from skinsource.signals.drawing import Stroke, bounded_to_band, drawn_over, zeroed
 
 RATE_HZ = 1300.0
@@ -13,18 +12,9 @@ PLACES = st.tuples(st.floats(0, 2), st.floats(-1, 1))
 PENS = st.lists(PLACES, min_size=1, max_size=30)
 
 
-def test_a_pen_that_goes_on_leaves_its_points():
-    stroke = Stroke.through([(0.0, 0.0), (0.1, 1.0), (0.2, -1.0)])
-    assert stroke.points == ((0.0, 0.0), (0.1, 1.0), (0.2, -1.0))
-
-
 def test_a_pen_that_goes_back_replaces_what_it_drew_there():
     stroke = Stroke.through([(0.0, 0.0), (0.1, 1.0), (0.2, 0.5), (0.3, 1.0), (0.15, -1.0)])
     assert stroke.points == ((0.0, 0.0), (0.1, 1.0), (0.15, -1.0), (0.3, 1.0))
-
-
-def test_a_pen_that_stays_at_one_time_has_the_value_that_came_last():
-    assert Stroke.through([(0.1, 0.0), (0.1, 0.5), (0.1, -0.2)]).points == ((0.1, -0.2),)
 
 
 @given(PENS)
@@ -54,12 +44,6 @@ def test_points_on_samples_are_met_exactly(numbers):
     assert first == numbers[0]
     assert samples.size == numbers[-1] - numbers[0] + 1
     np.testing.assert_allclose(samples[np.array(numbers) - first], values, atol=1e-12)
-
-
-def test_between_two_points_a_stroke_neither_rises_nor_falls_alone():
-    _, samples = Stroke.through([(0.0, 0.0), (0.05, 1.0), (0.1, 1.0)]).samples(RATE_HZ)
-    assert (np.diff(samples) >= -1e-15).all()
-    assert samples.max() == 1.0
 
 
 def test_a_stroke_covers_its_own_time_and_nothing_else():
@@ -96,20 +80,3 @@ def test_what_lies_outside_the_band_is_taken_away_and_its_share_told():
     bounded = bounded_to_band(inside + outside, RATE_HZ)
     np.testing.assert_allclose(bounded.samples, inside, atol=1e-12)
     assert bounded.removed == pytest.approx(0.2)
-
-
-@given(st.integers(1, 200), st.integers(0, 1000))
-def test_bounding_twice_changes_nothing_more(n, seed):
-    once = bounded_to_band(np.random.default_rng(seed).standard_normal(n), RATE_HZ)
-    twice = bounded_to_band(once.samples, RATE_HZ)
-    np.testing.assert_allclose(twice.samples, once.samples, atol=1e-12)
-    assert 0.0 <= once.removed <= 1.0
-
-
-def test_silence_loses_nothing():
-    assert bounded_to_band(np.zeros(9), RATE_HZ).removed == 0.0
-
-
-def test_a_stroke_of_nothing_is_refused():
-    with pytest.raises(InvalidInputError, match="no points"):
-        Stroke().samples(RATE_HZ)

@@ -33,24 +33,6 @@ def test_each_figure_is_its_formula():
     assert extent.d90_mm == within[0]
 
 
-def test_a_single_loud_output_has_the_extent_of_its_place():
-    rms = np.zeros(72)
-    rms[18] = 2.5
-    extent = ss.extent(rms, LIMB, 3)
-    here = distances_mm(LIMB, 3)[18]
-    assert extent.mean_distance_mm == pytest.approx(here)
-    assert extent.d90_mm == pytest.approx(here)
-    assert extent.participation == pytest.approx(1.0)
-    assert extent.share_above_12_db == pytest.approx(1 / 66)
-
-
-def test_the_unit_of_the_rms_does_not_matter_even_far_out():
-    rms = np.random.default_rng(4).uniform(0.1, 1.0, 72)
-    plain = ss.extent(rms, LIMB, 7)
-    for scale in (2.0**-500, 2.0**500):
-        assert ss.extent(rms * scale, LIMB, 7) == plain
-
-
 def test_of_several_places_the_nearest_counts():
     rms = np.random.default_rng(5).uniform(0.1, 1.0, 72)
     nearest = np.fmin(distances_mm(LIMB, 1), distances_mm(LIMB, 20))
@@ -91,28 +73,6 @@ def test_windows_follow_each_other_and_the_rest_is_left_out():
     for j in range(4):
         piece = signals[..., 7 + 20 * j : 27 + 20 * j]
         np.testing.assert_allclose(rms[j], np.sqrt(np.mean(piece**2, axis=-1)), rtol=1e-14)
-
-
-def test_one_window_over_all_is_the_rms_of_the_record():
-    signals = np.random.default_rng(7).standard_normal((72, 651))
-    whole = ss.windowed_rms(signals, 651)
-    np.testing.assert_allclose(whole[0], np.sqrt(np.mean(signals**2, axis=-1)), rtol=1e-14)
-
-
-def test_a_signal_shorter_than_a_window_has_none():
-    assert ss.windowed_rms(np.ones((72, 10)), 11).shape == (0, 72)
-    assert ss.windowed_rms(np.ones((72, 10)), 5, first_sample=50).shape == (0, 72)
-
-
-def test_squares_of_windows_do_not_overflow():
-    assert ss.windowed_rms([3e200, 4e200], 2)[0] == pytest.approx(3.5355339059327378e200)
-    assert ss.windowed_rms([3e-200, 4e-200], 2)[0] == pytest.approx(3.5355339059327378e-200)
-
-
-@pytest.mark.parametrize("window", [0, 1.5, True, "3"])
-def test_a_window_is_a_whole_number_of_samples(window):
-    with pytest.raises(InvalidInputError, match="window_samples"):
-        ss.windowed_rms(np.ones(10), window)
 
 
 def test_the_default_train_contracts_as_measured(installed_dataset, monkeypatch):

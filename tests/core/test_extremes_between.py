@@ -5,11 +5,6 @@ import tracemalloc
 import numpy as np
 import pytest
 
-from skinsource.base.errors import Stopped
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
-from skinsource.design.waveforms.tones import Tone
-from skinsource.engine.evaluation import evaluate
 from skinsource.signals.resampling import EXTREMES_ERROR, FINER, extremes_between, finer
 
 RATE_HZ = 1300.0
@@ -108,13 +103,6 @@ def test_silence_stays_silent_and_a_single_sample_stays_alone():
     assert extremes_between(np.zeros((1, 0))).low.shape == (1, 0)
 
 
-def test_relative_to_a_size_they_are_so_many_times_smaller():
-    extremes = extremes_between(band_limited(2, 300))
-    sizes = np.array([[2.0], [0.5]])
-    for got, expected_values in zip(of(extremes.relative_to(sizes)), of(extremes), strict=True):
-        np.testing.assert_allclose(got, expected_values / sizes, rtol=1e-12)
-
-
 def test_however_long_signals_are_they_take_little_more_memory_than_the_result():
     signals = np.tile(band_limited(6, 2000), 50)
     extremes_between(signals[:, :100])
@@ -123,28 +111,3 @@ def test_however_long_signals_are_they_take_little_more_memory_than_the_result()
     _, most = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     assert most <= extremes.low.nbytes + extremes.high.nbytes + 4e6
-
-
-def test_it_can_be_stopped_between_blocks():
-    asked = []
-
-    def stop():
-        asked.append(None)
-        return len(asked) == 3
-
-    with pytest.raises(Stopped):
-        extremes_between(np.zeros((6, 100_000)), stop=stop)
-
-
-@pytest.mark.parametrize("method", ["mag", "pca"])
-def test_those_of_selected_outputs_belong_to_the_wave_of_their_projection(method):
-    tones = (track(location=3, waveform=Tone(frequency_hz=325.0, duration_s=0.4)),)
-    design = Design(limb="synthetic-1", inputs=tones)
-    view = View(axes="xyz", method=method, outputs=(29, 52))
-    names = "selected_extremes", "axis_traces", "selected_projection", "response_time_s"
-    quantities = evaluate(design, *names, view=view)
-    dense = finer(quantities["response_time_s"], quantities["axis_traces"])[1]
-    expected = dense_extremes(quantities["selected_projection"].signals(dense))
-    peak = np.abs(dense).max()
-    for got, values in zip(of(quantities["selected_extremes"]), expected, strict=True):
-        np.testing.assert_allclose(got, values, rtol=0, atol=2 * FILTER_ERROR * peak)

@@ -1,15 +1,12 @@
 """Ten thousand texts that mean harm, or nothing: refused in one way, or played, and soon."""
 
-import json
 import random
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.waveforms.samples import Formula
-from skinsource.signals import formula
 from skinsource.signals.formula import playing, reading
 from skinsource.signals.formula.functions import FUNCTIONS
 
@@ -127,29 +124,9 @@ def test_ten_thousand_texts_are_played_or_refused_with_a_column(capsys):
     assert longest < 400
 
 
-@pytest.mark.parametrize("text", PYTHON)
-def test_a_waveform_of_a_hostile_text_is_refused_or_finite(text):
-    message = ""
-    try:
-        samples = Formula(text=text, duration_s=0.01).samples(1300.0)
-    except InvalidInputError as error:
-        message, samples = str(error), np.zeros(13)
-    assert np.isfinite(samples).all()
-    assert len(message) < 400
-    assert message.isprintable()
-
-
 def test_the_deepest_formula_that_is_allowed_is_played_however_long_it_is():
     """Nothing of it is recursive; what is held at once does not grow with the length."""
     deepest = "(t+" * 29 + "t" + ")" * 29
     assert Formula(text=deepest).samples(1300.0)[130] == pytest.approx(30 * 130 / 1300)
     many = "+".join(["t"] * 250)
     assert Formula(text=many).samples(1300.0)[130] == pytest.approx(250 * 130 / 1300)
-
-
-def test_no_module_of_the_language_asks_python_to_run_a_text():
-    folder = Path(formula.__file__).parent
-    sources = json.dumps({path.name: path.read_text() for path in folder.glob("*.py")})
-    assert "reading.py" in sources
-    for forbidden in ("eval(", "exec(", "compile(text", "ast.", "__import__", "getattr("):
-        assert forbidden not in sources

@@ -5,7 +5,7 @@ from functools import partial
 import pytest
 
 from skinsource.base.errors import SkinSourceError, Stopped
-from skinsource.base.job import Job, Progress, Stop, never, seconds_left, stop_if, time_left_text
+from skinsource.base.job import Job, Progress, Stop, seconds_left, stop_if, time_left_text
 
 
 def count(limit: int, *, progress: Progress, stop: Stop) -> int:
@@ -29,15 +29,6 @@ def test_a_job_that_is_stopped_ends_with_the_one_error_for_that():
         job.run(lambda done, total, text: progress.append(done), lambda: len(progress) == 2)
     assert progress == [1, 2]
     assert isinstance(caught.value, SkinSourceError)
-
-
-def test_what_a_job_raises_comes_through():
-    with pytest.raises(ZeroDivisionError):
-        Job("Divide", lambda *, progress, stop: 1 / 0).run()
-
-
-def test_never_stops_nothing():
-    stop_if(never)
 
 
 def test_half_of_the_work_in_ten_seconds_leaves_ten():

@@ -77,11 +77,6 @@ def test_an_operator_is_built_once_and_found_again_to_the_last_bit(limb, built):
     np.testing.assert_array_equal(again.interpolate(values), built.interpolate(values))
 
 
-def test_what_an_operator_warns_of_is_kept(built):
-    with_notes = replace(built, same_place=((3, 5), (60, 61)), warnings=("Thin.", "Über µ."))
-    assert same(decoded(encoded(with_notes)), with_notes)
-
-
 def test_another_map_hand_or_spacing_is_another_operator(limb):
     fetched(limb)
     nudged = limb.map.output_positions.copy()
@@ -139,16 +134,6 @@ def test_a_folder_that_cannot_be_written_costs_the_time_and_nothing_else(
         assert (n_built, same(operator, built)) == (1, True)
 
 
-def test_something_else_in_its_place_is_left_alone(limb, built):
-    fetched(limb)
-    (path,) = files()
-    path.unlink()
-    path.mkdir()
-    operator, n_built = fetched(limb)
-    assert (n_built, same(operator, built)) == (1, True)
-    assert path.is_dir()
-
-
 def test_what_was_used_last_is_kept_longest(limb, monkeypatch):
     spacings = (8.0, 8.5, 9.0, 9.5)
     for k, spacing in enumerate(spacings):
@@ -162,19 +147,3 @@ def test_what_was_used_last_is_kept_longest(limb, monkeypatch):
     assert sum(path.stat().st_size for path in files()) <= 3 * largest
     assert [fetched(limb, spacing)[1] for spacing in (8.0, 10.0)] == [0, 0]
     assert fetched(limb, 8.5)[1] == 1
-
-
-def test_too_large_an_operator_is_not_kept(limb, monkeypatch):
-    monkeypatch.setattr(surface, "LARGEST_BYTES", 1000)
-    assert [fetched(limb)[1] for _ in range(2)] == [1, 1]
-    assert not cache_folder().exists()
-
-
-def test_the_cache_lies_with_the_data_of_a_test_or_in_the_folder_that_is_named(
-    user_data, monkeypatch
-):
-    assert cache_folder() == user_data / "kept"
-    monkeypatch.delenv("SKINSOURCE_CACHE")
-    assert cache_folder() == user_data / "cache"
-    monkeypatch.delenv("SKINSOURCE_DATA")
-    assert user_data not in cache_folder().parents

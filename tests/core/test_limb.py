@@ -18,14 +18,6 @@ def test_all_responses_are_read_once_and_only_when_touched(limb):
     assert limb.bytes_read == everything.nbytes
 
 
-def test_single_responses_and_all_of_them_are_the_same_memory(limb):
-    before = limb.response_to(7)
-    everything = limb.impulse_responses
-    assert np.shares_memory(limb.response_to(7), everything)
-    np.testing.assert_array_equal(limb.response_to(7), before)
-    np.testing.assert_array_equal(everything[6], before)
-
-
 def test_responses_cannot_be_written_to(limb):
     for response in (limb.response_to(3), limb.impulse_responses, limb.response_to(3)):
         with pytest.raises(ValueError, match="read-only"):

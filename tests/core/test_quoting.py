@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import skinsource
-from skinsource.base.quoting import MOST_CHARACTERS, printable, quoted, sentence
+from skinsource.base.quoting import MOST_CHARACTERS, printable, quoted
 
 
 class Strange:
@@ -47,10 +47,6 @@ def test_a_cut_can_be_seen():
 
 def test_commands_for_a_terminal_are_written_out():
     assert printable("Not\x1b[31m found\r\nhere") == "Not\\x1b[31m found here"
-
-
-def test_a_sentence_ends_in_one_full_stop():
-    assert sentence("no such file") == sentence("no such file.") == "no such file."
 
 
 def test_every_message_of_the_library_quotes_in_this_way():

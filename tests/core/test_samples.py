@@ -55,18 +55,3 @@ def test_too_many_samples_are_refused():
 def test_a_rate_that_is_none_is_refused(rate):
     with pytest.raises(InvalidInputError, match="sample_rate_hz is"):
         of(VALUES, rate=rate)
-
-
-@pytest.mark.parametrize("unit", [None, 3, "x" * 21])
-def test_a_unit_is_a_short_text(unit):
-    with pytest.raises(InvalidInputError, match="expected a short text"):
-        of(VALUES, unit=unit)
-
-
-def test_samples_are_shown_in_a_few_words():
-    assert repr(of(np.zeros(10_000))).startswith("<10000 samples at 1300 Hz, ")
-
-
-def test_at_hardly_any_rate_nothing_is_left():
-    for rate_hz in (1e-3, 1e-300):
-        assert of(VALUES)(rate_hz).size == 0

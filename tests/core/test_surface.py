@@ -6,7 +6,6 @@ from scipy.sparse import csr_array
 
 from skinsource.base.measurement_conditions import VOLAR_OUTPUTS
 from skinsource.limbs.limb import LimbMap
-from skinsource.limbs.surface import surface as surface_module
 from skinsource.limbs.surface.surface import surface_operator, surface_operator_from_map
 from skinsource.limbs.synthetic import load_synthetic_limb
 
@@ -64,24 +63,6 @@ def test_a_measured_limb_has_the_published_mask_and_sound_weights(measured_limb,
     assert volar.nnz == 0
 
 
-def test_all_measured_limbs_share_one_map_at_their_own_scale(measured_limb):
-    first = surface_operator(measured_limb(1))
-    for number in LIMBS[1:]:
-        limb = measured_limb(number)
-        other = surface_operator(limb, spacing_mm=limb.hand_length_mm / 175.0)
-        np.testing.assert_array_equal(other.mask, first.mask)
-        assert abs(other.weights - first.weights).max() < 1e-9
-
-
-def test_pixels_of_the_published_grid_start_at_the_smallest_vertex(measured_limb):
-    limb = measured_limb(1)
-    operator = surface_operator(limb)
-    low = limb.map.outline.min(axis=0) * 175.0 / limb.map.hand_length_px
-    assert operator.mask.shape == (464, 174)
-    np.testing.assert_allclose(operator.x_mm, low[0] + np.arange(174), atol=1e-9)
-    np.testing.assert_allclose(operator.y_mm, low[1] + np.arange(464), atol=1e-9)
-
-
 @pytest.mark.parametrize("number", LIMBS)
 def test_a_synthetic_limb_has_sound_weights_and_no_warnings(number):
     operator = surface_operator(load_synthetic_limb(number), spacing_mm=2.0)
@@ -114,26 +95,3 @@ def test_rows_increase_towards_the_fingertips_and_columns_away_from_the_thumb():
     assert np.corrcoef(columns, across[operator.mask])[0, 1] > 0.9
     assert np.all(np.diff(operator.x_mm) > 0)
     assert np.all(np.diff(operator.y_mm) > 0)
-
-
-def test_a_finer_grid_holds_the_values_of_the_coarser_one():
-    limb = load_synthetic_limb(2)
-    values = np.random.default_rng(8).normal(size=72)
-    coarse = surface_operator(limb, spacing_mm=4.0).interpolate(values)
-    fine = surface_operator(limb, spacing_mm=2.0).interpolate(values)[::2, ::2]
-    fine = fine[: coarse.shape[0], : coarse.shape[1]]
-    np.testing.assert_allclose(fine, coarse, atol=1e-9)
-
-
-def test_the_result_does_not_depend_on_how_many_pixels_are_treated_at_once(monkeypatch):
-    limb = load_synthetic_limb(1)
-    expected = surface_operator(limb, spacing_mm=4.0)
-    monkeypatch.setattr(surface_module, "_PIXELS_PER_CHUNK", 100)
-    other = surface_operator(limb, spacing_mm=4.0)
-    np.testing.assert_array_equal(other.weights.toarray(), expected.weights.toarray())
-
-
-def test_building_an_operator_reads_no_responses():
-    limb = load_synthetic_limb(1)
-    surface_operator(limb, spacing_mm=4.0)
-    assert limb.bytes_read == 0

@@ -72,45 +72,6 @@ def test_long_straight_edges_are_split_and_sound_at_any_angle(angle_rad):
     assert operator.warnings == ()
 
 
-def test_splitting_can_be_switched_off():
-    outputs = [[60, 60], [200, 90], [150, 300], [80, 440]]
-    split = surface_operator_from_map(map_of(RECTANGLE, outputs), 175.0, 2.0)
-    whole = surface_operator_from_map(map_of(RECTANGLE, outputs, densify=False), 175.0, 2.0)
-    assert_sound(whole)
-    # Along an unsplit edge values run linearly from corner to corner.
-    edge = whole.interpolate([1.0, 2.0, 3.0, 4.0])[0]
-    np.testing.assert_allclose(np.diff(edge), np.diff(edge).mean(), atol=1e-9)
-    assert np.abs(np.diff(split.interpolate([1.0, 2.0, 3.0, 4.0])[0], 2)).max() > 1e-3
-
-
-def test_a_circle_with_outputs_on_circles_keeps_their_symmetry():
-    # Between the vertices, so that none is equally near to two of them.
-    ring = turned(CIRCLE[::8], 0.5, np.pi / 64)
-    operator = surface_operator_from_map(map_of(CIRCLE, [*ring, [0, 0]], densify=False), 398.1, 4.0)
-    assert_sound(operator)
-    picture = operator.interpolate([1, 0, 0, 0, 1, 0, 0, 0, 0])
-    assert picture.shape[0] == picture.shape[1]
-    inner = operator.mask & operator.mask[::-1, ::-1]
-    np.testing.assert_allclose(picture[inner], picture[::-1, ::-1][inner], atol=1e-3)
-
-
-def test_an_output_at_an_outline_vertex_is_merged_with_it():
-    outputs = [[0, 0], [150, 250], [300, 500]]
-    operator = surface_operator_from_map(map_of(RECTANGLE, outputs, densify=False), 398.1, 1.0)
-    assert_sound(operator)
-    assert operator.interpolate([7.0, 0.0, 0.0])[0, 0] == pytest.approx(7.0)
-
-
-def test_outputs_at_one_place_share_its_value_and_are_refused_with_two():
-    outputs = [[100, 100], [200, 400], [100, 100 + 1e-7]]
-    operator = surface_operator_from_map(map_of(RECTANGLE, outputs), 398.1, 4.0)
-    assert_sound(operator)
-    assert operator.same_place == ((0, 2),)
-    assert operator.interpolate([3.0, 10.0, 3.0])[25, 25] == pytest.approx(3.0)
-    with pytest.raises(InvalidInputError, match=r"outputs 1 and 3 .* given 2 and 4"):
-        operator.interpolate([2.0, 10.0, 4.0])
-
-
 def test_over_an_outline_hardly_off_a_line_values_run_along_it_and_it_is_told():
     outline = [[0, 0], [300, 0], [300, 0.01], [0, 0.01]]
     outputs = [[50, 0], [100, 0.01], [250, 0.005]]
@@ -122,17 +83,6 @@ def test_over_an_outline_hardly_off_a_line_values_run_along_it_and_it_is_told():
     places, values = [0, 50, 100, 250, 300], [ends[0], 1.0, 2.0, 5.0, ends[1]]
     row = operator.interpolate([1.0, 2.0, 5.0])[0]
     np.testing.assert_allclose(row, np.interp(np.arange(31) * 10.0, places, values), atol=1e-6)
-
-
-def test_repeated_outline_vertices_change_nothing():
-    outputs = [[60, 60], [200, 90], [150, 300]]
-    repeated = RECTANGLE[[0, 0, 1, 2, 2, 2, 3, 0]]
-    expected = surface_operator_from_map(map_of(RECTANGLE, outputs), 175.0, 4.0)
-    operator = surface_operator_from_map(map_of(repeated, outputs), 175.0, 4.0)
-    np.testing.assert_allclose(operator.weights.toarray(), expected.weights.toarray(), atol=1e-12)
-    table = np.ones((8, 3))
-    tabled = map_of(repeated, outputs, visibility=table)
-    assert_sound(surface_operator_from_map(tabled, 175.0, 4.0))
 
 
 def test_a_clockwise_outline_gives_the_same_picture():
@@ -169,14 +119,6 @@ def test_an_outline_that_crosses_itself_is_filled_by_the_even_odd_rule_and_told(
     assert "Places where the outline crosses itself: 1." in operator.warnings
     assert not operator.mask[40, 60]
     assert operator.mask[75, 100]
-
-
-def test_outputs_outside_the_outline_still_count():
-    operator = surface_operator_from_map(
-        map_of(RECTANGLE, [[-50, 250], [150, 250], [150, 900]]), 175.0, 4.0
-    )
-    assert_sound(operator)
-    assert operator.mask.all()
 
 
 def test_a_tiny_hand_length_makes_no_huge_raster():

@@ -11,7 +11,6 @@ from skinsource.limbs.surface.outline import (
     densified,
     distinct_vertices,
     grid_inside,
-    ranges,
 )
 
 SQUARE = np.array([[0, 0], [4, 0], [4, 4], [0, 4]], dtype=float)
@@ -40,12 +39,6 @@ def test_a_grid_is_masked_as_in_rational_arithmetic(seed):
     x, y = np.arange(-1, 21) * 1.0, np.arange(-2, 42) * 0.5
     expected = [[holds_exactly(outline, column, row) for column in x] for row in y]
     np.testing.assert_array_equal(grid_inside(outline, x, y), expected, err_msg=f"seed {seed}")
-
-
-def test_edges_and_vertices_belong_to_the_inside():
-    inside = grid_inside(SQUARE, np.arange(-1, 6.0), np.arange(-1, 6.0))
-    assert inside.sum() == 25
-    assert inside[1:6, 1:6].all()
 
 
 def test_points_within_the_tolerance_of_an_edge_are_inside():
@@ -84,10 +77,6 @@ def test_split_edges_are_short_and_keep_the_vertices():
     assert {tuple(v) for v in (SQUARE * [1, 2.5])} <= {tuple(v) for v in split}
 
 
-def test_short_edges_are_not_split():
-    np.testing.assert_array_equal(densified(SQUARE, 4.0), SQUARE)
-
-
 def test_crossings_are_counted_and_touching_is_none():
     bow_tie = np.array([[0, 0], [4, 4], [4, 0], [0, 4]], dtype=float)
     touching = np.array([[0, 0], [4, 0], [4, 4], [2, 0], [0, 4]], dtype=float)
@@ -109,9 +98,3 @@ def test_repetitions_are_dropped_and_a_closing_vertex_is_one():
 def test_an_outline_without_area_is_refused(outline):
     with pytest.raises(InvalidInputError, match="enclose no area"):
         distinct_vertices(outline)
-
-
-def test_ranges_are_listed_with_their_owners_and_empty_ones_left_out():
-    owner, value = ranges(np.array([3, 5, 0]), np.array([5, 2, 1]))
-    np.testing.assert_array_equal(owner, [0, 0, 2])
-    np.testing.assert_array_equal(value, [3, 4, 0])

@@ -11,7 +11,6 @@ from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.signals.spectra import rms
 from tests.core.own_limbs.lab_bench import installed
 
 PLAYED = Design(
@@ -59,13 +58,6 @@ def same_for_each_axis(design, view, axes):
 )
 def test_they_are_those_of_the_axis_chosen_alone(design, view):
     same_for_each_axis(design, view, "xyz")
-
-
-def test_they_are_the_rms_of_the_traces():
-    view = View(axes="xyz", outputs=tuple(range(1, 73)))
-    values = evaluate(PLAYED, "axis_levels_db", "axis_traces", view=view)
-    expected = 20 * np.log10(rms(values["axis_traces"]).T)
-    np.testing.assert_allclose(values["axis_levels_db"], expected, rtol=0, atol=1e-9)
 
 
 def test_a_limb_of_a_lab_has_the_axes_it_was_measured_along_and_their_noise(user_data):

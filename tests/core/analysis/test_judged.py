@@ -1,8 +1,5 @@
 """What goes with a result wherever it is taken."""
 
-import re
-
-import numpy as np
 import pytest
 
 import skinsource as ss
@@ -10,11 +7,8 @@ from skinsource.engine.evaluation import evaluate
 from skinsource.perception.validity import (
     Finding,
     Judged,
-    drive_findings,
     in_full,
     in_short,
-    noise_findings,
-    setup_findings,
 )
 
 FAST = Finding(name="drive", state="left", sentence="Fast, and more.", in_short="Fast.")
@@ -51,12 +45,6 @@ def test_what_holds_for_several_is_said_once_with_who_they_are_and_for_all_witho
     assert in_short(several) == ("A, C: Made from other files.", "A, C: Fast.")
 
 
-def test_what_is_said_twice_of_one_design_is_said_once():
-    several = [Judged(label="A", findings=(FAST, FAST)), Judged(label="B", findings=(KEPT,))]
-    assert in_short(several) == ("A: Fast.",)
-    assert in_short(several[:1]) == ("Fast.",)
-
-
 def test_numbers_that_differ_between_designs_are_a_range():
     several = [Judged(label="A", findings=(MOST,)), Judged(label="B", findings=(HALF,))]
     assert in_short(several) == ("It is 50% to 90% outside.",)
@@ -91,36 +79,6 @@ def test_each_condition_that_is_not_kept_has_short_words_and_no_other(scaling):
     short = " ".join(in_short([Judged(label="A", findings=findings)]))
     assert "{" not in short
     assert " of the energy lies above 300 Hz" in short
-
-
-def test_short_words_hold_the_number_of_the_sentence():
-    time_s = np.arange(1300) / 1300.0
-    loud = 90.0 * np.sin(800.0 * np.pi * time_s) + 30.0 * np.sin(20.0 * np.pi * time_s)
-    findings = [
-        *drive_findings([(7, loud)], 1300.0, "probe"),
-        noise_findings(np.array([3.0, 9.0, 9.0, 9.0]), synthetic=False, silent=False),
-    ]
-    assert [finding.name for finding in findings if finding.number is not None] == [
-        "band",
-        "drive",
-        "spacing",
-        "noise",
-    ]
-    for finding in findings:
-        sentence = finding.in_short.format(finding.number)
-        assert (
-            re.findall(r"\d[\d.]*%?", sentence)[0] == re.findall(r"\d[\d.]*%?", finding.sentence)[0]
-        )
-
-
-@pytest.mark.parametrize("limit_hz", [300.0, None])
-@pytest.mark.parametrize("frequency_hz", [100.0, 400.0])
-def test_of_all_conditions_only_the_spacing_of_outputs_is_about_maps(frequency_hz, limit_hz):
-    drive = np.sin(2.0 * np.pi * frequency_hz * np.arange(1300) / 1300.0)
-    findings = drive_findings([(7, drive)], 1300.0, "probe", spatial_limit_hz=limit_hz)
-    assert [finding.name for finding in findings if finding.of_maps] == ["spacing"]
-    setup = setup_findings(synthetic=True, scaling="upstream", places=[7, 8])
-    assert not any(finding.of_maps for finding in setup)
 
 
 def test_what_lies_between_outputs_is_told_of_maps_alone():

@@ -51,19 +51,6 @@ def test_fewer_than_two_or_what_is_no_table_of_levels_is_refused(levels):
         mean_and_spread_over(levels)
 
 
-def test_a_scale_of_differences_ends_at_the_next_round_number():
-    assert [scale_end_db(level_db) for level_db in (0.0, -0.4, 1.0, 2.1, -6.01, 99.0)] == [
-        1,
-        1,
-        1,
-        3,
-        10,
-        60,
-    ]
-    assert scale_end_db(np.array([np.nan, -2.5]), np.array([0.1])) == 3.0
-    assert scale_end_db() == 1.0
-
-
 def test_a_few_large_differences_leave_colours_for_the_others():
     most = np.linspace(-4.0, 4.0, 96)
     assert scale_end_db(most, [-29.0, 29.0]) == 10.0  # a third of the largest

@@ -8,7 +8,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
-from skinsource.engine.analysis_rules import noise_rms_of_windows, windows_in_noise
+from skinsource.engine.analysis_rules import noise_rms_of_windows
 from skinsource.export.tables import export_windows
 from skinsource.signals.analysis.noise import predicted_noise_energy, windowed_noise_energy
 from skinsource.signals.analysis.windows import Windows
@@ -64,15 +64,6 @@ def test_windows_before_and_after_the_wave_are_noise_and_those_with_it_are_not(m
     assert 29 not in values["noisy_outputs_of_windows"][3]
 
 
-def test_twice_as_loud_is_as_far_above_the_noise(measured):
-    louder = replace(LATE, inputs=(replace(LATE.inputs[0], amplitude=2.0),))
-    once, twice = (
-        ss.evaluate(design, *NAMES, view=replace(VIEW, method="pca")) for design in (LATE, louder)
-    )
-    assert twice["noise_rms_of_windows"] == pytest.approx(2.0 * once["noise_rms_of_windows"])
-    assert twice["noisy_outputs_of_windows"] == once["noisy_outputs_of_windows"]
-
-
 def test_the_noise_of_a_snapshot_that_is_matched_is_as_much_louder(measured):
     names = ("place_drives", "limb_data", "projection", "windows")
     given = ss.evaluate(LATE, *names, view=VIEW)
@@ -81,15 +72,6 @@ def test_the_noise_of_a_snapshot_that_is_matched_is_as_much_louder(measured):
         for gain in (1.0, 3.0)
     )
     assert thrice == pytest.approx(3.0 * once)
-
-
-def test_outputs_without_a_place_on_the_map_do_not_make_a_window_more_than_noise():
-    limb = ss.load_limb("synthetic-1")
-    noise, rms = np.full((2, 72), 0.1), np.full((2, 72), 0.1)
-    rms[0, 60:66] = 5.0
-    rms[1, 30] = 5.0
-    assert windows_in_noise(rms, noise, limb) == (True, False)
-    assert windows_in_noise(rms, None, limb) == (False, False)
 
 
 def test_a_synthetic_limb_and_silence_have_no_noise_in_windows():
@@ -109,13 +91,3 @@ def test_the_table_of_windows_says_which_are_noise(measured, tmp_path):
     assert len(list(csv.reader(line for line in lines if not line.startswith("#")))) == 8
     export_windows(tmp_path / "train.csv", TRAIN, VIEW)
     assert "validity, windows" not in (tmp_path / "train.csv").read_text("utf-8")
-
-
-def test_maps_of_windows_are_hatched_and_the_extent_of_noise_is_not_drawn(measured):
-    figure = ss.plot.strip(LATE, window_s=0.12)
-    hatched = [any(patch.get_hatch() for patch in ax.patches) for ax in figure.axes[:7]]
-    assert hatched == [True] * 7
-    lines = [line for ax in figure.axes for line in ax.lines]
-    (mean,) = (line for line in lines if line.get_label() == "mean distance")
-    assert list(np.isnan(mean.get_ydata())) == [True, *[False] * 5, True]
-    assert "Hatched: " in " ".join(text.get_text() for text in figure.texts)

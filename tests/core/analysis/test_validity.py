@@ -1,6 +1,5 @@
 """Conditions of the measurement: found where they are left, and mended."""
 
-import json
 from dataclasses import replace
 
 import numpy as np
@@ -11,14 +10,9 @@ from skinsource.design import edits
 from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.export.stimulus_export.sidecar import about_validity
 from skinsource.export.tables import export_levels
-from skinsource.limbs import catalog
 from skinsource.perception.validity import (
-    Finding,
-    findings_lines,
     noise_findings,
-    number_ranges,
     probe_velocity,
 )
 
@@ -58,12 +52,6 @@ def test_a_velocity_is_the_integral_of_the_acceleration():
     assert probe_velocity(burst, RATE) == pytest.approx(expected, rel=0.02)
 
 
-def test_what_is_slower_than_the_band_does_not_drift():
-    step = np.ones(1300)
-    assert probe_velocity(step, RATE) < 0.03
-    assert probe_velocity(np.zeros(10), RATE) == 0.0
-
-
 def test_what_rings_past_the_end_does_not_come_back_at_the_start():
     pulse = np.sin(np.pi * np.arange(130) / 130)
     silence = np.zeros(2600)
@@ -85,12 +73,6 @@ def test_the_drive_lamp_is_lit_above_the_limit_and_mended_by_less_amplitude():
     assert findings_of(edit.design)["drive"].state == "kept"
     ratio = edit.design.inputs[1].amplitude / edit.design.inputs[0].amplitude
     assert ratio == pytest.approx(10.0 / 30.0)
-
-
-def test_two_inputs_at_one_place_move_the_same_probe():
-    single = findings_of(design_of(tone(100.0, 20.0)))["drive"]
-    both = findings_of(design_of(tone(100.0, 20.0), tone(100.0, 20.0)))["drive"]
-    assert (single.state, both.state) == ("kept", "left")
 
 
 @pytest.mark.parametrize("scaling", ["relative", "upstream"])
@@ -138,12 +120,6 @@ def test_the_peak_scaling_hides_differences_and_probe_scaling_does_not():
     assert findings_of(design_of(tone(100.0)))["scaling"].state == "kept"
 
 
-def test_a_synthetic_limb_is_said_to_be_one_and_its_noise_is_unknown():
-    findings = findings_of(design_of(tone(100.0)))
-    assert findings["limb"].state == "left"
-    assert findings["noise"].state == "unknown"
-
-
 def test_outputs_below_six_decibels_are_told_and_can_be_deselected():
     above = np.full(72, 20.0)
     above[[0, 66, 67, 68, 71]] = 5.9
@@ -172,47 +148,9 @@ def test_silence_leaves_no_condition_but_those_of_the_setup():
     assert {name for name, finding in findings.items() if finding.state != "kept"} == {"limb"}
 
 
-def test_lines_of_a_file_name_what_is_not_kept():
-    findings = (
-        Finding(name="band", state="left", sentence="Half of it lies outside."),
-        Finding(name="drive", state="unknown", sentence="Nobody knows."),
-        Finding(name="limb", state="kept", sentence="Measured."),
-    )
-    assert findings_lines(findings) == [
-        "validity, band: CAUTION: Half of it lies outside.",
-        "validity, drive: unknown: Nobody knows.",
-    ]
-
-
 def test_tables_carry_what_is_not_kept(tmp_path):
     path = tmp_path / "levels.csv"
     export_levels(path, design_of(tone(400.0, 10.0)), View())
     head = [line for line in path.read_text().splitlines() if line.startswith("#")]
     assert any("validity, spacing: CAUTION" in line for line in head)
     assert not any("validity, band" in line for line in head)
-
-
-@pytest.mark.parametrize(
-    ("numbers", "text"), [((3,), "3"), ((1, 2), "1 and 2"), ((2, 1, 3), "1 to 3")]
-)
-def test_numbers_are_listed_as_one_reads_them(numbers, text):
-    assert number_ranges(numbers) == text
-
-
-def test_the_sidecar_of_a_stimulus_carries_the_conditions(tmp_path):
-    path = tmp_path / "drive.wav"
-    ss.export_stimulus(design_of(tone(400.0, 10.0)), path, "wav", 48000)
-    sidecar = json.loads((tmp_path / "drive.wav.json").read_text())
-    assert {condition["condition"]: condition["state"] for condition in sidecar["validity"]}[
-        "spacing"
-    ] == "left"
-    assert sidecar["limb_note"] is None
-    nowhere = {"limb_note": None, "validity": []}
-    assert about_validity(replace(design_of(), limb="nobody")) == nowhere
-
-
-def test_the_sidecar_of_a_stimulus_carries_the_note_on_the_limb(monkeypatch):
-    limb = ss.load_limb("synthetic-1")
-    limb.note = "measured on a cold day"
-    monkeypatch.setattr(catalog, "load_synthetic_limb", lambda number: limb)
-    assert about_validity(design_of())["limb_note"] == "measured on a cold day"

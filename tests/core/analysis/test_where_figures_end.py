@@ -9,13 +9,10 @@ import skinsource as ss
 from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.base.job import never
 from skinsource.design.view import View
-from skinsource.engine.analysis_rules import contact_weighted_rms, line_wave, output_noise_rms
-from skinsource.engine.moments import Projection
+from skinsource.engine.analysis_rules import contact_weighted_rms, line_wave
 from skinsource.limbs.catalog import load_limb
 from skinsource.perception.hand_arm import hand_arm_weighting, weighted_rms
-from skinsource.perception.thresholds import table_threshold
 from skinsource.perception.validity import drive_findings
-from skinsource.signals.analysis.transfer import transfer_function
 from skinsource.signals.analysis.wave_speed import travelling_wave
 from tests.core.own_limbs.lab_bench import installed
 
@@ -37,16 +34,6 @@ def sine(frequency_hz, amplitude=1.0):
 def lamp(name, *drives):
     findings = drive_findings(list(enumerate(drives, start=6)), RATE, "upstream")
     return next(finding for finding in findings if finding.name == name)
-
-
-def test_the_usable_band_begins_and_ends_with_frequencies_of_the_measured_one():
-    pulse = np.zeros((1, 1, 522))
-    pulse[..., 67] = 1.0
-    for band_hz in ((25.0, 600.0), (100.0, 200.0)):
-        transfer = transfer_function(pulse, RATE, [[0.0]], band_hz=band_hz)
-        hz = transfer.frequency_hz
-        inside = hz[(hz >= band_hz[0]) & (hz <= band_hz[1])]
-        assert transfer.usable_hz[0] == pytest.approx([inside[0], inside[-1]])
 
 
 def test_a_point_of_another_shape_has_a_level_and_no_delay_that_counts():
@@ -91,37 +78,12 @@ def test_delays_count_from_the_first_input_that_is_heard():
     )
 
 
-def test_noise_along_a_direction_is_that_of_independent_axes():
-    direction = np.array([[0.6, 0.8, 0.0], [1.0, 0.0, 0.0]])
-    energy = np.array([[4.0, 9.0, 16.0], [4.0, 9.0, 16.0]])
-    noise_rms = output_noise_rms(energy, Projection((0, 1, 2), direction), 10)
-    rng = np.random.default_rng(12)
-    axes = rng.normal(size=(2, 3, 200_000)) * np.sqrt(energy / 10)[..., None]
-    drawn = np.einsum("oa,oat->ot", direction, axes)
-    assert noise_rms == pytest.approx(drawn.std(axis=-1), rel=0.01)
-    length = output_noise_rms(energy, Projection((0, 1, 2), None), 10)
-    assert length == pytest.approx(np.sqrt([2.9, 2.9]))
-
-
-def test_above_the_measured_band_nothing_is_felt():
-    def level_db(frequency_hz):
-        design = ss.Design(limb="synthetic-1", inputs=(tone(frequency_hz, 50.0),), scaling="probe")
-        return ss.evaluate(design, "sensation")["sensation"].level_db.max()
-
-    assert level_db(590.0) - level_db(630.0) > 20.0
-
-
 def test_the_weighted_acceleration_of_a_contact_is_not_told_behind_an_actuator():
     drives, limb = ((8, sine(100.0)),), load_limb("synthetic-1")
     ((place, weighted),) = contact_weighted_rms(drives, limb, "probe", None)
     assert (place, weighted > 0.0) == (8, True)
     bench = Actuation(actuators=(ActuatorAt(model=ss.actuators.load("example-voice-coil")),))
     assert contact_weighted_rms(drives, limb, "probe", bench) is None
-
-
-def test_between_rows_of_a_table_thresholds_are_straight_in_logarithms():
-    table = ((25.0, 0.1), (100.0, 0.4), (400.0, 6.4))
-    assert table_threshold(table, [50.0, 200.0]) == pytest.approx([0.2, 1.6])
 
 
 def test_what_swings_at_half_the_rate_is_weighted_once():
@@ -134,10 +96,6 @@ def test_a_twentieth_of_the_energy_may_lie_where_it_should_not(share, state):
     weights = np.sqrt(1.0 - share), np.sqrt(share)
     assert lamp("band", sine(100.0, weights[0]) + sine(10.0, weights[1])).state == state
     assert lamp("spacing", sine(100.0, weights[0]) + sine(400.0, weights[1])).state == state
-
-
-def test_what_is_slow_is_not_too_short_for_the_spacing():
-    assert lamp("spacing", sine(10.0)).state == "kept"
 
 
 def test_shares_of_several_drives_are_weighed_by_their_energy():

@@ -6,7 +6,6 @@ import pytest
 
 import skinsource as ss
 from skinsource.specs.samples import Samples
-from tests.core.own_limbs.lab_bench import installed
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -58,12 +57,6 @@ def test_each_track_has_a_curve_from_its_onset_on():
     assert middle[1] > middle[0]
 
 
-def test_a_track_is_drawn_at_the_rate_of_its_limb(user_data):
-    installed()
-    (points,) = curves_of(ss.Design(limb="lab-1", inputs=(tone(7),)))
-    assert len(points) == 400
-
-
 def test_what_is_not_heard_is_pale():
     design = ss.Design(limb="synthetic-1", inputs=(tone(7), tone(8, muted=True)))
     strokes = [polyline.get("stroke") for polyline in drawing_of(design).iter(f"{SVG}polyline")]
@@ -76,19 +69,6 @@ def test_a_long_track_is_drawn_with_few_points_and_its_peaks():
     assert 500 < len(points) < 1000
     heights = [y for _, y in points]
     assert max(heights) - min(heights) == pytest.approx(2 * 0.44 * 36, abs=0.3)
-
-
-def test_a_design_without_inputs_and_one_on_an_unknown_limb_are_shown_too():
-    assert "No inputs." in ss.Design(limb="of my own")._repr_html_()
-    assert "of my own" in ss.Design(limb="of my own", inputs=(tone(7),))._repr_html_()
-    silent = ss.Design(limb="synthetic-1", inputs=(ss.Input(location=3),))
-    assert curves_of(silent) == []
-
-
-def test_what_cannot_be_played_says_why_in_its_lane():
-    high = ss.track(7, ss.waveforms.Tone(frequency_hz=900.0))
-    text = "".join(drawing_of(ss.Design(limb="synthetic-1", inputs=(high,))).itertext())
-    assert "900" in text
 
 
 def test_many_clips_are_counted_and_not_all_listed():

@@ -9,22 +9,15 @@ import pytest
 import skinsource as ss
 from skinsource.actuators.equalising import followed_band
 from skinsource.base.errors import InvalidInputError, RecordingError
-from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.design import edits
 from skinsource.design.design import Design, track
-from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
-from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.tones import Tone
-from skinsource.design.waveforms.wavelet_train import WaveletTrain
-from skinsource.engine.analysis_rules import Sensation
 from skinsource.engine.evaluation import Evaluator
 from skinsource.engine.stimulus import stimulus_of
 from skinsource.limbs.limb_import import LimbSource, import_limb
 from skinsource.limbs.limb_layout import export_limb
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.perception.thresholds import PerceptionSettings, settings_table
-from skinsource.specs.models import specs_of
 from tests.core.own_limbs.lab_bench import installed, own_limb
 from tests.core.own_limbs.mutants import whole_file
 
@@ -37,19 +30,11 @@ PLAYED = Design(
         track(2, Tone(frequency_hz=1000.0, duration_s=0.2)),
     ),
 )
-FLAT = ((20.0, 0.1), (2000.0, 0.1))
 
 
 def lamp(design, name="band"):
     findings = Evaluator().evaluate(design, ("validity",))["validity"]
     return next(finding for finding in findings if finding.name == name)
-
-
-def sensation_of(design, table=FLAT) -> Sensation:
-    view = with_settings(
-        View(axes="xz"), "perception", PerceptionSettings(table=settings_table(table))
-    )
-    return Evaluator().evaluate(design, ("sensation",), view)["sensation"]
 
 
 def test_the_band_is_kept_exported_and_part_of_the_digest(user_data, tmp_path):
@@ -80,26 +65,6 @@ def test_a_file_that_says_a_band_wrongly_is_refused_by_name(user_data, tmp_path)
         file.attrs["band_hz"] = "all"
     with pytest.raises(RecordingError, match="'band_hz' is 'all', expected two frequencies"):
         import_limb(LimbSource(responses=path))
-
-
-def test_frequencies_are_known_where_the_limb_says_it():
-    for kind in (Tone, Noise, WaveletTrain):
-        specs = specs_of(kind)
-        names = [name for name in specs if name.endswith("_hz")]
-        assert names
-        for name in names:
-            spec, named = specs[name], getattr(specs[name], "of", specs[name])
-            assert named.measured_band_hz == BAND_HZ
-            on_lab = spec.at_rate(4000.0, BAND)
-            on_lab = getattr(on_lab, "of", on_lab)
-            assert [on_lab.is_known(hz) for hz in (39.0, 40.0, 1500.0, 1501.0)] == [0, 1, 1, 0]
-            assert "40 to 1500 Hz is the measured band" in on_lab.about
-            unknown = spec.at_rate(4000.0, None)
-            unknown = getattr(unknown, "of", unknown)
-            assert unknown.is_known(1900.0)
-            assert "measured band" not in unknown.about
-        for name in set(specs) - set(names):
-            assert "measured band" not in specs[name].at_rate(4000.0, BAND).about
 
 
 def test_what_plays_is_judged_mended_drawn_and_written_in_the_band_of_the_limb(user_data):
@@ -174,26 +139,3 @@ def test_actuators_follow_drives_in_the_band_of_the_limb(user_data, band, follow
 
 def spectrum_at(samples, later, frequency_hz):
     return np.exp(-2j * np.pi * frequency_hz[:, None] * later / 4000.0) @ samples
-
-
-def test_levels_above_threshold_count_what_was_measured(user_data):
-    installed(band_hz=BAND)
-    both = sensation_of(PLAYED)
-    assert both.band_hz == BAND
-    installed(band_hz=(40.0, 600.0))
-    slow = sensation_of(PLAYED)
-    installed()
-    assert sensation_of(PLAYED).band_hz == (20.0, 2000.0)
-    np.testing.assert_allclose(sensation_of(PLAYED).level_db, both.level_db, atol=0.3)
-    quick = sensation_of(PLAYED, ((700.0, 0.1), (2000.0, 0.1)))
-    assert quick.band_hz == (700.0, 2000.0)
-    # Two tones, and what the one and the other alone would be.
-    assert (both.level_db > slow.level_db).all()
-    assert (both.level_db > quick.level_db).all()
-    alone = evaluate_alone(1)
-    np.testing.assert_allclose(quick.level_db, alone.level_db, atol=0.5)
-
-
-def evaluate_alone(index):
-    inputs = (PLAYED.inputs[index],)
-    return sensation_of(Design(limb="lab-1", inputs=inputs), ((700.0, 0.1), (2000.0, 0.1)))

@@ -1,15 +1,12 @@
 """Commands on designs of a limb that lacks outputs which the usual view looks at."""
 
 import numpy as np
-import pytest
 
-import skinsource as ss
-from skinsource.base.errors import InvalidInputError
 from skinsource.cli.command_line import main
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import save_design
 from skinsource.design.view import View, view_on
-from skinsource.design.waveforms.pulses import Impulse, Noise
+from skinsource.design.waveforms.pulses import Impulse
 from skinsource.design.waveforms.tones import Tone
 from tests.core.own_limbs.lab_bench import installed, keep
 
@@ -35,13 +32,6 @@ def test_a_view_on_a_limb_looks_at_outputs_that_it_has(user_data):
     assert view_on("lab-1", View(outputs=())).outputs == ()
     assert view_on("synthetic-1", view) is view
     assert view_on("lab-9", View(outputs=(80,))).outputs == (80,)
-
-
-def test_noise_that_a_slow_limb_cannot_play_is_said_as_of_tones():
-    for waveform in (Noise(), Tone(frequency_hz=600.0)):
-        with pytest.raises(InvalidInputError, match=r"500 Hz \(half the sample rate of 1000 Hz\)"):
-            waveform.samples(1000.0)
-    assert ss.waveforms.Noise(high_hz=500.0).samples(1000.0).size == 200
 
 
 def test_a_response_without_a_frequency_in_the_band_is_checked_and_no_line_is_told(

@@ -8,15 +8,12 @@ import pytest
 import skinsource as ss
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.base.errors import InvalidInputError
-from skinsource.cli.command_line import main
 from skinsource.design.amplitudes import amplitude_meaning, amplitude_unit, drive_unit
 from skinsource.design.design import amplitude_spec
-from skinsource.design.design_file import save_design
 from skinsource.design.view import View
 from skinsource.export.tables import export_traces
 from skinsource.limbs.own_limbs import drive_unit_known, facts_of, remove_limb
 from skinsource.limbs.scaling import SCALINGS
-from skinsource.studies.figures.writing import draw_figure
 from tests.core.own_limbs.lab_bench import installed
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)
@@ -114,21 +111,6 @@ def test_no_equaliser_takes_a_drive_of_unknown_unit_for_accelerations(drive_limb
     assert path.exists()
 
 
-def test_show_tells_amplitudes_without_m_per_s2(drive_limb, tmp_path, capsys):
-    path = tmp_path / "lab.skinsource"
-    save_design(path, LAB)
-    assert main(["show", str(path)]) == 0
-    shown = capsys.readouterr().out
-    assert "amplitude 0.5 a.u." in shown
-    assert "amplitude in the unit of the drive" in shown
-    assert "m/s²" not in shown.replace("dB re 1 m/s²", "")
-    installed(per_unit_drive=False)
-    assert main(["show", str(path)]) == 0
-    shown = capsys.readouterr().out
-    assert "amplitude 0.5 m/s²" in shown
-    assert "unit of the drive" not in shown
-
-
 def exported(path, design, format):
     ss.export_stimulus(design, path, format=format)
     return json.loads(path.with_name(f"{path.name}.json").read_text())
@@ -150,30 +132,3 @@ def test_what_is_exported_says_it_in_every_file(user_data, tmp_path, answers_dri
     assert ("# amplitudes: in the unit of the drive" in table) is answers_drive
     html = LAB._repr_html_()
     assert (f"0.5 {unit}" in html, "m/s²" in html) == (True, not answers_drive)
-
-
-@pytest.mark.parametrize("answers_drive", [True, False])
-def test_figures_of_linearity_tell_strengths_in_what_is_known(user_data, answers_drive):
-    installed(per_unit_drive=answers_drive)
-    opened = ss.scenes.open_scene("5D", limb="lab-1")
-    labels = [condition.label for condition in opened.conditions]
-    speeds = [condition.label for condition in ss.scenes.open_scene("5A", limb="lab-1").conditions]
-    drawn = draw_figure(opened)
-    axis = drawn.sheet.figure.axes[0].get_xlabel()
-    header = drawn.tables[""].header
-    if answers_drive:
-        assert labels == ["0.75 a.u.", "1.5 a.u.", "3 a.u.", "6 a.u."]
-        assert speeds[0] == "1.57 a.u."
-        assert axis == "Input in the band (a.u.)"
-        assert "input at 3 a.u. (a.u.)" in header
-        assert "not known (a.u.)" in opened.note
-        assert "0.75 to 6 a.u." in opened.design.notes
-        assert ".." not in opened.design.notes
-        first = draw_figure(ss.scenes.open_scene("5A", limb="lab-1")).tables[""].header[1]
-        assert " per a.u. at 1.57 a.u." in first
-    else:
-        assert labels == ["0.75 m/s²", "1.5 m/s²", "3 m/s²", "6 m/s²"]
-        assert speeds[0] == "5 mm/s"
-        assert axis == "Input in the band (m/s²)"
-        assert "input at 3 m/s² (m/s²)" in header
-        assert "not known" not in opened.note

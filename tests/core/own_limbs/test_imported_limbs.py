@@ -12,7 +12,7 @@ from skinsource.cli.command_line import main
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb_import import LimbSource, import_limb
 from skinsource.limbs.limb_layout import export_limb
-from skinsource.limbs.own_limbs import facts_of, own_limb_names, own_limb_path
+from skinsource.limbs.own_limbs import facts_of, own_limb_names
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, RATE_HZ, response
 
 OUTLINE = [[0, 0], [60, 0], [60, 100], [0, 100]]
@@ -237,13 +237,6 @@ def test_the_command_imports_lists_mirrors_exports_and_removes(user_data, tmp_pa
     assert "expected small letters" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("computed", [False, True])
-def test_who_imports_says_that_responses_are_computed(user_data, tmp_path, capsys, computed):
-    path = layout_file(tmp_path / "ours.h5")
-    assert main(["limb", "import", str(path), *(["--synthetic"] if computed else [])]) == 0
-    assert load_limb("ours").synthetic == computed
-
-
 def test_an_own_limb_is_replaced_only_where_that_is_asked_for(user_data, tmp_path, capsys):
     path = layout_file(tmp_path / "ours.h5")
     assert main(["limb", "import", str(path)]) == 0
@@ -259,15 +252,6 @@ def test_an_own_limb_is_replaced_only_where_that_is_asked_for(user_data, tmp_pat
     assert main(["limb", "import", str(path), "--name", "another"]) == 0
     assert main(["limb", "import", str(path), "--replace"]) == 0
     assert facts_of("ours").digest == facts_of("another").digest != before
-
-
-def test_a_damaged_limb_too_is_replaced_only_where_that_is_asked_for(user_data, tmp_path):
-    source = LimbSource(responses=layout_file(tmp_path / "ours.h5"))
-    import_limb(source)
-    own_limb_path("ours").write_bytes(b"cut")
-    with pytest.raises(SkinSourceError, match="would be lost"):
-        import_limb(source)
-    assert import_limb(source, replace=True).known
 
 
 def test_the_largest_limb_is_computed_as_a_job(user_data, tmp_path):

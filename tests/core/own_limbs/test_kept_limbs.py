@@ -7,7 +7,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-import skinsource as ss
 from skinsource.base.errors import FileFormatError, InvalidInputError, UnknownLimbError
 from skinsource.design import edits
 from skinsource.design.design import Design, track
@@ -15,9 +14,7 @@ from skinsource.design.design_file import open_design, save_design
 from skinsource.design.labels import limb_label
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
-from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.engine.evaluation import evaluate
-from skinsource.engine.levelling import wavelet_levels_db
 from skinsource.export.map_files import export_map
 from skinsource.export.stimulus_export.export import export_stimulus
 from skinsource.export.tables import export_field, export_levels, export_traces
@@ -32,7 +29,6 @@ from skinsource.limbs.own_limbs import (
     own_limb_path,
     remove_limb,
 )
-from skinsource.studies.sweeps.running import sweep
 from tests.core.own_limbs.lab_bench import (
     N_INPUTS,
     N_OUTPUTS,
@@ -118,14 +114,6 @@ def test_a_design_whose_limb_is_gone_is_computed_nowhere_and_says_what_to_import
     )
 
 
-@pytest.mark.parametrize(
-    ("axes", "shown_axes"), [("z", "z"), ("y", "xz"), ("xy", "xz"), ("xz", "xz"), ("xyz", "xz")]
-)
-def test_another_limb_keeps_the_axes_that_it_has(lab, axes, shown_axes):
-    edit = edits.change_limb(Design(limb="synthetic-1"), View(axes=axes), "lab-1")
-    assert edit.view.axes == shown_axes
-
-
 def test_a_limb_that_is_imported_anew_is_computed_anew(lab):
     before = evaluate(PLAYED, "output_levels_db", view=VIEW)["output_levels_db"]
     install_limb(lab, (2 * response(place) for place in range(1, N_INPUTS + 1)))
@@ -139,20 +127,6 @@ def test_a_limb_that_is_imported_anew_is_computed_anew(lab):
     assert path.stat().st_size == about.st_size
     again = evaluate(PLAYED, "output_levels_db", view=VIEW)["output_levels_db"]
     np.testing.assert_allclose(again - before, 20 * np.log10(4))
-
-
-def test_scripts_say_what_a_place_plays_there(lab):
-    levels = evaluate(PLAYED, "output_levels_db", view=VIEW)["output_levels_db"]
-    field = ss.predict(
-        load_limb("lab-1"),
-        [np.pad(clip.waveform.samples(RATE_HZ), (0, 1200))[:1200] for clip in PLAYED.clips],
-        [7, 2],
-        scaling="probe",
-    )
-    magnitude = ss.project_axes(field, "xz", "mag", "xz")
-    n_times = 800 + 90 - 1  # the longer one plays 0.2 s
-    expected = ss.decibels(ss.rms(magnitude[:, :n_times]))
-    np.testing.assert_allclose(levels, expected, atol=1e-9)
 
 
 def test_every_export_works_on_it_and_says_its_axes(lab, tmp_path):
@@ -172,18 +146,6 @@ def test_every_export_works_on_it_and_says_its_axes(lab, tmp_path):
         export_stimulus(PLAYED, tmp_path / f"drive{suffix}", format=name, rate_hz=8000.0)
     sidecar = json.loads((tmp_path / "drive.wav.json").read_text())
     assert "site 7" in json.dumps(sidecar)
-
-
-def test_a_sweep_and_the_levels_of_a_train_work_on_it(lab, tmp_path):
-    table = sweep(PLAYED, {"location": [1, 4]}, out=tmp_path / "s", outputs=(31,), processes=1)
-    assert len(table.rows) == 2
-    other = edits.change_limb(PLAYED, VIEW, "lab-1").design
-    other = other.with_clip(1, waveform=Tone())
-    both = sweep(other, {"limb": ["lab-1", "synthetic-1"]}, out=tmp_path / "b")
-    assert both.column("error").tolist() == ["", ""]
-    train = Design(limb="lab-1", inputs=(track(3, WaveletTrain()),))
-    levels = wavelet_levels_db(train, train.clips[0].id)
-    assert np.isfinite(levels).all()
 
 
 def test_it_is_shown_mirrored_on_request_and_computes_the_same(lab):
@@ -287,10 +249,3 @@ def test_responses_that_are_no_numbers_leave_nothing_behind(user_data):
         install_limb(limb, [response(1, "z")])
     assert own_limb_names() == ()
     assert list(own_limb_path("lab-1").parent.iterdir()) == []
-
-
-def test_the_usual_limbs_are_known_without_any_file():
-    facts = facts_of("measured-3")
-    assert (facts.n_inputs, facts.n_outputs, facts.axes, facts.own) == (20, 72, "xyz", False)
-    assert facts.title == "Measured 3 (185 mm)"
-    assert not facts_of("foot-1").known

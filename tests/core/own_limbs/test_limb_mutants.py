@@ -6,9 +6,8 @@ import pytest
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.limbs import limb_import as importing_module
-from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb_import import LimbSource, import_limb, prepare_limb
-from skinsource.limbs.own_limbs import own_limb_names, own_limb_path
+from skinsource.limbs.own_limbs import own_limb_path
 from skinsource.readers.reading_process import ReadingProcess
 from tests.core.own_limbs.mutants import try_kept, try_layout, whole_file
 
@@ -111,14 +110,3 @@ def test_a_file_that_is_not_what_it_should_be_is_refused_by_name(tmp_path, proce
     assert error is not None
     assert part in str(error)
     assert "bad.h5" in str(error)
-
-
-def test_a_failed_import_leaves_the_limb_of_that_name_as_it_was(user_data, tmp_path):
-    import_limb(LimbSource(responses=whole_file(tmp_path / "a.h5")))
-    before = load_limb("ours").impulse_responses
-    with h5py.File(tmp_path / "a.h5", "r+") as file:
-        file["responses"][1, 3, 1, 7] = np.nan
-    with pytest.raises(SkinSourceError, match="tap 7 is nan"):
-        import_limb(LimbSource(responses=tmp_path / "a.h5"), replace=True)
-    assert own_limb_names() == ("ours",)
-    np.testing.assert_array_equal(load_limb("ours").impulse_responses, before)

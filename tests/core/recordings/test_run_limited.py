@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import RecordingError, Stopped, StorageError
-from skinsource.base.run_limited import LimitedProcess, resident_bytes, run_limited
+from skinsource.base.run_limited import LimitedProcess, run_limited
 from skinsource.readers.reading_process import ReadingProcess
 
 FILE = Path("some") / "tap.wav"
@@ -82,10 +82,6 @@ def test_results_that_nobody_waited_for_are_not_those_of_the_next_function(limit
     assert list(run("print_much", limited, times=0)) == [["tap.wav", 0]]
 
 
-def test_libraries_that_print_do_not_disturb_the_answers(limited):
-    assert list(run("print_much", limited, times=10_000)) == [["tap.wav", 10_000]]
-
-
 def test_a_process_that_cannot_be_started_is_an_error_of_the_system(monkeypatch):
     monkeypatch.setattr(sys, "executable", "/nowhere/python")
     with pytest.raises(StorageError, match="no other process"):
@@ -114,31 +110,6 @@ def test_closing_in_another_thread_ends_what_waits():
         process.close()
         with pytest.raises(RecordingError, match="its reader was closed"):
             waiting.result()
-
-
-def test_closing_ends_the_process(files):
-    process = ReadingProcess()
-    process.look(files["NPY"])
-    own = process.pid
-    process.close()
-    assert resident_bytes(own) is None
-    process.close()
-
-
-def test_one_process_reads_all(files):
-    with ReadingProcess() as process:
-        process.look(files["WAV"])
-        pid = process.pid
-        for path in files.values():
-            process.look(path)
-        with pytest.raises(RecordingError):
-            process.look(Path(__file__))
-        assert process.pid == pid
-
-
-def test_more_than_half_a_gigabyte_is_not_asked_for(process):
-    with pytest.raises(RecordingError, match="too many"):
-        process.read(FILE, ["0"], 0, 2**27)
 
 
 def test_the_folder_in_which_one_stands_gives_no_code(tmp_path, monkeypatch):

@@ -52,13 +52,6 @@ def test_a_signal_with_jitter_is_itself_at_a_steady_rate():
     assert np.abs(steady - np.sin(2.0 * np.pi * 250.0 * times)).max() < 2e-2
 
 
-def test_samples_on_the_grid_stay_what_they_are():
-    timestamps = np.arange(1000) / 500.0
-    values = np.random.default_rng(2).standard_normal(1000)
-    steady = at_steady_rate(values, timestamps, Fraction(500))
-    np.testing.assert_allclose(steady, values, rtol=0, atol=1e-9)
-
-
 def test_a_gap_is_bridged_by_a_straight_line():
     timestamps = np.concatenate((np.arange(200) / 1000.0, 0.5 + np.arange(200) / 1000.0))
     values = np.sin(timestamps * 900.0)

@@ -7,7 +7,6 @@ from hypothesis import strategies as st
 
 from skinsource.base.errors import RecordingError
 from skinsource.readers import text as text_table
-from skinsource.readers.text import layout_of
 
 NUMBERS = [[0.0, 1.5], [0.001, -2.25], [0.002, 1e-3]]
 
@@ -55,22 +54,6 @@ def test_tables_are_understood_however_they_are_written(name, heading, tmp_path)
         assert (first.name, second.name) == ("column 1", "column 2")
 
 
-@pytest.mark.parametrize(
-    ("line", "rate_hz"),
-    [
-        ("# Sample rate: 10000 Hz", 10_000),
-        ("Sampling frequency [Hz],1300", 1300),
-        ("fs = 2.5 kHz", 2500),
-        ("SampleRate=48000", 48_000),
-        ("# recorded on a Friday", None),
-    ],
-)
-def test_a_rate_before_the_numbers_is_found(line, rate_hz, tmp_path):
-    path = tmp_path / "a.csv"
-    path.write_text(f"{line}\nx,y\n1.5,2\n2.5,3\n")
-    assert text_table.look(path).rate_hz == rate_hz
-
-
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1252"])
 def test_names_in_any_encoding(encoding, tmp_path):
     path = tmp_path / "a.csv"
@@ -103,11 +86,6 @@ def test_a_last_line_that_is_cut_off_is_left_out_with_a_note(tmp_path):
     assert recording.series[0].n_samples == 2
     assert "cut off" in recording.notes[0]
     np.testing.assert_array_equal(numbers_of(path), [[1, 2], [3, 4]])
-
-
-def test_commas_between_whole_numbers_are_said_to_be_a_guess():
-    assert "separators" in layout_of(["1,5", "2,25", "3,125"]).notes[0]
-    assert layout_of(["1.5,2", "2,25"]).notes == ()
 
 
 def test_parts_are_those_of_the_whole(tmp_path, monkeypatch):
@@ -157,7 +135,3 @@ def test_missing_numbers_before_the_first_are_samples(missing, heading, tmp_path
     values = numbers_of(path)
     assert np.isnan(values[:50]).all()
     np.testing.assert_array_equal(values[50:], NUMBERS)
-
-
-def test_a_table_of_missing_numbers_alone_is_none():
-    assert layout_of(["NaN,NaN\n"] * 3) is None

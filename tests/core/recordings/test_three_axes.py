@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-import mpmath
 import numpy as np
 import pytest
 from hypothesis import given
@@ -10,42 +9,10 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from skinsource.base.errors import InvalidInputError, RecordingError
-from skinsource.design.recordings import ImportChoice, suggested, take, taken
+from skinsource.design.recordings import suggested, take
 from skinsource.readers.reader import Found, Series, dft321, other_axes
 
 WORDS = "(DFT321, Landin et al. 2010)"
-
-
-def by_definition(axes):
-    """Sums of the definition in 30 digits: no fast transform, and both halves of the spectrum."""
-    n = len(axes[0])
-    with mpmath.workdps(30):
-        turns = [mpmath.expjpi(mpmath.mpf(-2 * k) / n) for k in range(n)]
-        spectrum = []
-        for k in range(n):
-            parts = [
-                mpmath.fsum(mpmath.mpf(x) * turns[(k * j) % n] for j, x in enumerate(axis))
-                for axis in axes
-            ]
-            magnitude = mpmath.sqrt(mpmath.fsum(abs(part) ** 2 for part in parts))
-            spectrum.append(mpmath.rect(magnitude, mpmath.arg(mpmath.fsum(parts))))
-        return np.array(
-            [
-                float(
-                    mpmath.fsum(
-                        a * mpmath.conj(turns[(k * j) % n]) for k, a in enumerate(spectrum)
-                    ).real
-                    / n
-                )
-                for j in range(n)
-            ]
-        )
-
-
-@pytest.mark.parametrize("n", [1, 2, 31, 32])
-def test_it_is_what_the_sums_of_its_definition_give(n):
-    axes = np.random.default_rng(n).normal(size=(3, n))
-    np.testing.assert_allclose(dft321(axes), by_definition(axes.tolist()), rtol=0, atol=1e-13)
 
 
 def test_axes_in_step_become_the_length_of_their_vector():
@@ -104,14 +71,6 @@ def test_axes_that_belong_together_are_found_by_name_or_number(names, first, exp
     assert "".join(series.key for series in others) == expected
 
 
-def test_axes_of_another_length_or_unit_do_not_belong_to_it():
-    file = file_with("x", "y", "z")
-    short = replace(file.series[2], n_samples=99)
-    other = replace(file.series[2], unit="g")
-    for unequal in (short, other):
-        assert other_axes(replace(file, series=(*file.series[:2], unequal)), file.series[0]) == ()
-
-
 def test_three_columns_of_a_file_are_taken_as_one(tmp_path, process):
     rng = np.random.default_rng(7)
     axes = rng.normal(size=(3, 400)) + np.array([[0.0], [1.0], [9.81]])
@@ -130,21 +89,3 @@ def test_three_columns_of_a_file_are_taken_as_one(tmp_path, process):
     assert sum("offset" in note for note in whole.notes) == 3
     with pytest.raises(RecordingError, match="no signal 'gone'"):
         take(tmp_path / "a.csv", replace(choice, others=("1", "gone")), process=process)
-
-
-def test_missing_numbers_of_any_axis_are_refused_or_zero():
-    axes = np.ones((3, 4)) * np.array([1.0, -1.0, 1.0, -1.0])
-    axes[2, 1] = np.nan
-    choice = ImportChoice(series="0", others=("1", "2"), rate_hz=1300.0, scale="keep")
-    with pytest.raises(InvalidInputError, match="1 of 4 numbers"):
-        taken(axes, choice, 1300.0)
-    values = taken(
-        axes, replace(choice, missing="zero", remove_offset=False), 1300.0
-    ).samples.values
-    assert np.sum(values**2) == pytest.approx(11.0, rel=1e-12)
-
-
-@pytest.mark.parametrize("others", [("1",), ("0", "1"), ("1", "1"), ("1", "2", "3")])
-def test_a_choice_of_axes_that_are_not_three_is_refused(others):
-    with pytest.raises(InvalidInputError, match="two other axes"):
-        ImportChoice(series="0", others=others)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from skinsource.readers.units import UNITS, differentiated, split_heading, time_unit_s, unit_named
+from skinsource.readers.units import differentiated, time_unit_s, unit_named
 
 RATE_HZ = 1300.0
 
@@ -25,13 +25,6 @@ def test_the_derivative_is_that_of_the_formula(frequency_hz):
     assert np.abs(derivative - expected).max() < 1e-9 * np.abs(expected).max()
 
 
-def test_the_second_derivative_is_the_derivative_of_the_derivative():
-    envelope, turn, _ = burst(200.0, 0.0)
-    twice = differentiated(differentiated(envelope * np.sin(turn), RATE_HZ, 1), RATE_HZ, 1)
-    derivative = differentiated(envelope * np.sin(turn), RATE_HZ, 2)
-    assert np.abs(derivative - twice).max() < 1e-7 * np.abs(derivative).max()
-
-
 def test_drift_and_offset_leave_no_acceleration_inside():
     drift = 5.0 + np.linspace(0.0, 3.0, 13_000)
     derivative = differentiated(drift, RATE_HZ, 2)
@@ -45,11 +38,6 @@ def test_the_band_begins_at_25_hz(frequency_hz, gain):
     tone = np.sin(2.0 * np.pi * frequency_hz * time)
     middle = differentiated(tone, RATE_HZ, 1)[6500:-6500]
     assert np.abs(middle).max() == pytest.approx(gain * 2 * np.pi * frequency_hz, abs=0.05)
-
-
-def test_nothing_is_differentiated_no_times():
-    values = np.arange(5.0)
-    assert differentiated(values, RATE_HZ, 0) is values
 
 
 @pytest.mark.parametrize(
@@ -73,15 +61,3 @@ def test_units_are_known_in_many_spellings(text, unit):
 )  # fmt: skip
 def test_columns_of_time_are_known_by_their_names(name, is_time, seconds):
     assert time_unit_s(name, is_time) == seconds
-
-
-def test_headings_hold_units_in_brackets():
-    assert split_heading("acc x [m/s^2]") == ("acc x", "m/s^2")
-    assert split_heading("force (N)") == ("force", "N")
-    assert split_heading("plain") == ("plain", "")
-
-
-def test_every_unit_says_what_it_becomes():
-    assert {unit.becomes for unit in UNITS.values()} == {"", "m/s²", "N", "V"}
-    for unit in UNITS.values():
-        assert (unit.becomes == "m/s²") == (unit.factor != 1.0 or unit.name == "m/s²")
