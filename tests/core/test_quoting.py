@@ -6,6 +6,7 @@ import pytest
 
 import skinsource
 from skinsource.base.quoting import MOST_CHARACTERS, printable, quoted
+from skinsource.base.work import counted
 
 
 class Strange:
@@ -43,6 +44,16 @@ def test_a_cut_can_be_seen():
     assert quoted("x" * 81).endswith("…")
     assert printable("a" * 80) == "a" * 80
     assert printable("a" * 81) == "a" * 79 + "…"
+
+
+def test_of_several_things_the_noun_is_plural():
+    assert [counted(n, "clip") for n in (0, 1, 2, 31)] == [
+        "0 clips",
+        "1 clip",
+        "2 clips",
+        "31 clips",
+    ]
+    assert [counted(n, "axis", "axes") for n in (1, 3)] == ["1 axis", "3 axes"]
 
 
 def test_commands_for_a_terminal_are_written_out():

@@ -1,6 +1,9 @@
-"""Wrong types, handed to any public function, are refused: by an error of the library, or so."""
+"""Whatever scripts hand to a public function, only errors of the library come of it."""
 
 import inspect
+import math
+from decimal import Decimal
+from fractions import Fraction
 from functools import cache
 from types import ModuleType
 
@@ -9,6 +12,8 @@ import pytest
 
 import skinsource as ss
 from skinsource.actuators.prediction import Limits
+from skinsource.base.arguments import finite_array, integer, real_array, real_number
+from skinsource.base.errors import InvalidInputError
 from skinsource.perception.validity import Finding
 
 #: They play on sound cards.
@@ -49,6 +54,25 @@ WRONG = [
     *(None, -3, 10**400, float("nan"), "x", b"x", object(), (object(),), [[1.0]], {"a": 1}),
     np.array([None]),
 ]
+
+MASKED = np.ma.masked_array([1.0, 2.0, 3.0], [False, True, False])
+NASTY = (
+    *(True, "5", "", "x" * 100_000, 1j, {}, set(), print, [], [[]], [None, 1.0], ["1", "2"]),
+    *(0, -1, 7, 2.5, 1e10, 1e200, -1e200, 1e-200, 5e-324, 1.7e308, math.inf, -math.inf),
+    *(-(10**400), Decimal("1.5"), Decimal("NaN"), Fraction(10**500, 3), np.longdouble("1e4000")),
+    *([1.0, 2.0], [[1.0, 2.0], [3.0]], [[0.5, -0.25, 1.0]], [1 + 2j, 3.0], [10**400]),
+    *([math.nan, 1.0], [[math.inf], [1.0]], [1.7e308, 1.7e308], MASKED, np.ma.masked),
+    *(np.timedelta64(3, "s"), np.array([1, 2], "datetime64[s]"), np.array(["a", "b"])),
+    *(np.array(5.0), np.float32(3.0), np.int8(3), np.array([object()]), np.ones(72) * 1j),
+    *(np.ones(72), np.full(72, -np.inf), np.ones((72, 2), np.float16), np.zeros((0, 3, 4))),
+    *(np.ones((2, 3, 4)), np.full((2, 3, 4), 1e300), np.full((2, 3, 4), 1.7e308)),
+    *(np.ones((2, 3, 4), complex), np.zeros((1, 2, 3, 4, 5)), np.array([np.longdouble("1e4000")])),
+)
+#: Functions of plain numbers, which are handed all of these.
+NUMERIC = {
+    *("ss.decibels", "ss.impulse", "ss.magnitude_spectrum", "ss.predict", "ss.project_axes"),
+    *("ss.rms", "ss.sinusoid", "ss.tap", "ss.white_noise", "ss.window", "ss.surface_operator"),
+}
 
 
 @cache
@@ -118,6 +142,8 @@ def good_arguments() -> dict:
 
 #: Where a name stands for something else.
 SPECIAL = {
+    "ss.decibels": {"x": [1.0, 2.0]},
+    "ss.project_axes": {"acceleration": np.ones((2, 3, 4))},
     "ss.actuators.load": {"name": "example-voice-coil"},
     "ss.edits.change_limb": {"limb": "synthetic-1"},
     "ss.edits.select_through": {"start": 1, "end": 2},
@@ -159,7 +185,8 @@ def test_wrong_types_are_refused(name, tmp_path, monkeypatch):
         fitting[part] = good.get(part) if is_required else parameter.default
     escaped = []
     for part in list(parameters)[: 1 if name in SLOW else None]:
-        for wrong in (*WRONG, *([Endless()] if name.startswith("ss.edits") else [])):
+        more = NASTY if name in NUMERIC else [Endless()] if name.startswith("ss.edits") else []
+        for wrong in (*WRONG, *more):
             try:
                 outcome_of(function, parameters, fitting | {part: wrong})
             except ss.SkinSourceError:
@@ -167,3 +194,78 @@ def test_wrong_types_are_refused(name, tmp_path, monkeypatch):
             except (TypeError, AttributeError, ValueError, LookupError, ArithmeticError) as error:
                 escaped.append(f"{part}={wrong!r}: {type(error).__name__}: {error}")
     assert not escaped, f"{len(escaped)}\n" + "\n".join(escaped[:20])
+
+
+@pytest.mark.parametrize(
+    "name", ["predict", "project_axes", "magnitude_spectrum", "rms", "decibels"]
+)
+@pytest.mark.parametrize(
+    ("spoil", "message"),
+    [
+        (lambda array: array * 1j, "complex"),
+        (lambda array: np.ma.masked_array(array, array == array.flat[0]), "masked"),
+        (lambda array: array.astype(str), "cannot be read"),
+        (lambda array: np.full_like(array, np.nan), "nan"),
+        (lambda array: np.full_like(array, np.inf), "inf"),
+        (lambda array: np.full(array.shape, 10**400, object), "cannot be read"),
+    ],
+)
+def test_what_would_lose_or_pass_on_something_is_refused(name, spoil, message):
+    array = spoil(np.ones((2, 3, 4)) if name == "project_axes" else np.ones((1, 2)))
+    more = {"magnitude_spectrum": (1300.0,), "predict": ([7],)}.get(name, ())
+    first = (ss.load_limb("synthetic-1"),) if name == "predict" else ()
+    with pytest.raises(InvalidInputError, match=message):
+        getattr(ss, name)(*first, array, *more)
+
+
+@pytest.mark.parametrize("size", [1e200, 1e-200, 1.7e308, 5e-324, 1.0])
+def test_the_rms_of_one_value_is_that_value(size):
+    assert ss.rms([size]) == size
+    assert ss.rms([-size, size]) == size
+
+
+def test_the_rms_of_a_faint_signal_beside_a_strong_one_is_right():
+    assert ss.rms([[1e200, 1e200], [1e-200, 1e-200], [0.0, 0.0]]).tolist() == [1e200, 1e-200, 0.0]
+
+
+def test_a_faint_spectrum_beside_a_strong_one_is_right():
+    _, magnitude = ss.magnitude_spectrum([[1e200], [1e-200]], 1300.0)
+    assert magnitude.ravel().tolist() == [1e200, 1e-200]
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: ss.sinusoid(100, 1e10),
+        lambda: ss.white_noise(1e10),
+        lambda: ss.tap(1e10),
+        lambda: ss.impulse(1e10),
+        lambda: ss.impulse(0.0, 1e10),
+        lambda: ss.sinusoid(100, 1.0, sample_rate_hz=1e12),
+    ],
+)
+def test_what_is_too_long_is_refused_before_it_is_begun(call):
+    with pytest.raises(InvalidInputError, match="expected at most 120000000 samples"):
+        call()
+
+
+def test_drives_for_what_is_no_limb_and_locations_without_end_are_refused():
+    with pytest.raises(InvalidInputError, match="limb is 'x', expected a Limb"):
+        ss.predict("x", [[0.0]], [7])
+    with pytest.raises(InvalidInputError, match="locations"):
+        ss.predict(ss.load_limb("synthetic-1"), [[1.0]], iter(lambda: 7, 8))
+
+
+def test_an_array_of_floats_is_handed_on_uncopied():
+    array = np.ones(3)
+    assert real_array("x", array) is array
+    assert finite_array("x", array) is array
+
+
+def test_numbers_are_named_with_what_was_found_and_expected():
+    with pytest.raises(InvalidInputError, match="gap_s is 'wide', expected a finite number"):
+        real_number("gap_s", "wide")
+    with pytest.raises(InvalidInputError, match=r"k is 3\.5, expected a whole number from 0 to 9"):
+        integer("k", 3.5, 0, 9)
+    assert integer("k", np.float32(3.0), 0, 9) == 3
+    assert integer("k", 10**30, 0, 10**31) == 10**30

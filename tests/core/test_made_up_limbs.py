@@ -1,4 +1,4 @@
-"""A limb of 7 places, 31 outputs and two axes at 4 kHz, or one: what is computed, and why not."""
+"""Limbs of 7 places, 31 outputs and one to three axes at 4 kHz: what is computed, and why not."""
 
 from dataclasses import replace
 from itertools import product
@@ -8,15 +8,19 @@ import pytest
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import AXES, axes_of, axis_numbers
+from skinsource.design import edits
 from skinsource.design.design import Design, track
+from skinsource.design.design_file import open_design, save_design
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.tones import FREQUENCY, PHASE, Tone
+from skinsource.engine.evaluation import evaluate
 from skinsource.engine.moments import moments_of, pairs
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.limbs.extent import extent
 from skinsource.limbs.limb import Limb, LimbMap
+from skinsource.limbs.locations import input_name, output_name
 from skinsource.limbs.scaling import per_probe_acceleration
 from skinsource.limbs.surface.surface import surface_operator
 from skinsource.signals.projection import METHODS, project_axes
@@ -202,3 +206,75 @@ def test_times_are_shifted_by_the_delay_of_the_limb():
     limb = limb_along("z", pre_trigger_delay_s=0.01)
     values = shown(limb, PLAYED, View(delay_removed=True, outputs=()), "response_time_s")
     np.testing.assert_allclose(values["response_time_s"][:2], [-0.01, 1 / RATE_HZ - 0.01])
+
+
+@pytest.mark.parametrize("n_taps", [1, 31, 1024, 1025, 3000])
+def test_responses_of_any_length_are_streamed_right(n_taps):
+    limb, design = limb_along("z", n_taps), replace(LONG, scaling="upstream")
+    values = shown(limb, design, View(outputs=OUTPUTS, axes="z"), "selected_traces")
+    signals = plainly(limb, design)[:, 0]
+    peak = np.abs(signals).max()
+    np.testing.assert_allclose(
+        values["selected_traces"], signals[[output - 1 for output in OUTPUTS]], atol=1e-13 * peak
+    )
+
+
+def test_prediction_takes_the_limb_as_it_is():
+    limb = limb_along("xyz")
+    drive = Noise(seed=1).samples(RATE_HZ)
+    response = predict(limb, [drive], [7], scaling="relative")
+    expected = np.convolve(drive, limb.response_to(7)[9, 2])
+    assert response.shape == (N_OUTPUTS, 3, drive.size + N_TAPS - 1)
+    np.testing.assert_allclose(response[9, 2], expected, atol=1e-12)
+    with pytest.raises(InvalidInputError, match="the whole numbers 1 to 7"):
+        predict(limb, [drive], [8])
+
+
+def test_a_response_of_another_shape_than_the_limb_says_is_refused():
+    limb = limb_along("xyz")
+    limb.n_taps = 179
+    with pytest.raises(InvalidInputError, match=r"shape \(31, 3, 180\), expected \(31, 3, 179\)"):
+        limb.response_to(1)
+
+
+def test_outputs_and_places_that_the_limb_does_not_have_are_refused_by_name():
+    limb = limb_along("xyz")
+    with pytest.raises(InvalidInputError, match=r"made-up has the outputs 1 to 31; .* \[52, 40\]"):
+        shown(limb, PLAYED, View(outputs=(52, 3, 40)), "selected_traces")
+    elsewhere = PLAYED.with_input(0, location=8)
+    with pytest.raises(InvalidInputError, match=r"made-up has the places 1 to 7, .* at place 8"):
+        shown(limb, elsewhere, View(outputs=OUTPUTS), "output_rms")
+
+
+def test_tones_above_half_the_rate_of_the_limb_are_refused():
+    slow = limb_along("xyz")
+    slow.sample_rate_hz = 1000.0
+    with pytest.raises(InvalidInputError, match="half the sample rate of 1000 Hz"):
+        shown(slow, PLAYED, View(outputs=OUTPUTS), "output_rms")
+
+
+def test_a_design_for_a_limb_that_is_not_here_is_read_and_refused_where_it_is_computed(tmp_path):
+    design = Design(limb="foot-1", inputs=(track(location=25),))
+    save_design(tmp_path / "foot.skinsource", design)
+    content = open_design(tmp_path / "foot.skinsource")
+    assert content.design == design
+    with pytest.raises(InvalidInputError, match="the limb 'foot-1' is not available here; choose"):
+        evaluate(content.design, "output_levels_db")
+
+
+def test_places_that_have_no_name_here_are_called_by_their_number():
+    assert input_name(7).name == "Digit II, pad"
+    assert input_name(25).name == "Place 25, not on this hand"
+    assert output_name(80).short_name == "not on this limb"
+    assert (
+        edits.place_input(replace(PLAYED, limb="synthetic-1"), View(), 25).label
+        == "Place input at 25 (not on this hand)"
+    )
+
+
+@pytest.mark.parametrize(
+    ("rate_hz", "highest"), [(1300.0, 649.0), (1301.0, 650.0), (2000.5, 1000.0), (1e6, 100_000.0)]
+)
+def test_the_highest_frequency_is_a_whole_one_below_half_the_rate(rate_hz, highest):
+    assert FREQUENCY.at_rate(rate_hz).maximum == highest
+    assert PHASE.at_rate(rate_hz) is PHASE
