@@ -43,16 +43,6 @@ def test_the_largest_sample_of_input_8_is_20(number):
     assert np.abs(response).max() == pytest.approx(20.0, rel=1e-12)
 
 
-def test_noise_is_added_only_when_asked_for_and_is_the_same_each_time():
-    model = synthetic_model(1)
-    quiet, noisy = model.response_to(8), model.response_to(8, noise_rms_m_s2=0.006)
-    assert np.std(noisy - quiet) == pytest.approx(0.006, rel=0.02)
-    np.testing.assert_array_equal(noisy, model.response_to(8, noise_rms_m_s2=0.006))
-    other = model.response_to(9, noise_rms_m_s2=0.006) - model.response_to(9)
-    assert abs(np.corrcoef(other.ravel(), (noisy - quiet).ravel())[0, 1]) < 0.02
-    np.testing.assert_array_equal(quiet, load_synthetic_limb(1).response_to(8))
-
-
 @pytest.mark.parametrize("number", [0, 5, True, "1", None])
 def test_a_limb_that_does_not_exist_is_refused(number):
     with pytest.raises(UnknownLimbError, match="limbs 1 to 4"):

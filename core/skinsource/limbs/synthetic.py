@@ -213,8 +213,8 @@ class SyntheticModel:
     ----------
     shape
         The drawn hand.
-    hand_length_mm, seed
-        Size of the hand; start of its random numbers.
+    hand_length_mm
+        Size of the hand.
     pulse : (n_frequencies,)
         Spectrum of the input pulse, scaled to m/s².
     wavenumber_rad_m : (n_frequencies,)
@@ -232,7 +232,6 @@ class SyntheticModel:
 
     shape: HandShape
     hand_length_mm: float
-    seed: int
     pulse: Complexes
     wavenumber_rad_m: Complexes
     bending: Complexes
@@ -243,16 +242,8 @@ class SyntheticModel:
     tangential: float
     direction_rad: Floats
 
-    def response_to(self, location: int, noise_rms_m_s2: float = 0.0) -> Floats:
+    def response_to(self, location: int) -> Floats:
         """Return the responses to one input place, (72 outputs, 3 axes, 522 taps), in m/s².
-
-        Parameters
-        ----------
-        location
-            Input place, 1 to 20.
-        noise_rms_m_s2
-            Rms of white noise added per axis, the same at every call.  The default adds none,
-            and the built-in limbs have none; 0.006 is about the floor of real recordings.
 
         Raises
         ------
@@ -260,12 +251,7 @@ class SyntheticModel:
             There is no such input place.
         """
         check_input_location(location)
-        row = location - 1
-        response = _response(self, row)
-        if noise_rms_m_s2 > 0:
-            random = np.random.default_rng((self.seed, location))
-            response += noise_rms_m_s2 * random.standard_normal(response.shape)
-        return response
+        return _response(self, location - 1)
 
 
 def _response(model: SyntheticModel, row: int) -> Floats:
@@ -352,7 +338,6 @@ def _prepare(shared: Mapping[str, Any], limb: Mapping[str, Any]) -> SyntheticMod
     model = SyntheticModel(
         shape=shape,
         hand_length_mm=limb["hand_length_mm"],
-        seed=limb["seed"],
         pulse=pulse_spectrum(Pulse(**shared["pulse"]), _N_FFT, SAMPLE_RATE_HZ),
         wavenumber_rad_m=wavenumber(frequency_hz, skin),
         bending=bending_boost(frequency_hz, mode_hz, bending["gain"], bending["quality"]),

@@ -117,7 +117,6 @@ class BreakpointsSpec(Spec):
 
     def decoded(self, tree: Tree, at: Address) -> Any:
         """Return a tuple of tuples; of too long a list, unread."""
-        del at
         return tuple_of_points(tree, self.most)
 
     def _is_normal(self, point: Any) -> bool:

@@ -157,7 +157,6 @@ class RangeSpec(Spec):
 
     def decoded(self, tree: Tree, at: Address) -> Any:
         """Return a tuple."""
-        del at
         return tuple(tree) if isinstance(tree, list) else tree
 
 
@@ -210,7 +209,6 @@ class PointsSpec(Spec):
 
     def decoded(self, tree: Tree, at: Address) -> Any:
         """Return a tuple of tuples; of too long a list, unread."""
-        del at
         return tuple_of_points(tree, self.most)
 
 

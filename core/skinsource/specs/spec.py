@@ -83,12 +83,10 @@ class Spec(ABC):
 
     def decoded(self, tree: Tree, at: Address) -> Any:
         """Return the value in a tree; the model that gets it checks whether it fits."""
-        del at
         return tree
 
     def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "Spec":
         """Return the specification on a limb of this sample rate, measured in its band."""
-        del sample_rate_hz, band_hz
         return self
 
     @property
@@ -103,7 +101,6 @@ class Spec(ABC):
 
     def depth(self, value: Any) -> int:
         """Return how many levels of models a value holds."""
-        del value
         return 0
 
 
@@ -268,7 +265,6 @@ class BytesSpec(Spec):
 
     def decoded(self, tree: Tree, at: Address) -> Any:
         """Return the bytes."""
-        del at
         try:
             return base64.b64decode(tree, validate=True)
         except (TypeError, ValueError, binascii.Error):

@@ -140,8 +140,6 @@ def _size(part: Path) -> int:
 def fetch(
     *,
     files: tuple[RemoteFile, ...] | None = None,
-    downloads: Path | None = None,
-    folder: Path | None = None,
     progress: Progress = silent,
     stop: Stop = never,
 ) -> StoreInfo:
@@ -154,8 +152,6 @@ def fetch(
     ----------
     files
         What to download; the published files when not given.
-    downloads, folder
-        Where the downloads and the store go; below the user's data folder when not given.
     progress, stop
         Called with (done, total, text), in bytes while downloading; asked between pieces.
 
@@ -173,7 +169,7 @@ def fetch(
     for name in ("requests", "matio"):
         package_of_extra(name, "dataset")
     files = published_files() if files is None else files
-    downloads = download_folder() if downloads is None else downloads
+    downloads = download_folder()
     total, before = sum(file.size_bytes for file in files), 0
     for file in files:
         text = f"Downloading {file.name}"
@@ -190,7 +186,7 @@ def fetch(
         before += file.size_bytes
     progress(total, total, "Downloaded")
     # Each file was compared with ``files`` when it came.
-    return install(downloads, folder=folder, unpublished=True, progress=progress, stop=stop)
+    return install(downloads, unpublished=True, progress=progress, stop=stop)
 
 
 def _report_all(progress: Progress, before: int, total: int, text: str, n_bytes: int) -> None:

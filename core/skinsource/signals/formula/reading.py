@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 from functools import lru_cache
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -97,7 +97,7 @@ _WORD = re.compile(
     r"(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
     r"|(?P<name>[A-Za-z_][A-Za-z_0-9]*|π)"
     r"|(?P<operator>\*\*|//|&&|\|\||<=|>=|==|!=|[-+*/^<>=≤≥·×−])"
-    r"|(?P<mark>[(),])"
+    r"|[(),]"
 )
 # Mathematical signs, and how a keyboard writes them.
 _SPELLINGS = {"π": "pi", "·": "*", "×": "*", "−": "-", "≤": "<=", "≥": ">="}
@@ -145,20 +145,11 @@ def tokens(text: str) -> Iterator[Token]:
         word = match.group()
         if word in _INSTEAD:
             raise mistake(text, position + 1, word, _INSTEAD[word])
-        yield Token(_kind(match), _SPELLINGS.get(word, word), position + 1)
+        # Of a mark, which is its own kind, the group has no name.
+        kind: Any = match.lastgroup or word
+        yield Token(kind, _SPELLINGS.get(word, word), position + 1)
         position = match.end()
     yield Token("end", "", len(text) + 1)
-
-
-def _kind(match: re.Match[str]) -> Kind:
-    if match.group("number") is not None:
-        return "number"
-    if match.group("name") is not None:
-        return "name"
-    if match.group("operator") is not None:
-        return "operator"
-    mark = match.group("mark")
-    return "(" if mark == "(" else ")" if mark == ")" else ","
 
 
 #: Most characters of a formula.
