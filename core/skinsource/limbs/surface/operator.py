@@ -93,8 +93,8 @@ class SurfaceOperator:
     fallback_count
         Pixels interpolated linearly because natural neighbours failed there; normally 0.
     blind_vertices, single_vertices
-        Number of outline vertices that see no output and take the two nearest by the way inside
-        the outline; and of those that see only one, and take its value.
+        Number of outline vertices that see no output and lie between those beside them that do;
+        and of those that see only one, and take its value.
     same_place
         Outputs (counted from 0) at one place, in pairs: they need equal values; normally empty.
     warnings

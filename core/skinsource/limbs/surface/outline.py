@@ -3,8 +3,8 @@
 A vertex takes a mean of the two nearest outputs that it sees.  The rule of sight gives the
 published map's table of distances, pair by pair: the outline is drawn on a raster of one pixel,
 widened by two pixels, and its border traced through pixel centres; a vertex sees an output if the
-straight line between them stays inside that border.  Vertices that see no output take the two with
-the shortest ways inside the outline.
+straight line between them stays inside that border.  Vertices that see no output lie between those
+beside them that do.
 """
 
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ from skinsource.base.arrays import Booleans, Floats, Indices
 from skinsource.base.errors import InvalidInputError
 
 if TYPE_CHECKING:
-    from scipy.sparse import csr_array
+    pass
 
 
 def distinct_vertices(outline: Floats) -> Indices:
@@ -297,71 +297,6 @@ def nearest_visible(
     return index, distance
 
 
-# Column, row of half of the 16 moves to a neighbour, and the raster points passed on the way.
-_MOVES = (
-    ((1, 0), ()),
-    ((0, 1), ()),
-    ((1, 1), ()),
-    ((1, -1), ()),
-    ((2, 1), ((1, 0), (1, 1))),
-    ((2, -1), ((1, 0), (1, -1))),
-    ((1, 2), ((0, 1), (1, 1))),
-    ((-1, 2), ((0, 1), (-1, 1))),
-)
-
-
-def distances_inside(region: SightRegion, starts: Floats, ends: Floats) -> Floats:
-    """Return the lengths of the shortest ways inside the region, in units of the coordinates.
-
-    Ways lead over raster points by 16 moves, which makes them up to 2.8 % too long.
-
-    Parameters
-    ----------
-    region
-        From `skinsource.limbs.surface.outline.sight_region`.
-    starts, ends : (n_starts, 2) and (n_ends, 2)
-
-    Returns
-    -------
-    (n_starts, n_ends)
-        Infinite where there is no way.
-    """
-    if len(ends) < len(starts):
-        return distances_inside(region, ends, starts).T
-    number = np.cumsum(region.filled).reshape(region.filled.shape) - 1
-    graph = _moves_between(region, number)
-    start, to_start = _nearest_filled(region, starts)
-    end, to_end = _nearest_filled(region, ends)
-    start_number, end_number = number[*start], number[*end]
-    steps = scipy.sparse.csgraph.dijkstra(graph, directed=False, indices=start_number)
-    return np.asarray((to_start[:, None] + steps[:, end_number] + to_end) * region.unit)
-
-
-def _moves_between(region: SightRegion, number: Indices) -> "csr_array[np.float64]":
-    """Return the lengths of the moves between filled raster points, each once."""
-    row, column = np.nonzero(region.filled)
-    begin, finish, length = [], [], []
-    for (right, up), passed in _MOVES:
-        # The rim is empty and at least two wide, so no index leaves the raster.
-        free = region.filled[row + up, column + right]
-        for right_passed, up_passed in passed:
-            free = free & region.filled[row + up_passed, column + right_passed]
-        begin.append(number[row[free], column[free]])
-        finish.append(number[row[free] + up, column[free] + right])
-        length.append(np.full(int(free.sum()), np.hypot(right, up)))
-    place = (np.concatenate(begin), np.concatenate(finish))
-    lengths = (np.concatenate(length), place)
-    return scipy.sparse.csr_array(scipy.sparse.coo_array(lengths, shape=(len(row), len(row))))
-
-
-def _nearest_filled(region: SightRegion, points: Floats) -> tuple[tuple[Indices, Indices], Floats]:
-    """Return row, column and distance of the filled raster point nearest to each point."""
-    row, column = np.nonzero(region.filled)
-    at = region.raster_coordinates(points)
-    distance, nearest = scipy.spatial.KDTree(np.column_stack([column, row])).query(at)
-    return (row[nearest], column[nearest]), np.asarray(distance)
-
-
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Boundary:
     """Weights of the outputs at the outline's vertices.
@@ -371,7 +306,8 @@ class Boundary:
     weights : (n_vertices, n_outputs)
         Rows sum to 1.
     blind : (n_blind,)
-        Vertices that see no output; they take the two with the shortest way inside the outline.
+        Vertices that see no output; their weights run evenly along the outline, from those of the
+        last vertex that sees one to those of the next.
     single : (n_single,)
         Vertices that see one output only, and take its value.
     """
@@ -381,7 +317,7 @@ class Boundary:
     single: Indices
 
 
-def boundary_from_table(table: Floats, outline: Floats, outputs: Floats, unit: float) -> Boundary:
+def boundary_from_table(table: Floats, outline: Floats, outputs: Floats) -> Boundary:
     """Return the boundary by given distances.
 
     Parameters
@@ -390,14 +326,12 @@ def boundary_from_table(table: Floats, outline: Floats, outputs: Floats, unit: f
         Distance where the vertex sees the output, else NaN.
     outline, outputs : (n_vertices, 2) and (n_outputs, 2)
         Outputs without a place are NaN.
-    unit
-        Raster unit of the shortest ways of vertices that see nothing.
     """
     placed = np.isfinite(outputs).all(axis=1)
     known = np.where(np.isfinite(table) & placed, table, np.inf)
     index = np.argsort(known, axis=1, kind="stable")[:, :2]
     distance = np.take_along_axis(known, index, axis=1)
-    return _boundary(np.where(np.isfinite(distance), index, -1), distance, outline, outputs, unit)
+    return _boundary(np.where(np.isfinite(distance), index, -1), distance, outline, outputs)
 
 
 def boundary_by_sight(outline: Floats, outputs: Floats, unit: float) -> Boundary:
@@ -414,12 +348,10 @@ def boundary_by_sight(outline: Floats, outputs: Floats, unit: float) -> Boundary
     region = sight_region(outline, unit)
     index, distance = nearest_visible(region, outline, outputs[placed])
     index = np.where(index >= 0, placed[index], -1)
-    return _boundary(index, distance, outline, outputs, unit)
+    return _boundary(index, distance, outline, outputs)
 
 
-def _boundary(
-    index: Indices, distance: Floats, outline: Floats, outputs: Floats, unit: float
-) -> Boundary:
+def _boundary(index: Indices, distance: Floats, outline: Floats, outputs: Floats) -> Boundary:
     """Make weights from the two nearest (n_vertices, 2), of which any may be missing (-1)."""
     n_vertices, n_outputs = len(outline), len(outputs)
     nearest = np.zeros((n_vertices, 2), dtype=np.intp)
@@ -427,8 +359,11 @@ def _boundary(
     nearest[:, : index.shape[1]], away[:, : index.shape[1]] = index, distance
     blind = np.flatnonzero(~np.isfinite(away[:, 0]))
     single = np.flatnonzero(np.isfinite(away[:, 0]) & ~np.isfinite(away[:, 1]))
-    if len(blind):
-        nearest[blind], away[blind] = _nearest_inside(outline, outputs, unit, blind)
+    if len(blind) == n_vertices:
+        # All outputs lie outside: the straight distances have to do.
+        straight = np.hypot(*np.moveaxis(outline[:, None] - outputs, 2, 0))
+        boundary = boundary_from_table(straight, outline, outputs)
+        return Boundary(weights=boundary.weights, blind=blind, single=single)
     near, far = away.T
     share = np.ones(n_vertices)
     both = np.isfinite(far) & (near > 0)
@@ -437,21 +372,17 @@ def _boundary(
     every = np.arange(n_vertices)
     weights[every, nearest[:, 0]] = share
     weights[every[both], nearest[both, 1]] = 1 - share[both]
+    weights[blind] = _between_neighbours(outline, weights, blind)
     return Boundary(weights=weights, blind=blind, single=single)
 
 
-def _nearest_inside(
-    outline: Floats, outputs: Floats, unit: float, blind: Indices
-) -> tuple[Indices, Floats]:
-    """Return the two nearest outputs by the way inside, and how far; unreachable ones last."""
-    placed = np.flatnonzero(np.isfinite(outputs).all(axis=1))
-    way = distances_inside(sight_region(outline, unit), outline[blind], outputs[placed])
-    straight = np.hypot(*np.moveaxis(outline[blind][:, None] - outputs[placed], 2, 0))
-    # Where no way leads to any output, the straight distance has to do.
-    way = np.where(np.isfinite(way).any(axis=1, keepdims=True), way, straight)
-    order = np.argsort(way, axis=1, kind="stable")[:, :2]
-    index = np.zeros((len(blind), 2), dtype=np.intp)
-    distance = np.full((len(blind), 2), np.inf)
-    index[:, : order.shape[1]] = placed[order]
-    distance[:, : order.shape[1]] = np.take_along_axis(way, order, axis=1)
-    return index, distance
+def _between_neighbours(outline: Floats, weights: Floats, blind: Indices) -> Floats:
+    """Return weights of vertices, (n_blind, n_outputs), interpolated along the closed outline."""
+    ends = np.cumsum(np.hypot(*(np.roll(outline, -1, axis=0) - outline).T))
+    place = np.concatenate([[0.0], ends[:-1]])
+    known = np.delete(np.arange(len(outline)), blind)
+    columns = [
+        np.interp(place[blind], place[known], column, period=ends[-1])
+        for column in weights[known].T
+    ]
+    return np.stack(columns, axis=-1)

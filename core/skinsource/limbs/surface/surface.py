@@ -159,11 +159,8 @@ def _outline_and_boundary(limb_map: LimbMap) -> tuple[Floats, Boundary, int]:
     outline = limb_map.outline[distinct]
     unit = raster_unit(outline, limb_map.hand_length_px)
     if limb_map.visibility is not None:
-        return (
-            outline,
-            boundary_from_table(limb_map.visibility[distinct], outline, outputs, unit),
-            0,
-        )
+        table = limb_map.visibility[distinct]
+        return outline, boundary_from_table(table, outline, outputs), 0
     crossings = count_crossings(outline)
     if limb_map.densify:
         outline = densified(outline, _LONGEST_EDGE * unit)
