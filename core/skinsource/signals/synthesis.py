@@ -8,10 +8,10 @@ on a grid over one turn, by transforms, and a sample is the Taylor series about 
 """
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from decimal import Decimal, localcontext
 from fractions import Fraction
-from itertools import islice, pairwise
+from itertools import pairwise
 from math import ceil, factorial, pi
 from typing import Literal
 
@@ -335,34 +335,21 @@ def logarithmic_sweep_turns(
     They are the integral of f0 (f1 / f0)^(t / T), (n,), as exact as `linear_sweep_turns`.  The two
     frequencies must differ.
     """
-    low_hz, high_hz = ends_hz
+    low_hz, high_hz = map(Decimal, ends_hz)
+    n_blocks = ceil(n / _SWEEP_BLOCK)
+    starts, steps = np.empty((n_blocks, 1)), np.empty((n_blocks, 1))
     with localcontext(prec=DIGITS):
-        growth = (Decimal(high_hz) / Decimal(low_hz)).ln() / Decimal(duration_s)
-        per_sample = growth / Decimal(float(sample_rate_hz))
-
-        def starts() -> Iterator[tuple[float, float]]:
-            frequency = Decimal(low_hz) * (-growth * Decimal(float(shift_s))).exp()
-            factor = (per_sample * _SWEEP_BLOCK).exp()
-            while True:
-                turns = (frequency - Decimal(low_hz)) / growth
-                yield float(turns % 1), float(frequency / Decimal(float(sample_rate_hz)))
-                frequency *= factor
-
-        start, step = _blocks(starts(), n)
-    exponent = float(per_sample) * np.arange(_SWEEP_BLOCK)
+        rate = Decimal(float(sample_rate_hz))
+        growth = (high_hz / low_hz).ln() / Decimal(duration_s)
+        factor = (growth / rate * _SWEEP_BLOCK).exp()
+        frequency = low_hz * (-growth * Decimal(float(shift_s))).exp()
+        for block in range(n_blocks):
+            starts[block] = float((frequency - low_hz) / growth % 1)
+            steps[block] = float(frequency / rate)
+            frequency *= factor
     within = np.arange(_SWEEP_BLOCK, dtype=np.float64)
+    exponent = float(growth / rate) * within
     within[1:] *= np.expm1(exponent[1:]) / exponent[1:]
-    return _less_whole_turns(np.multiply.outer(step, within), start, n)
-
-
-def _blocks(starts: Iterator[tuple[float, float]], n: int) -> tuple[Floats, Floats]:
-    """Return the turns at the start of each block, and the turns per sample there."""
-    pairs = np.array(list(islice(starts, ceil(n / _SWEEP_BLOCK)))).reshape(-1, 2)
-    return pairs[:, 0], pairs[:, 1]
-
-
-def _less_whole_turns(within: Floats, start: Floats, n: int) -> Floats:
-    within += start[:, np.newaxis]
-    for block in within:
-        block -= np.rint(block)
-    return within.ravel()[:n]
+    phases = steps * within + starts
+    phases -= np.rint(phases)
+    return phases.ravel()[:n]
