@@ -1,7 +1,5 @@
 """Predict through the actuator: drive, equaliser, actuator, skin."""
 
-import gc
-import weakref
 from dataclasses import replace
 
 import numpy as np
@@ -15,7 +13,6 @@ from skinsource.design import edits
 from skinsource.design.edits.edit import Edit
 from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.engine.shared import Shared
 from skinsource.engine.spectra import scaled_taps
 
 RATE_HZ = 48_000
@@ -171,30 +168,6 @@ def test_all_shipped_actuators_can_be_predicted_through(name, equaliser):
     assert np.isfinite(transfer.samples).all()
 
 
-def test_a_transfer_lasts_as_long_at_a_high_rate():
-    # A resonance that dies away in a third of a second.
-    ringing = replace(COIL, damping_n_s_per_m=0.7, force_factor_n_per_a=0.05)
-    quick = transfers_of(actuation(ringing), 48_000.0, (25.0, 600.0))[None]
-    assert quick.samples.size / 48_000 == pytest.approx(1 / 3, rel=0.1)
-    hz = ss.equalising.resonance_of(ringing)[0] * np.array([0.5, 1.0, 1.01, 2.0])
-    turns = np.outer(hz, (np.arange(quick.samples.size) - quick.lead) / 48_000)
-    response = np.exp(-2j * np.pi * turns) @ quick.samples
-    np.testing.assert_allclose(response, ringing.response(hz), rtol=1e-3)
-
-
-def test_what_it_goes_through_is_saved_and_digests_tell_it_apart(tmp_path):
-    measured = ss.actuators.MeasuredResponse.of([20.0, 100.0, 700.0], [1.0, 2.0 + 1j, 3.0])
-    own = (
-        ss.ActuatorAt(place=7, actuator="measured here", model=measured),
-        ss.ActuatorAt(actuator="a coil", model=COIL),
-    )
-    design = design_of(
-        tone(), actuation=ss.Actuation(actuators=own, equaliser=POLES, rig="bench", on=False)
-    )
-    ss.save_design(tmp_path / "a.skinsource", design)
-    assert ss.open_design(tmp_path / "a.skinsource").design == design
-
-
 @pytest.mark.parametrize(
     ("actuators", "message"),
     [
@@ -218,17 +191,3 @@ def test_switching_it_on_and_off_are_edits_that_remember():
     assert off.label == "Predict without the actuator"
     assert off.design.actuated is None
     assert off.design.actuation == actuation(on=False)
-
-
-def test_a_limb_behind_actuators_goes_with_its_graph():
-    design, shared = design_of(tone(), actuation=actuation()), Shared()
-    graph = new_graph(shared)
-    values = graph.evaluate({"driven_limb", "limb_data", "output_rms"}, sources(design, View()))
-    assert values["limb_data"].lead_samples == 0 < values["driven_limb"].lead_samples
-    other = new_graph(shared)
-    again = other.evaluate({"driven_limb"}, sources(design, View()))
-    assert again["driven_limb"] is values["driven_limb"]
-    held = weakref.ref(values["driven_limb"])
-    del values, again, graph, other
-    gc.collect()
-    assert held() is None

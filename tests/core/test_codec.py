@@ -177,11 +177,6 @@ def test_an_image_made_to_harm_is_refused(case):
     assert len(str(caught.value)) < 500
 
 
-def test_the_same_image_without_harm_is_read():
-    assert from_image(signed(naming())) == OTHER
-    assert from_image(signed(holding(EMPTY))) == 1
-
-
 def test_an_image_that_claims_to_be_enormous_costs_nothing():
     def enormous(file):
         plist = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
@@ -198,16 +193,6 @@ def test_an_image_that_claims_to_be_enormous_costs_nothing():
         assert tracemalloc.get_traced_memory()[1] < 2**20
     finally:
         tracemalloc.stop()
-
-
-def test_samples_that_nothing_uses_are_refused():
-    def unused(file):
-        about = {"count": 2, "sample_rate_hz": 44100.0, "unit": ""}
-        holding(json.dumps({"content": 1, "samples": {OTHER.digest: about}}).encode())(file)
-        file["samples"][OTHER.digest] = OTHER.values
-
-    with pytest.raises(FileFormatError, match="nothing uses"):
-        from_image(signed(unused))
 
 
 def test_a_file_holds_no_more_than_it_says():

@@ -1,14 +1,11 @@
 """Installing: the same store from either encoding; whole or not at all."""
 
-import errno
-import os
 import shutil
-import sys
 
 import numpy as np
 import pytest
 
-from skinsource.base.errors import DatasetError, Stopped, StorageError
+from skinsource.base.errors import DatasetError, Stopped
 from skinsource.limbs.dataset.install import install
 from skinsource.limbs.dataset.published import ARRAYS
 from skinsource.limbs.dataset.store import describe, is_installed, load_measured_limb
@@ -76,18 +73,6 @@ def test_a_cancel_at_any_moment_leaves_nothing(synthetic_download, user_data, as
     assert list(user_data.iterdir()) == []
 
 
-def test_a_disk_found_full_at_the_last_moment_leaves_nothing(
-    synthetic_download, user_data, monkeypatch
-):
-    def full(_handle):
-        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-
-    monkeypatch.setattr(os, "fsync", full)
-    with pytest.raises(StorageError, match="No space left on device"):
-        install(synthetic_download, unpublished=True)
-    assert list(user_data.iterdir()) == []
-
-
 def test_a_failure_keeps_the_old_store(synthetic_download, synthetic_installed, tmp_path):
     before = synthetic_installed.read_bytes()
     broken = tmp_path / "broken"
@@ -132,19 +117,6 @@ def test_the_store_tells_what_it_was_made_from(synthetic_download, user_data):
     assert len(info.source_sha256) == 64
     assert info.installed_at.endswith("+00:00")
     assert info.size_bytes == info.path.stat().st_size
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="Windows refuses such names")
-@pytest.mark.parametrize("name", ["ä 触覚.mat", os.fsdecode(b"\xff.mat")])
-def test_the_source_may_have_any_name(synthetic_download, user_data, tmp_path, name):
-    folder = tmp_path / "download"
-    shutil.copytree(synthetic_download, folder)
-    try:
-        (folder / "impulseResponses.mat").rename(folder / name)
-    except OSError as error:
-        pytest.skip(f"the file system refuses the name: {error}")
-    install(folder / name, unpublished=True)
-    assert describe().source_name == name.encode(errors="backslashreplace").decode()
 
 
 def test_the_measured_values_are_those_of_the_published_dataset(measured):

@@ -79,18 +79,6 @@ def test_a_failure_at_any_step_leaves_the_old_file_and_no_other(
     assert caught.value.__cause__.errno == code
 
 
-def test_a_disk_that_is_full_half_way_leaves_the_old_file(target):
-    resource = pytest.importorskip("resource", reason="limits exist on POSIX only")
-    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (len(NEW) // 2, hard))
-    try:
-        with pytest.raises(StorageError, match="cannot be written"):
-            write_bytes(target, NEW)
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
-    assert_untouched(target)
-
-
 def test_a_folder_that_cannot_be_flushed_does_not_matter_for_the_move_is_made(target, fail):
     calls = fail(os, "fsync", errno.EINVAL, 2)
     write_bytes(target, NEW)

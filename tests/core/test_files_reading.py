@@ -14,7 +14,6 @@ from skinsource.base.files import (
     make_folder,
     path_exists,
     read_bytes,
-    replacing,
     temporary_path,
     write_bytes,
 )
@@ -36,16 +35,6 @@ def test_a_file_is_read_whole_up_to_the_limit(tmp_path):
     assert read_bytes(tmp_path / "file", most=5) == b"12345"
     with pytest.raises(FileFormatError, match="file: 5 bytes are too large for it, expected at"):
         read_bytes(tmp_path / "file", most=4)
-
-
-@posix
-def test_a_folder_that_is_read_as_a_file_leaves_nothing_open(tmp_path):
-    process = psutil.Process()
-    before = process.num_fds()
-    for _ in range(8):
-        with pytest.raises(StorageError):
-            read_bytes(tmp_path, most=100)
-    assert process.num_fds() == before
 
 
 @posix
@@ -145,13 +134,6 @@ def test_what_ended_writers_left_is_deleted_at_the_next_writing(tmp_path):
     write_bytes(tmp_path / "new", b"")
     assert not any(path.exists() for path in (*stale, folder))
     assert all(path.exists() for path in unchanged)
-
-
-@posix
-def test_what_others_may_not_read_is_written_so(tmp_path):
-    with replacing(tmp_path / "file", private=True) as temporary:
-        assert temporary.stat().st_mode & 0o777 == 0o600
-    assert (tmp_path / "file").stat().st_mode & 0o777 == 0o600
 
 
 @posix

@@ -37,6 +37,9 @@ PYTHON = [
 ]
 
 
+ODD = [*"(),.e_=t-", "", "**", "..", "\0", "é", "9" * 40, "sin"]
+
+
 def expression(rng, depth):
     """Something that can nearly always be read."""
     kind = rng.random()
@@ -62,26 +65,7 @@ def spoilt(rng, text):
     letters = list(text)
     for _ in range(rng.randint(1, 4)):
         place = rng.randrange(len(letters) + 1)
-        letters[place:place] = rng.choice(
-            [
-                "(",
-                ")",
-                ",",
-                "**",
-                ".",
-                "..",
-                "e",
-                "_",
-                "=",
-                "\0",
-                "é",
-                "t",
-                "-",
-                "9" * 40,
-                "sin",
-                "",
-            ]
-        )
+        letters[place:place] = rng.choice(ODD)
         if letters and rng.random() < 0.6:
             del letters[rng.randrange(len(letters))]
     return "".join(letters)

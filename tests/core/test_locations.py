@@ -12,11 +12,6 @@ def test_every_place_has_its_own_name_and_short_name():
         assert max(len(place.short_name) for place in places) <= 18
 
 
-def test_the_first_five_inputs_push_along_the_digits_and_the_others_into_the_skin():
-    assert [place.contact for place in INPUTS[:5]] == ["in-axis"] * 5
-    assert {place.contact for place in INPUTS[5:]} == {"perpendicular"}
-
-
 def test_only_outputs_61_to_66_are_volar():
     volar = tuple(place.number for place in OUTPUTS if place.side == "volar")
     assert volar == VOLAR_OUTPUTS

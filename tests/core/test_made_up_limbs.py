@@ -7,15 +7,14 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.measurement_conditions import AXES, axes_of, axis_numbers
+from skinsource.base.measurement_conditions import AXES
 from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.tones import FREQUENCY, PHASE, Tone
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
-from skinsource.engine.moments import moments_of, pairs
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.limbs.extent import extent
@@ -116,18 +115,6 @@ def test_every_projection_of_the_axes_there_are_is_that_of_plain_convolution(mea
         assert values["trace_error"].estimate < 1e-13
 
 
-def test_each_input_that_stands_apart_gives_the_same_levels():
-    limb = limb_along("xz")
-    for method in METHODS:
-        view = View(axes="xz", method=method, outputs=())
-        levels = [
-            shown(limb, PLAYED, replace(view, selected_inputs=(id,)), "output_rms")["output_rms"]
-            for id in PLAYED.ids
-        ]
-        for other in levels[1:]:
-            np.testing.assert_allclose(other, levels[0], rtol=1e-12)
-
-
 def test_upstream_scaling_takes_the_largest_of_the_axes_there_are():
     limb, design = limb_along("xz"), replace(PLAYED, scaling="upstream")
     expected = rms(project_axes(plainly(limb, design), "xz", "mag", "xz"))
@@ -145,13 +132,6 @@ def test_an_axis_that_was_not_measured_is_refused_by_name(measured, axes):
         project_axes(np.zeros((2, len(measured), 9)), axes, "mag", measured)
 
 
-def test_all_axes_are_those_there_are():
-    assert axes_of("xz", "xyz") == "xz"
-    assert axis_numbers("z", "xz") == (1,)
-    assert axis_numbers("xyz", "z") == (0,)
-    assert axis_numbers("xz") == (0, 2)
-
-
 @pytest.mark.parametrize("axes", ["", "zx", "xx", "q", "xyz", None])
 def test_a_limb_whose_axes_are_not_those_of_its_responses_is_refused(axes):
     with pytest.raises(InvalidInputError, match="expected 2 of x, y and z"):
@@ -164,15 +144,6 @@ def test_a_limb_whose_axes_are_not_those_of_its_responses_is_refused(axes):
             axes=axes,
             shape=(N_INPUTS, N_OUTPUTS, 2, 9),
         )
-
-
-@pytest.mark.parametrize("n_axes", [1, 2, 3])
-def test_moments_of_any_number_of_axes_are_sums_over_time(n_axes):
-    signals = np.random.default_rng(1).standard_normal((5, n_axes, 64))
-    moments = moments_of(np.fft.rfft(signals), 64, products=True)
-    np.testing.assert_allclose(moments.second, signals @ signals.transpose(0, 2, 1), atol=1e-12)
-    np.testing.assert_allclose(moments.first, signals.sum(axis=-1), atol=1e-12)
-    assert len(pairs(n_axes)) == n_axes * (n_axes - 1) // 2
 
 
 def test_probe_scaling_divides_by_the_pulse_only_where_a_pulse_was_played():
@@ -200,12 +171,6 @@ def test_the_map_shows_the_outputs_that_have_a_place():
     assert placed.min() - 1e-9 <= inside.min() <= inside.max() <= placed.max() + 1e-9
     energy = 10 ** (values["output_levels_db"] / 20)
     assert 0.0 < extent(energy, limb, (7,)).mean_distance_mm < 100.0
-
-
-def test_times_are_shifted_by_the_delay_of_the_limb():
-    limb = limb_along("z", pre_trigger_delay_s=0.01)
-    values = shown(limb, PLAYED, View(delay_removed=True, outputs=()), "response_time_s")
-    np.testing.assert_allclose(values["response_time_s"][:2], [-0.01, 1 / RATE_HZ - 0.01])
 
 
 @pytest.mark.parametrize("n_taps", [1, 31, 1024, 1025, 3000])
@@ -270,11 +235,3 @@ def test_places_that_have_no_name_here_are_called_by_their_number():
         edits.place_input(replace(PLAYED, limb="synthetic-1"), View(), 25).label
         == "Place input at 25 (not on this hand)"
     )
-
-
-@pytest.mark.parametrize(
-    ("rate_hz", "highest"), [(1300.0, 649.0), (1301.0, 650.0), (2000.5, 1000.0), (1e6, 100_000.0)]
-)
-def test_the_highest_frequency_is_a_whole_one_below_half_the_rate(rate_hz, highest):
-    assert FREQUENCY.at_rate(rate_hz).maximum == highest
-    assert PHASE.at_rate(rate_hz) is PHASE

@@ -38,12 +38,6 @@ def test_the_threshold_has_the_known_figures(frequency_hz, peak_um, rms):
     assert displacement_um == pytest.approx(peak_um, rel=0.03)
 
 
-def test_a_smaller_contactor_raises_the_pacinian_threshold_alone():
-    raised = 20 * np.log10(threshold_rms(200.0, "P", area_cm2=0.49) / threshold_rms(200.0, "P"))
-    assert raised == pytest.approx(7.7, abs=0.05)
-    assert threshold_rms(30.0, "NP I", area_cm2=0.49) == threshold_rms(30.0, "NP I")
-
-
 @pytest.mark.parametrize("frequency_hz", [26.0, 130.0, 400.0])
 def test_a_tone_at_threshold_is_0_db_above_it(frequency_hz):
     time_s = np.arange(1300) / 1300.0

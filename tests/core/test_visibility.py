@@ -20,12 +20,6 @@ FORK = np.array(
 )
 
 
-def square_with_slit(width):
-    left, right = 50 - width / 2, 50 + width / 2
-    slit = [[right, 100], [right, 20], [left, 20], [left, 100]]
-    return np.array([[0, 0], [100, 0], [100, 100], *slit, [0, 100]], dtype=float)
-
-
 def test_the_rule_gives_the_published_pairs_at_every_vertex(measured):
     from skinsource.limbs.dataset.store import load_measured_limb
 
@@ -38,22 +32,6 @@ def test_the_rule_gives_the_published_pairs_at_every_vertex(measured):
     np.testing.assert_array_equal(ours.weights > 0, published.weights > 0)
     np.testing.assert_allclose(ours.weights, published.weights, atol=1e-13)
     assert len(ours.blind) == len(ours.single) == 0
-
-
-def test_the_rule_gives_the_published_table_at_every_ninth_vertex(measured):
-    from skinsource.limbs.dataset.store import load_measured_limb
-
-    map_ = load_measured_limb(1).map
-    placed = np.flatnonzero(np.isfinite(map_.output_positions[:, 0]))
-    vertex, output = np.meshgrid(np.arange(0, 1505, 9), placed, indexing="ij")
-    visible = sees(
-        sight_region(map_.outline, 1.0),
-        map_.outline[vertex.ravel()],
-        map_.output_positions[output.ravel()],
-    )
-    published = np.isfinite(map_.visibility[vertex, output])
-    assert 0.2 < published.mean() < 0.8
-    np.testing.assert_array_equal(visible.reshape(vertex.shape), published)
 
 
 def test_in_a_convex_outline_everything_is_seen_both_ways():
@@ -69,14 +47,6 @@ def test_across_the_gap_of_a_fork_nothing_is_seen():
     starts = np.array([[0, 100], [0, 100], [0, 100], [20, 100.0]])
     ends = np.array([[70, 90], [10, 50], [10.5, 10.5], [61, 100]])
     np.testing.assert_array_equal(sees(region, starts, ends), [False, True, True, False])
-
-
-@pytest.mark.parametrize(("width", "visible"), [(2, True), (4, True), (8, False), (20, False)])
-def test_a_gap_is_seen_through_up_to_twice_the_tolerance(width, visible):
-    region = sight_region(square_with_slit(width), 1.0)
-    # As high as the slit is long: the raster also fills slits it has closed.
-    answer = sees(region, np.array([[10.0, 60.0]]), np.array([[90.0, 61.5]]))
-    assert answer[0] == visible
 
 
 @pytest.mark.parametrize("scale", [1e-3, 1.0, 1e4])

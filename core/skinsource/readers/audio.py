@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.base.files import is_file
 from skinsource.readers import limits
 from skinsource.readers.reader import (
     Block,
@@ -71,8 +70,6 @@ def blocks(path: Path, keys: Sequence[str], start: int, stop: int) -> Iterator[B
 def _opened(path: Path) -> Any:
     import soundfile  # noqa: PLC0415  10 ms, which only readers of sound files wait for
 
-    if not is_file(path):
-        raise reading_error(path, "it is no regular file", "a sound file", "Choose a file.")
     return soundfile.SoundFile(str(path))
 
 

@@ -33,15 +33,6 @@ def design_of(*inputs, **changes):
     return ss.Design(limb="synthetic-1", inputs=inputs, **changes)
 
 
-@pytest.mark.parametrize(
-    ("frequency_hz", "acceleration"), [(25.0, 6.3), (50.0, 12.6), (100.0, 25.1), (300.0, 75.4)]
-)
-def test_forty_millimetres_a_second_are_the_accelerations_of_a_sine(frequency_hz, acceleration):
-    time = np.arange(2600) / RATE
-    sine = acceleration * np.sin(2 * np.pi * frequency_hz * time) * np.hanning(2600)
-    assert probe_velocity(sine, RATE) == pytest.approx(0.04, rel=0.01)
-
-
 def test_a_velocity_is_the_integral_of_the_acceleration():
     time = np.arange(1300) / RATE
     burst = np.exp(-(((time - 0.5) / 0.05) ** 2)) * np.sin(2 * np.pi * 90.0 * time) * 20.0
@@ -111,15 +102,6 @@ def test_above_three_hundred_hertz_the_outputs_stand_too_far_apart():
     assert isinstance(edits.mend(design_of(tone(350.0)), View(), high), Refusal)
 
 
-def test_the_peak_scaling_hides_differences_and_probe_scaling_does_not():
-    hidden = findings_of(design_of(tone(100.0), tone(100.0, place=17), scaling="upstream"))[
-        "scaling"
-    ]
-    assert hidden.state == "left"
-    assert "between the places" in hidden.sentence
-    assert findings_of(design_of(tone(100.0)))["scaling"].state == "kept"
-
-
 def test_outputs_below_six_decibels_are_told_and_can_be_deselected():
     above = np.full(72, 20.0)
     above[[0, 66, 67, 68, 71]] = 5.9
@@ -141,11 +123,6 @@ def test_the_elbow_is_mostly_noise_on_a_measured_limb(measured):
     finding = findings_of(design)["noise"]
     assert {67, 68, 69, 70, 71, 72} <= set(finding.outputs)
     assert not {28, 29, 30} & set(finding.outputs)
-
-
-def test_silence_leaves_no_condition_but_those_of_the_setup():
-    findings = findings_of(design_of())
-    assert {name for name, finding in findings.items() if finding.state != "kept"} == {"limb"}
 
 
 def test_tables_carry_what_is_not_kept(tmp_path):

@@ -1,17 +1,12 @@
 """Where figures of analysis begin and end: bands, thresholds, shares, and what counts."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.base.job import never
 from skinsource.design.view import View
-from skinsource.engine.analysis_rules import contact_weighted_rms, line_wave
-from skinsource.limbs.catalog import load_limb
-from skinsource.perception.hand_arm import hand_arm_weighting, weighted_rms
+from skinsource.engine.analysis_rules import line_wave
 from skinsource.perception.validity import drive_findings
 from skinsource.signals.analysis.wave_speed import travelling_wave
 from tests.core.own_limbs.lab_bench import installed
@@ -63,32 +58,6 @@ def test_a_wave_is_followed_along_z_whatever_axes_are_chosen():
     levels_db = 10.0 * np.log10(np.mean(traces[:, 2] ** 2, axis=-1))
     assert line_wave.axis == "z"
     assert line_wave.wave.level_db == pytest.approx(levels_db, abs=1e-9)
-
-
-def test_delays_count_from_the_first_input_that_is_heard():
-    audible, view = tone(120.0, duration_s=0.1, onset_s=0.3), View(outputs=(20,))
-    muted, still = replace(tone(60.0, place=3), muted=True), tone(60.0, 0.0, place=4)
-    alone, beside = (
-        ss.evaluate(ss.Design(limb="synthetic-1", inputs=inputs), "output_statistics", view=view)
-        for inputs in ((audible,), (muted, still, audible))
-    )
-    assert 0.04 < alone["output_statistics"].delay_s[0] < 0.08
-    assert beside["output_statistics"].delay_s == pytest.approx(
-        alone["output_statistics"].delay_s, abs=1e-6
-    )
-
-
-def test_the_weighted_acceleration_of_a_contact_is_not_told_behind_an_actuator():
-    drives, limb = ((8, sine(100.0)),), load_limb("synthetic-1")
-    ((place, weighted),) = contact_weighted_rms(drives, limb, "probe", None)
-    assert (place, weighted > 0.0) == (8, True)
-    bench = Actuation(actuators=(ActuatorAt(model=ss.actuators.load("example-voice-coil")),))
-    assert contact_weighted_rms(drives, limb, "probe", bench) is None
-
-
-def test_what_swings_at_half_the_rate_is_weighted_once():
-    swing = np.tile([1.0, -1.0], 650)
-    assert weighted_rms(swing, RATE) == pytest.approx(np.abs(hand_arm_weighting(650.0)))
 
 
 @pytest.mark.parametrize(("share", "state"), [(0.04, "kept"), (0.06, "left"), (0.15, "left")])

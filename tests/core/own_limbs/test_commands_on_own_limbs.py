@@ -5,7 +5,7 @@ import numpy as np
 from skinsource.cli.command_line import main
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import save_design
-from skinsource.design.view import View, view_on
+from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Impulse
 from skinsource.design.waveforms.tones import Tone
 from tests.core.own_limbs.lab_bench import installed, keep
@@ -22,16 +22,6 @@ def test_a_design_is_rendered_and_packed_that_was_saved_without_a_view(user_data
     assert header == "time_s,output_29_m_per_s2"
     assert main(["pack", str(path), "--out", str(tmp_path / "lab.zip")]) == 0
     assert capsys.readouterr().err == ""
-
-
-def test_a_view_on_a_limb_looks_at_outputs_that_it_has(user_data):
-    installed()
-    view = View(outputs=(3, 31, 52))
-    assert view_on("lab-1", view).outputs == (3, 31)
-    assert view_on("lab-1", View(outputs=(52,))).outputs == (1,)
-    assert view_on("lab-1", View(outputs=())).outputs == ()
-    assert view_on("synthetic-1", view) is view
-    assert view_on("lab-9", View(outputs=(80,))).outputs == (80,)
 
 
 def test_a_response_without_a_frequency_in_the_band_is_checked_and_no_line_is_told(

@@ -86,18 +86,6 @@ def test_actuators_are_asked_for_volts_or_accelerations_whatever_the_limb_answer
     assert amplitude_unit(off) == "a.u."
 
 
-def test_a_stimulus_has_the_unit_of_the_limb_that_is_open(drive_limb):
-    assert ss.stimulus_of(LAB).unit == "a.u."
-    assert ss.stimulus_of(replace(LAB, scaling="relative")).unit == "a.u."
-    assert ss.stimulus_of(replace(LAB, scaling="upstream")).unit == "1"
-    # Its name alone would not tell.
-    installed(name="lab-2", per_unit_drive=False)
-    for name, unit in (("lab-1", "a.u."), ("lab-2", "m/s²")):
-        opened = ss.load_limb(name)
-        assert ss.stimulus_of(replace(LAB, limb="not-kept"), limb=opened).unit == unit
-    assert ss.stimulus_of(PUBLISHED).unit == "m/s²"
-
-
 def test_no_equaliser_takes_a_drive_of_unknown_unit_for_accelerations(drive_limb, tmp_path):
     path, options = tmp_path / "lab.wav", {"equaliser": RegularisedInverse()}
     asked = ss.Actuation(actuators=(COIL,), equaliser=RegularisedInverse())

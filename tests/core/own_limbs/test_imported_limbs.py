@@ -63,22 +63,6 @@ def test_a_file_in_the_layout_becomes_a_limb(user_data, tmp_path):
     assert limb.map.hand_length_px == 180.0
 
 
-@pytest.mark.parametrize(
-    ("value", "message"),
-    [(None, "it has no attribute 'format'"), ("limb", "the attribute 'format' is 'limb'")],
-)
-def test_a_file_in_the_layout_that_does_not_say_so_is_told_what_is_missing(
-    user_data, tmp_path, value, message
-):
-    path = layout_file(tmp_path / "ours.h5")
-    with h5py.File(path, "r+") as file:
-        del file.attrs["format"]
-        if value is not None:
-            file.attrs["format"] = value
-    with pytest.raises(SkinSourceError, match=message):
-        import_limb(LimbSource(responses=path))
-
-
 def test_what_is_exported_is_imported_again_with_the_same_digest(lab, tmp_path):
     before = facts_of("lab-1")
     export_limb("lab-1", tmp_path / "lab.h5")
@@ -222,8 +206,9 @@ def test_the_command_imports_lists_mirrors_exports_and_removes(user_data, tmp_pa
     path = layout_file(tmp_path / "ours.h5")
     assert main(["limb", "list"]) == 0
     assert "No limb was imported" in capsys.readouterr().out
-    assert main(["limb", "import", str(path), "--title", "Our arm", "--left"]) == 0
+    assert main(["limb", "import", str(path), "--title", "Our arm", "--left", "--synthetic"]) == 0
     assert "Our arm" in capsys.readouterr().out
+    assert load_limb("ours").synthetic
     assert main(["limb", "mirror", "ours"]) == 0
     assert "Left hand, shown mirrored" in capsys.readouterr().out
     assert main(["limb", "export", "ours", "--out", str(tmp_path / "again.h5")]) == 0

@@ -103,17 +103,6 @@ def test_a_design_names_the_limb_and_its_digest(lab, tmp_path):
     assert edits.change_limb(content.design, content.view, "lab-2").sentence.startswith("No limb")
 
 
-def test_a_design_whose_limb_is_gone_is_computed_nowhere_and_says_what_to_import(lab, tmp_path):
-    design = Design(limb="lab-1", limb_digest=facts_of("lab-1").digest, inputs=(track(location=2),))
-    remove_limb("lab-1")
-    with pytest.raises(UnknownLimbError) as caught:
-        export_levels(tmp_path / "levels.csv", design, View())
-    assert str(caught.value) == (
-        "The limb 'lab-1' of this design is not here. Import it (File > Own limbs…), or choose "
-        "another one."
-    )
-
-
 def test_a_limb_that_is_imported_anew_is_computed_anew(lab):
     before = evaluate(PLAYED, "output_levels_db", view=VIEW)["output_levels_db"]
     install_limb(lab, (2 * response(place) for place in range(1, N_INPUTS + 1)))

@@ -1,6 +1,5 @@
 """The process that reads: it may crash, hang or fill the memory, and nothing else happens."""
 
-import subprocess
 import sys
 import threading
 from concurrent.futures import ThreadPoolExecutor
@@ -77,11 +76,6 @@ def test_arrays_and_trees_arrive_as_they_were_given(limited):
     assert whole.tolist() == [2**32 - 1]
 
 
-def test_results_that_nobody_waited_for_are_not_those_of_the_next_function(limited):
-    assert next(run("give_without_end", limited)).shape == (2**16,)
-    assert list(run("print_much", limited, times=0)) == [["tap.wav", 0]]
-
-
 def test_a_process_that_cannot_be_started_is_an_error_of_the_system(monkeypatch):
     monkeypatch.setattr(sys, "executable", "/nowhere/python")
     with pytest.raises(StorageError, match="no other process"):
@@ -118,18 +112,6 @@ def test_the_folder_in_which_one_stands_gives_no_code(tmp_path, monkeypatch):
     np.save(tmp_path / "x.npy", np.arange(9.0))
     with ReadingProcess() as process:
         assert process.look(tmp_path / "x.npy").format == "NPY"
-
-
-def test_a_script_without_a_main_guard_is_not_run_again(tmp_path, files):
-    script = tmp_path / "script.py"
-    script.write_text(
-        "import sys, skinsource as ss\n"
-        "print('begins')\n"
-        "print(ss.recordings.look(sys.argv[1]).format)\n"
-    )
-    command = [sys.executable, str(script), str(files["HDF5"])]
-    done = subprocess.run(command, capture_output=True, text=True, check=True)
-    assert done.stdout.split() == ["begins", "HDF5"]
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="a script with a first line is no program")

@@ -18,13 +18,6 @@ def values_of(choice, raw, **more):
     return taken(np.asarray(raw), choice, 1300.0, **more).samples
 
 
-def test_samples_at_the_rate_of_the_design_stay_bit_by_bit():
-    raw = np.random.default_rng(0).standard_normal(3000)
-    values = values_of(KEEP, raw)
-    np.testing.assert_array_equal(values.values, raw)
-    assert (values.sample_rate_hz, values.unit) == (1300.0, "")
-
-
 @pytest.mark.parametrize(
     ("unit", "factor", "becomes"),
     [
@@ -82,19 +75,6 @@ def test_stamps_give_the_rate_and_are_made_steady():
     assert "not steady" in values.notes[0]
     expected = np.sin(2.0 * np.pi * 100.0 * (uneven[0] + np.arange(1300) / 1300.0))
     assert np.abs(values.samples.values[100:1200] - expected[100:1200]).max() < 1e-3
-
-
-@pytest.mark.parametrize(
-    ("choice", "raw", "message"),
-    [
-        (replace(KEEP, rate_hz=None), [1.0, 2.0], "does not say its sample rate"),
-        (KEEP, [], "no sample in this part"),
-        (replace(KEEP, scale="peak"), [0.0, 0.0], "silent"),
-    ],
-)
-def test_what_cannot_be_taken_is_refused(choice, raw, message):
-    with pytest.raises(InvalidInputError, match=message):
-        values_of(choice, np.array(raw))
 
 
 def test_a_part_of_a_file_is_taken_and_named(tmp_path, signal, process):

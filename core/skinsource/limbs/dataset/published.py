@@ -11,10 +11,11 @@ checksum (CRC-32) of each::
 """
 
 import hashlib
+import json
 from dataclasses import dataclass
 from pathlib import Path
 
-from skinsource.base.assets import user_folder
+from skinsource.base.assets import data_folder, user_folder
 from skinsource.base.errors import DatasetError, StorageError
 from skinsource.base.files import is_file, is_folder
 from skinsource.base.measurement_conditions import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS
@@ -154,28 +155,6 @@ MAP_URL = (
     "https://raw.githubusercontent.com/neelitummala/skinsource/"
     "3d3ed8ae97b4854ede92ce9024fa41ca8e330d30/source/visualization"
 )
-_MAP = (
-    (
-        "adjacencyMatrix.mat",
-        410_849,
-        "74372e9291de93a66907f6c74a90ebad933e3b997e2da231981f1e77ab98d0c8",
-    ),
-    (
-        "inputLocations.mat",
-        2_232,
-        "8bf6797f4ce5d9f7f678eb8cf30b68ee9a2bc88de3d6ae48b25565a50e1dfda6",
-    ),
-    ("mask1.mat", 1_373, "99a5c89d1051174b6e3190f6a62d1fa66913a1db3d029fdd2584e80c5ef554f8"),
-    ("mask2.mat", 1_280, "58e6430af10d22781c1c7f9bd12787a6ea5e9a2b9021afa0795af3d125ccb79b"),
-    ("mask3.mat", 1_491, "fba711deaca55fb8548ce2e5364e5296051361dd58e2f51b5526f3e96db5530d"),
-    ("mask4.mat", 1_280, "c85efa2fdf7196b12938729c9c8556b7f08690b117ed548172d845e3fc3fb1a4"),
-    (
-        "outputLocations.mat",
-        3_064,
-        "1ce8e7e8219eb7289e65bfb7940027fa0ff9bfdc68b06db0359e25a24a0c6988",
-    ),
-    ("surface.mat", 22_427, "e1e9f22f5f747ce1004b8e935b7737df209a6a13b286f98d3d4abd8b12908e30"),
-)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -202,22 +181,10 @@ def published_files(
     dataset_url: str = DATASET_URL, map_url: str = MAP_URL
 ) -> tuple[RemoteFile, ...]:
     """List the files to download, from the given addresses or mirrors of them."""
-    responses = RemoteFile(
-        name=RESPONSES_FILE,
-        url=f"{dataset_url}/{RESPONSES_FILE}?download=1",
-        size_bytes=69_367_862,
-        checksum="md5:9226dcefe3f80809a06376fbaa42ae91",
-    )
-    maps = (
-        RemoteFile(
-            name=f"{MAP_FOLDER}/{name}",
-            url=f"{map_url}/{name}",
-            size_bytes=size,
-            checksum=f"sha256:{sha256}",
-        )
-        for name, size, sha256 in _MAP
-    )
-    return (*maps, responses)
+    listed = json.loads((data_folder() / "published-dataset.json").read_text(encoding="utf-8"))
+    urls = {f"{MAP_FOLDER}/{name}": f"{map_url}/{name}" for name in MAP_FILES}
+    urls[RESPONSES_FILE] = f"{dataset_url}/{RESPONSES_FILE}?download=1"
+    return tuple(RemoteFile(url=urls[file["name"]], **file) for file in listed)
 
 
 def checksum_of(path: Path, algorithm: str) -> str:

@@ -50,16 +50,16 @@ def noise_rms(
             f"response has shape {data.shape} with {count} samples before the pulse, expected "
             f"(..., n_taps) with {_FEWEST} or more of them and the response after them"
         )
-    quiet = data[..., :count]
-    rms: Floats = np.sqrt(np.mean(np.square(quiet), axis=-1))
-    return rms
+    return _rms(data[..., :count])
 
 
 def quiet_rms(quiet: ArrayLike) -> Floats | None:
     """Return the RMS of samples before a stimulus, (...); None if there are too few."""
     data = finite_array("quiet", quiet, "(..., n_times)")
-    if data.shape[-1] < _FEWEST:
-        return None
+    return _rms(data) if data.shape[-1] >= _FEWEST else None
+
+
+def _rms(data: Floats) -> Floats:
     rms: Floats = np.sqrt(np.mean(np.square(data), axis=-1))
     return rms
 

@@ -191,13 +191,7 @@ def _delays(data: Floats, rate: float, stop: Stop) -> tuple[Floats, Floats]:
         if size == 0.0:
             continue
         cross = scipy.fft.rfft(signal, n_fft) * np.conj(first)
-        # The analytic signal has only the positive frequencies, twice.
-        analytic = np.zeros(n_fft, np.complex128)
-        analytic[: cross.size] = 2.0 * cross
-        analytic[0] /= 2.0
-        if n_fft % 2 == 0:
-            analytic[n_fft // 2] /= 2.0
-        envelope = np.abs(scipy.fft.ifft(analytic))
+        envelope = np.abs(scipy.signal.hilbert(scipy.fft.irfft(cross, n_fft)))
         top = int(np.argmax(envelope))
         lag = top + vertex(envelope[[top - 1, top, (top + 1) % n_fft]])
         delay_s[k] = (lag if lag < n_fft / 2 else lag - n_fft) / rate
