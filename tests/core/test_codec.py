@@ -195,6 +195,16 @@ def test_an_image_that_claims_to_be_enormous_costs_nothing():
         tracemalloc.stop()
 
 
+def test_samples_that_nothing_uses_are_refused():
+    def unused(file):
+        about = {"count": 2, "sample_rate_hz": 44100.0, "unit": ""}
+        holding(json.dumps({"content": 1, "samples": {OTHER.digest: about}}).encode())(file)
+        file["samples"][OTHER.digest] = OTHER.values
+
+    with pytest.raises(FileFormatError, match="nothing uses"):
+        from_image(signed(unused))
+
+
 def test_a_file_holds_no_more_than_it_says():
     padded = signed(holding(EMPTY), padding=bytes(10**7))
     with pytest.raises(FileFormatError, match="bytes, of which 0 are samples"):
