@@ -84,8 +84,7 @@ def test_a_table_holds_a_response(tmp_path, name):
 @pytest.mark.parametrize(
     ("text", "word"),
     [
-        ("a,b\n1,2\n3,4\n", "it holds 'a', 'b'; expected a table with columns frequency_hz"),
-        ("h1,h2,h3,h4,h5,h6\n1,2,3,4,5,6\n2,3,4,5,6,7\n", "'h5' and 1 more; expected"),
+        ("a,b\n1,2\n3,4\n", "it has no column frequency_hz, expected a table"),
         ("frequency_hz,x\n1,2\n3,4\n", "no gain"),
         ("frequency_hz,gain\n20,0\n100,0\n", "zeros"),
         ("frequency_hz,gain\n-20,1\n100,1\n", "frequencies of 0"),

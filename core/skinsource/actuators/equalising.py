@@ -148,10 +148,6 @@ def gain_in_band(actuator: Actuator, band_hz: Band = BAND_HZ) -> Floats:
     return gain
 
 
-# Where the followed band begins if the limb does not say.
-_LOWEST_HZ = BAND_HZ[0]
-
-
 @checking
 def followed_band(band_hz: Band | None, sample_rate_hz: float) -> Band:
     """Return the band in which drives are followed on a limb: that of its measurement.
@@ -164,7 +160,7 @@ def followed_band(band_hz: Band | None, sample_rate_hz: float) -> Band:
     if not 0.0 <= low < high:
         raise InvalidInputError(f"band_hz is {quoted(band_hz)}, expected two rising frequencies")
     high = min(high, PASSED_SHARE * 0.5 * sample_rate_hz)
-    return (low, high) if 0.0 < low < high else (min(_LOWEST_HZ, high / 2.0), high)
+    return (low, high) if 0.0 < low < high else (min(BAND_HZ[0], high / 2.0), high)
 
 
 #: Share that may be left of the velocity that a drive would leave if all of it had one sign.

@@ -19,7 +19,7 @@ from skinsource.base.arguments import checking, finite_array, integer, positive_
 from skinsource.base.arrays import Complexes, Floats, Indices
 from skinsource.base.errors import InvalidInputError, RecordingError
 from skinsource.base.files import path_text
-from skinsource.base.quoting import quoted, sentence
+from skinsource.base.quoting import sentence
 from skinsource.readers.reader import Found
 from skinsource.readers.reading_process import ReadingProcess
 
@@ -530,8 +530,6 @@ def response_from_sweep(
 _FREQUENCY = ("frequency", "freq", "f", "hz")
 _GAIN, _GAIN_DB = ("gain", "magnitude", "mag", "amplitude", "response"), ("db", "gain_db", "level")
 _RADIANS, _DEGREES = ("phase_rad",), ("phase_deg", "phase")
-# At most so many names describe a table in a message.
-_MOST_NAMES = 5
 _REAL, _IMAGINARY = ("real", "re"), ("imag", "imaginary", "im")
 
 
@@ -578,19 +576,12 @@ def open_response(
             return _table_response(table)
         if rate_hz is None or len(values) < 2:
             raise InvalidInputError(
-                f"it holds {_names(contents)}; expected a table with columns frequency_hz and "
+                "it has no column frequency_hz, expected a table with columns frequency_hz and "
                 "gain, or sound with a voltage and an acceleration"
             )
         return response_from_sweep(values[0] * scales[0], values[1] * scales[1], rate_hz)
     except InvalidInputError as error:
         raise RecordingError(f"{path_text(Path(file.name))}: {sentence(str(error))}") from error
-
-
-def _names(contents: Found) -> str:
-    """Return the names of the first series of a file, as text."""
-    names = [quoted(series.name) for series in contents.series]
-    more = len(names) - _MOST_NAMES
-    return ", ".join(names[:_MOST_NAMES]) + (f" and {more} more" if more > 0 else "")
 
 
 def _columns(contents: Found, values: Floats) -> dict[str, Floats]:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from dataclasses import fields as dataclass_fields
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
 
 from skinsource.actuators.actuator import Actuator
@@ -221,11 +222,14 @@ def duty_of(drive: Floats, sample_rate_hz: float) -> float:
     """
     if not drive.any():
         return 0.0
-    n = max(int(_INTERVAL_S * sample_rate_hz), 1)
-    padded = np.zeros(-(-drive.size // n) * n)
-    padded[: drive.size] = np.abs(drive)
-    peaks = padded.reshape(-1, n).max(axis=1)
+    peaks = _intervals(np.abs(drive), sample_rate_hz).max(axis=1)
     return float(np.mean(peaks > _DRIVEN_SHARE * peaks.max()))
+
+
+def _intervals(values: Floats, rate_hz: float) -> Floats:
+    """Return values, (n_times,), in rows of 10 ms, the last one filled up with zeros."""
+    n = max(int(_INTERVAL_S * rate_hz), 1)
+    return np.pad(values, (0, -values.size % n)).reshape(-1, n)
 
 
 @dataclass(frozen=True, slots=True)
@@ -312,12 +316,7 @@ def _temperature_rise(
     resistance = getattr(actuator, "resistance_ohm", None)
     if thermal is None or resistance is None:
         return float("nan")
-    n = max(int(_INTERVAL_S * rate_hz), 1)
-    heat = np.zeros(-(-motion.current.size // n) * n)
-    heat[: motion.current.size] = resistance * motion.current**2
-    decay = float(np.exp(-n / rate_hz / thermal.time_constant_s))
-    rise = highest = 0.0
-    for watts in heat.reshape(-1, n).mean(axis=1).tolist():
-        rise = decay * rise + (1.0 - decay) * thermal.resistance_k_per_w * watts
-        highest = max(highest, rise)
-    return highest
+    heat = _intervals(resistance * motion.current**2, rate_hz)
+    decay = float(np.exp(-heat.shape[1] / rate_hz / thermal.time_constant_s))
+    gain = (1.0 - decay) * thermal.resistance_k_per_w
+    return float(scipy.signal.lfilter([gain], [1.0, -decay], heat.mean(axis=1)).max())

@@ -43,7 +43,7 @@ class Finding:
         of its number stands a field such as ``"{:.0%}"``: of several designs it is a range.
     number
         That number; None where there is none.
-    mend
+    repair
         Name of the edit that repairs it: ``"quieter"``, ``"band_limit"``,
         ``"probe_scaling"``, ``"deselect"``; "" where nothing does.
     factor

@@ -182,23 +182,18 @@ def stated_rate(members: Members) -> tuple[str, float] | None:
         shape = tuple(member.array.shape)
         if int(np.prod(shape)) != 1 or np.dtype(member.array.dtype).kind not in _KINDS:
             continue
-        rate_hz = _rate_named(
-            member.name.rpartition("/")[2], np.asarray(member.array[()]).ravel()[0]
-        )
+        rate_hz = _rate_named(member.name.rpartition("/")[2], np.asarray(member.array[()]))
         if rate_hz is not None:
             return member.name, rate_hz
     return None
 
 
-def _rate_named(name: str, value: object) -> float | None:
-    """Return ``value`` as a rate in Hz; None if ``name`` is not that of a rate."""
+def _rate_named(name: str, value: np.ndarray) -> float | None:
+    """Return the only number in an array as a rate in Hz; None if ``name`` is not that of one."""
     plain = re.sub(r"[^a-z]", "", name.lower())
     if not _RATE_NAMES.fullmatch(plain):
         return None
-    try:
-        rate_hz = float(np.asarray(value, np.float64).ravel()[0])
-    except (TypeError, ValueError, IndexError, OverflowError):
-        return None
+    rate_hz = float(value.item())
     return rate_hz if limits.LEAST_RATE_HZ <= rate_hz <= limits.MOST_RATE_HZ else None
 
 
@@ -392,6 +387,6 @@ def _attributes(dataset: Any) -> tuple[str, float | None]:
         if name.lower() in ("unit", "units"):
             text = value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
             unit = text[:40]
-        elif isinstance(value, np.generic | np.ndarray) and np.size(value) == 1:
-            rate_hz = _rate_named(name, value) or rate_hz
+        elif np.size(value) == 1 and (number := np.asarray(value)).dtype.kind in _KINDS:
+            rate_hz = _rate_named(name, number) or rate_hz
     return unit, rate_hz
