@@ -108,6 +108,7 @@ def test_a_prediction_of_a_long_tone_follows_from_the_responses():
 def test_each_channel_has_its_own_actuator_and_duty():
     rows = np.zeros((2, 13_000))
     rows[0, :1300] = rows[1, :6500] = 1.0
+    rows[1, 3000:6500], rows[1, 6500:] = 0.002, 0.0005
     loads = ss.actuators.predicted(rows, 13_000, [COIL, ss.actuators.load("kastor-2023-air")])
     assert [round(load.duty, 1) for load in loads] == [0.1, 0.5]
     assert loads[0].peak_displacement_m != loads[1].peak_displacement_m

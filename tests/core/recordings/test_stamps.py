@@ -52,11 +52,12 @@ def test_a_signal_with_jitter_is_itself_at_a_steady_rate():
     assert np.abs(steady - np.sin(2.0 * np.pi * 250.0 * times)).max() < 2e-2
 
 
-def test_a_gap_is_bridged_by_a_straight_line():
-    timestamps = np.concatenate((np.arange(200) / 1000.0, 0.5 + np.arange(200) / 1000.0))
+def test_gaps_are_bridged_by_straight_lines_even_to_a_single_sample():
+    timestamps = np.concatenate((np.arange(200) / 1000.0, [0.4], 0.5 + np.arange(200) / 1000.0))
     values = np.sin(timestamps * 900.0)
     steady = at_steady_rate(values, timestamps, Fraction(1000))
-    expected = np.interp(np.arange(200, 500) / 1000.0, [timestamps[199], 0.5], values[[199, 200]])
+    bridged = slice(199, 202)
+    expected = np.interp(np.arange(200, 500) / 1000.0, timestamps[bridged], values[bridged])
     np.testing.assert_allclose(steady[200:500], expected, atol=1e-12)
     assert np.abs(steady).max() <= 1.0001
 
