@@ -11,10 +11,10 @@ from PySide6.QtGui import QColor, QFontDatabase, QFontMetricsF, QPainter, QPaint
 from PySide6.QtWidgets import QWidget
 
 from skinsource.base.arrays import Floats
+from skinsource.limbs.hand import drawn_hand
 from skinsource.limbs.limb import LimbFacts, LimbMap
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of, own_map
-from skinsource.limbs.hand import drawn_hand
 from skinsource_gui.panels.hand.layout import (
     HandDrawing,
     HandLayout,

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QApplication, QToolTip
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.engine import evaluation
-from skinsource.limbs.own_limbs import install_limb
 from skinsource.limbs.hand import drawn_hand
+from skinsource.limbs.own_limbs import install_limb
 from skinsource_gui.panels.hand import layout as site_marker
 from skinsource_gui.panels.hand.layout import HandState, Mark, contrast, palmar_drawing, readable_on
 from skinsource_gui.panels.hand.panel import HandPanel
