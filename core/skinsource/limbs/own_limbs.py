@@ -504,7 +504,7 @@ def load_own_limb(name: str) -> Limb:
     FileFormatError, StorageError
         Its file is damaged, or cannot be read; raised by ``response_to`` too.
     """
-    file = _opened(name)
+    file = LimbFile(existing_path(name))
     limb = file.limb
     return Limb(
         name=name,
@@ -529,7 +529,7 @@ def mirror_limb(
 
     Raises as `load_own_limb`, and `Stopped` where ``stop`` returned true: it is as it was then.
     """
-    file = _opened(name)
+    file = LimbFile(existing_path(name))
     limb = replace(file.limb, mirrored=mirrored)
     responses = map(file.response, range(1, limb.n_inputs + 1))
     write_limb_file(file.path, limb, responses, progress=progress, stop=stop)
@@ -540,10 +540,6 @@ def remove_limb(name: str) -> None:
     path = existing_path(name)
     with storage_errors_of(path):
         path.unlink()
-
-
-def _opened(name: str) -> LimbFile:
-    return LimbFile(existing_path(name))
 
 
 def existing_path(name: str) -> Path:
