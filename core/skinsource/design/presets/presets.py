@@ -2,8 +2,7 @@
 
 A preset is a `skinsource.design.clips.Fragment` with a name, tags, a source and a description, in a
 file of its own: a JSON text with a checksum, see `skinsource.specs.codec`.  The shipped presets are
-in the data folder of the library, where ``python -m skinsource.design.presets`` writes them; those
-of the user are in the user's folder.
+in the data folder of the library; those of the user are in the user's folder.
 """
 
 import re
