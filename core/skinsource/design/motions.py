@@ -197,7 +197,7 @@ ROUNDS = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Alternation:
+class Alternation(fields.CheckedModel):
     """Bursts at each place of a path in turn, for a number of rounds.
 
     Burst k, counted from 0 through all rounds, starts k times the spacing after the first.
@@ -234,9 +234,6 @@ class Alternation:
     amplitude: float = fields.number(1.0, LEVEL)
     onset_s: float = fields.number(0.0, START)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
     @property
     def summary(self) -> str:
         """Describe the times in a phrase."""
@@ -257,7 +254,7 @@ SOA_PER_DURATION, SOA_OFFSET_S = 0.32, 0.0473
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ApparentMotion:
+class ApparentMotion(fields.CheckedModel):
     """Bursts at one place after the other that are felt as one smooth movement.
 
     Each burst starts 0.32 d + 47.3 ms after the one before; d is the duration of a burst.
@@ -289,9 +286,6 @@ class ApparentMotion:
     waveform: Waveform = fields.field(WAVEFORM, Tone(200.0, duration_s=0.1))
     amplitude: float = fields.number(1.0, LEVEL)
     onset_s: float = fields.number(0.0, START)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     @property
     def spacing_s(self) -> float:
@@ -325,7 +319,7 @@ POSITION = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Phantom:
+class Phantom(fields.CheckedModel):
     """The same waveform at two places, felt as one between them.
 
     At the position β from the first place (0) to the second (1), the first plays with sqrt(1 - β)
@@ -362,9 +356,6 @@ class Phantom:
     position: float = fields.number(0.5, POSITION)
     amplitude: float = fields.number(1.0, LEVEL)
     onset_s: float = fields.number(0.0, START)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     @property
     def shares(self) -> tuple[float, float]:
@@ -503,7 +494,7 @@ TAPS = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class TapSequence:
+class TapSequence(fields.CheckedModel):
     """The same number of taps at each place of a path, evenly spaced throughout.
 
     Tap k, counted from 0 through all places, starts k times the spacing after the first.
@@ -542,9 +533,6 @@ class TapSequence:
     spacing_s: float = fields.number(0.06, SPACING)
     amplitude: float = fields.number(1.0, LEVEL)
     onset_s: float = fields.number(0.0, START)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     @property
     def summary(self) -> str:
@@ -587,7 +575,7 @@ SPEED = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class TravellingPhase:
+class TravellingPhase(fields.CheckedModel):
     """The same steady tone at all places at once, with a phase that lags from place to place.
 
     At place k it starts with the phase of the waveform minus 2 pi frequency k distance / speed,
@@ -624,9 +612,6 @@ class TravellingPhase:
     speed_m_s: float = fields.number(5.0, SPEED)
     amplitude: float = fields.number(1.0, LEVEL)
     onset_s: float = fields.number(0.0, START)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     @property
     def lag_turns(self) -> float:

@@ -25,7 +25,7 @@ DUTY = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class Square:
+class Square(fields.CheckedModel):
     """A square wave without aliases: 1 for the first part of each period, then -1.
 
     Its Fourier series, 2 duty - 1 + sum of (4 / pi h) sin(pi h duty) cos(2 pi h (u - duty / 2))
@@ -56,9 +56,6 @@ class Square:
     phase_rad: float = fields.number(0.0, PHASE)
     window: WindowName = fields.choice("none", WINDOW)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,); 1 is the height of the square wave without limit of its band."""
         mean = 2.0 * self.duty - 1.0
@@ -71,7 +68,7 @@ class Square:
 
 
 @dataclass(frozen=True, slots=True)
-class Saw:
+class Saw(fields.CheckedModel):
     """A sawtooth wave without aliases: it rises from 0 to 1, falls to -1, and rises again.
 
     Its Fourier series, the sum of (2 / pi h) (-1)^(h + 1) sin(2 pi h u) at the turn
@@ -100,9 +97,6 @@ class Saw:
     phase_rad: float = fields.number(0.0, PHASE)
     window: WindowName = fields.choice("none", WINDOW)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,); 1 is the height of the saw without limit of its band."""
         return _harmonic_burst(self, _saw_series, sample_rate_hz, shift_s)
@@ -114,7 +108,7 @@ def _saw_series(harmonics: Floats) -> Complexes:
 
 
 @dataclass(frozen=True, slots=True)
-class Triangle:
+class Triangle(fields.CheckedModel):
     """A triangle wave without aliases: from 0 up to 1, down to -1, and back.
 
     Its Fourier series, the sum over odd h of (8 / pi² h²) (-1)^((h - 1) / 2) sin(2 pi h u) at
@@ -141,9 +135,6 @@ class Triangle:
     duration_s: float = fields.number(0.2, DURATION)
     phase_rad: float = fields.number(0.0, PHASE)
     window: WindowName = fields.choice("none", WINDOW)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,); 1 is the height of the triangle without limit of its band."""

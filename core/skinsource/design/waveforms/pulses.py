@@ -52,7 +52,7 @@ WIDTH = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class CentredTap:
+class CentredTap(fields.CheckedModel):
     """A tap whose mean is 0: as an acceleration it leaves neither velocity nor displacement.
 
     (cos(2 pi t / T) + cos(4 pi t / T)) / 2 for |t| <= T / 2: a crest of 1 and of a third of the
@@ -70,9 +70,6 @@ class CentredTap:
     title: ClassVar[str] = "Centred tap"
 
     width_s: float = fields.number(0.02, WIDTH)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     @property
     def duration_s(self) -> float:
@@ -127,7 +124,7 @@ DECAY = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class DampedSine:
+class DampedSine(fields.CheckedModel):
     """A sine with an exponential decay, as of a struck object.
 
     exp(-t / decay) sin(2 pi frequency t + phase).  The decay starts at 1, and the first crest, a
@@ -159,9 +156,6 @@ class DampedSine:
     duration_s: float = fields.number(0.2, DURATION)
     phase_rad: float = fields.number(0.0, PHASE)
     window: WindowName = fields.choice("none", WINDOW)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), below a decay that starts at 1."""

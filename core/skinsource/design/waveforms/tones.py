@@ -43,7 +43,7 @@ PHASE = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class Tone:
+class Tone(fields.CheckedModel):
     """A sine burst.
 
     Attributes
@@ -61,9 +61,6 @@ class Tone:
     phase_rad: float = fields.number(0.0, PHASE)
     duration_s: float = fields.number(0.2, DURATION)
     window: WindowName = fields.choice("tukey", WINDOW)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of peak 1."""
@@ -105,7 +102,7 @@ MODULATOR_PHASE = replace(
 
 
 @dataclass(frozen=True, slots=True)
-class AmplitudeModulated:
+class AmplitudeModulated(fields.CheckedModel):
     """A tone whose amplitude is modulated by a sine.
 
     (1 + depth cos(2 pi modulator t + modulator phase)) / (1 + depth)
@@ -135,9 +132,6 @@ class AmplitudeModulated:
     phase_rad: float = fields.number(0.0, PHASE)
     modulator_phase_rad: float = fields.number(0.0, MODULATOR_PHASE)
     window: WindowName = fields.choice("none", WINDOW)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of peak 1."""
@@ -172,7 +166,7 @@ DEVIATION = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class FrequencyModulated:
+class FrequencyModulated(fields.CheckedModel):
     """A tone whose frequency is modulated by a sine.
 
     sin(2 pi carrier t + phase + (deviation / modulator) (sin(2 pi modulator t + modulator phase)
@@ -210,9 +204,6 @@ class FrequencyModulated:
     )
     window: WindowName = fields.choice("none", WINDOW)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of peak 1."""
         check_below_half_rate("carrier_hz", self.carrier_hz, sample_rate_hz)
@@ -247,7 +238,7 @@ LAW = ChoiceSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class Chirp:
+class Chirp(fields.CheckedModel):
     """A sine whose frequency goes from f0 to f1 in the time T.
 
     sin(2 pi p(t) + phase), with p(t) = f0 t + (f1 - f0) t² / 2T (linear: the frequency is
@@ -278,9 +269,6 @@ class Chirp:
     law: Law = fields.choice("linear", LAW)
     phase_rad: float = fields.number(0.0, PHASE)
     window: WindowName = fields.choice("none", WINDOW)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of peak 1."""
