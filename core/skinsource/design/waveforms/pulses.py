@@ -11,9 +11,9 @@ from skinsource.base.arguments import positive_number
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import BAND_HZ, SAMPLE_RATE_HZ
 from skinsource.design.waveform import DURATION, WINDOW
-from skinsource.design.waveforms.tones import FREQUENCY, PHASE, count_of, instants
+from skinsource.design.waveforms.tones import FREQUENCY, PHASE, angles, count_of
 from skinsource.signals.generators import TAP_S, WindowName, impulse, sample_count, tap, white_noise
-from skinsource.signals.sampling import band_limited_delay, shift_of, turns
+from skinsource.signals.sampling import band_limited_delay, shift_of
 from skinsource.signals.synthesis import (
     about_middle,
     burst,
@@ -161,11 +161,9 @@ class DampedSine(fields.CheckedModel):
         """Drive, (n_times,), below a decay that starts at 1."""
         check_below_half_rate("frequency_hz", self.frequency_hz, sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
-        wave = turns(self.frequency_hz, n, sample_rate_hz, shift_s)
-        wave *= 2.0 * pi
-        wave += self.phase_rad
+        wave = angles(self.frequency_hz, self.phase_rad, n, sample_rate_hz, shift_s)
         np.sin(wave, out=wave)
-        decay = instants(self.duration_s, sample_rate_hz, shift_s)
+        decay = np.arange(n) / sample_rate_hz - shift_s
         decay /= -self.decay_s
         wave *= np.exp(decay, out=decay)
         return burst(wave, self.window, sample_rate_hz, shift_s)

@@ -79,10 +79,14 @@ def count_of(duration_s: float, sample_rate_hz: float, shift_s: float) -> int:
     return sample_count(duration_s, sample_rate_hz) + (shift_of(shift_s, sample_rate_hz) > 0.0)
 
 
-def instants(duration_s: float, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
-    """Return a waveform's own time at its samples, (n_times,), in s; with a shift from below 0."""
-    n = count_of(duration_s, sample_rate_hz, shift_s)
-    return np.arange(n) / sample_rate_hz - shift_s
+def angles(
+    frequency_hz: float, phase_rad: float, n: int, sample_rate_hz: float, shift_s: float
+) -> Floats:
+    """Return the angle of a steady wave at a waveform's samples, (n_times,), in rad."""
+    angle = turns(frequency_hz, n, sample_rate_hz, shift_s)
+    angle *= 2.0 * pi
+    angle += phase_rad
+    return angle
 
 
 CARRIER = replace(FREQUENCY, label="Carrier")
@@ -140,13 +144,9 @@ class AmplitudeModulated(fields.CheckedModel):
             highest_hz = self.carrier_hz + self.modulator_hz
             check_below_half_rate("carrier_hz + modulator_hz", highest_hz, sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
-        wave = turns(self.carrier_hz, n, sample_rate_hz, shift_s)
-        wave *= 2.0 * pi
-        wave += self.phase_rad
+        wave = angles(self.carrier_hz, self.phase_rad, n, sample_rate_hz, shift_s)
         np.sin(wave, out=wave)
-        swell = turns(self.modulator_hz, n, sample_rate_hz, shift_s)
-        swell *= 2.0 * pi
-        swell += self.modulator_phase_rad
+        swell = angles(self.modulator_hz, self.modulator_phase_rad, n, sample_rate_hz, shift_s)
         np.cos(swell, out=swell)
         swell *= self.depth
         swell += 1.0
@@ -219,9 +219,7 @@ class FrequencyModulated(fields.CheckedModel):
         np.sin(swing, out=swing)
         swing -= np.sin(self.modulator_phase_rad)
         swing *= self.deviation_hz / self.modulator_hz
-        wave = turns(self.carrier_hz, n, sample_rate_hz, shift_s)
-        wave *= 2.0 * pi
-        wave += self.phase_rad
+        wave = angles(self.carrier_hz, self.phase_rad, n, sample_rate_hz, shift_s)
         wave += swing
         return burst(np.sin(wave, out=wave), self.window, sample_rate_hz, shift_s)
 
