@@ -66,7 +66,7 @@ def test_what_does_not_fit_is_refused_whole(number):
     design = replace(FULL, inputs=FULL.inputs[: MAX_INPUTS - number + 1])
     outcome = edits.duplicate_inputs(design, View(), design.ids[:number])
     assert outcome == Refusal(
-        sentence=f"A design holds at most {MAX_INPUTS} inputs; remove one first."
+        sentence=f"A design holds at most {MAX_INPUTS} inputs; remove some first."
     )
     assert edits.place_input(FULL, View(), 3) == outcome
 

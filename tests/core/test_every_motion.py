@@ -204,7 +204,7 @@ def test_a_motion_that_does_not_fit_is_refused():
     full = Design(limb="synthetic-1", inputs=(Input(location=1),) * (MAX_INPUTS - 1))
     empty = Design(limb="synthetic-1")
     for design, motion, reason in (
-        (full, Phantom(), "Phantom takes 2 inputs more"),
+        (full, Phantom(), "at most 100 inputs"),
         (full, None, ""),
         (empty, Alternation(onset_s=600.0), "onset_s"),
     ):
