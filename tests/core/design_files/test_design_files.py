@@ -125,11 +125,10 @@ def test_a_waveform_that_nothing_could_read_is_computed_but_not_saved(tmp_path):
 
 
 def test_a_flipped_bit_is_refused_wherever_it_is(tmp_path):
-    """Any bit of the header, and every 61st bit behind it, which one checksum covers."""
     path = tmp_path / "small"
     save_design(path, Design(limb="synthetic-1", inputs=(track(location=1),)))
     stored = path.read_bytes()
-    for bit in (*range(8 * 512), *range(8 * 512, 8 * len(stored), 61)):
+    for bit in range(0, 8 * len(stored), 61):  # so every bit of a byte, and header and content
         damaged = bytearray(stored)
         damaged[bit // 8] ^= 1 << bit % 8
         path.write_bytes(damaged)

@@ -12,11 +12,11 @@ import pytest
 from skinsource.design import recovery
 from skinsource.design.design_file import open_design
 
-KILLS, INTERVAL_S, SEED = 200, 0.2, 20_261_122
+KILLS, INTERVAL_S, SEED = 100, 0.2, 20_261_122
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no system call makes so many writers quickly")
-def test_of_200_killed_writers_none_loses_more_than_one_interval(tmp_path):
+def test_of_100_killed_writers_none_loses_more_than_one_interval(tmp_path):
     program = Path(__file__).with_name("killed_writers.py")
     command = [sys.executable, program, tmp_path, str(KILLS), str(INTERVAL_S), str(SEED)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
