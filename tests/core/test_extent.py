@@ -33,17 +33,6 @@ def test_each_figure_is_its_formula():
     assert extent.d90_mm == within[0]
 
 
-def test_a_single_loud_output_has_the_extent_of_its_place():
-    rms = np.zeros(72)
-    rms[18] = 2.5
-    extent = ss.extent(rms, LIMB, 3)
-    here = distances_mm(LIMB, 3)[18]
-    assert extent.mean_distance_mm == pytest.approx(here)
-    assert extent.d90_mm == pytest.approx(here)
-    assert extent.participation == pytest.approx(1.0)
-    assert extent.share_above_12_db == pytest.approx(1 / 66)
-
-
 def test_the_unit_of_the_rms_does_not_matter_even_far_out():
     rms = np.random.default_rng(4).uniform(0.1, 1.0, 72)
     plain = ss.extent(rms, LIMB, 7)
@@ -84,24 +73,16 @@ def test_outputs_without_a_place_take_no_part():
     assert ss.extent(louder, LIMB, 7) == ss.extent(rms, LIMB, 7)
 
 
-def test_windows_follow_each_other_and_the_rest_is_left_out():
+@pytest.mark.parametrize(
+    ("length", "first", "n"), [(20, 7, 4), (103, 0, 1), (104, 0, 0), (5, 200, 0)]
+)
+def test_windows_follow_each_other_and_the_rest_is_left_out(length, first, n):
     signals = np.random.default_rng(6).standard_normal((3, 2, 103))
-    rms = ss.windowed_rms(signals, 20, first_sample=7)
-    assert rms.shape == (4, 3, 2)
-    for j in range(4):
-        piece = signals[..., 7 + 20 * j : 27 + 20 * j]
+    rms = ss.windowed_rms(signals, length, first_sample=first)
+    assert rms.shape == (n, 3, 2)
+    for j in range(n):
+        piece = signals[..., first + length * j : first + length * (j + 1)]
         np.testing.assert_allclose(rms[j], np.sqrt(np.mean(piece**2, axis=-1)), rtol=1e-14)
-
-
-def test_one_window_over_all_is_the_rms_of_the_record():
-    signals = np.random.default_rng(7).standard_normal((72, 651))
-    whole = ss.windowed_rms(signals, 651)
-    np.testing.assert_allclose(whole[0], np.sqrt(np.mean(signals**2, axis=-1)), rtol=1e-14)
-
-
-def test_a_signal_shorter_than_a_window_has_none():
-    assert ss.windowed_rms(np.ones((72, 10)), 11).shape == (0, 72)
-    assert ss.windowed_rms(np.ones((72, 10)), 5, first_sample=50).shape == (0, 72)
 
 
 def test_squares_of_windows_do_not_overflow():

@@ -41,22 +41,6 @@ def test_the_rule_gives_the_published_pairs_at_every_vertex(measured):
     assert len(ours.blind) == len(ours.single) == 0
 
 
-def test_the_rule_gives_the_published_table_at_every_ninth_vertex(measured):
-    from skinsource.limbs.dataset.store import load_measured_limb
-
-    map_ = load_measured_limb(1).map
-    placed = np.flatnonzero(np.isfinite(map_.output_positions[:, 0]))
-    vertex, output = np.meshgrid(np.arange(0, 1505, 9), placed, indexing="ij")
-    visible = sees(
-        sight_region(map_.outline, 1.0),
-        map_.outline[vertex.ravel()],
-        map_.output_positions[output.ravel()],
-    )
-    published = np.isfinite(map_.visibility[vertex, output])
-    assert 0.2 < published.mean() < 0.8
-    np.testing.assert_array_equal(visible.reshape(vertex.shape), published)
-
-
 def test_in_a_convex_outline_everything_is_seen_both_ways():
     random = np.random.default_rng(0)
     starts, ends = random.uniform(0, 100, (2, 300, 2))
@@ -130,33 +114,31 @@ def test_the_nearest_two_come_in_order_and_equals_by_number():
     np.testing.assert_allclose(distance[0], np.hypot(10, 50))
 
 
-def test_a_vertex_takes_both_neighbours_weighted_by_the_other_one_s_distance():
-    outputs = np.array([[30.0, 0.0], [np.nan, np.nan], [0.0, 10.0]])
-    boundary = boundary_by_sight(SQUARE, outputs, 1.0)
-    np.testing.assert_allclose(boundary.weights[0], [0.25, 0.0, 0.75])
-    assert len(boundary.blind) == len(boundary.single) == 0
+NOWHERE = (np.nan, np.nan)
 
 
-def test_a_vertex_that_carries_an_output_takes_its_value():
-    outputs = np.array([[100.0, 100.0], [50.0, 50.0]])
-    boundary = boundary_by_sight(SQUARE, outputs, 1.0)
-    np.testing.assert_array_equal(boundary.weights[2], [1.0, 0.0])
-
-
-def test_two_outputs_on_one_vertex_count_by_number():
-    outputs = np.array([[50.0, 50.0], [100.0, 100.0], [100.0, 100.0]])
-    boundary = boundary_by_sight(SQUARE, outputs, 1.0)
-    np.testing.assert_array_equal(boundary.weights[2], [0.0, 1.0, 0.0])
-
-
-def test_a_vertex_that_sees_one_output_takes_its_value():
-    outputs = np.array([[10.0, 90.0], [70.0, 90.0]])
-    boundary = boundary_by_sight(FORK, outputs, 1.0)
-    tip_left, tip_right = 7, 2
-    np.testing.assert_array_equal(boundary.weights[tip_left], [1.0, 0.0])
-    np.testing.assert_array_equal(boundary.weights[tip_right], [0.0, 1.0])
-    assert {tip_left, tip_right} <= set(boundary.single.tolist())
+@pytest.mark.parametrize(
+    ("outline", "outputs", "vertex", "weights", "kind"),
+    [
+        # Both neighbours, each weighted by the distance of the other one.
+        (SQUARE, [(30.0, 0.0), NOWHERE, (0.0, 10.0)], 0, [0.25, 0.0, 0.75], ""),
+        # An output on the vertex; of two there the one of the lower number.
+        (SQUARE, [(100.0, 100.0), (50.0, 50.0)], 2, [1.0, 0.0], ""),
+        (SQUARE, [(50.0, 50.0), (100.0, 100.0), (100.0, 100.0)], 2, [0.0, 1.0, 0.0], ""),
+        # The only output that is seen, on either prong, and the only one that there is.
+        (FORK, [(10.0, 90.0), (70.0, 90.0)], 7, [1.0, 0.0], "single"),
+        (FORK, [(10.0, 90.0), (70.0, 90.0)], 2, [0.0, 1.0], "single"),
+        (FORK, [NOWHERE, (10.0, 90.0)], 2, [0.0, 1.0], "blind"),
+    ],
+)
+def test_a_vertex_takes_the_values_of_the_outputs_that_it_sees(
+    outline, outputs, vertex, weights, kind
+):
+    boundary = boundary_by_sight(outline, np.array(outputs), 1.0)
+    np.testing.assert_allclose(boundary.weights[vertex], weights, atol=1e-15)
     np.testing.assert_allclose(boundary.weights.sum(axis=1), 1.0, atol=1e-15)
+    assert (vertex in boundary.single) == (kind == "single")
+    assert (vertex in boundary.blind) == (kind == "blind")
 
 
 def test_a_vertex_that_sees_none_takes_the_two_with_the_shortest_way_inside():
@@ -203,12 +185,6 @@ def test_where_no_way_leads_the_straight_distance_has_to_do():
     boundary = boundary_by_sight(outline, outputs, 1.0)
     near, far = np.hypot(*(outline[right] - outputs).T)
     assert boundary.weights[right, 0] == pytest.approx(far / (near + far))
-
-
-def test_a_single_output_is_the_value_everywhere():
-    boundary = boundary_by_sight(FORK, np.array([[np.nan, np.nan], [10.0, 90.0]]), 1.0)
-    np.testing.assert_array_equal(boundary.weights, np.tile([0.0, 1.0], (8, 1)))
-    assert len(boundary.blind) > 0
 
 
 def test_a_given_table_is_followed_and_its_blind_vertices_are_led_inside():
