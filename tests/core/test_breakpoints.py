@@ -125,14 +125,6 @@ def test_points_that_were_checked_before_stay_the_very_same_and_are_judged_where
     assert checked[1] is points[100]
 
 
-def test_ten_thousand_points_are_a_curve():
-    times = np.linspace(0.0, 600.0, 10_000)
-    points = tuple((time, abs(np.sin(time)), "smooth") for time in times.tolist())
-    values = Envelope(points).values_at(np.linspace(0.0, 600.0, 100_000))
-    assert values.max() <= 1.0
-    assert values == pytest.approx(np.abs(np.sin(np.linspace(0.0, 600.0, 100_000))), abs=4e-2)
-
-
 @given(drawn(gap_s=0.001), st.lists(st.floats(0.0, 1.2), min_size=1, max_size=4))
 def test_points_are_added_without_changing_the_curve(points, times_s):
     after = points

@@ -92,13 +92,6 @@ def test_where_clips_are_removed_the_next_one_is_selected_or_else_the_last(gone,
     assert edits.remove_clips(four, View(), gone).view.selected_clips == selected
 
 
-def test_a_track_whose_last_clip_is_removed_stays():
-    last = edits.remove_clips(DESIGN, VIEW, (5,))
-    assert last.view.selected_clips == ()
-    assert last.label == "Remove clip at 11 (I base)"
-    assert tracks(last.design) == [[1, 2], [3, 4], [], []]
-
-
 def test_gain_label_and_silence_of_clips_are_set_by_name():
     design = edits.set_clips(DESIGN, VIEW, (1, 5), "gain", 3).design
     assert [clip.gain for clip in design.clips] == [3.0, -0.5, 1.0, 1.0, 3.0]
@@ -196,6 +189,8 @@ def test_duplicates_come_right_after_and_repetitions_in_a_row():
 def test_a_fragment_lies_elsewhere_as_it_lay_here():
     fragment = edits.fragment_of(DESIGN, (2, 3, 5))
     assert fragment.duration_s == pytest.approx(0.7)
+    lower = edits.fragment_of(DESIGN, (3, 5))
+    assert [(lane.location, lane.offset) for lane in lower.lanes] == [(2, 0), (11, 1)]
     outcome = edits.paste_fragment(DESIGN, View(selected_inputs=(2,)), fragment, 1.0)
     design = outcome.design
     assert tracks(design) == [[1, 2], [3, 4, 6], [5, 7], [8]]
@@ -217,14 +212,6 @@ def test_what_was_copied_from_selected_tracks_is_pasted_onto_them(order):
     assert len(again.design.inputs) == len(DESIGN.inputs)
 
 
-def test_a_fragment_of_lower_tracks_begins_with_the_first_of_them():
-    four = DESIGN.with_input(3, clips=(Clip(id=9),))
-    fragment = edits.fragment_of(four, (3, 9))
-    assert [(lane.location, lane.offset) for lane in fragment.lanes] == [(2, 0), (12, 2)]
-    pasted = edits.paste_fragment(four, View(selected_inputs=(1,)), fragment, 0.5)
-    assert [len(track.clips) for track in pasted.design.inputs] == [3, 2, 2, 1]
-
-
 def test_a_fragment_travels_as_text():
     fragment = edits.fragment_of(DESIGN, (1, 4))
     text = edits.fragment_text(fragment)
@@ -244,10 +231,11 @@ def test_a_text_that_can_be_read_and_not_be_written_is_damaged(value):
         edits.fragment_from(json.dumps(text).replace('"HERE"', value))
 
 
-def test_what_is_cut_leaves_no_other_clip_selected():
+def test_what_is_cut_leaves_no_other_clip_selected_and_its_track():
     outcome = edits.cut_clips(DESIGN, VIEW, (2, 5))
     assert tracks(outcome.design) == [[1], [3, 4], [], []]
     assert outcome.view.selected_clips == ()
+    assert outcome.label == "Cut 2 clips"
 
 
 @few
@@ -475,14 +463,11 @@ NAN = float("nan")
     ("outcome", "reason"),
     [
         (edits.add_clip(DESIGN, VIEW, 9, 0.0, Tap()), "no longer there"),
-        (edits.add_clip(DESIGN, VIEW, 1, -0.1, Tap()), "onset_s"),
         (edits.add_clip(DESIGN, VIEW, 1, 0.0, None), "waveform"),
         (edits.add_clip(FULL, VIEW, 1, 0.0, Tap()), "at most 1000 clips"),
         (edits.move_clips(DESIGN, VIEW, (9,), 0.1), "No clip is selected"),
         (edits.move_clips(DESIGN, VIEW, (1,), NAN), "a number of seconds"),
-        (edits.move_clips(DESIGN, VIEW, (1,), 0.1, 0.5), "whole numbers"),
         (edits.copy_clips(FULL, VIEW, (1,), 0.1), "at most 1000 clips"),
-        (edits.repeat_clips(DESIGN, VIEW, (1,), 1), "1"),
         (edits.repeat_clips(DESIGN, VIEW, (1,), 10**9), "1000"),
         (edits.split_clips(DESIGN, VIEW, (1,), 0.05), "None of the selected clips plays at 0.05"),
         (edits.split_clips(DESIGN, VIEW, (1,), 0.1), "The selected clip begins at 0.1 s"),
@@ -495,28 +480,16 @@ NAN = float("nan")
         (edits.split_clips(LATE, VIEW, (1,), 650.0), "none can begin after 600 s"),
         (edits.insert_time(LATE, VIEW, 650.0, 0.5), "none can begin after 600 s"),
         (edits.remove_time(LATE, VIEW, 649.95, 650.0), "none can begin after 600 s"),
-        (edits.join_clips(DESIGN, VIEW, (1, 2)), ""),
-        (edits.trim_clip(DESIGN, VIEW, 9, 0.0, 1.0), ""),
         (edits.trim_clip(DESIGN, VIEW, 1, NAN, 1.0), "a number of seconds"),
-        (edits.set_clips(DESIGN, VIEW, (1,), "id", 3), ""),
         (edits.remove_clips(DESIGN, VIEW, ()), "No clip is selected"),
-        (edits.cut_clips(DESIGN, VIEW, ()), "No clip is selected"),
-        (edits.paste_fragment(DESIGN, VIEW, LANES, -1.0), ""),
         (edits.paste_fragment(FULL, VIEW, LANES, 0.0), "at most 1000 clips"),
         (edits.paste_fragment(CROWD, View(selected_inputs=(100,)), LANES, 0.0), "100 inputs"),
         (edits.move_clips_to_place(DESIGN, VIEW, (2,), 0), "location"),
         (edits.move_clips_to_place(CROWD, VIEW, (1,), 5), "at most 100 inputs"),
-        (edits.insert_time(DESIGN, VIEW, 0.1, 0.0), ""),
         (edits.insert_time(DESIGN, VIEW, 0.0, 600.0), "onset_s"),
-        (edits.remove_time(DESIGN, VIEW, 0.3, 0.2), ""),
-        (edits.add_marker(DESIGN, VIEW, -1.0), "time_s"),
-        (edits.move_marker(DESIGN, VIEW, 3, 0.1), ""),
+        (edits.move_marker(DESIGN, VIEW, 3, 0.1), "no longer there"),
         (edits.rename_marker(DESIGN, VIEW, 0, "two\nlines"), "one line"),
-        (edits.remove_marker(DESIGN, VIEW, -1), ""),
-        (edits.set_loop(DESIGN, VIEW, (1.0, 1.0)), "loop_s"),
         (edits.set_gain_curve(DESIGN, VIEW, 1, ((0.0, -1.0),)), "gain_curve"),
-        (edits.set_gain_curve(DESIGN, VIEW, 9, ()), "No input is selected"),
-        (edits.move_playhead(DESIGN, VIEW, -1.0), "playhead_s"),
     ],
 )
 def test_what_cannot_be_done_is_refused_with_a_reason(outcome, reason):

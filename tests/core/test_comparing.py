@@ -146,17 +146,6 @@ def test_one_key_goes_to_and_fro_between_equal_ones_too_where_there_are_no_other
     assert other_snapshot(view.snapshots, DESIGN).number == 3
 
 
-def test_what_was_edited_and_is_stored_then_is_not_compared_with_itself():
-    _, view = store(DESIGN, View(), 1)
-    design, view = toggle(OTHER, view)
-    design, view = toggle(design, view)
-    design, view = store(design, view, 2)
-    assert other_snapshot(view.snapshots, design).number == 1
-    view = replace(view, snapshots=view.snapshots[1:])
-    assert [snapshot.number for snapshot in view.snapshots] == [EDITED, 2]
-    assert other_snapshot(view.snapshots, design) is None
-
-
 def test_what_was_edited_comes_back():
     _, view = store(DESIGN, View(), 1)
     design, view = toggle(OTHER, view)
@@ -186,14 +175,6 @@ def test_with_levels_matched_the_way_back_leads_to_the_same_numbers():
     assert isinstance(edits.show_snapshot(DESIGN, view, 2, 1e7), Refusal)
 
 
-def test_levels_are_not_matched_unless_that_is_asked_for():
-    _, view = store(DESIGN, View(), 1)
-    view = edits.show_snapshot(DESIGN, view, 1, 0.5).view
-    assert not view.levels_matched
-    assert view.match_gain(DESIGN) == 1.0
-    assert edits.match_levels(DESIGN, view, on=True).view.match_gain(DESIGN) == 0.5
-
-
 def test_only_the_snapshot_that_is_shown_has_its_gain_and_what_is_edited_has_none():
     _, view = store(OTHER, MATCHED, 1)
     _, view = store(DESIGN, view, 2)
@@ -201,6 +182,7 @@ def test_only_the_snapshot_that_is_shown_has_its_gain_and_what_is_edited_has_non
     assert view.match_gain(DESIGN) == 0.5
     assert view.match_gain(THIRD) == 1.0
     assert replace(view, levels_matched=False).match_gain(DESIGN) == 1.0
+    assert edits.match_levels(DESIGN, replace(view, levels_matched=False), on=True).view == view
     # Under another number too it stays as loud as it is.
     assert store(DESIGN, view, 3)[1].match_gain(DESIGN) == 0.5
 

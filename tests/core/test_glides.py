@@ -76,31 +76,6 @@ def test_a_curve_has_the_points_at_which_it_bends(points, frequency, amplitude):
     assert curve_of(points, "amplitude") == amplitude
 
 
-@pytest.mark.parametrize(
-    ("column", "curve", "expected"),
-    [
-        (
-            "frequency",
-            ((0.0, 100.0), (0.25, 50.0), (0.5, 100.0)),
-            (
-                (0.0, 100.0, 0.0),
-                (0.1, 80.0, 1.0),
-                (0.25, 50.0, 1.0),
-                (0.4, 80.0, 1.0),
-                (0.5, 100.0, 0.0),
-            ),
-        ),
-        (
-            "amplitude",
-            ((0.0, 1.0), (0.25, 1.0)),
-            ((0.0, 60.0, 1.0), (0.1, 60.0, 1.0), (0.25, 150.0, 1.0)),
-        ),
-    ],
-)
-def test_another_curve_keeps_the_points_of_the_other_one_as_far_as_it_goes(column, curve, expected):
-    assert with_curve(POINTS, column, curve) == expected
-
-
 def test_a_longer_curve_holds_the_other_one_and_one_without_points_is_refused():
     assert with_curve(POINTS, "amplitude", ((0.0, 1.0), (0.8, 1.0)))[-1] == (0.8, 240.0, 1.0)
     with pytest.raises(InvalidInputError, match="empty"):

@@ -16,7 +16,7 @@ from skinsource.design.waveforms.pulses import CentredTap, Impulse, Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelet_train import EQUALISE, WaveletTrain, frequency_sweep
 from skinsource.design.waveforms.wavelets import Morlet, Ricker
-from skinsource.signals.generators import sinusoid, tap, white_noise
+from skinsource.signals.generators import sinusoid, white_noise
 from skinsource.signals.synthesis import harmonics_below, sum_of_harmonics
 
 RATE_HZ = 1300.0
@@ -48,17 +48,6 @@ def test_a_shifted_burst_of_an_hour_is_exact():
     k = samples.size - 2
     exact = float(Fraction(250.1) * (Fraction(k, 1300) - Fraction(shift_s)) % 1)
     assert samples[k] == pytest.approx(math.sin(2 * math.pi * exact), abs=1e-12)
-
-
-def test_a_tap_is_the_same_pulse_at_any_rate_and_shift():
-    for rate_hz, shift_s in [(1300.0, 5e-4), (48000.0, 0.0), (48000.0, 1e-5), (8000.0, 1e-4)]:
-        samples = Tap().samples(rate_hz, shift_s)
-        assert abs(samples.size / rate_hz - 21 / 1300) <= 1.5 / rate_hz
-        time_s = np.arange(samples.size) / rate_hz - shift_s
-        pulse = 0.5 * (1 - np.cos(2 * np.pi * (time_s * 1300 + 1) / 22))
-        expected = np.where((time_s >= 0) & (time_s < 21 / 1300), pulse, 0.0)
-        np.testing.assert_allclose(samples, expected, rtol=0, atol=1e-12)
-    assert tap(0.1, sample_rate_hz=48000.0).size == 4800 + 775
 
 
 def test_an_impulse_is_one_sample_at_any_rate_and_two_between_samples():
