@@ -1,6 +1,5 @@
 """The same words for the same things, in the window, on the command line and in files."""
 
-import doctest
 from dataclasses import replace
 from pathlib import Path
 
@@ -50,10 +49,6 @@ def test_every_value_of_a_choice_has_a_title_and_a_sentence(options, names):
     assert tuple(word.name for word in options) == names
     assert len({word.title for word in options}) == len(names)
     assert all(word.sentence.endswith(".") for word in options)
-
-
-def test_examples_in_the_docstrings_are_true():
-    assert doctest.testmod(labels).failed == 0
 
 
 def test_words_of_something_unknown_are_its_name():

@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-import skinsource as ss
 from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.design import edits
 from skinsource.design.clips import MAX_CLIPS, MAX_EFFECTS, Clip, Marker
@@ -509,17 +508,3 @@ def test_a_full_chain_that_ends_in_a_trim_can_be_cut():
 def test_a_clip_that_plays_longer_than_an_hour_is_none(inside, effects):
     with pytest.raises(InvalidInputError, match="expected at most 3600 s"):
         Clip(waveform=inside, effects=effects)
-
-
-@pytest.mark.parametrize("kind", ["clips of a track", "parts of layers"])
-def test_the_order_of_three_alike_clips_changes_no_bit(kind):
-    clips = [Clip(waveform=Tone(frequency_hz), gain=0.3) for frequency_hz in (50.0, 77.0, 131.0)]
-    orders = [clips, clips[::-1], [clips[1], clips[0], clips[2]], [clips[2], clips[0], clips[1]]]
-    if kind == "parts of layers":
-        results = [Layers(tuple(order)).samples(1300.0) for order in orders]
-    else:
-        results = [
-            ss.evaluate(design_of(*order), "output_levels_db")["output_levels_db"]
-            for order in orders
-        ]
-    assert all(np.array_equal(each, results[0]) for each in results)

@@ -237,18 +237,10 @@ def test_rectified_samples_are_their_magnitudes_or_what_is_above_nothing(samples
 @given(signals, st.floats(0.01, 1000.0), st.floats(1e-6, 1000.0))
 def test_soft_clipping_limits_and_keeps_order_and_sign(samples, drive, level):
     clipped = SoftClip(drive, level).applied(samples, RATE_HZ)
+    assert clipped == pytest.approx(level * np.tanh(drive / level * samples), rel=1e-9)
     assert np.abs(clipped).max() <= level
-    assert np.array_equal(clipped, -SoftClip(drive, level).applied(-samples, RATE_HZ))
     order = np.argsort(samples, kind="stable")
     assert (np.diff(clipped[order]) >= 0).all()
-
-
-def test_soft_clipping_drives_what_is_weak():
-    weak = 1e-4 * TONE.samples(RATE_HZ)
-    assert SoftClip(3.0, 0.5).applied(weak, RATE_HZ) == pytest.approx(3 * weak, rel=1e-6)
-    assert SoftClip(2.0, 0.5).applied(np.array([0.25]), RATE_HZ)[0] == pytest.approx(
-        0.5 * np.tanh(1.0)
-    )
 
 
 def test_values_between_samples_are_those_of_the_signal():

@@ -60,14 +60,6 @@ def test_at_any_rate_and_between_samples_it_is_the_signal(own_hz, rate_hz, part)
         )
 
 
-@pytest.mark.parametrize("n", [1, 13, 27, 1001])
-def test_it_is_as_long_at_any_rate_as_it_says(n):
-    recipe = Drawn(Samples(values=np.ones(n), sample_rate_hz=48000.0))
-    assert recipe.duration_s == n / 48000.0
-    for rate_hz in (1300.0, 44100.0, 48000.0, 96000.0):
-        assert recipe.samples(rate_hz).size == int(n * rate_hz / 48000.0 + 0.5)
-
-
 @both
 def test_a_list_or_an_array_is_taken_as_samples_at_1300_hz(kind):
     for values in ([0.0, 1.0, -0.5], (0.0, 1.0, -0.5), np.array([0.0, 1.0, -0.5])):
