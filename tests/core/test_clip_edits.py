@@ -299,15 +299,6 @@ def test_ends_that_are_dragged_trim_and_come_back(ends, onset_s, effects):
     assert edits.trim_clip(outcome.design, VIEW, 1, 0.1, 0.3).design == DESIGN
 
 
-def test_what_is_trimmed_stands_still():
-    alone = edits.remove_clips(DESIGN, VIEW, (2,)).design
-    before = total(alone, 0)
-    inside = np.zeros(5000, bool)
-    inside[int(np.ceil(0.1503 * RATE_HZ)) : int(np.ceil(0.2207 * RATE_HZ))] = True
-    after = total(edits.trim_clip(alone, VIEW, 1, 0.1503, 0.2207).design, 0)
-    np.testing.assert_allclose(after, np.where(inside, before, 0.0), rtol=0, atol=1e-9)
-
-
 def test_a_clip_shorter_than_a_drag_leaves_is_trimmed_to_itself():
     whole = design_of(Clip(onset_s=0.5, waveform=Layers((Clip(effects=(Trim(0.1, 0.0004),)),))))
     [clip] = edits.trim_clip(whole, VIEW, 1, 0.2, 0.9).design.clips

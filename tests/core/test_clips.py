@@ -9,14 +9,12 @@ from hypothesis import strategies as st
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
-from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.samples import Layers
 from skinsource.design.waveforms.tones import Tone
-from skinsource.design.waveforms.wavelets import Gabor
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.signals.sampling import on_grid
 
@@ -123,21 +121,6 @@ def test_clips_far_apart_are_summed_block_by_block(onset_s, times):
     n_once, n_far = 130 + 521, round(onset_s * RATE_HZ) + 130 + 521
     energy = levels(far) ** 2 * n_far / (once**2 * n_once)
     np.testing.assert_allclose(energy, times, rtol=1e-9)
-
-
-def test_levels_do_not_depend_on_how_a_track_was_cut():
-    rng = np.random.default_rng(3)
-    for waveform in (Tone(frequency_hz=377.7), Noise(seed=2), Gabor(frequency_hz=100.0)) * 2:
-        whole = Design(
-            limb="synthetic-1", inputs=(track(7, waveform, onset_s=float(rng.uniform(0, 1))),)
-        )
-        cut, [uncut] = whole, whole.clips
-        for part in rng.uniform(0.05, 0.95, 3):
-            ids = tuple(clip.id for clip in cut.clips)
-            at_s = uncut.onset_s + float(part) * uncut.duration_s
-            cut = edits.split_clips(cut, View(), ids, at_s).design
-        assert len(cut.clips) == 4
-        np.testing.assert_allclose(levels(*cut.inputs), levels(*whole.inputs), rtol=1e-12)
 
 
 def test_clips_get_the_smallest_free_ids_and_keep_them():

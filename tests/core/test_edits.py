@@ -187,10 +187,6 @@ def test_a_zoom_stays_on_the_same_piece_when_the_delay_goes():
     [
         edits.change_limb(THREE, LAST, "measured-9"),
         edits.change_scaling(THREE, LAST, "loud"),
-        edits.look_along(THREE, LAST, "zyx"),
-        edits.select_outputs(THREE, LAST, (1, 1)),
-        edits.move_inputs(THREE, LAST, (1,), 10_001),
-        edits.place_input(THREE, LAST, 0),
         edits.place_input(FULL, LAST, 3),
         edits.duplicate_inputs(replace(FULL, inputs=FULL.inputs[:-2]), LAST, (1, 2, 3)),
         edits.change_field(THREE, LAST, (1,), "frequency_hz", float("nan")),
@@ -198,7 +194,6 @@ def test_a_zoom_stays_on_the_same_piece_when_the_delay_goes():
         edits.drag_field(THREE, LAST, (1, 3), "amplitude", float("inf"), lead=1, start=THREE),
         edits.change_kind(THREE, LAST, (1,), "Siren"),
         edits.remove_inputs(THREE, LAST, (9,)),
-        edits.mute_inputs(THREE, LAST, (1,), "yes"),
         edits.clear_inputs(Design(limb="synthetic-1"), LAST),
     ],
 )

@@ -170,9 +170,6 @@ def test_a_motion_has_a_track_for_each_place_and_later_it_is_the_same_later(kind
     ("kind", "changes"),
     [
         *((kind, {"path": bad}) for kind in MOTIONS for bad in ((3,), (3, 0))),
-        *((kind, {"onset_s": -0.1}) for kind in MOTIONS),
-        *((kind, {"amplitude": -1.0}) for kind in MOTIONS),
-        *((kind, {"waveform": "Tone"}) for kind in MOTIONS),
         (Phantom, {"path": (3, 3)}),
         (Phantom, {"path": (3, 4, 5)}),
         (Phantom, {"position": 1.01}),

@@ -9,8 +9,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.design import Design, track
-from skinsource.design.design_file import open_design, save_design
 from skinsource.design.edits.edit import as_kind
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.samples import Drawn, Recording
@@ -84,21 +82,6 @@ def test_what_is_drawn_has_no_unit_and_what_is_recorded_any_and_a_rate():
     for bad in (0.0, -1.0, "48000"):
         with pytest.raises(InvalidInputError, match="source_rate_hz"):
             Recording([1.0], source_rate_hz=bad)
-
-
-def test_it_is_kept_in_files_once(tmp_path):
-    samples = stored(250.0, 48000.0)
-    plays = (Recording(samples, "tap.wav", 96000.0), Drawn(samples), Recording(samples))
-    path = tmp_path / "twice.skinsource"
-    save_design(path, Design(limb="synthetic-1", inputs=(track(7, plays[0]),)))
-    size = path.stat().st_size
-    extremes = Drawn([5e-324, -0.0, 1.7e308])
-    inputs = tuple(track(7, play) for play in (*plays, extremes))
-    save_design(path, Design(limb="synthetic-1", inputs=inputs))
-    opened = open_design(path).design
-    assert opened == Design(limb="synthetic-1", inputs=inputs)
-    assert repr(opened.clips[3].waveform) == repr(extremes)
-    assert path.stat().st_size < size + samples.values.nbytes // 4
 
 
 @both
