@@ -15,8 +15,7 @@ from skinsource.design.design import (
     audible_inputs,
     track,
 )
-from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.pulses import Tap
 from skinsource.limbs.scaling import SCALINGS
 
 THREE = Design(limb="synthetic-1", inputs=tuple(track(location=k, colour=k) for k in (1, 2, 3)))
@@ -64,13 +63,6 @@ def test_a_hundred_inputs_are_allowed_and_no_more():
     full = Design(limb="synthetic-1", inputs=(track(location=1),) * MAX_INPUTS)
     with pytest.raises(InvalidInputError, match="expected a tuple of 0 to 100 parts"):
         full.adding(track(location=2))
-
-
-def test_equal_designs_are_equal_and_can_be_keys():
-    again = Design(limb="synthetic-1", inputs=tuple(track(location=k, colour=k) for k in (1, 2, 3)))
-    assert again == THREE
-    assert hash(again) == hash(THREE)
-    assert track(location=1, waveform=Tone()) != track(location=1, waveform=Noise())
 
 
 @pytest.mark.parametrize(

@@ -7,13 +7,11 @@ from hypothesis import strategies as st
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.clips import Clip
-from skinsource.design.effects.effect import own_duration_s
 from skinsource.design.effects.level import BandLimit, Envelope, Fade, Rectify, SoftClip
 from skinsource.design.effects.playing import played, played_s
 from skinsource.design.effects.time import Repeat, Reverse, Stretch, Trim, stretched_by
 from skinsource.design.waveforms.samples import Formula
 from skinsource.design.waveforms.tones import Tone
-from skinsource.signals.sampling import values_between
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=100.0, duration_s=0.2, window="none")
@@ -243,17 +241,6 @@ def test_soft_clipping_limits_and_keeps_order_and_sign(samples, drive, level):
     assert (np.diff(clipped[order]) >= 0).all()
 
 
-def test_values_between_samples_are_those_of_the_signal():
-    chirp = Formula(text="chirp(30, 550)*hann()", duration_s=0.5)
-    samples = chirp.samples(RATE_HZ)
-    places = np.sort(np.random.default_rng(1).uniform(0, samples.size - 1, 500))
-    fine = chirp.samples(RATE_HZ * 64)
-    nearest = np.rint(places * 64).astype(int)
-    assert np.abs(values_between(samples, nearest / 64) - fine[nearest]).max() < 2e-5
-    assert np.abs(values_between(samples, np.arange(samples.size * 1.0)) - samples).max() < 1e-12
-    assert not values_between(samples, np.array([-200.0, samples.size + 200.0])).any()
-
-
 def test_effects_work_one_after_the_other_and_lengths_follow_them():
     tone = TONE.samples(RATE_HZ)
     limited = played(TONE, (Rectify("half"), SoftClip(3.0)), RATE_HZ)
@@ -277,10 +264,3 @@ def test_each_effect_takes_samples_at_the_instants_that_it_needs(shift):
     own = (np.arange(samples.size) - shift) / RATE_HZ
     expected = np.where(own >= 0.0, own + 30.75 / RATE_HZ, 0.0)
     assert samples == pytest.approx(expected, abs=1e-12)
-
-
-def test_how_long_samples_play_is_told_or_counted():
-    assert own_duration_s(np.zeros(13), RATE_HZ, 0.0, None) == 0.01
-    assert own_duration_s(np.zeros(14), RATE_HZ, 0.0002, None) == 0.01
-    assert own_duration_s(np.zeros(0), RATE_HZ, 0.0002, None) == 0.0
-    assert own_duration_s(np.zeros(13), RATE_HZ, 0.0, 0.0096) == 0.0096

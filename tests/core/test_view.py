@@ -28,11 +28,6 @@ def test_settings_that_are_not_plain_pairs_are_refused(panels):
         View(panels=panels)
 
 
-@pytest.mark.parametrize(("ids", "last"), [((), None), ((3,), 3), ((3, 1), 1)])
-def test_the_input_that_was_selected_last_stands_apart(ids, last):
-    assert View(selected_inputs=ids).selected_input == last
-
-
 def test_settings_of_panels_are_held_by_name():
     view = View(panels=(("skin", (("b", 1.5), ("a", None))), ("map", (("c", (1.0, 2.0)),))))
     other = View(panels=(("map", (("c", (1.0, 2.0)),)), ("skin", (("a", None), ("b", 1.5)))))

@@ -188,8 +188,6 @@ def test_a_sweep_never_turns_back(low_hz, factor, count, spacing):
     ("given", "what"),
     [
         ((400.0, 50.0, 5), "low_hz is 400"),
-        ((0.0, 50.0, 5), "low_hz is 0"),
-        ((50.0, math.nan, 5), "high_hz"),
         ((50.0, 400.0, 0), "count is 0"),
         ((50.0, 400.0, 5, "cubic"), "spacing"),
         ((50.0, 400.0, 5, "linear", "sideways"), "order"),

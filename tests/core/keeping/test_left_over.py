@@ -111,11 +111,8 @@ def test_what_killed_writers_left_anywhere_is_cleared_away(tmp_path, left_by_a_k
     ("seconds", "text"),
     [
         (-5.0, "less than a minute ago"),
-        (59.9, "less than a minute ago"),
         (60.0, "1 minute ago"),
         (3599.0, "59 minutes ago"),
-        (3600.0, "1 hour ago"),
-        (90_000.0, "1 day ago"),
         (200_000.0, "2 days ago"),
     ],
 )
