@@ -61,6 +61,7 @@ def test_a_duplicate_is_the_same_but_for_id_and_colour():
     ("gone", "selected", "then"),
     [
         ((1,), (1,), (2,)),
+        ((2,), (2,), (3,)),
         ((3,), (3,), (2,)),
         ((1, 2), (2, 1), (3,)),
         ((1,), (1, 3), (3,)),
