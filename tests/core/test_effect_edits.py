@@ -171,12 +171,8 @@ def test_a_new_part_of_layers_is_a_clip_of_any_waveform():
         assert type(made.waveform) is kind
     with pytest.raises(InvalidInputError, match="Clip is 'Fade', expected one of Tone, Chirp"):
         new_part(PARTS.of, "Fade")
-
-
-def test_a_new_effect_in_a_list_fits_the_clip_that_holds_it():
     short = Clip(waveform=Tone(100.0, duration_s=0.02))
     assert new_part(EFFECT_LIST.of, "Fade", short) == Fade(0.005, 0.005)
-    assert new_part(EFFECT_LIST.of, "Fade") == Fade()
 
 
 @pytest.mark.parametrize(
