@@ -114,8 +114,9 @@ def move_clips(
     design: Design, view: View, ids: Iterable[int], by_s: float, by_tracks: int = 0
 ) -> Edit | Refusal:
     """Move clips together in time and to other tracks, as far as all of them can move."""
-    moved = _moved_clips(design, ids, by_s, by_tracks)
-    return _with_moved_clips(design, view, f"Move {_text_of(design, moved)}", moved)
+    chosen = chosen_clips(design, ids)
+    moved = _moved(design, chosen, by_s, by_tracks)
+    return _with_moved_clips(design, view, f"Move {clips_text(design, chosen)}", moved)
 
 
 @refusing
@@ -123,8 +124,9 @@ def copy_clips(
     design: Design, view: View, ids: Iterable[int], by_s: float, by_tracks: int = 0
 ) -> Edit | Refusal:
     """Put copies of clips at another time and on other tracks, and select the copies."""
-    moved = _moved_clips(design, ids, by_s, by_tracks)
-    return _with_new_clips(design, view, f"Copy {_text_of(design, moved)}", moved)
+    chosen = chosen_clips(design, ids)
+    moved = _moved(design, chosen, by_s, by_tracks)
+    return _with_new_clips(design, view, f"Copy {clips_text(design, chosen)}", moved)
 
 
 @refusing
@@ -259,18 +261,6 @@ def _with_moved_clips(
     return Edit(label=label, design=after, view=clips_selected(after, view, selected))
 
 
-def _moved_clips(
-    design: Design, ids: Iterable[int], by_s: float, by_tracks: int
-) -> list[tuple[int, Clip]]:
-    """Return clips at their new places, see `_moved`."""
-    chosen = chosen_clips(design, ids)
-    if isinstance(by_s, bool) or not isinstance(by_s, int | float) or by_s != by_s:
-        raise InvalidInputError(NO_TIME)
-    if isinstance(by_tracks, bool) or not isinstance(by_tracks, int):
-        raise InvalidInputError("Tracks are counted in whole numbers.")
-    return _moved(design, chosen, by_s, by_tracks)
-
-
 def _moved(
     design: Design, chosen: tuple[Clip, ...], by_s: float, by_tracks: int
 ) -> list[tuple[int, Clip]]:
@@ -278,6 +268,10 @@ def _moved(
 
     All move by the same time and number of tracks, as far as all of them can.
     """
+    if isinstance(by_s, bool) or not isinstance(by_s, int | float) or by_s != by_s:
+        raise InvalidInputError(NO_TIME)
+    if isinstance(by_tracks, bool) or not isinstance(by_tracks, int):
+        raise InvalidInputError("Tracks are counted in whole numbers.")
     onsets = [clip.onset_s for clip in chosen]
     by_s = min(max(by_s, ONSET.minimum - min(onsets)), ONSET.maximum - max(onsets))
     row_of = {clip.id: row for row, track in enumerate(design.inputs) for clip in track.clips}
@@ -287,11 +281,6 @@ def _moved(
         (design.inputs[row + down].id, replace(clip, onset_s=_onset(clip.onset_s + by_s)))
         for row, clip in zip(rows, chosen, strict=True)
     ]
-
-
-def _text_of(design: Design, moved: list[tuple[int, Clip]]) -> str:
-    """Return the name of moved clips in the history, by where they were before."""
-    return clips_text(design, tuple(clip for _, clip in moved))
 
 
 def _onset(time_s: float) -> float:
