@@ -1,6 +1,5 @@
 """The same words for the same things, in the window, on the command line and in files."""
 
-import doctest
 from dataclasses import replace
 from pathlib import Path
 
@@ -52,20 +51,8 @@ def test_every_value_of_a_choice_has_a_title_and_a_sentence(options, names):
     assert all(word.sentence.endswith(".") for word in options)
 
 
-def test_examples_in_the_docstrings_are_true():
-    assert doctest.testmod(labels).failed == 0
-
-
 def test_words_of_something_unknown_are_its_name():
     assert labels.label_of(labels.METHODS, "new").both == "new"
     assert labels.label_of(labels.METHODS, "pca").both == "Principal axis (pca)"
-
-
-def test_a_signal_is_named_by_its_axes_and_unless_there_is_one_by_its_method():
-    assert labels.signal_label("xyz", "rms") == "x, y, z, RMS direction"
     assert labels.signal_label("y", "rms") == "y"
-
-
-def test_a_level_says_what_it_is_the_rms_over():
-    assert labels.level_label("record") == "RMS over the whole record"
     assert labels.level_label("loudest") == "RMS over the loudest 100 ms"

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from skinsource.base.errors import InvalidInputError
 from skinsource.signals.drawing import Stroke, bounded_to_band, drawn_over, zeroed
 
 RATE_HZ = 1300.0
@@ -12,9 +13,21 @@ PLACES = st.tuples(st.floats(0, 2), st.floats(-1, 1))
 PENS = st.lists(PLACES, min_size=1, max_size=30)
 
 
-def test_a_pen_that_goes_back_replaces_what_it_drew_there():
-    stroke = Stroke.through([(0.0, 0.0), (0.1, 1.0), (0.2, 0.5), (0.3, 1.0), (0.15, -1.0)])
-    assert stroke.points == ((0.0, 0.0), (0.1, 1.0), (0.15, -1.0), (0.3, 1.0))
+@pytest.mark.parametrize(
+    ("pen", "points"),
+    [
+        ([(0.0, 0.0), (0.1, 1.0), (0.2, -1.0)], ((0.0, 0.0), (0.1, 1.0), (0.2, -1.0))),
+        # Going back it replaces what it drew there.
+        (
+            [(0.0, 0.0), (0.1, 1.0), (0.2, 0.5), (0.3, 1.0), (0.15, -1.0)],
+            ((0.0, 0.0), (0.1, 1.0), (0.15, -1.0), (0.3, 1.0)),
+        ),
+        # Of several values at one time the last one stays.
+        ([(0.1, 0.0), (0.1, 0.5), (0.1, -0.2)], ((0.1, -0.2),)),
+    ],
+)
+def test_a_pen_leaves_the_points_that_it_drew_last(pen, points):
+    assert Stroke.through(pen).points == points
 
 
 @given(PENS)
@@ -46,6 +59,12 @@ def test_points_on_samples_are_met_exactly(numbers):
     np.testing.assert_allclose(samples[np.array(numbers) - first], values, atol=1e-12)
 
 
+def test_between_two_points_a_stroke_neither_rises_nor_falls_alone():
+    _, samples = Stroke.through([(0.0, 0.0), (0.05, 1.0), (0.1, 1.0)]).samples(RATE_HZ)
+    assert (np.diff(samples) >= -1e-15).all()
+    assert samples.max() == 1.0
+
+
 def test_a_stroke_covers_its_own_time_and_nothing_else():
     before = np.full(100, 0.25)
     stroke = Stroke.through([(10 / RATE_HZ, 1.0), (19 / RATE_HZ, 1.0)])
@@ -55,16 +74,12 @@ def test_a_stroke_covers_its_own_time_and_nothing_else():
     assert (before == 0.25).all()
 
 
-def test_a_stroke_behind_the_end_makes_the_signal_longer():
-    after = drawn_over(
-        np.ones(5), Stroke.through([(8 / RATE_HZ, 0.5), (9 / RATE_HZ, 0.5)]), RATE_HZ
-    )
+def test_a_stroke_makes_the_signal_longer_and_moves_the_nearest_sample():
+    beyond = Stroke.through([(8 / RATE_HZ, 0.5), (9 / RATE_HZ, 0.5)])
+    after = drawn_over(np.ones(5), beyond, RATE_HZ)
     assert after.tolist() == [1, 1, 1, 1, 1, 0, 0, 0, 0.5, 0.5]
-
-
-def test_a_stroke_between_two_samples_moves_the_nearer_one():
-    pen = [(10.3 / RATE_HZ, 0.5), (10.4 / RATE_HZ, 0.7)]
-    after = drawn_over(np.zeros(20), Stroke.through(pen), RATE_HZ)
+    between = Stroke.through([(10.3 / RATE_HZ, 0.5), (10.4 / RATE_HZ, 0.7)])
+    after = drawn_over(np.zeros(20), between, RATE_HZ)
     assert np.flatnonzero(after).tolist() == [10]
 
 
@@ -80,3 +95,17 @@ def test_what_lies_outside_the_band_is_taken_away_and_its_share_told():
     bounded = bounded_to_band(inside + outside, RATE_HZ)
     np.testing.assert_allclose(bounded.samples, inside, atol=1e-12)
     assert bounded.removed == pytest.approx(0.2)
+    assert bounded_to_band(np.zeros(9), RATE_HZ).removed == 0.0
+
+
+@given(st.integers(1, 200), st.integers(0, 1000))
+def test_bounding_twice_changes_nothing_more(n, seed):
+    once = bounded_to_band(np.random.default_rng(seed).standard_normal(n), RATE_HZ)
+    twice = bounded_to_band(once.samples, RATE_HZ)
+    np.testing.assert_allclose(twice.samples, once.samples, atol=1e-12)
+    assert 0.0 <= once.removed <= 1.0
+
+
+def test_a_stroke_of_nothing_is_refused():
+    with pytest.raises(InvalidInputError, match="no points"):
+        Stroke().samples(RATE_HZ)

@@ -1,18 +1,31 @@
-"""What is done to the chain of a clip."""
+"""What is done to the chain of a clip, and to recipes in lists."""
 
 from dataclasses import replace
 
 import pytest
 
+from skinsource.base.errors import InvalidInputError
 from skinsource.design import edits
-from skinsource.design.clips import MAX_EFFECTS, Clip
-from skinsource.design.design import Design, Input
-from skinsource.design.edits.edit import Refusal
+from skinsource.design.clips import EFFECT_LIST, MAX_EFFECTS, Clip
+from skinsource.design.design import Design, Input, track
+from skinsource.design.edits.edit import KindSpec, Refusal
+from skinsource.design.edits.effects import (
+    choices_of,
+    moved_part,
+    new_part,
+    part_text,
+    with_part,
+    without_part,
+)
 from skinsource.design.effects import EFFECTS
 from skinsource.design.effects.level import Envelope, Fade
 from skinsource.design.effects.time import Repeat, Reverse, Stretch, Trim
 from skinsource.design.view import View
+from skinsource.design.waveforms import KINDS
+from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.samples import Layers
 from skinsource.design.waveforms.tones import Tone
+from skinsource.specs.models import specs_of
 
 CHAIN = (Reverse(), Fade(), Repeat())
 DESIGN = Design(
@@ -107,13 +120,11 @@ def test_an_envelope_is_that_of_the_last_one_or_a_new_one():
         ("add_effect", ((9,), "Fade"), "No clip is selected"),
         ("add_effect", ((1,), "Echo"), "No effect is called 'Echo'; there are Envelope, Fade"),
         ("remove_effect", (1, 3), "no longer there"),
-        ("remove_effect", (9, 0), "no longer there"),
-        ("move_effect", (1, -1, 0), "no longer there"),
+        ("move_effect", (9, 0, 0), "no longer there"),
         ("switch_effect", (1, 0, 7), "Reverse.on is 7, expected True or False"),
         ("change_effect_field", (1, 1, "depth", 7), "no longer there"),
         ("change_effect_field", (1, 1, "in_s", -1.0), "Fade.in_s is -1.0"),
         ("set_envelope", (1, ()), "Envelope.points"),
-        ("set_envelope", (9, ((0.0, 1.0),)), "No clip is selected"),
     ],
 )
 def test_what_cannot_be_done_is_refused_with_a_reason(edit, given, message):
@@ -144,3 +155,58 @@ def test_a_stretched_clip_keeps_how_it_is_stretched():
     design = edits.stretch_clip(design, VIEW, 3, 0.0, 0.6).design
     assert design.clip(3).effects == (Stretch(3.0, 0.0, "stays"),)
     assert design.clip(3).duration_s == pytest.approx(0.6)
+
+
+PARTS = specs_of(Layers)["parts"]
+A, B, C = Clip(waveform=Tone(50.0)), Clip(waveform=Noise(seed=3)), Clip(onset_s=0.25)
+
+
+def test_a_new_part_of_layers_is_a_clip_of_any_waveform():
+    choices = choices_of(PARTS.of)
+    assert type(choices) is KindSpec
+    assert [name for name, _ in choices.options] == [kind.__name__ for kind in KINDS]
+    for kind in KINDS:
+        made = new_part(PARTS.of, kind.__name__)
+        assert type(made) is Clip
+        assert type(made.waveform) is kind
+    with pytest.raises(InvalidInputError, match="Clip is 'Fade', expected one of Tone, Chirp"):
+        new_part(PARTS.of, "Fade")
+    short = Clip(waveform=Tone(100.0, duration_s=0.02))
+    assert new_part(EFFECT_LIST.of, "Fade", short) == Fade(0.005, 0.005)
+
+
+@pytest.mark.parametrize(
+    ("part", "text"),
+    [
+        (B, "Noise"),
+        (replace(B, label="soft"), "soft"),
+        (replace(B, muted=True), "Noise (off)"),
+        (Reverse(on=False), "Reverse (off)"),
+    ],
+)
+def test_a_part_is_called_by_its_label_or_by_what_it_plays(part, text):
+    assert part_text(part) == text
+
+
+@pytest.mark.parametrize(
+    ("after", "expected", "label"),
+    [
+        ((A, B, C, A), (A, B, C, A), "Add to parts of"),
+        (without_part((A, B, C), 1), (A, C), "Remove from parts of"),
+        (moved_part((A, B, C), 0, 2), (B, C, A), "Reorder parts of"),
+        (moved_part((A, B, C), 2, -4), (C, A, B), "Reorder parts of"),
+        (moved_part((A, B, C), 1, 9), (A, C, B), "Reorder parts of"),
+        (with_part((A, B, C), 1, C), (A, C, C), "Change parts of"),
+    ],
+)
+def test_the_history_says_what_was_done_to_a_list(after, expected, label):
+    design = Design(limb="synthetic-1", inputs=(track(7, Layers((A, B, C))),))
+    done = edits.change_field(design, View(), (1,), "parts", after)
+    assert done.label == f"{label} input at 7 (II pad)"
+    assert done.design.clips[0].waveform == Layers(expected)
+
+
+def test_what_is_allowed_in_a_part_follows_from_the_rate_of_the_limb():
+    of = PARTS.at_rate(2000.0).of
+    waveform = specs_of(Clip)["waveform"].at_rate(of.rate_hz)
+    assert specs_of(Tone)["frequency_hz"].at_rate(waveform.rate_hz).maximum == 999.0

@@ -2,25 +2,21 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from skinsource.base.errors import InvalidInputError
+from skinsource.design.clips import Clip
 from skinsource.design.effects.level import BandLimit, Envelope, Fade, Rectify, SoftClip
 from skinsource.design.effects.playing import played, played_s
-from skinsource.design.effects.time import Repeat, Reverse, Stretch, Trim
-from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.effects.time import Repeat, Reverse, Stretch, Trim, stretched_by
 from skinsource.design.waveforms.samples import Formula
 from skinsource.design.waveforms.tones import Tone
-from skinsource.signals.sampling import values_between
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=100.0, duration_s=0.2, window="none")
-RAMP = Formula(text="t", duration_s=0.1)
 shifts = st.floats(0.0, 0.99)
 signals = st.lists(st.floats(-10.0, 10.0), min_size=1, max_size=60).map(np.array)
-
-
 LENGTHS = st.just(0.0) | st.floats(1e-6, 0.3)
 
 
@@ -48,41 +44,13 @@ def test_backwards_plays_at_each_instant_what_was_as_far_from_the_end(n, shift):
     assert samples[inside] == pytest.approx(1 + n / RATE_HZ - times_s[inside], abs=1e-9)
 
 
-@given(signals, shifts)
-def test_a_part_that_is_all_is_all(samples, shift):
-    samples = np.append(samples, 1.0)
-    duration_s = (samples.size - (shift > 0)) / RATE_HZ
-    if shift:
-        samples[0] = 0.0
-    for part in (Trim(), Trim(duration_s=duration_s)):
-        assert np.array_equal(part.applied(samples, RATE_HZ, shift / RATE_HZ, duration_s), samples)
-
-
-@settings(max_examples=60)
-@given(st.floats(0.0, 0.1), st.integers(0, 99))
-def test_two_parts_that_meet_sum_up_to_the_whole(cut_s, percent):
-    """On the grid of the track: each is played from its own exact onset."""
-    onset = percent / 100
-    track = np.zeros(200)
-    for part, start_s in ((Trim(duration_s=cut_s), 0.0), (Trim(start_s=cut_s), cut_s)):
-        place = onset + start_s * RATE_HZ
-        first = int(np.floor(place))
-        samples = played(RAMP, (part,), RATE_HZ, (place - first) / RATE_HZ)
-        track[first : first + samples.size] += samples
-    whole = played(RAMP, (), RATE_HZ, onset / RATE_HZ)
-    assert track[: whole.size] == pytest.approx(whole, abs=1e-8)
-    assert not track[whole.size :].any()
-
-
-def test_a_part_is_cut_at_its_exact_times():
-    part = Trim(start_s=10.5 / RATE_HZ, duration_s=3.25 / RATE_HZ)
-    samples = played(RAMP, (part,), RATE_HZ)
-    assert samples == pytest.approx((np.arange(4) + 10.5) / RATE_HZ, abs=1e-12)
-    samples = played(RAMP, (part,), RATE_HZ, 0.5 / RATE_HZ)
-    assert samples == pytest.approx([0.0, *((np.arange(3) + 11) / RATE_HZ)], abs=1e-12)
-    assert played_s(RAMP, (Trim(start_s=0.3),)) == 0.0
-    assert not played(RAMP, (Trim(start_s=0.3),), RATE_HZ).any()
-    assert played_s(RAMP, (Trim(start_s=0.04),)) == pytest.approx(0.06)
+@pytest.mark.parametrize("shift_s", [0.0, 0.0003, 0.0009])
+def test_backwards_too_nothing_plays_before_time_0(shift_s):
+    # What a delayed recording has behind its end would come first.
+    samples = Reverse().applied(np.ones(13), 1000.0, shift_s, 0.0105)
+    own_s = np.arange(samples.size) / 1000.0 - shift_s
+    assert (samples[own_s < 0.0] == 0.0).all()
+    assert (samples[own_s >= 0.0] == 1.0).all()
 
 
 @pytest.mark.parametrize("shape", ["straight", "smooth", "equal power"])
@@ -130,7 +98,7 @@ def test_an_envelope_is_placed_exactly():
     assert samples == pytest.approx(np.clip(t / 0.05, 0, 1), abs=1e-12)
 
 
-@pytest.mark.parametrize("factor", [0.5, 0.8, 1.25, 2.0, 3.7])
+@pytest.mark.parametrize("factor", [0.5, 0.8, 3.7])
 def test_a_tape_that_runs_slower_divides_frequencies(factor):
     tone = Formula(text="sin(2*pi*80*t) * hann()", duration_s=0.3)
     samples = played(tone, (Stretch(factor),), RATE_HZ, 0.3 / RATE_HZ)
@@ -146,8 +114,8 @@ def test_a_fast_tape_folds_nothing():
     assert np.abs(played(high, (Stretch(0.5),), RATE_HZ)).max() < 1e-4
 
 
-@pytest.mark.parametrize("factor", [0.6, 1.5, 2.5])
-@pytest.mark.parametrize("frequency_hz", [25.0, 97.0, 400.0, 600.0])
+@pytest.mark.parametrize("factor", [0.6, 2.5])
+@pytest.mark.parametrize("frequency_hz", [25.0, 97.0, 600.0])
 def test_frequencies_can_stay_whatever_the_length(factor, frequency_hz):
     tone = Tone(frequency_hz=frequency_hz, duration_s=0.6, window="none")
     samples = played(tone, (Stretch(factor, pitch="stays"),), RATE_HZ)
@@ -158,6 +126,34 @@ def test_frequencies_can_stay_whatever_the_length(factor, frequency_hz):
     fit, *_ = np.linalg.lstsq(waves.T, inner, rcond=None)
     assert np.hypot(*fit) == pytest.approx(1.0, abs=0.03)
     assert np.std(inner - fit @ waves) < 0.05
+
+
+@pytest.mark.parametrize(("shift_s", "size"), [(0.0, 80), (0.0004, 81)])
+def test_what_is_stretched_plays_at_its_last_instant_too(shift_s, size):
+    samples = Stretch(2.0).applied(np.ones(40), 1000.0, shift_s, 0.04)
+    assert samples.size == size
+    own_s = np.arange(size) / 1000.0 - shift_s
+    assert (samples[(own_s >= 0.0) & (own_s < 0.08)] > 0.1).all()
+
+
+@pytest.mark.parametrize(
+    ("effects", "factor"),
+    [
+        ((), 1.0),
+        ((Stretch(factor=2.0),), 2.0),
+        ((Stretch(factor=2.0, on=False),), 1.0),
+        ((Stretch(factor=2.0, pitch="stays"),), 1.0),
+        ((Stretch(to_s=2.0),), 4.0),
+        ((Trim(duration_s=0.25), Stretch(to_s=0.5)), 2.0),
+        ((Stretch(factor=4.0), Reverse(), Stretch(factor=0.5)), 2.0),
+    ],
+)
+def test_the_frequency_that_sounds_is_that_of_the_waveform_over_the_factor(effects, factor):
+    tone = Tone(frequency_hz=100.0, duration_s=0.5)
+    assert stretched_by(effects, tone.duration_s) == pytest.approx(factor)
+    _, samples = Clip(waveform=tone, effects=effects).sampled(RATE_HZ)
+    spectrum = np.abs(np.fft.rfft(samples, 2**16))
+    assert np.argmax(spectrum) * RATE_HZ / 2**16 == pytest.approx(100.0 / factor, rel=0.02)
 
 
 def test_a_length_can_be_given_instead_of_a_factor():
@@ -208,10 +204,17 @@ def test_a_band_keeps_what_lies_in_it_and_removes_the_rest():
     assert band.share_removed(np.zeros(10), RATE_HZ) == 0.0
     both = low.samples(RATE_HZ) + samples_in
     assert band.share_removed(both, RATE_HZ) == pytest.approx(0.5, abs=1e-6)
-    noise = Noise(duration_s=1.0, low_hz=0.0, high_hz=650.0).samples(RATE_HZ)
-    assert band.share_removed(noise, RATE_HZ) == pytest.approx(
-        1 - (150 + 0.75 * 25) / 650, abs=0.06
-    )
+
+
+@pytest.mark.parametrize("n", [50, 51, 55])
+def test_the_share_that_is_removed_counts_half_the_rate_once(n):
+    limit = BandLimit(0.0, 400.0)
+    samples = np.where(np.arange(n) % 2, -1.0, 1.0)
+    size = limit._spectrum(samples, 1000.0)[1]
+    frequencies_hz = np.abs(np.fft.fftfreq(size, 1.0 / 1000.0))
+    energy = np.abs(np.fft.fft(samples, size)) ** 2
+    share = (energy * limit.gains_at(frequencies_hz) ** 2).sum() / energy.sum()
+    assert limit.share_removed(samples, 1000.0) == pytest.approx(1.0 - share, abs=1e-12)
 
 
 def test_gains_of_a_band_are_as_said():
@@ -232,28 +235,32 @@ def test_rectified_samples_are_their_magnitudes_or_what_is_above_nothing(samples
 @given(signals, st.floats(0.01, 1000.0), st.floats(1e-6, 1000.0))
 def test_soft_clipping_limits_and_keeps_order_and_sign(samples, drive, level):
     clipped = SoftClip(drive, level).applied(samples, RATE_HZ)
+    assert clipped == pytest.approx(level * np.tanh(drive / level * samples), rel=1e-9)
     assert np.abs(clipped).max() <= level
-    assert np.array_equal(clipped, -SoftClip(drive, level).applied(-samples, RATE_HZ))
     order = np.argsort(samples, kind="stable")
     assert (np.diff(clipped[order]) >= 0).all()
 
 
-def test_soft_clipping_drives_what_is_weak():
-    weak = 1e-4 * TONE.samples(RATE_HZ)
-    assert SoftClip(3.0, 0.5).applied(weak, RATE_HZ) == pytest.approx(3 * weak, rel=1e-6)
-    assert SoftClip(2.0, 0.5).applied(np.array([0.25]), RATE_HZ)[0] == pytest.approx(
-        0.5 * np.tanh(1.0)
-    )
+def test_effects_work_one_after_the_other_and_lengths_follow_them():
+    tone = TONE.samples(RATE_HZ)
+    limited = played(TONE, (Rectify("half"), SoftClip(3.0)), RATE_HZ)
+    assert limited == pytest.approx(np.tanh(3.0 * np.maximum(tone, 0.0)))
+    chain = (Trim(start_s=0.03), Rectify(), Trim(start_s=0.05), Trim(start_s=1.0, on=False))
+    assert played_s(TONE, chain) == pytest.approx(0.12)
 
 
-def test_values_between_samples_are_those_of_the_signal():
-    chirp = Formula(text="chirp(30, 550)*hann()", duration_s=0.5)
-    samples = chirp.samples(RATE_HZ)
-    places = np.sort(np.random.default_rng(1).uniform(0, samples.size - 1, 500))
-    fine = chirp.samples(RATE_HZ * 64)
-    nearest = np.rint(places * 64).astype(int)
-    values = values_between(samples, nearest / 64)
-    assert np.abs(values - fine[nearest]).max() < 2e-5
-    assert np.abs(values_between(samples, np.arange(samples.size * 1.0)) - samples).max() < 1e-12
-    assert not values_between(samples, np.array([-200.0, samples.size + 200.0])).any()
-    assert not values_between(np.zeros(0), places).any()
+@pytest.mark.parametrize("shift", [0.0, 0.25, 0.7])
+def test_each_effect_takes_samples_at_the_instants_that_it_needs(shift):
+    asked = []
+
+    def draw(waveform, sample_rate_hz, shift_s):
+        asked.append(shift_s * sample_rate_hz)
+        n = round(waveform.duration_s * sample_rate_hz) + (shift_s > 0)
+        return np.arange(n) / sample_rate_hz - shift_s  # the own time, as a signal
+
+    chain = (Trim(start_s=10.5 / RATE_HZ), Rectify(), Trim(start_s=20.25 / RATE_HZ))
+    samples = played(TONE, chain, RATE_HZ, shift / RATE_HZ, draw=draw)
+    assert asked == [pytest.approx((shift - 30.75) % 1.0)]
+    own = (np.arange(samples.size) - shift) / RATE_HZ
+    expected = np.where(own >= 0.0, own + 30.75 / RATE_HZ, 0.0)
+    assert samples == pytest.approx(expected, abs=1e-12)

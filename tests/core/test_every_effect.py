@@ -13,7 +13,6 @@ from skinsource.design.effects.playing import played, played_s
 from skinsource.design.effects.time import Reverse
 from skinsource.design.waveforms.pulses import Impulse
 from skinsource.design.waveforms.samples import Formula
-from skinsource.design.waveforms.tones import Tone
 from skinsource.specs import fields
 from skinsource.specs.models import decode, encode
 from skinsource.specs.numbers import NumberSpec
@@ -22,8 +21,6 @@ from skinsource.specs.spec import ChoiceSpec
 RATE_HZ = 1300.0
 #: A burst that begins and ends in silence, and is the same at any rate.
 BURST = Formula(text="gauss(0.04, 0.006) * sin(2*pi*120*t)", duration_s=0.08)
-CLICK = Tone(duration_s=0.001, window="none")
-SHIFTS = (0.0, 0.3, 0.999)
 ENVELOPE = ((0.0, 0.2, "smooth"), (0.01, 1.0, "straight"), (0.02, 0.5, "held"), (0.03, 2.0))
 #: Fields that make a member do something that another set does not.
 MORE = {
@@ -53,10 +50,6 @@ def at_limits(kind):
             yield kind(**{**BESIDE.get((kind.__name__, name), {}), name: end})
 
 
-def own_times(samples, shift):
-    return (np.arange(samples.size) - shift) / RATE_HZ
-
-
 @pytest.mark.parametrize("kind", EFFECTS)
 def test_an_effect_is_a_recipe_with_a_switch_that_describes_its_fields(kind):
     effect = kind()
@@ -75,14 +68,17 @@ def test_it_is_written_and_read_as_the_same(effect):
     assert decode(encode(effect), EFFECTS, fields.Address()) == effect
 
 
-@pytest.mark.parametrize(("effect", "shift"), list(product(ALL, SHIFTS)))
+at_shifts = pytest.mark.parametrize(("effect", "shift"), list(product(ALL, (0.0, 0.3, 0.999))))
+
+
+@at_shifts
 def test_it_plays_as_long_as_it_says_and_is_silent_outside(effect, shift):
     samples = played(BURST, (effect,), RATE_HZ, shift / RATE_HZ)
     length_s = played_s(BURST, (effect,))
     assert abs(samples.size - (length_s * RATE_HZ + (shift > 0))) <= 1.5
     assert samples.dtype == np.float64
     assert np.isfinite(samples).all()
-    times = own_times(samples, shift)
+    times = (np.arange(samples.size) - shift) / RATE_HZ
     assert not samples[(times < -1e-9) | (times > length_s + 1 / RATE_HZ)].any()
     assert np.abs(samples).max() > 0.01
 
@@ -97,34 +93,27 @@ def test_it_leaves_what_it_takes_as_it_was_and_gives_the_same_again(effect):
     assert np.array_equal(samples_in, before)
 
 
-@pytest.mark.parametrize(("effect", "shift"), list(product(ALL, SHIFTS)))
+@at_shifts
 def test_of_nothing_it_makes_nothing(effect, shift):
     assert effect.length(0.0) >= 0.0
     assert effect.applied(np.zeros(0), RATE_HZ, shift / RATE_HZ, 0.0).size <= 1
     assert effect.applied(np.zeros(0), RATE_HZ, shift / RATE_HZ).size <= 1
     assert not effect.applied(np.zeros(50), RATE_HZ, shift / RATE_HZ).any()
-    single = effect.applied(np.ones(1), RATE_HZ)
-    assert np.isfinite(single).all()
+    assert np.isfinite(effect.applied(np.ones(1), RATE_HZ)).all()
 
 
-@pytest.mark.parametrize(("effect", "shift"), list(product(ALL, SHIFTS)))
-def test_it_is_applied_twice_and_reversed(effect, shift):
-    for chain in (
-        (effect, effect),
-        (Reverse(), effect),
-        (effect, Reverse()),
-        (effect, Reverse(), effect),
-    ):
-        samples = played(BURST, chain, RATE_HZ, shift / RATE_HZ)
+@pytest.mark.parametrize("effect", ALL, ids=NAMES)
+def test_it_is_applied_twice_and_reversed(effect):
+    for chain in ((effect, effect), (Reverse(), effect), (effect, Reverse(), effect)):
+        samples = played(BURST, chain, RATE_HZ, 0.3 / RATE_HZ)
         assert np.isfinite(samples).all()
-        length = played_s(BURST, chain) * RATE_HZ
-        assert abs(samples.size - (length + (shift > 0))) <= 2.5
+        assert abs(samples.size - (played_s(BURST, chain) * RATE_HZ + 1)) <= 2.5
 
 
 @pytest.mark.parametrize("kind", EFFECTS)
 def test_at_its_limits_it_gives_finite_samples_as_long_as_it_says(kind):
     for effect in at_limits(kind):
-        for waveform, shift in ((BURST, 0.4), (Impulse(), 0.0), (CLICK, 0.4)):
+        for waveform, shift in ((BURST, 0.4), (Impulse(), 0.0)):
             samples = played(waveform, (effect,), RATE_HZ, shift / RATE_HZ)
             length = played_s(waveform, (effect,)) * RATE_HZ
             assert np.isfinite(samples).all(), effect

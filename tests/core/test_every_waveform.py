@@ -1,166 +1,94 @@
 """What every kind of waveform keeps, a new one too: its fields say what can be tried."""
 
+import json
+import math
 from collections.abc import Callable
-from contextlib import suppress
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
+import skinsource as ss
 from skinsource.base.errors import InvalidInputError
+from skinsource.design import waveforms
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms import KINDS
-from skinsource.signals.generators import sample_count
+from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle
+from skinsource.design.waveforms.pulses import CentredTap, DampedSine, Noise
+from skinsource.design.waveforms.samples import Drawn, Formula, Layers, Recording
+from skinsource.design.waveforms.tones import AmplitudeModulated, Chirp, FrequencyModulated, Glide
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource.design.waveforms.wavelets import Chirplet, Gabor, Morlet, Ricker
+from skinsource.signals.generators import sample_count, window
 from skinsource.signals.sampling import band_limited_delay
 from skinsource.specs import image
 from skinsource.specs.models import decode, encode, specs_of
-from skinsource.specs.numbers import (
-    ListSpec,
-    ModelSpec,
-    NumberSpec,
-    OptionalSpec,
-    PointsSpec,
-    SamplesSpec,
-)
-from skinsource.specs.samples import Samples
-from skinsource.specs.spec import Address, ChoiceSpec, Spec, SwitchSpec, TextSpec, made_for
+from skinsource.specs.spec import Address
+from tests.core.design_files.any_recipe import made, values
 
-RATES_HZ = (1300.0, 8000.0, 44100.0)
 #: Longer ones are made, and not played.
 MOST_SAMPLES = 30_000
-N_RECIPES = 40
 #: Largest image of a file of a waveform that holds no samples, in bytes.
 LARGEST = 100_000
 #: Kinds that may go beyond 1, as they say themselves: with edges cut off at half the rate; where
 #: waves add up; as written, drawn or recorded.
-BEYOND_ONE = {
-    "Square",
-    "Saw",
-    "PulseTrain",
-    "WaveletTrain",
-    "Formula",
-    "Drawn",
-    "Recording",
-    "Layers",
-}
+BEYOND_ONE = {Square, Saw, PulseTrain, WaveletTrain, Formula, Drawn, Recording, Layers}
+
+every_kind = pytest.mark.parametrize("kind", KINDS)
 
 
-def number(spec: NumberSpec, rng: np.random.Generator) -> float:
-    """Any number that fits: an end, one near 0, or one between."""
-    low, high = max(spec.minimum, -1e6), min(spec.maximum, 1e6)
-    value = rng.choice([low, high, rng.uniform(low, high), rng.uniform(low, high)])
-    if low > 0 and rng.random() < 0.8:
-        value = np.exp(rng.uniform(np.log(low), np.log(high)))
-    value = float(np.clip(value, low, high))
-    return int(value) if spec.whole else value
+@st.composite
+def recipes(draw, kind: type[Waveform]) -> Waveform:
+    """The default, and others of which some fields are tried."""
+    fields = {name: values(spec) for name, spec in specs_of(kind).items()}
+    return made(kind, draw(st.fixed_dictionaries({}, optional=fields)))
 
 
-def several(spec: ListSpec, rng: np.random.Generator) -> tuple[Any, ...]:
-    count = rng.integers(spec.fewest, min(spec.most, spec.fewest + 5) + 1)
-    return tuple(any_value(spec.of, rng) for _ in range(count))
+def any_recipe(examples: int):
+    """Draw recipes of a kind by ``data``."""
+    slow = HealthCheck.too_slow
+    return settings(max_examples=examples, deadline=None, suppress_health_check=[slow])
 
 
-def points(spec: PointsSpec, rng: np.random.Generator) -> tuple[tuple[float, ...], ...]:
-    count = rng.integers(spec.fewest, spec.fewest + 6)
-    made = [tuple(number(column, rng) for column in spec.columns) for _ in range(count)]
-    return tuple(sorted(made))
-
-
-def sound(spec: SamplesSpec, rng: np.random.Generator) -> Samples:
-    values = rng.standard_normal(rng.integers(1, 300))
-    return Samples(values=values, sample_rate_hz=float(rng.choice(RATES_HZ)), unit=spec.unit or "")
-
-
-#: What is not here keeps its default.
-VALUES = {
-    NumberSpec: number,
-    ChoiceSpec: lambda spec, rng: str(rng.choice([option for option, _ in spec.options])),
-    SwitchSpec: lambda spec, rng: bool(rng.random() < 0.5),
-    TextSpec: lambda spec, rng: "".join(rng.choice(list("t123.+-*/^(), sin"), rng.integers(12))),
-    ListSpec: several,
-    PointsSpec: points,
-    SamplesSpec: sound,
-    OptionalSpec: lambda spec, rng: None if rng.random() < 0.5 else any_value(spec.of, rng),
-    ModelSpec: lambda spec, rng: None,
-    Spec: lambda spec, rng: None,
-}
-
-
-def any_value(spec: Spec, rng: np.random.Generator) -> Any:
-    return made_for(spec, VALUES)(spec, rng)
-
-
-def any_recipes(kind: type[Waveform]) -> list[Waveform]:
-    """The default, and others of which some fields are tried at random."""
-    rng = np.random.default_rng(sum(map(ord, kind.__name__)))
-    made: list[Waveform] = [kind()]
-    for _ in range(N_RECIPES if specs_of(kind) else 0):
-        changed = {}
-        for name, spec in specs_of(kind).items():
-            value = any_value(spec, rng)
-            if rng.random() < 0.6 and value is not None:
-                changed[name] = value
-        with suppress(InvalidInputError):
-            made.append(replace(kind(), **changed))
-    return made
-
-
-def played(recipe: Waveform, rate_hz: float, shift_s: float = 0.0) -> np.ndarray | None:
-    """Samples, or None where they would be too many, or are refused."""
+@every_kind
+@any_recipe(25)
+@given(data=st.data(), rate_hz=st.sampled_from([1300.0, 8000.0, 44100.0]))
+def test_samples_are_finite_as_many_as_the_length_says_and_the_same_each_time(kind, data, rate_hz):
+    recipe = data.draw(recipes(kind))
     if recipe.duration_s * rate_hz > MOST_SAMPLES:
-        return None
+        return
     try:
-        return recipe.samples(rate_hz, shift_s)
+        samples = recipe.samples(rate_hz)
     except InvalidInputError:
-        return None
+        return
+    expected = 1 if kind.__name__ == "Impulse" else sample_count(recipe.duration_s, rate_hz)
+    assert samples.shape == (expected,)
+    assert samples.dtype == np.float64
+    assert np.isfinite(samples).all()
+    np.testing.assert_array_equal(samples, replace(recipe).samples(rate_hz, 0.0))
+    later = recipe.samples(rate_hz, 0.4 / rate_hz)
+    assert later.shape == (expected + (expected > 0),)
+    assert np.isfinite(later).all()
+    if kind not in BEYOND_ONE:
+        assert np.abs(samples).max(initial=0.0) <= 1.0 + 1e-12
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_samples_are_finite_as_many_as_the_length_says_and_the_same_each_time(kind):
-    n_audible = 0
-    for number_of, recipe in enumerate(any_recipes(kind)):
-        rate_hz = RATES_HZ[number_of % len(RATES_HZ)]
-        samples = played(recipe, rate_hz)
-        if samples is None:
-            continue
-        n_audible += 1
-        expected = 1 if kind.__name__ == "Impulse" else sample_count(recipe.duration_s, rate_hz)
-        assert samples.shape == (expected,), recipe
-        assert samples.dtype == np.float64
-        assert np.isfinite(samples).all(), recipe
-        np.testing.assert_array_equal(samples, replace(recipe).samples(rate_hz, 0.0))
-        later = played(recipe, rate_hz, 0.4 / rate_hz)
-        assert later is not None, recipe
-        assert later.shape == (expected + 1,), recipe
-        assert np.isfinite(later).all(), recipe
-        if kind.__name__ not in BEYOND_ONE:
-            assert np.abs(samples).max(initial=0.0) <= 1.0 + 1e-12, recipe
-    assert n_audible >= (5 if len(any_recipes(kind)) > 1 else 1)
-
-
-@pytest.mark.parametrize("kind", KINDS)
-def test_only_bad_input_is_refused_and_in_words(kind):
-    """Beyond their ranges, of wrong types, at strange rates and shifts."""
-    wrong = (
-        None,
-        "",
-        -1.0,
-        float("nan"),
-        float("inf"),
-        1e308,
-        10**400,
-        (),
-        ((0.0,),),
-        b"",
-        object(),
-    )
-    for name in specs_of(kind):
-        for value in wrong:
-            message = refusal_of(lambda name=name, value=value: replace(kind(), **{name: value}))
-            assert "expected" in message or not message
-    for rate_hz in (0.0, -1300.0, float("nan"), float("inf"), "fast", None):
-        assert "expected" in refusal_of(lambda rate_hz=rate_hz: kind().samples(rate_hz))
+@every_kind
+@any_recipe(15)
+@given(data=st.data())
+def test_equal_recipes_are_equal_and_come_back_from_files_as_such(kind, data):
+    recipe = data.draw(recipes(kind))
+    again = replace(recipe)
+    assert again == recipe
+    assert again is not recipe
+    assert hash(again) == hash(recipe)
+    image_bytes = image.to_image(encode(recipe), version=2)
+    assert len(image_bytes) < LARGEST
+    decoded = decode(image.from_image(image_bytes, version=2), KINDS, Address())
+    assert decoded == recipe
+    assert repr(decoded) == repr(recipe)
 
 
 def refusal_of(call: Callable[[], object]) -> str:
@@ -172,22 +100,21 @@ def refusal_of(call: Callable[[], object]) -> str:
     return ""
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_equal_recipes_are_equal_and_come_back_from_files_as_such(kind):
-    for recipe in any_recipes(kind):
-        again = replace(recipe)
-        assert again == recipe
-        assert again is not recipe
-        assert hash(again) == hash(recipe)
-        tree = encode(recipe)
-        bytes_ = image.to_image(tree, version=2)
-        assert len(bytes_) < LARGEST
-        decoded = decode(image.from_image(bytes_, version=2), KINDS, Address())
-        assert decoded == recipe
-        assert repr(decoded) == repr(recipe)
+@every_kind
+def test_only_bad_input_is_refused_and_in_words(kind):
+    """Beyond their ranges, of wrong types, at strange rates and shifts."""
+    numbers = (-1.0, math.nan, math.inf, 1e308, 10**400)
+    for name in specs_of(kind):
+        for value in (None, "", *numbers, (), ((0.0,),), b"", object()):
+            message = refusal_of(lambda name=name, value=value: replace(kind(), **{name: value}))
+            assert "expected" in message or not message
+    for rate_hz in (0.0, -1300.0, math.nan, math.inf, "fast", None):
+        assert "expected" in refusal_of(lambda rate_hz=rate_hz: kind().samples(rate_hz))
+    for shift_s in (-1e-6, 1 / 1300, 1.0, math.nan, "0"):
+        assert "shift_s is" in refusal_of(lambda shift_s=shift_s: kind().samples(1300.0, shift_s))
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@every_kind
 @pytest.mark.parametrize("part", [0.25, 0.5, 0.9])
 def test_a_shifted_waveform_is_the_same_one_a_little_later(kind, part):
     """As a band-limited delay of it is, where neither its edges nor half the rate matter."""
@@ -200,6 +127,117 @@ def test_a_shifted_waveform_is_the_same_one_a_little_later(kind, part):
     later, sooner = (band_limited_delay(plain, delay)[inside] for delay in (part, 1 - part))
     error = np.sqrt(np.mean((samples[inside] - later) ** 2) / np.mean(later**2))
     # Edges of squares hold all harmonics up to half the rate, where the delay ends.
-    assert error < (0.05 if kind.__name__ in {"Square", "Saw", "PulseTrain"} else 2e-3)
+    assert error < (0.05 if kind in (Square, Saw, PulseTrain) else 2e-3)
     if part != 0.5:
         assert error < np.sqrt(np.mean((sooner - later) ** 2) / np.mean(later**2))
+
+
+def tuples(value):
+    """Lists of json as fields hold them."""
+    return tuple(map(tuples, value)) if isinstance(value, list) else value
+
+
+@pytest.mark.parametrize(("name", "n_kinds"), [("periodic_waveforms", 8), ("wavelets", 8)])
+def test_each_is_its_formula_to_1e_12_at_any_time_rate_and_shift(references, name, n_kinds):
+    """Against 40 digits and more."""
+    kinds = set()
+    with np.load(references / f"{name}.npz") as stored:
+        for number, case in enumerate(json.loads(str(stored["cases"]))):
+            recipe = getattr(waveforms, case["kind"])(*tuples(case["fields"]))
+            samples = recipe.samples(case["rate_hz"], case["shift_s"])
+            places, expected = stored[f"places_{number}"], stored[f"values_{number}"]
+            assert samples.size == places[-1] + 1, case
+            np.testing.assert_allclose(
+                samples[places], expected, rtol=0, atol=1e-12, err_msg=str(case)[:200]
+            )
+            kinds.add(type(recipe))
+    assert len(kinds) == n_kinds
+
+
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if "window" in specs_of(kind)])
+@pytest.mark.parametrize("name", ["tukey", "hanning"])
+def test_a_window_fades_the_burst(kind, name):
+    recipe, windowed = kind(window="none"), kind(window=name)
+    plain, faded = recipe.samples(1300.0), windowed.samples(1300.0)
+    weighted = plain * window(name, plain.size)
+    if kind is Noise:  # its largest sample is 1 afterwards
+        weighted /= np.abs(weighted).max()
+        assert windowed.samples(1300.0, 4e-4)[0] == 0.0
+    np.testing.assert_allclose(faded, weighted, rtol=0, atol=1e-15)
+    if kind is Noise:
+        return
+    shifted, later = recipe.samples(1300.0, 4e-4), windowed.samples(1300.0, 4e-4)
+    assert later[0] == shifted[0] == 0.0
+    assert (np.abs(later) <= np.abs(shifted)).all()
+
+
+@pytest.mark.parametrize(
+    ("recipe", "name"),
+    [
+        (Chirp(100.0, 650.0), "end_hz is 650"),
+        (Chirp(650.0, 100.0), "start_hz is 650"),
+        (DampedSine(650.0), "frequency_hz is 650"),
+        (Square(650.0), "frequency_hz is 650"),
+        (Saw(650.0), "frequency_hz is 650"),
+        (Triangle(650.0), "frequency_hz is 650"),
+        (PulseTrain(650.0, 1e-5), "rate_hz is 650"),
+        (AmplitudeModulated(650.0, depth=0.0), "carrier_hz is 650"),
+        (AmplitudeModulated(630.0, 20.0), r"carrier_hz \+ modulator_hz is 650"),
+        (FrequencyModulated(650.0, deviation_hz=0.0), "carrier_hz is 650"),
+        (FrequencyModulated(100.0, 650.0), "modulator_hz is 650"),
+        (FrequencyModulated(600.0, 20.0, 50.0), r"carrier_hz \+ deviation_hz is 650"),
+        (Gabor(650.0), "frequency_hz is 650"),
+        (Ricker(650.0), "frequency_hz is 650"),
+        (Morlet(650.0), "frequency_hz is 650"),
+        (Chirplet(650.0, 0.0, 0.01), "frequency_hz is 650"),
+        (Chirplet(600.0, 2500.0, 0.01), "reaches 650 Hz"),
+        (Chirplet(600.0, -2500.0, 0.01), "reaches 650 Hz"),
+        (WaveletTrain((100.0, 650.0)), "frequencies_hz is 650"),
+        (Glide(((0.0, 100.0, 1.0), (1.0, 650.0, 1.0))), "frequency_hz is 650"),
+        (CentredTap(4.0 / 1300.0 + 0.001), r"more than 0\.005 s at 800 Hz"),
+    ],
+    ids=repr,
+)
+def test_what_reaches_half_the_rate_is_refused_and_nothing_below(recipe, name):
+    with pytest.raises(InvalidInputError, match=name):
+        recipe.samples(800.0 if isinstance(recipe, CentredTap) else 1300.0)
+    assert np.isfinite(recipe.samples(1300.2)).all()
+
+
+@pytest.mark.parametrize(
+    ("make", "what"),
+    [
+        (lambda: PulseTrain(250.0, 0.004), r"PulseTrain\.pulse_s is .* expected less than"),
+        (lambda: Noise(low_hz=300.0, high_hz=300.0), r"Noise\.low_hz"),
+        (lambda: Noise(low_hz=100.0, high_hz=104.0, duration_s=0.2), r"Noise\.duration_s"),
+        (lambda: Gabor(0.1, 50.0), "Gabor lasts"),
+        (lambda: Morlet(0.1, 50.0), "Morlet lasts"),
+        (lambda: WaveletTrain(slot_s=60.0, frequencies_hz=(100.0,) * 11), "WaveletTrain lasts 660"),
+        (lambda: WaveletTrain((50.0, 60.0), gains_db=(0.0,)), r"has 1 gains, .* the 2 frequencies"),
+        (lambda: WaveletTrain(()), r"WaveletTrain\.frequencies_hz"),
+        (lambda: WaveletTrain((0.0,)), r"WaveletTrain\.frequencies_hz"),
+        (lambda: WaveletTrain(family="db4"), r"WaveletTrain\.family"),
+        (lambda: Glide(()), r"Glide\.points"),
+        (lambda: Glide(((0.0, 50.0, 1.0), (0.0, 60.0, 1.0))), "end at 0 s"),
+        (lambda: Glide(((0.2, 50.0, 1.0), (0.1, 60.0, 1.0))), r"Glide\.points"),
+        (lambda: Glide(((0.0, 50.0, 1.5), (0.1, 60.0, 1.0))), r"Glide\.points"),
+    ],
+)
+def test_fields_that_do_not_go_together_are_refused_by_name(make, what):
+    with pytest.raises(InvalidInputError, match=what):
+        make()
+
+
+def test_lists_and_arrays_will_do_for_tuples():
+    plain = WaveletTrain((50.0, 60.0), gains_db=(0.0, -3.0))
+    assert WaveletTrain([50, 60], gains_db=np.array([0.0, -3.0])) == plain
+    assert hash(WaveletTrain(np.array([50.0, 60.0]), gains_db=[0, -3])) == hash(plain)
+    points = [[0.0, 50.0, 1.0], [0.1, 60.0, 1.0]]
+    assert Glide(points) == Glide(np.array(points)) == Glide(tuple(map(tuple, points)))
+
+
+def test_every_kind_is_reached_by_its_name():
+    for kind in KINDS:
+        assert getattr(ss.waveforms, kind.__name__) is kind
+    assert len(waveforms.COMMON) == 8
+    assert set(waveforms.COMMON).isdisjoint(waveforms.MORE)

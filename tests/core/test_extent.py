@@ -33,6 +33,13 @@ def test_each_figure_is_its_formula():
     assert extent.d90_mm == within[0]
 
 
+def test_the_unit_of_the_rms_does_not_matter_even_far_out():
+    rms = np.random.default_rng(4).uniform(0.1, 1.0, 72)
+    plain = ss.extent(rms, LIMB, 7)
+    for scale in (2.0**-500, 2.0**500):
+        assert ss.extent(rms * scale, LIMB, 7) == plain
+
+
 def test_of_several_places_the_nearest_counts():
     rms = np.random.default_rng(5).uniform(0.1, 1.0, 72)
     nearest = np.fmin(distances_mm(LIMB, 1), distances_mm(LIMB, 20))
@@ -66,13 +73,27 @@ def test_outputs_without_a_place_take_no_part():
     assert ss.extent(louder, LIMB, 7) == ss.extent(rms, LIMB, 7)
 
 
-def test_windows_follow_each_other_and_the_rest_is_left_out():
+@pytest.mark.parametrize(
+    ("length", "first", "n"), [(20, 7, 4), (103, 0, 1), (104, 0, 0), (5, 200, 0)]
+)
+def test_windows_follow_each_other_and_the_rest_is_left_out(length, first, n):
     signals = np.random.default_rng(6).standard_normal((3, 2, 103))
-    rms = ss.windowed_rms(signals, 20, first_sample=7)
-    assert rms.shape == (4, 3, 2)
-    for j in range(4):
-        piece = signals[..., 7 + 20 * j : 27 + 20 * j]
+    rms = ss.windowed_rms(signals, length, first_sample=first)
+    assert rms.shape == (n, 3, 2)
+    for j in range(n):
+        piece = signals[..., first + length * j : first + length * (j + 1)]
         np.testing.assert_allclose(rms[j], np.sqrt(np.mean(piece**2, axis=-1)), rtol=1e-14)
+
+
+def test_squares_of_windows_do_not_overflow():
+    assert ss.windowed_rms([3e200, 4e200], 2)[0] == pytest.approx(3.5355339059327378e200)
+    assert ss.windowed_rms([3e-200, 4e-200], 2)[0] == pytest.approx(3.5355339059327378e-200)
+
+
+@pytest.mark.parametrize("window", [0, 1.5, True, "3"])
+def test_a_window_is_a_whole_number_of_samples(window):
+    with pytest.raises(InvalidInputError, match="window_samples"):
+        ss.windowed_rms(np.ones(10), window)
 
 
 def test_the_default_train_contracts_as_measured(installed_dataset, monkeypatch):

@@ -30,10 +30,6 @@ def test_the_list_describes_every_shipped_data_file():
     )
 
 
-def test_the_synthetic_limbs_are_shipped():
-    assert "synthetic-limbs.json" in [entry["name"] for entry in described(data_folder())["files"]]
-
-
 if __name__ == "__main__":
     write_bytes(
         data_folder() / NAME, (json.dumps(described(data_folder()), indent=2) + "\n").encode()

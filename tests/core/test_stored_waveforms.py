@@ -1,6 +1,7 @@
 """Drawn and recorded waveforms: the samples themselves, and the signal that they describe."""
 
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 import pytest
@@ -8,39 +9,34 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design import waveforms
-from skinsource.design.design import Design, track
-from skinsource.design.design_file import open_design, save_design
 from skinsource.design.edits.edit import as_kind
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.samples import Drawn, Recording
 from skinsource.design.waveforms.tones import Tone
-from skinsource.specs.models import specs_of
 from skinsource.specs.samples import Samples
 
-BOTH = (Drawn, Recording)
 RATES_HZ = (1300.0, 8000.0, 44100.0, 48000.0)
+both = pytest.mark.parametrize("kind", [Drawn, Recording])
 
 
-def swelling(frequency_hz: float, time_s: np.ndarray, length_s: float) -> np.ndarray:
-    """A tone within a bell that is silent at both ends: as good as band-limited."""
-    bell = np.exp(-0.5 * ((time_s - length_s / 2) / (length_s / 14)) ** 2)
+def swelling(frequency_hz: float, time_s: np.ndarray) -> np.ndarray:
+    """A tone within a bell of 1 s, silent at both ends: as good as band-limited."""
+    bell = np.exp(-0.5 * ((time_s - 0.5) * 14) ** 2)
     return bell * np.sin(2 * np.pi * frequency_hz * time_s)
 
 
-def stored(frequency_hz: float, rate_hz: float, length_s: float = 1.0) -> Samples:
-    time_s = np.arange(round(length_s * rate_hz)) / rate_hz
-    return Samples(values=swelling(frequency_hz, time_s, length_s), sample_rate_hz=rate_hz)
+def stored(frequency_hz: float, rate_hz: float) -> Samples:
+    values = swelling(frequency_hz, np.arange(round(rate_hz)) / rate_hz)
+    return Samples(values=values, sample_rate_hz=rate_hz)
 
 
-@pytest.mark.parametrize("kind", BOTH)
+@both
 @given(
     st.lists(st.floats(-1e6, 1e6), min_size=1, max_size=200),
     st.one_of(st.sampled_from(RATES_HZ), st.floats(0.1, 1e6)),
 )
 def test_at_their_own_rate_the_samples_are_played_bit_by_bit(kind, values, rate_hz):
-    samples = Samples(values=values, sample_rate_hz=rate_hz)
-    recipe = kind(samples)
+    recipe = kind(Samples(values=values, sample_rate_hz=rate_hz))
     result = recipe.samples(rate_hz)
     np.testing.assert_array_equal(result, values)
     assert recipe.duration_s == len(values) / rate_hz
@@ -48,50 +44,30 @@ def test_at_their_own_rate_the_samples_are_played_bit_by_bit(kind, values, rate_
     np.testing.assert_array_equal(recipe.samples(rate_hz), values)
 
 
-@pytest.mark.parametrize("kind", BOTH)
-@pytest.mark.parametrize("own_hz", RATES_HZ)
-@pytest.mark.parametrize("rate_hz", RATES_HZ)
+@pytest.mark.parametrize(("own_hz", "rate_hz"), [*product(RATES_HZ, RATES_HZ), (1300.7, 1300.0)])
 @pytest.mark.parametrize("part", [0.0, 0.37])
-def test_at_any_rate_and_between_samples_it_is_the_signal(kind, own_hz, rate_hz, part):
-    for frequency_hz in (25.0, 250.0, 590.0):
+def test_at_any_rate_and_between_samples_it_is_the_signal(own_hz, rate_hz, part):
+    for frequency_hz in (25.0, 590.0):
         shift_s = part / rate_hz
-        samples = kind(stored(frequency_hz, own_hz)).samples(rate_hz, shift_s)
-        assert samples.shape == (round(rate_hz) + (part > 0),)
+        samples = Recording(stored(frequency_hz, own_hz)).samples(rate_hz, shift_s)
+        assert abs(samples.size - (rate_hz + (part > 0))) <= (own_hz == 1300.7)
         time_s = np.arange(samples.size) / rate_hz - shift_s
         # 0.001 dB are 1.2e-4.
         np.testing.assert_allclose(
-            samples, swelling(frequency_hz, time_s, 1.0), rtol=0, atol=1.2e-4, err_msg=frequency_hz
+            samples, swelling(frequency_hz, time_s), rtol=0, atol=1.2e-4, err_msg=frequency_hz
         )
 
 
-@pytest.mark.parametrize("kind", BOTH)
-@pytest.mark.parametrize("n", [1, 2, 13, 27, 1001])
-def test_it_is_as_long_at_any_rate_as_it_says(kind, n):
-    recipe = kind(Samples(values=np.ones(n), sample_rate_hz=48000.0))
-    assert recipe.duration_s == n / 48000.0
-    for rate_hz in (1300.0, 44100.0, 48000.0, 96000.0):
-        assert recipe.samples(rate_hz).size == int(n * rate_hz / 48000.0 + 0.5)
-
-
-def test_a_rate_that_is_no_ratio_of_small_numbers_is_played_too():
-    samples = stored(100.0, 1300.7)
-    played = Recording(samples).samples(1300.0)
-    expected = swelling(100.0, np.arange(played.size) / 1300.0, 1.0)
-    assert played.size == 1300
-    np.testing.assert_allclose(played, expected, rtol=0, atol=1.2e-4)
-
-
-@pytest.mark.parametrize("kind", BOTH)
+@both
 def test_a_list_or_an_array_is_taken_as_samples_at_1300_hz(kind):
     for values in ([0.0, 1.0, -0.5], (0.0, 1.0, -0.5), np.array([0.0, 1.0, -0.5])):
         recipe = kind(values)
-        assert recipe.samples.sample_rate_hz == 1300.0
         assert recipe == kind(samples=Samples(values=values, sample_rate_hz=1300.0))
         assert recipe.samples(1300.0).tolist() == [0.0, 1.0, -0.5]
         assert hash(recipe) == hash(kind(values))
 
 
-@pytest.mark.parametrize("kind", BOTH)
+@both
 @pytest.mark.parametrize("bad", [[], [np.nan], "tap.wav", None, 3.0, [[1.0], [2.0]], [1j]])
 def test_what_is_no_signal_is_refused(kind, bad):
     with pytest.raises(InvalidInputError):
@@ -105,33 +81,7 @@ def test_what_is_drawn_has_no_unit_and_what_is_recorded_any():
     assert Recording(metres).samples.unit == "m/s²"
 
 
-def test_a_recording_says_where_it_is_from():
-    recording = Recording([1.0], "tap.wav, channel 1", 48000)
-    assert (recording.name, recording.source_rate_hz) == ("tap.wav, channel 1", 48000.0)
-    assert Recording([1.0]).source_rate_hz is None
-    for bad in (0.0, -1.0, "48000"):
-        with pytest.raises(InvalidInputError, match="source_rate_hz"):
-            Recording([1.0], source_rate_hz=bad)
-
-
-def test_it_is_kept_in_files_once(tmp_path):
-    samples = stored(250.0, 48000.0)
-    plays = (Recording(samples, "tap.wav", 96000.0), Drawn(samples), Recording(samples))
-    path = tmp_path / "twice.skinsource"
-    before = Design(limb="synthetic-1", inputs=(_input(plays[0]),))
-    save_design(path, before)
-    size = path.stat().st_size
-    design = Design(limb="synthetic-1", inputs=tuple(_input(play) for play in plays))
-    save_design(path, design)
-    assert open_design(path).design == design
-    assert path.stat().st_size < size + samples.values.nbytes // 4
-
-
-def _input(waveform):
-    return track(location=7, waveform=waveform)
-
-
-@pytest.mark.parametrize("kind", BOTH)
+@both
 def test_a_waveform_that_becomes_samples_plays_on_as_it_did(kind):
     for waveform in (Tone(90.0, duration_s=0.3), Tap(), Drawn([0.5, 1.0])):
         converted = as_kind(waveform, kind, 1300.0)
@@ -140,18 +90,3 @@ def test_a_waveform_that_becomes_samples_plays_on_as_it_did(kind):
     metres = Samples(values=[1.0, 2.0], sample_rate_hz=48000.0, unit="m/s²")
     assert as_kind(Recording(metres), Drawn, 1300.0).samples == replace(metres, unit="")
     assert as_kind(Tone(frequency_hz=700.0), kind, 1300.0) == kind()
-
-
-@pytest.mark.parametrize("kind", BOTH)
-def test_what_reads_fields_finds_the_samples(kind):
-    assert next(iter(specs_of(kind))) == "samples"
-    assert isinstance(kind(), waveforms.Waveform)
-    assert kind().samples(1300.0).shape == (130,)
-
-
-def test_samples_refuse_a_rate_that_is_none():
-    for bad in (0.0, -1300.0, np.nan):
-        with pytest.raises(InvalidInputError, match="sample_rate_hz"):
-            Drawn().samples(bad)
-    with pytest.raises(InvalidInputError, match="shift_s"):
-        Drawn().samples(1300.0, 1 / 1300.0)

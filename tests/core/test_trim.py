@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from skinsource.base.errors import InvalidInputError
 from skinsource.design.clips import Clip
 from skinsource.design.effects.playing import played, played_s
 from skinsource.design.effects.time import Trim
@@ -64,9 +63,9 @@ def test_on_samples_every_bit_is_as_it_was(waveform, onset_s):
     np.testing.assert_array_equal(total(*parts), total(whole))
 
 
-@pytest.mark.parametrize("start_s", [0.0, 0.01, 0.0123, 0.05, 0.0999, 0.1, 0.3])
-@pytest.mark.parametrize("duration_s", [0.0, 0.0004, 0.03, 0.0307, 600.0])
-@pytest.mark.parametrize("shift", [0.0, 0.3, 0.9])
+@pytest.mark.parametrize("start_s", [0.0, 0.0123, 0.05, 0.0999, 0.3])
+@pytest.mark.parametrize("duration_s", [0.0, 0.0004, 0.0307, 600.0])
+@pytest.mark.parametrize("shift", [0.0, 0.3])
 def test_a_part_shows_the_waveform_at_its_own_instants(start_s, duration_s, shift):
     trim = Trim(start_s=start_s, duration_s=duration_s)
     samples = played(TONE, (trim,), RATE_HZ, shift / RATE_HZ)
@@ -93,30 +92,8 @@ def test_a_part_of_a_part_counts_from_its_own_start():
 
 
 def test_a_trim_of_everything_changes_nothing():
-    np.testing.assert_array_equal(Trim().applied(TONE.samples(RATE_HZ), RATE_HZ), total_of(TONE))
+    whole = TONE.samples(RATE_HZ, 0.0002)
+    for part in (Trim(), Trim(duration_s=0.1)):
+        np.testing.assert_array_equal(part.applied(whole, RATE_HZ, 0.0002, 0.1), whole)
     assert Trim().length(0.1) == 0.1
-
-
-def total_of(waveform) -> np.ndarray:
-    return waveform.samples(RATE_HZ)
-
-
-@pytest.mark.parametrize("samples", [np.zeros(0), np.ones(1), np.ones(130)])
-def test_nothing_is_left_of_what_ended_before(samples):
-    assert Trim(start_s=0.2, duration_s=0.1).applied(samples, RATE_HZ).size == 0
-    assert Trim(duration_s=0.0).applied(samples, RATE_HZ).size == 0
     assert Trim(start_s=0.2).length(0.1) == 0.0
-
-
-def test_what_it_is_applied_to_stays_as_it_is():
-    samples = TONE.samples(RATE_HZ)
-    before = samples.copy()
-    Trim(start_s=0.01, duration_s=0.02).applied(samples, RATE_HZ, 0.0002)[:] = 5.0
-    np.testing.assert_array_equal(samples, before)
-
-
-@pytest.mark.parametrize("wrong", [{"start_s": -0.1}, {"duration_s": -1.0}, {"on": 1}])
-def test_an_impossible_part_is_refused_by_name(wrong):
-    (name,) = wrong
-    with pytest.raises(InvalidInputError, match=rf"Trim\.{name} is"):
-        Trim(**wrong)

@@ -11,7 +11,7 @@ from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
-from skinsource.design.presets.shipped import SHIPPED
+from skinsource.design.presets.presets import read_preset, shipped_folder
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
@@ -84,8 +84,7 @@ def test_several_are_said_in_one_sentence():
 
 
 def test_a_preset_that_the_actuator_cannot_follow_is_left_out():
-    preset = next(shipped for shipped in SHIPPED if shipped.name == "Heartbeat")
-    (lane,) = preset.fragment.lanes
+    (lane,) = read_preset(shipped_folder() / "heartbeat.skinpreset").fragment.lanes
     heartbeat = Input(location=6, clips=lane.clips)
     (unplayable,) = shown(design_of(heartbeat, EQUALISED))["unplayable_inputs"]
     assert unplayable.sentence.startswith("Input at place 6 cannot be played through this actuator")

@@ -204,6 +204,9 @@ def test_nothing_raises_and_undo_and_redo_lead_through_the_same_states(qapp, seq
         before = len(designs)
         how = {"lead": 1, "start": START} if name == "drag_field" else {}
         outcome = getattr(edits, name)(document.design, document.view, *arguments, **how)
+        if isinstance(outcome, edits.Refusal):
+            assert outcome.sentence.endswith("."), name
+            assert len(outcome.sentence) < 400, name
         document.apply(outcome, gesture)
         assert len(designs) - before <= 1, f"{name} was told more than once"
         design = document.design

@@ -4,7 +4,7 @@ They depend on the scaling, on the actuators, and on the drive that the limb's r
 """
 
 from functools import lru_cache
-from typing import Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,6 +17,9 @@ from skinsource.design.waveforms.samples import Layers, Recording
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import drive_unit_known, facts_of
 from skinsource.limbs.scaling import Scaling
+
+if TYPE_CHECKING:  # designs import this module
+    from skinsource.design.design import Design, Input
 
 #: Unit of a drive whose unit is not known.
 ARBITRARY_UNIT = "a.u."
@@ -40,47 +43,7 @@ _MEANINGS_OF_DRIVES: dict[Scaling, str] = {
 _ROUNDING = 1e-3
 
 
-class Driven(Protocol):
-    """The fields of a design on which the meaning of amplitudes depends."""
-
-    @property
-    def limb(self) -> str:
-        """Name of the limb."""
-
-    @property
-    def limb_digest(self) -> str:
-        """Digest of the limb; empty: any limb of the name."""
-
-    @property
-    def scaling(self) -> Scaling:
-        """Scaling of amplitudes."""
-
-    @property
-    def actuated(self) -> Actuation | None:
-        """Actuators of the prediction."""
-
-
-class Track(Protocol):
-    """The fields of an input on which its peak depends."""
-
-    @property
-    def location(self) -> int:
-        """Input place."""
-
-    @property
-    def amplitude(self) -> float:
-        """Factor on all clips."""
-
-    @property
-    def clips(self) -> tuple[Clip, ...]:
-        """Clips that it plays."""
-
-    @property
-    def gain_curve(self) -> Curve:
-        """Gain over time."""
-
-
-def is_gain(design: Driven, track: Track) -> bool:
+def is_gain(design: "Design", track: "Input") -> bool:
     """Whether the amplitude of an input is a plain factor on a recording with its own size.
 
     Under upstream scaling it is not, because there the amplitude is the peak on the skin.
@@ -90,7 +53,7 @@ def is_gain(design: Driven, track: Track) -> bool:
     )
 
 
-def peak_text(design: Driven, track: Track) -> str:
+def peak_text(design: "Design", track: "Input") -> str:
     """Return the peak drive of an input, ``"4.88 m/s²"``; empty if it cannot be played."""
     rate_hz = facts_of(design.limb).sample_rate_hz
     try:
@@ -102,7 +65,7 @@ def peak_text(design: Driven, track: Track) -> str:
     return f"{peak:.3g} {amplitude_unit(design)}"
 
 
-def amplitude_text(design: Driven, track: Track) -> str:
+def amplitude_text(design: "Design", track: "Input") -> str:
     """Return the amplitude of an input: ``"2 m/s²"``, or ``"gain 2, peak 9.76 m/s²"``."""
     if not is_gain(design, track):
         return f"{track.amplitude:g} {amplitude_unit(design)}"
@@ -110,7 +73,7 @@ def amplitude_text(design: Driven, track: Track) -> str:
     return f"gain {track.amplitude:g}" + (f", peak {peak}" if peak else "")
 
 
-def amplitude_unit(design: Driven) -> str:
+def amplitude_unit(design: "Design") -> str:
     """Return the unit of an input's amplitude.
 
     It is m/s², V at an actuator, × for a plain factor, or `ARBITRARY_UNIT`.
@@ -123,7 +86,7 @@ def amplitude_unit(design: Driven) -> str:
     return _UNITS[design.scaling]
 
 
-def amplitude_meaning(design: Driven) -> str:
+def amplitude_meaning(design: "Design") -> str:
     """Say what an input's amplitude means."""
     if design.actuated is None:
         return (_MEANINGS if _unit_known(design) else _MEANINGS_OF_DRIVES)[design.scaling]
@@ -141,7 +104,7 @@ def amplitude_note(
     return f"{meaning[:1].lower()}{meaning[1:]}"
 
 
-def drive_unit(design: Driven, limb: Limb | None = None) -> str:
+def drive_unit(design: "Design", limb: Limb | None = None) -> str:
     """Return the unit of the exported drives of a design.
 
     Parameters
@@ -175,5 +138,5 @@ def _peak_of(
     return drive.factor * float(np.abs(drive.samples).max(initial=0.0))
 
 
-def _unit_known(design: Driven) -> bool:
+def _unit_known(design: "Design") -> bool:
     return drive_unit_known(design.limb, design.limb_digest)

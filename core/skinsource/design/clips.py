@@ -112,7 +112,7 @@ CLIPS = ListSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Lane:
+class Lane(fields.CheckedModel):
     """The clips on one track of a fragment.
 
     Attributes
@@ -130,9 +130,6 @@ class Lane:
     offset: int = fields.number(0, OFFSET)
     clips: tuple[Clip, ...] = fields.field(CLIPS)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
 
 LANES = ListSpec(
     label="Lanes",
@@ -143,13 +140,10 @@ LANES = ListSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Fragment:
+class Fragment(fields.CheckedModel):
     """Clips of one or more tracks, to be placed elsewhere; lanes are in the order of tracks."""
 
     lanes: tuple[Lane, ...] = fields.field(LANES)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     @property
     def duration_s(self) -> float:
@@ -186,11 +180,8 @@ NAME = TextSpec(label="Name", longest=100, one_line=True)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Marker:
+class Marker(fields.CheckedModel):
     """A name, which may be empty, for a time of a design."""
 
     time_s: float = fields.field(TIME)
     name: str = fields.text("", NAME)
-
-    def __post_init__(self) -> None:
-        fields.check(self)

@@ -79,7 +79,7 @@ SCALING = ChoiceSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Input:
+class Input(fields.CheckedModel):
     """A track: clips at an input location.
 
     It plays the sum of its clips that are not muted, each from its onset, times the gain curve.
@@ -112,9 +112,6 @@ class Input:
     solo: bool = fields.switch(False, SOLO)
     colour: int = fields.number(0, COLOUR)
     id: int = fields.number(0, ID)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -38,7 +38,7 @@ _MAX_LAYOUT_BYTES = 2**20
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class DesignFile:
+class DesignFile(fields.CheckedModel):
     """The content of a file: a design, the view on it, and the window's arrangement."""
 
     design: Design = fields.field(ModelSpec(label="Design", kinds=lambda: (Design,)))
@@ -46,9 +46,6 @@ class DesignFile:
     layout: bytes = fields.field(
         BytesSpec(label="Arrangement", longest=_MAX_LAYOUT_BYTES), default=b""
     )
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
 
 @checking

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Sequence
 from html import escape
-from typing import Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -10,12 +10,13 @@ from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
-from skinsource.design.amplitudes import Driven, Track
-from skinsource.design.clips import Clip
 from skinsource.design.labels import SCALINGS, label_of, limb_label
 from skinsource.design.signal_path import drive_of_clips
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
+
+if TYPE_CHECKING:  # designs import this module
+    from skinsource.design.design import Design, Input
 
 _LABEL_PX, _LANE_PX, _LANES_PX, _AXIS_PX, _EDGE_PX = 130, 460, 36, 18, 8
 _COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
@@ -25,7 +26,7 @@ _MOST_TICKS = 8
 
 
 def _tracks_svg(
-    tracks: Sequence[Track],
+    tracks: Sequence["Input"],
     audible: Sequence[bool],
     labels: Sequence[str],
     end_s: float,
@@ -50,7 +51,7 @@ def _tracks_svg(
 
 
 def _lane(
-    track: Track, label: str, middle: float, colour: str, end_s: float, sample_rate_hz: float
+    track: "Input", label: str, middle: float, colour: str, end_s: float, sample_rate_hz: float
 ) -> list[str]:
     left = _LABEL_PX + _EDGE_PX
     elements = [
@@ -105,23 +106,7 @@ def _axis(top: float, end_s: float) -> list[str]:
 _MOST_TRACKS, _MOST_CLIPS = 20, 40
 
 
-class DesignDisplay(Driven, Protocol):
-    """The fields of a design that are shown; a protocol, because designs import this module."""
-
-    @property
-    def title(self) -> str:
-        """Title of the design."""
-
-    @property
-    def inputs(self) -> Sequence[Track]:
-        """Its tracks."""
-
-    @property
-    def clips(self) -> Sequence[Clip]:
-        """Clips of all tracks."""
-
-
-def html_of(design: DesignDisplay, audible: Collection[int], amplitudes: Sequence[str]) -> str:
+def html_of(design: "Design", audible: Collection[int], amplitudes: Sequence[str]) -> str:
     """Return HTML that needs no other files.
 
     Parameters
@@ -147,7 +132,7 @@ def html_of(design: DesignDisplay, audible: Collection[int], amplitudes: Sequenc
     return "".join(parts)
 
 
-def _table(design: DesignDisplay, amplitudes: Sequence[str]) -> str:
+def _table(design: "Design", amplitudes: Sequence[str]) -> str:
     rows = [
         (track.location, amplitude, clip)
         for track, amplitude in zip(design.inputs[:_MOST_TRACKS], amplitudes, strict=False)

@@ -100,15 +100,20 @@ SPACING = NumberSpec(
 LEVEL = replace(AMPLITUDE, minimum=0.0, hint="Amplitude of each track")
 
 
-def _tracks_by_location(
-    locations: Iterable[int], clips: Iterable[Clip], amplitude: float
+def _tracks_of(
+    motion: Any, locations: Sequence[int], clips: Iterable[dict[str, Any]]
 ) -> tuple[Input, ...]:
-    """Return a track for each location, with its clips; locations keep their order."""
+    """Return a track for each location, with its clips by their fields; locations keep their order.
+
+    A clip plays the waveform of the motion from its onset on, unless its fields say otherwise.
+    """
     clips_at: dict[int, list[Clip]] = {}
-    for location, clip in zip(locations, clips, strict=True):
-        clips_at.setdefault(location, []).append(clip)
+    for k, (location, fields_of_clip) in enumerate(zip(locations, clips, strict=True)):
+        label = f"{motion.title} {k + 1}/{len(locations)}"
+        clip = {"onset_s": motion.onset_s, "waveform": motion.waveform, **fields_of_clip}
+        clips_at.setdefault(location, []).append(Clip(label=label, **clip))
     return tuple(
-        Input(location=location, clips=tuple(clips), amplitude=amplitude)
+        Input(location=location, clips=tuple(clips), amplitude=motion.amplitude)
         for location, clips in clips_at.items()
     )
 
@@ -117,16 +122,8 @@ def _evenly_spaced_tracks(
     motion: "Alternation | ApparentMotion | TapSequence", locations: Sequence[int]
 ) -> tuple[Input, ...]:
     """Return tracks that play the waveform of a motion at one location after the other."""
-    n = len(locations)
-    clips = (
-        Clip(
-            onset_s=motion.onset_s + k * motion.spacing_s,
-            waveform=motion.waveform,
-            label=f"{motion.title} {k + 1}/{n}",
-        )
-        for k in range(n)
-    )
-    return _tracks_by_location(locations, clips, motion.amplitude)
+    onsets_s = (motion.onset_s + k * motion.spacing_s for k in range(len(locations)))
+    return _tracks_of(motion, locations, ({"onset_s": onset_s} for onset_s in onsets_s))
 
 
 def ms_text(time_s: float) -> str:
@@ -197,7 +194,7 @@ ROUNDS = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Alternation:
+class Alternation(fields.CheckedModel):
     """Bursts at each place of a path in turn, for a number of rounds.
 
     Burst k, counted from 0 through all rounds, starts k times the spacing after the first.
@@ -234,9 +231,6 @@ class Alternation:
     amplitude: float = fields.number(1.0, LEVEL)
     onset_s: float = fields.number(0.0, START)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
     @property
     def summary(self) -> str:
         """Describe the times in a phrase."""
@@ -257,7 +251,7 @@ SOA_PER_DURATION, SOA_OFFSET_S = 0.32, 0.0473
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ApparentMotion:
+class ApparentMotion(fields.CheckedModel):
     """Bursts at one place after the other that are felt as one smooth movement.
 
     Each burst starts 0.32 d + 47.3 ms after the one before; d is the duration of a burst.
@@ -289,9 +283,6 @@ class ApparentMotion:
     waveform: Waveform = fields.field(WAVEFORM, Tone(200.0, duration_s=0.1))
     amplitude: float = fields.number(1.0, LEVEL)
     onset_s: float = fields.number(0.0, START)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     @property
     def spacing_s(self) -> float:
@@ -325,7 +316,7 @@ POSITION = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Phantom:
+class Phantom(fields.CheckedModel):
     """The same waveform at two places, felt as one between them.
 
     At the position β from the first place (0) to the second (1), the first plays with sqrt(1 - β)
@@ -363,9 +354,6 @@ class Phantom:
     amplitude: float = fields.number(1.0, LEVEL)
     onset_s: float = fields.number(0.0, START)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
     @property
     def shares(self) -> tuple[float, float]:
         """Shares of the amplitude: sqrt(1 - β) and sqrt(β)."""
@@ -383,19 +371,10 @@ class Phantom:
     def tracks(self) -> tuple[Input, ...]:
         """Return a track for each of the two places, also for a silent one."""
         # Shares are amplitudes of tracks, which count under every scaling; gains of clips do not.
+        tracks = _tracks_of(self, self.path, ({}, {}))
         return tuple(
-            Input(
-                location=place,
-                clips=(
-                    Clip(
-                        onset_s=self.onset_s,
-                        waveform=self.waveform,
-                        label=f"{self.title} {k + 1}/2",
-                    ),
-                ),
-                amplitude=share * self.amplitude,
-            )
-            for k, (place, share) in enumerate(zip(self.path, self.shares, strict=True))
+            replace(track, amplitude=share * self.amplitude)
+            for track, share in zip(tracks, self.shares, strict=True)
         )
 
 
@@ -474,27 +453,17 @@ class Sweep:
 
     def tracks(self) -> tuple[Input, ...]:
         """Return a track for each place."""
-        clips = (self._clip(k) for k in range(len(self.path)))
-        return _tracks_by_location(self.path, clips, self.amplitude)
+        return _tracks_of(self, self.path, map(self._clip, range(len(self.path))))
 
-    def _clip(self, k: int) -> Clip:
+    def _clip(self, k: int) -> dict[str, Any]:
         n = len(self.path)
         cross_s = self.overlap * self.leg_s
         begin_s = 0.0 if k == 0 else (k - 0.5) * self.leg_s - cross_s / 2
         end_s = self.waveform.duration_s if k == n - 1 else (k + 0.5) * self.leg_s + cross_s / 2
-        return Clip(
-            onset_s=self.onset_s + begin_s,
-            waveform=self.waveform,
-            effects=(
-                Trim(start_s=begin_s, duration_s=end_s - begin_s),
-                Fade(
-                    in_s=cross_s if k > 0 else 0.0,
-                    out_s=cross_s if k < n - 1 else 0.0,
-                    shape="equal power",
-                ),
-            ),
-            label=f"{self.title} {k + 1}/{n}",
-        )
+        trim = Trim(start_s=begin_s, duration_s=end_s - begin_s)
+        in_s, out_s = cross_s if k > 0 else 0.0, cross_s if k < n - 1 else 0.0
+        fade = Fade(in_s=in_s, out_s=out_s, shape="equal power")
+        return {"onset_s": self.onset_s + begin_s, "effects": (trim, fade)}
 
 
 TAPS = NumberSpec(
@@ -503,7 +472,7 @@ TAPS = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class TapSequence:
+class TapSequence(fields.CheckedModel):
     """The same number of taps at each place of a path, evenly spaced throughout.
 
     Tap k, counted from 0 through all places, starts k times the spacing after the first.
@@ -542,9 +511,6 @@ class TapSequence:
     spacing_s: float = fields.number(0.06, SPACING)
     amplitude: float = fields.number(1.0, LEVEL)
     onset_s: float = fields.number(0.0, START)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     @property
     def summary(self) -> str:
@@ -587,7 +553,7 @@ SPEED = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class TravellingPhase:
+class TravellingPhase(fields.CheckedModel):
     """The same steady tone at all places at once, with a phase that lags from place to place.
 
     At place k it starts with the phase of the waveform minus 2 pi frequency k distance / speed,
@@ -625,9 +591,6 @@ class TravellingPhase:
     amplitude: float = fields.number(1.0, LEVEL)
     onset_s: float = fields.number(0.0, START)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
     @property
     def lag_turns(self) -> float:
         """Lag from one place to the next, in turns."""
@@ -643,16 +606,9 @@ class TravellingPhase:
 
     def tracks(self) -> tuple[Input, ...]:
         """Return a track for each place."""
-        n = len(self.path)
-        clips = (
-            Clip(
-                onset_s=self.onset_s,
-                waveform=replace(self.waveform, phase_rad=self._phase_rad(k)),
-                label=f"{self.title} {k + 1}/{n}",
-            )
-            for k in range(n)
-        )
-        return _tracks_by_location(self.path, clips, self.amplitude)
+        phases_rad = map(self._phase_rad, range(len(self.path)))
+        waveforms = (replace(self.waveform, phase_rad=phase_rad) for phase_rad in phases_rad)
+        return _tracks_of(self, self.path, ({"waveform": waveform} for waveform in waveforms))
 
     def _phase_rad(self, k: int) -> float:
         if k == 0:

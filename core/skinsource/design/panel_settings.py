@@ -74,7 +74,7 @@ OUTPUT = NumberSpec(label="Output", minimum=0, maximum=1e6, whole=True)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class SpectrogramSettings:
+class SpectrogramSettings(fields.CheckedModel):
     """How a spectrogram is made and drawn.
 
     Attributes
@@ -92,9 +92,6 @@ class SpectrogramSettings:
     output: int = fields.number(0, OUTPUT)
     floor_hz: float = fields.number(0.0, FLOOR)
     ceiling_hz: float = fields.number(CEILING.maximum, CEILING)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     @property
     def window_s(self) -> float:

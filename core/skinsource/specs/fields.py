@@ -5,9 +5,9 @@ A model is a frozen dataclass whose fields are made here::
     frequency_hz: float = fields.number(100.0, NumberSpec(label="Frequency", unit="Hz"))
     muted: bool = fields.switch(False, SwitchSpec(label="Mute"))
 
-and that calls `check` when it is made.  These specifications drive checks, files, the clipboard
-and editors, so that a new model is one new file.  Code that treats kinds of fields differently
-calls `made_for` with a table by class.
+and that calls `check` when it is made, as a `CheckedModel` does.  These specifications drive
+checks, files, the clipboard and editors, so that a new model is one new file.  Code that treats
+kinds of fields differently calls `made_for` with a table by class.
 """
 
 from typing import Any
@@ -21,7 +21,7 @@ from skinsource.specs.breakpoints import (
     SlopedPoint,
     slope_of,
 )
-from skinsource.specs.models import check, field, specs_of
+from skinsource.specs.models import CheckedModel, check, field, specs_of
 from skinsource.specs.numbers import (
     SMALLEST,
     CurveSpec,
@@ -79,6 +79,7 @@ __all__ = [
     "Breakpoint",
     "BreakpointsSpec",
     "BytesSpec",
+    "CheckedModel",
     "ChoiceSpec",
     "CurveSpec",
     "ListSpec",

@@ -112,6 +112,16 @@ def decode(tree: Tree, kinds: tuple[type, ...], at: Address) -> Any:
         raise FileFormatError(f"{at}: {str(error).rstrip('.')}. {_DAMAGED}") from error
 
 
+class CheckedModel:
+    """A model that checks its fields when it is made, and nothing else."""
+
+    __slots__ = ()
+
+    def __post_init__(self) -> None:
+        """Check the fields."""
+        check(self)
+
+
 class Nesting:
     """A model that may hold others of its kind: it counts their levels once."""
 

@@ -84,11 +84,6 @@ def test_a_lock_that_names_nobody_holds_only_while_it_may_be_being_written(lock,
     assert lock.take() is None
 
 
-def test_where_nothing_can_be_written_that_is_told(tmp_path):
-    with pytest.raises(StorageError):
-        Lock(tmp_path / "absent" / "tap.skinsource").take()
-
-
 def test_a_link_and_what_it_leads_to_are_one_file(lock):
     lock.file.write_bytes(b"")
     other = lock.file.with_name("link.skinsource")

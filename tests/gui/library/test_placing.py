@@ -9,8 +9,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design import edits
-from skinsource.design.presets.shipped import SHIPPED
+from skinsource.design.presets.presets import read_preset_folder, shipped_folder
 from tests.gui.library.bench import KEY, go_to, labels, names
+
+SHIPPED = read_preset_folder(shipped_folder()).entries
 
 
 def test_enter_places_at_the_playhead_on_the_selected_track_in_one_step(window, panel, settle):
@@ -106,7 +108,7 @@ def test_a_damaged_file_that_is_dropped_is_refused_in_a_sentence(window, panel, 
 
 
 def test_every_shipped_preset_is_listed_and_drawn(window, panel):
-    assert set(names(panel)) == {preset.name for preset in SHIPPED}
+    assert set(names(panel)) == {entry.preset.name for entry in SHIPPED}
     for row in range(panel.model.rowCount()):
         panel.rows.go_to(row)
         assert panel.preview.strip.message == ""

@@ -5,7 +5,7 @@ the presets of the library hold one each.
 """
 
 import operator
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -14,15 +14,16 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.work import counted
 from skinsource.design.clips import GAIN as CLIP_GAIN
 from skinsource.design.clips import LABEL, MAX_CLIPS, MUTED, ONSET, Clip, Fragment, Lane, numbered
-from skinsource.design.design import MAX_INPUTS, Design, Input
+from skinsource.design.design import Design, Input
 from skinsource.design.edits.edit import (
     Edit,
     Refusal,
     change_clips,
+    change_view,
     listed,
     location_text,
-    refusal_of,
     refusing,
+    with_inputs_added,
 )
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
@@ -68,14 +69,10 @@ def select_all_clips(design: Design, view: View) -> Edit:
 @refusing
 def move_playhead(design: Design, view: View, time_s: float) -> Edit | Refusal:
     """Move the playhead to a time."""
-    after = replace(view, playhead_s=time_s)
-    return Edit(label="Move playhead", design=design, view=after)
+    return change_view(design, view, "Move playhead", playhead_s=time_s)
 
 
 NO_TIME = "A time is a number of seconds."
-_TOO_MANY_CLIPS = Refusal(
-    sentence=f"A track holds at most {MAX_CLIPS} clips; put some of them on another track."
-)
 _NO_TRACK = Refusal(sentence="That track is no longer there; choose another one.")
 #: Fields of clips that are set by name; `change_field` sets those of their waveforms.
 _FIELDS: dict[str, Spec] = {
@@ -117,8 +114,9 @@ def move_clips(
     design: Design, view: View, ids: Iterable[int], by_s: float, by_tracks: int = 0
 ) -> Edit | Refusal:
     """Move clips together in time and to other tracks, as far as all of them can move."""
-    moved = _moved_clips(design, ids, by_s, by_tracks)
-    return _with_moved_clips(design, view, f"Move {_text_of(design, moved)}", moved)
+    chosen = chosen_clips(design, ids)
+    moved = _moved(design, chosen, by_s, by_tracks)
+    return _with_moved_clips(design, view, f"Move {clips_text(design, chosen)}", moved)
 
 
 @refusing
@@ -126,8 +124,9 @@ def copy_clips(
     design: Design, view: View, ids: Iterable[int], by_s: float, by_tracks: int = 0
 ) -> Edit | Refusal:
     """Put copies of clips at another time and on other tracks, and select the copies."""
-    moved = _moved_clips(design, ids, by_s, by_tracks)
-    return _with_new_clips(design, view, f"Copy {_text_of(design, moved)}", moved)
+    chosen = chosen_clips(design, ids)
+    moved = _moved(design, chosen, by_s, by_tracks)
+    return _with_new_clips(design, view, f"Copy {clips_text(design, chosen)}", moved)
 
 
 @refusing
@@ -203,10 +202,24 @@ def short(time_s: float) -> float:
     return float(f"{time_s:.15g}")
 
 
-def replace_clips(track: Input, clips: list[Clip]) -> Input:
-    """Return the input with other clips; the same object where all clips are the same."""
-    same = len(clips) == len(track.clips) and all(map(operator.is_, clips, track.clips))
-    return track if same else replace(track, clips=tuple(clips))
+def with_clips(design: Design, clips_of: Callable[[Input], Sequence[Clip]]) -> Design:
+    """Return the design with other clips on its inputs; an input whose clips are the same stays.
+
+    Raises
+    ------
+    InvalidInputError
+        An input would have too many clips.
+    """
+    inputs = []
+    for track in design.inputs:
+        clips = clips_of(track)
+        if len(clips) > MAX_CLIPS:
+            raise InvalidInputError(
+                f"A track holds at most {MAX_CLIPS} clips; put some of them on another track."
+            )
+        same = len(clips) == len(track.clips) and all(map(operator.is_, clips, track.clips))
+        inputs.append(track if same else replace(track, clips=tuple(clips)))
+    return replace(design, inputs=tuple(inputs))
 
 
 def _with_new_clips(
@@ -218,15 +231,7 @@ def _with_new_clips(
     on_track: dict[int, list[Clip]] = {}
     for (track_id, clip), id in zip(new, new_ids, strict=True):
         on_track.setdefault(track_id, []).append(replace(clip, id=id))
-    if any(
-        len(track.clips) + len(on_track.get(track.id, ())) > MAX_CLIPS for track in design.inputs
-    ):
-        return _TOO_MANY_CLIPS
-    inputs = tuple(
-        replace(track, clips=(*track.clips, *on_track[track.id])) if track.id in on_track else track
-        for track in design.inputs
-    )
-    after = replace(design, inputs=inputs)
+    after = with_clips(design, lambda track: (*track.clips, *on_track.get(track.id, ())))
     return Edit(label=label, design=after, view=clips_selected(after, view, new_ids))
 
 
@@ -235,38 +240,25 @@ def _with_moved_clips(
 ) -> Edit | Refusal:
     """Put clips of the design on tracks, given by id; a clip that was selected stays selected."""
     target = {clip.id: (track_id, clip) for track_id, clip in moved}
-    inputs = []
-    for track in design.inputs:
+
+    def clips_of(track: Input) -> list[Clip]:
         # A clip that stays on its track keeps its place in the list.
-        clips = [
+        staying = [
             target[clip.id][1] if clip.id in target else clip
             for clip in track.clips
             if target.get(clip.id, (track.id, clip))[0] == track.id
         ]
         own_ids = {clip.id for clip in track.clips}
-        clips += [
+        coming = (
             clip for track_id, clip in moved if track_id == track.id and clip.id not in own_ids
-        ]
-        if len(clips) > MAX_CLIPS:
-            return _TOO_MANY_CLIPS
-        inputs.append(replace_clips(track, clips))
-    after = replace(design, inputs=tuple(inputs))
+        )
+        return [*staying, *coming]
+
+    after = with_clips(design, clips_of)
     selected = view.selected_clips
     if not target.keys() & set(selected):
         selected = tuple(target)
     return Edit(label=label, design=after, view=clips_selected(after, view, selected))
-
-
-def _moved_clips(
-    design: Design, ids: Iterable[int], by_s: float, by_tracks: int
-) -> list[tuple[int, Clip]]:
-    """Return clips at their new places, see `_moved`."""
-    chosen = chosen_clips(design, ids)
-    if isinstance(by_s, bool) or not isinstance(by_s, int | float) or by_s != by_s:
-        raise InvalidInputError(NO_TIME)
-    if isinstance(by_tracks, bool) or not isinstance(by_tracks, int):
-        raise InvalidInputError("Tracks are counted in whole numbers.")
-    return _moved(design, chosen, by_s, by_tracks)
 
 
 def _moved(
@@ -276,6 +268,10 @@ def _moved(
 
     All move by the same time and number of tracks, as far as all of them can.
     """
+    if isinstance(by_s, bool) or not isinstance(by_s, int | float) or by_s != by_s:
+        raise InvalidInputError(NO_TIME)
+    if isinstance(by_tracks, bool) or not isinstance(by_tracks, int):
+        raise InvalidInputError("Tracks are counted in whole numbers.")
     onsets = [clip.onset_s for clip in chosen]
     by_s = min(max(by_s, ONSET.minimum - min(onsets)), ONSET.maximum - max(onsets))
     row_of = {clip.id: row for row, track in enumerate(design.inputs) for clip in track.clips}
@@ -287,22 +283,13 @@ def _moved(
     ]
 
 
-def _text_of(design: Design, moved: list[tuple[int, Clip]]) -> str:
-    """Return the name of moved clips in the history, by where they were before."""
-    return clips_text(design, tuple(clip for _, clip in moved))
-
-
 def _onset(time_s: float) -> float:
     return min(max(short(time_s), ONSET.minimum), ONSET.maximum)
 
 
 def _without_clips(design: Design, removed: tuple[Clip, ...]) -> Design:
     ids = {clip.id for clip in removed}
-    inputs = tuple(
-        replace_clips(track, [clip for clip in track.clips if clip.id not in ids])
-        for track in design.inputs
-    )
-    return replace(design, inputs=inputs)
+    return with_clips(design, lambda track: [clip for clip in track.clips if clip.id not in ids])
 
 
 @refusing
@@ -317,11 +304,8 @@ def move_clips_to_place(
     chosen = chosen_clips(design, ids)
     target = _track_at(design, view, location)
     if target is None:
-        if len(design.inputs) >= MAX_INPUTS:
-            sentence = f"A design holds at most {MAX_INPUTS} inputs; remove one first."
-            return Refusal(sentence=sentence)
         amplitude = design.track_of(chosen[-1].id).amplitude
-        design = design.adding(Input(location=location, amplitude=amplitude))
+        design = with_inputs_added(design, [Input(location=location, amplitude=amplitude)])
         target = design.ids[-1]
     verb = "Copy" if copies else "Move"
     label = f"{verb} {clips_text(design, chosen)} to {location_text(location, design.limb)}"
@@ -470,20 +454,16 @@ def _with_fragment(
     """Put a fragment on the tracks from ``row`` on, and on new ones after the last."""
     after = design
     new: list[tuple[int, Clip]] = []
-    try:
-        for lane in fragment.lanes:
-            if row + lane.offset < len(design.inputs):
-                track_id = design.inputs[row + lane.offset].id
-            elif len(after.inputs) < MAX_INPUTS:
-                after = after.adding(Input(location=lane.location, amplitude=lane.amplitude))
-                track_id = after.ids[-1]
-            else:
-                return Refusal(sentence=f"A design holds at most {MAX_INPUTS} inputs.")
-            new += [
-                (track_id, replace(clip, onset_s=short(at_s + clip.onset_s))) for clip in lane.clips
-            ]
-    except (InvalidInputError, TypeError) as error:
-        return refusal_of(InvalidInputError(str(error)))
+    for lane in fragment.lanes:
+        if row + lane.offset < len(design.inputs):
+            track_id = design.inputs[row + lane.offset].id
+        else:
+            track = Input(location=lane.location, amplitude=lane.amplitude)
+            after = with_inputs_added(after, [track])
+            track_id = after.ids[-1]
+        new += [
+            (track_id, replace(clip, onset_s=short(at_s + clip.onset_s))) for clip in lane.clips
+        ]
     return _with_new_clips(after, view, label, new)
 
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.clips import LATEST_S, MAX_CLIPS, MAX_EFFECTS, ONSET, Clip, Marker, numbered
+from skinsource.design.clips import LATEST_S, MAX_EFFECTS, ONSET, Clip, Marker, numbered
 from skinsource.design.design import Design, Input
 from skinsource.design.edits.clips import (
     NO_TIME,
@@ -20,8 +20,8 @@ from skinsource.design.edits.clips import (
     clips_selected,
     clips_text,
     present_clips,
-    replace_clips,
     short,
+    with_clips,
 )
 from skinsource.design.edits.edit import (
     Edit,
@@ -77,8 +77,9 @@ def _why_uncut(chosen: Sequence[Clip], at_s: float) -> str:
 def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Join parts of one clip again where they follow each other."""
     chosen_ids = {clip.id for clip in chosen_clips(design, ids)}
-    inputs, joined = [], []
-    for track in design.inputs:
+    joined: list[int] = []
+
+    def clips_of(track: Input) -> list[Clip]:
         clips = {clip.id: clip for clip in track.clips}
         in_time = sorted((c for c in track.clips if c.id in chosen_ids), key=lambda c: c.onset_s)
         for right in in_time:
@@ -89,13 +90,14 @@ def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal
                     clips[left.id] = joined_clip
                     joined.append(left.id)
                     break
-        inputs.append(replace_clips(track, list(clips.values())))
+        return list(clips.values())
+
+    after = with_clips(design, clips_of)
     if not joined:
         return Refusal(
             sentence="None of the selected clips goes on where another one of them ends; select "
             "parts that follow each other."
         )
-    after = replace(design, inputs=tuple(inputs))
     remaining = {clip.id for clip in after.clips}
     left_over = tuple(clip_id for clip_id in view.selected_clips if clip_id in remaining)
     return Edit(
@@ -228,16 +230,15 @@ def with_parts(design: Design, cut: dict[int, tuple[Clip, Clip]]) -> Design:
     """Return the design with clips replaced by pairs; the later of each pair gets a new id."""
     known = [clip.id for clip in design.clips]
     ids = iter(numbered([*known, *(0 for _ in cut)], "clips")[len(known) :])
-    inputs = []
-    for track in design.inputs:
+
+    def clips_of(track: Input) -> list[Clip]:
         clips: list[Clip] = []
         for clip in track.clips:
             first, *rest = cut.get(clip.id, (clip,))
             clips += [first, *(replace(part, id=next(ids)) for part in rest)]
-        if len(clips) > MAX_CLIPS:
-            raise InvalidInputError(f"A track holds at most {MAX_CLIPS} clips.")
-        inputs.append(replace_clips(track, clips))
-    return replace(design, inputs=tuple(inputs))
+        return clips
+
+    return with_clips(design, clips_of)
 
 
 def _join(left: Clip, right: Clip) -> Clip | None:
@@ -297,7 +298,7 @@ _NO_TIME_RANGE = Refusal(sentence="Choose a stretch of time: a start, and an end
 @refusing
 def insert_time(design: Design, view: View, at_s: float, length_s: float) -> Edit | Refusal:
     """Move everything from a time on later; clips that play then are cut in two."""
-    if not (_is_number(at_s) and _is_number(length_s)) or not _is_stretch(at_s, at_s + length_s):
+    if not (_is_time(at_s) and _is_time(length_s)) or not _is_stretch(at_s, at_s + length_s):
         return _NO_TIME_RANGE
     return _shifted(design, view, "Insert time", at_s, at_s, length_s)
 
@@ -322,9 +323,18 @@ def _shifted(
             return time_s
         return None if time_s < end_s - SAME_S else short(max(time_s + by_s, 0.0))
 
+    def clips_of(track: Input) -> list[Clip]:
+        onsets_s = [(clip, shift(clip.onset_s)) for clip in track.clips]
+        return [
+            clip if onset_s == clip.onset_s else replace(clip, onset_s=onset_s)
+            for clip, onset_s in onsets_s
+            if onset_s is not None
+        ]
+
+    shifted = with_clips(cut, clips_of)
     after = replace(
-        cut,
-        inputs=tuple(_shifted_track(track, shift, start_s, end_s, by_s) for track in cut.inputs),
+        shifted,
+        inputs=tuple(_with_shifted_curve(track, start_s, end_s, by_s) for track in shifted.inputs),
         markers=_shifted_markers(design.markers, shift),
         loop_s=_shifted_loop(design.loop_s, start_s, end_s, by_s),
     )
@@ -336,17 +346,9 @@ def _cut(design: Design, at_s: float) -> Design:
     return with_parts(design, cut) if cut else design
 
 
-def _shifted_track(
-    track: Input, shift: Callable[[float], float | None], start_s: float, end_s: float, by_s: float
-) -> Input:
-    clips: list[Clip] = []
-    for clip in track.clips:
-        onset_s = shift(clip.onset_s)
-        if onset_s is not None:
-            clips.append(clip if onset_s == clip.onset_s else replace(clip, onset_s=onset_s))
-    after = replace_clips(track, clips)
+def _with_shifted_curve(track: Input, start_s: float, end_s: float, by_s: float) -> Input:
     curve = _shifted_curve(track.gain_curve, start_s, end_s, by_s)
-    return after if curve == track.gain_curve else replace(after, gain_curve=curve)
+    return track if curve == track.gain_curve else replace(track, gain_curve=curve)
 
 
 def _shifted_markers(
@@ -394,10 +396,5 @@ def _shifted_curve(curve: Curve, start_s: float, end_s: float, by_s: float) -> C
     return tuple((min(x, LATEST_S), y) for x, y in points)
 
 
-def _is_number(value: Any) -> bool:
-    is_number = isinstance(value, int | float) and not isinstance(value, bool)
-    return is_number and abs(value) <= LATEST_S
-
-
 def _is_stretch(start_s: Any, end_s: Any) -> bool:
-    return _is_number(start_s) and _is_number(end_s) and 0.0 <= start_s < end_s
+    return _is_time(start_s) and _is_time(end_s) and 0.0 <= start_s < end_s <= LATEST_S

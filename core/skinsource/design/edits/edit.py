@@ -4,7 +4,7 @@ The selected input or clip that was selected last is the leading one: where a pa
 of several, it is that of the leading one.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import wraps
@@ -15,7 +15,7 @@ from skinsource.base.arguments import checking
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import sentence
 from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input
+from skinsource.design.design import MAX_INPUTS, Design, Input
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms import kinds
@@ -135,6 +135,21 @@ def change_inputs(
     )
     after = replace(design, inputs=inputs)
     return Edit(label=f"{verb} {tracks_text(chosen, design.limb)}", design=after, view=view)
+
+
+@refusing
+def change_view(design: Design, view: View, label: str, **changes: Any) -> Edit | Refusal:
+    """Change fields of the view."""
+    return Edit(label=label, design=design, view=replace(view, **changes))
+
+
+def with_inputs_added(design: Design, new: Sequence[Input]) -> Design:
+    """Return ``design`` with more inputs at the end; `InvalidInputError` where it has no room."""
+    if len(design.inputs) + len(new) > MAX_INPUTS:
+        raise InvalidInputError(f"A design holds at most {MAX_INPUTS} inputs; remove some first.")
+    for track in new:
+        design = design.adding(track)
+    return design
 
 
 def change_clips(design: Design, changes: dict[int, dict[str, Any]]) -> Design:

@@ -15,7 +15,7 @@ import numpy as np
 from skinsource.base.arguments import checking, one_of
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import quoted, sentence
+from skinsource.base.quoting import quoted
 from skinsource.design.clips import GAIN, LABEL, MAX_EFFECTS, ONSET, Clip
 from skinsource.design.design import AMPLITUDE, GAIN_CURVE, Design, Input
 from skinsource.design.edits.clips import chosen_clips, clips_text, present_clips
@@ -473,10 +473,7 @@ def equalise_on_skin(
     measure
         Name of the quantity that these are levels of.
     """
-    try:
-        clip, track = design.clip(clip_id), design.track_of(clip_id)
-    except InvalidInputError as error:
-        return Refusal(sentence=sentence(str(error)))
+    clip, track = design.clip(clip_id), design.track_of(clip_id)
     train = clip.waveform
     if not isinstance(train, WaveletTrain) or len(levels_db) != len(train.frequencies_hz):
         return Refusal(sentence="The clip does not play that wavelet train any more; try again.")
@@ -534,7 +531,7 @@ def bound_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) 
         return outcome
     low_hz, high_hz = band_hz
     label = f"Bound to {low_hz:g}\u2013{high_hz:g} Hz, {100 * bounded.removed:.3g} % removed"
-    return Edit(label=label, design=outcome.design, view=outcome.view)
+    return replace(outcome, label=label)
 
 
 _NO_GLIDE = Refusal(sentence="The clip does not play a glide; choose that waveform first.")

@@ -1,6 +1,6 @@
 """Place, move, copy, remove, silence and reorder inputs; group their clips; add motions."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import count
 from typing import Any
@@ -8,14 +8,14 @@ from typing import Any
 from skinsource.base.quoting import quoted
 from skinsource.base.work import counted
 from skinsource.design.clips import Clip
-from skinsource.design.design import MAX_INPUTS, Design, track
+from skinsource.design.design import Design, Input, track
 from skinsource.design.edits.clips import (
     chosen_clips,
     clips_selected,
     clips_text,
     present_clips,
-    replace_clips,
     short,
+    with_clips,
 )
 from skinsource.design.edits.edit import (
     Edit,
@@ -30,6 +30,7 @@ from skinsource.design.edits.edit import (
     present_inputs,
     refusing,
     tracks_text,
+    with_inputs_added,
 )
 from skinsource.design.motions import Motion
 from skinsource.design.view import View
@@ -40,9 +41,6 @@ from skinsource.specs.models import specs_of
 
 #: Pad of digit II on the published limbs, where an input goes if nobody chooses a location.
 _USUAL_LOCATION = 7
-_TOO_MANY_INPUTS = Refusal(
-    sentence=f"A design holds at most {MAX_INPUTS} inputs; remove one first."
-)
 
 
 def usual_location(limb: str) -> int:
@@ -57,8 +55,6 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
     It plays what the selected clip plays, with the same amplitude, from time 0; noise gets a seed
     of its own.
     """
-    if len(design.inputs) >= MAX_INPUTS:
-        return _TOO_MANY_INPUTS
     new = track(location)
     selected = leading_input(design, view)
     if selected is not None:
@@ -68,7 +64,7 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
             copy = replace(clip, waveform=waveform, onset_s=0.0, muted=False, label="", id=0)
             new = replace(new, clips=(copy,))
         new = replace(new, amplitude=selected.amplitude)
-    after = design.adding(new)
+    after = with_inputs_added(design, [new])
     return Edit(
         label=f"Place input at {location_text(location, design.limb)}",
         design=after,
@@ -107,13 +103,7 @@ def move_inputs(design: Design, view: View, ids: Iterable[int], location: int) -
 def duplicate_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Add a copy of each input at the end, and select the copies."""
     chosen = chosen_inputs(design, ids)
-    if len(design.inputs) + len(chosen) > MAX_INPUTS:
-        return _TOO_MANY_INPUTS
-    after = design
-    for original in chosen:
-        after = after.adding(original)
-    label = f"Duplicate {tracks_text(chosen, design.limb)}"
-    return Edit(label=label, design=after, view=_select_added(view, design, after))
+    return _added(design, view, f"Duplicate {tracks_text(chosen, design.limb)}", chosen)
 
 
 @refusing
@@ -205,10 +195,7 @@ def group_clips(
         for clip in owner.clips
         if clip.id == first.id or clip.id not in chosen_ids
     ]
-    inputs = tuple(
-        replace_clips(track, clips) if track is owner else track for track in design.inputs
-    )
-    after = replace(design, inputs=inputs)
+    after = with_clips(design, lambda track: clips if track is owner else track.clips)
     view = clips_selected(after, view, (group.id,))
     return Edit(label=f"Group {clips_text(design, chosen)}", design=after, view=view)
 
@@ -222,8 +209,8 @@ def ungroup_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
             sentence="None of the selected clips is a sum of layers without effects; only those "
             "can be ungrouped."
         )
-    inputs = []
-    for owner in design.inputs:
+
+    def clips_of(owner: Input) -> list[Clip]:
         clips: list[Clip] = []
         for clip in owner.clips:
             if clip.id not in groups or not isinstance(clip.waveform, Layers):
@@ -231,8 +218,9 @@ def ungroup_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
                 continue
             parts = [_ungrouped(part, clip) for part in clip.waveform.parts]
             clips += [replace(parts[0], id=clip.id), *parts[1:]]
-        inputs.append(replace_clips(owner, clips))
-    after = replace(design, inputs=tuple(inputs))
+        return clips
+
+    after = with_clips(design, clips_of)
     known = {clip.id for clip in design.clips} - set(groups)
     new_ids = tuple(clip.id for clip in after.clips if clip.id not in known)
     text = "clip" if len(groups) == 1 else f"{len(groups)} clips"
@@ -260,11 +248,9 @@ def place_waveform(
     design: Design, view: View, location: int, waveform: Waveform, onset_s: float = 0.0
 ) -> Edit | Refusal:
     """Add an input that plays ``waveform`` with amplitude 1, and select it."""
-    if len(design.inputs) >= MAX_INPUTS:
-        return _TOO_MANY_INPUTS
-    after = design.adding(track(location, waveform, onset_s=onset_s))
+    new = track(location, waveform, onset_s=onset_s)
     label = f"Place {waveform.title.lower()} at {location_text(location, design.limb)}"
-    return Edit(label=label, design=after, view=_select_added(view, design, after))
+    return _added(design, view, label, [new])
 
 
 @refusing
@@ -275,21 +261,15 @@ def add_motion(design: Design, view: View, motion: Motion) -> Edit | Refusal:
             sentence=f"{quoted(motion)} is no motion; make one of skinsource.design.motions."
         )
     tracks = motion.tracks()
-    if len(design.inputs) + len(tracks) > MAX_INPUTS:
-        return Refusal(
-            sentence=f"{motion.title} takes {counted(len(tracks), 'input')} more, and a "
-            f"design holds at most {MAX_INPUTS}; remove some first."
-        )
-    after = design
-    for new in tracks:
-        after = after.adding(new)
     label = f"Add {motion.title.lower()} at {counted(len(tracks), 'place')}"
-    return Edit(label=label, design=after, view=_select_added(view, design, after))
+    return _added(design, view, label, tracks)
 
 
-def _select_added(view: View, before: Design, after: Design) -> View:
-    """Return ``view`` with the inputs selected that were added at the end."""
-    return replace(view, selected_inputs=after.ids[len(before.inputs) :], selected_clips=())
+def _added(design: Design, view: View, label: str, new: Sequence[Input]) -> Edit:
+    """Add inputs at the end, and select them."""
+    after = with_inputs_added(design, new)
+    view = replace(view, selected_inputs=after.ids[len(design.inputs) :], selected_clips=())
+    return Edit(label=label, design=after, view=view)
 
 
 @refusing

@@ -6,8 +6,11 @@ from typing import Any
 from skinsource.actuators.actuation import Actuation
 from skinsource.base.measurement_conditions import ALL_AXES, Axes
 from skinsource.base.quoting import quoted
-from skinsource.design.design import Design, audible_inputs
-from skinsource.design.edits.edit import Edit, Refusal, refusing
+from skinsource.design.clips import Clip
+from skinsource.design.comparing import louder
+from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.edits.clips import with_clips
+from skinsource.design.edits.edit import Edit, Refusal, change_view, refusing
 from skinsource.design.effects.level import BandLimit
 from skinsource.design.labels import SCALINGS, label_of
 from skinsource.design.view import View
@@ -43,19 +46,19 @@ def change_scaling(design: Design, view: View, scaling: Any) -> Edit | Refusal:
 @refusing
 def look_along(design: Design, view: View, axes: Any) -> Edit | Refusal:
     """Choose the axes that are shown."""
-    return _with_view(design, view, "Change axes", axes=axes)
+    return change_view(design, view, "Change axes", axes=axes)
 
 
 @refusing
 def look_by_method(design: Design, view: View, method: Any) -> Edit | Refusal:
     """Choose how several axes become one signal."""
-    return _with_view(design, view, "Change method", method=method)
+    return change_view(design, view, "Change method", method=method)
 
 
 @refusing
 def level_over(design: Design, view: View, span: Any) -> Edit | Refusal:
     """Choose what levels average over."""
-    return _with_view(design, view, "Change what levels average over", span=span)
+    return change_view(design, view, "Change what levels average over", span=span)
 
 
 @refusing
@@ -69,13 +72,13 @@ def remove_delay(design: Design, view: View, removed: bool) -> Edit | Refusal:
         shift_s = -delay_s if removed else delay_s
         range_s = (range_s[0] + shift_s, range_s[1] + shift_s)
     label = "Remove delay" if removed else "Bring back delay"
-    return _with_view(design, view, label, delay_removed=removed, time_range_s=range_s)
+    return change_view(design, view, label, delay_removed=removed, time_range_s=range_s)
 
 
 @refusing
 def play_slower(design: Design, view: View, slow_motion: Any) -> Edit | Refusal:
     """Choose how many times slower than in reality the animation plays."""
-    return _with_view(design, view, "Change slow motion", slow_motion=slow_motion)
+    return change_view(design, view, "Change slow motion", slow_motion=slow_motion)
 
 
 def _fitting_axes(axes: Axes, before: LimbFacts, after: LimbFacts) -> Axes:
@@ -83,11 +86,6 @@ def _fitting_axes(axes: Axes, before: LimbFacts, after: LimbFacts) -> Axes:
     if axes in (before.axes, ALL_AXES):
         return after.axes
     return axes_on(after.name, axes)
-
-
-@refusing
-def _with_view(design: Design, view: View, label: str, **changes: Any) -> Edit | Refusal:
-    return Edit(label=label, design=design, view=replace(view, **changes))
 
 
 _NEEDS_PROBE = (
@@ -122,25 +120,16 @@ def mend(design: Design, view: View, finding: Finding) -> Edit | Refusal:
     if finding.repair == "probe_scaling":
         return change_scaling(design, view, "probe")
     if finding.repair == "quieter":
-        return _quieter(design, view, finding.factor * _BELOW_LIMIT)
+        after = louder(design, finding.factor * _BELOW_LIMIT)
+        return Edit(label="Play within 40 mm/s", design=after, view=view)
     if finding.repair == "band_limit":
         return _band_limited(design, view)
     if finding.repair == "deselect":
         outputs = tuple(output for output in view.outputs if output not in finding.outputs)
         if outputs == view.outputs:
             return Refusal(sentence="None of the selected outputs is mostly noise.")
-        return Edit(
-            label="Deselect outputs that are mostly noise",
-            design=design,
-            view=replace(view, outputs=outputs),
-        )
+        return change_view(design, view, "Deselect outputs that are mostly noise", outputs=outputs)
     return _NO_REPAIR
-
-
-def _quieter(design: Design, view: View, factor: float) -> Edit | Refusal:
-    """Multiply all amplitudes by one factor, so that the ratios between inputs stay."""
-    inputs = tuple(replace(track, amplitude=track.amplitude * factor) for track in design.inputs)
-    return Edit(label="Play within 40 mm/s", design=replace(design, inputs=inputs), view=view)
 
 
 @refusing
@@ -151,14 +140,11 @@ def _band_limited(design: Design, view: View) -> Edit | Refusal:
     if band_hz is None:
         return _NO_REPAIR
     band_limit = BandLimit(low_hz=band_hz[0], high_hz=band_hz[1])
-    inputs = tuple(
-        replace(
-            track,
-            clips=tuple(replace(clip, effects=(*clip.effects, band_limit)) for clip in track.clips),
-        )
-        if track.id in audible_ids
-        else track
-        for track in design.inputs
-    )
-    after = replace(design, inputs=inputs)
+
+    def clips_of(track: Input) -> tuple[Clip, ...]:
+        if track.id not in audible_ids:
+            return track.clips
+        return tuple(replace(clip, effects=(*clip.effects, band_limit)) for clip in track.clips)
+
+    after = with_clips(design, clips_of)
     return Edit(label="Limit clips to the measured band", design=after, view=view)

@@ -16,7 +16,14 @@ from skinsource.design.comparing import (
     snapshot_name,
 )
 from skinsource.design.design import MAX_MARKERS, Design
-from skinsource.design.edits.edit import Edit, Refusal, change_inputs, listed, refusing
+from skinsource.design.edits.edit import (
+    Edit,
+    Refusal,
+    change_inputs,
+    change_view,
+    listed,
+    refusing,
+)
 from skinsource.design.view import View
 
 
@@ -24,10 +31,8 @@ from skinsource.design.view import View
 def select_outputs(design: Design, view: View, outputs: Iterable[int]) -> Edit | Refusal:
     """Select outputs in this order; an empty selection is allowed."""
     chosen = listed(outputs)
-    after = replace(view, outputs=chosen)
-    if len(chosen) == 1:
-        return Edit(label=f"Select output {chosen[0]}", design=design, view=after)
-    return Edit(label=f"Select {len(chosen) or 'no'} outputs", design=design, view=after)
+    what = f"output {chosen[0]}" if len(chosen) == 1 else f"{len(chosen) or 'no'} outputs"
+    return change_view(design, view, f"Select {what}", outputs=chosen)
 
 
 _NO_MARKER = Refusal(sentence="That marker is no longer there.")
@@ -106,8 +111,7 @@ def store_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
     # The gain keeps the design in the window as loud as it is.
     new = Snapshot(number=number, design=design, gain=view.match_gain(design))
     snapshots = (*_without(view, number), new)
-    after = replace(view, snapshots=snapshots)
-    return Edit(label=f"Store snapshot {number}", design=design, view=after)
+    return change_view(design, view, f"Store snapshot {number}", snapshots=snapshots)
 
 
 @refusing
@@ -120,8 +124,8 @@ def take_snapshot(design: Design, view: View, other: Design) -> Edit | Refusal:
             sentence=f"All {len(NUMBERS)} snapshots are taken. Forget one first: Delete on its "
             "card in the panel Compare."
         )
-    after = replace(view, snapshots=(*view.snapshots, Snapshot(number=free, design=other)))
-    return Edit(label=f"Store snapshot {free}", design=design, view=after)
+    snapshots = (*view.snapshots, Snapshot(number=free, design=other))
+    return change_view(design, view, f"Store snapshot {free}", snapshots=snapshots)
 
 
 @refusing
@@ -141,14 +145,8 @@ def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) ->
                 "that first."
             )
         snapshots = (*_without(view, EDITED), Snapshot(number=EDITED, design=design))
-    shown_now = replace(chosen, gain=gain)
-    after = replace(
-        view,
-        snapshots=(
-            *(snapshot for snapshot in snapshots if snapshot.number != number),
-            shown_now,
-        ),
-    )
+    others = (snapshot for snapshot in snapshots if snapshot.number != number)
+    after = replace(view, snapshots=(*others, replace(chosen, gain=gain)))
     return Edit(label=f"Show {snapshot_name(number)}", design=chosen.design, view=after)
 
 
@@ -171,18 +169,13 @@ def forget_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
     remaining = _without(view, number)
     if len(remaining) == len(view.snapshots):
         return _NO_SNAPSHOT
-    return Edit(
-        label=f"Forget {snapshot_name(number)}",
-        design=design,
-        view=replace(view, snapshots=remaining),
-    )
+    return change_view(design, view, f"Forget {snapshot_name(number)}", snapshots=remaining)
 
 
 @refusing
 def match_levels(design: Design, view: View, on: bool) -> Edit | Refusal:
     """Show snapshots at matched levels, or as loud as they were stored."""
-    after = replace(view, levels_matched=on)
-    return Edit(label="Match levels", design=design, view=after)
+    return change_view(design, view, "Match levels", levels_matched=on)
 
 
 def _without(view: View, number: int) -> tuple[Snapshot, ...]:

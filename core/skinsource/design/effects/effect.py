@@ -11,6 +11,7 @@ import scipy
 
 from skinsource.base.arrays import Floats
 from skinsource.signals.sampling import values_between
+from skinsource.specs.models import CheckedModel
 from skinsource.specs.spec import SwitchSpec
 
 #: Specification of the field `on`.
@@ -68,7 +69,7 @@ class Effect(Protocol):
         """
 
 
-class KeepsTime:
+class KeepsTime(CheckedModel):
     """Base of effects that neither move nor stretch time."""
 
     __slots__ = ()

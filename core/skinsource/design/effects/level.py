@@ -54,9 +54,6 @@ class Envelope(KeepsTime):
     points: tuple[Breakpoint, ...] = fields.field(POINTS, UNCHANGED)
     on: bool = fields.switch(True, ON)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
     def values_at(self, times_s: Floats) -> Floats:
         """Return the levels at own times, of the same shape."""
         return curve_at(self.points, times_s)
@@ -110,9 +107,6 @@ class Fade(KeepsTime):
     out_s: float = fields.number(0.01, OUT)
     shape: str = fields.choice("smooth", SHAPE)
     on: bool = fields.switch(True, ON)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def values_at(self, times_s: Floats, duration_s: float) -> Floats:
         """Return the levels at own times of a clip of ``duration_s``, of the shape of the times."""
@@ -172,9 +166,6 @@ class Rectify(KeepsTime):
     wave: str = fields.choice("full", WAVE)
     on: bool = fields.switch(True, ON)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
     def applied(
         self,
         samples: Floats,
@@ -222,9 +213,6 @@ class SoftClip(KeepsTime):
     drive: float = fields.number(2.0, DRIVE)
     level: float = fields.number(1.0, LEVEL)
     on: bool = fields.switch(True, ON)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def applied(
         self,

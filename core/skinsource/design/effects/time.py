@@ -38,7 +38,7 @@ GAP = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class Repeat:
+class Repeat(fields.CheckedModel):
     """Plays several times, with a rest between.
 
     Each repetition begins exactly a duration and a gap after the one before.  One that begins
@@ -57,9 +57,6 @@ class Repeat:
     times: int = fields.number(2, TIMES)
     gap_s: float = fields.number(0.0, GAP)
     on: bool = fields.switch(True, ON)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def length(self, duration_s: float) -> float:
         """Return the length of all repetitions."""
@@ -114,9 +111,6 @@ class Reverse(KeepsTime):
 
     on: bool = fields.switch(True, ON)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
     def shift_before(self, shift_s: float, duration_s: float, sample_rate_hz: float) -> float:
         """Return the shift with which the samples have ``shift_s`` when counted from the end."""
         return part_of_sample(-(duration_s + shift_s) * sample_rate_hz) / sample_rate_hz
@@ -170,7 +164,7 @@ PITCH = ChoiceSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class Stretch:
+class Stretch(fields.CheckedModel):
     """Makes a clip longer or shorter.
 
     ``"moves"``: time t becomes factor times t by band-limited interpolation, so that each frequency
@@ -200,9 +194,6 @@ class Stretch:
     to_s: float = fields.number(0.0, TO)
     pitch: str = fields.choice("moves", PITCH)
     on: bool = fields.switch(True, ON)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def factor_of(self, duration_s: float) -> float:
         """Return the factor for a clip of this length."""
@@ -274,7 +265,7 @@ LENGTH = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class Trim:
+class Trim(fields.CheckedModel):
     """A part of what plays, as it is: samples before it and behind it are left out.
 
     The part has the samples at times t with ``start_s <= t < start_s + duration_s``, so that two
@@ -292,9 +283,6 @@ class Trim:
     start_s: float = fields.number(0.0, START)
     duration_s: float = fields.number(600.0, LENGTH)
     on: bool = fields.switch(True, ON)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def length(self, duration_s: float) -> float:
         """Return the length of the part of a clip of ``duration_s``."""

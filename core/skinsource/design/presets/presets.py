@@ -2,8 +2,7 @@
 
 A preset is a `skinsource.design.clips.Fragment` with a name, tags, a source and a description, in a
 file of its own: a JSON text with a checksum, see `skinsource.specs.codec`.  The shipped presets are
-in the data folder of the library, where ``python -m skinsource.design.presets`` writes them; those
-of the user are in the user's folder.
+in the data folder of the library; those of the user are in the user's folder.
 """
 
 import re
@@ -129,11 +128,6 @@ def read_preset(path: Path) -> Preset:
         raise FileFormatError(f"{path_text(Path(path.name))}: {sentence(str(error))}") from error
 
 
-def why(error: SkinSourceError) -> str:
-    """Return the message of an error as one sentence."""
-    return sentence(str(error))
-
-
 FOLDER = "presets"
 #: Most files of a folder that are read.
 MOST_FILES = 2000
@@ -197,7 +191,7 @@ def read_preset_folder(folder: Path) -> PresetFolder:
         try:
             entries.append(Entry(path=path, preset=read_preset(path)))
         except SkinSourceError as error:
-            faults.append(Fault(path=path, sentence=why(error)))
+            faults.append(Fault(path=path, sentence=sentence(str(error))))
     if len(paths) > MOST_FILES:
         problem = (
             f"{path_text(folder)}: holds {len(paths)} presets, the first {MOST_FILES} are read."

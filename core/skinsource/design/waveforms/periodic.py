@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from math import pi
 from typing import ClassVar
 
@@ -25,7 +26,7 @@ DUTY = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class Square:
+class Square(fields.CheckedModel):
     """A square wave without aliases: 1 for the first part of each period, then -1.
 
     Its Fourier series, 2 duty - 1 + sum of (4 / pi h) sin(pi h duty) cos(2 pi h (u - duty / 2))
@@ -56,22 +57,21 @@ class Square:
     phase_rad: float = fields.number(0.0, PHASE)
     window: WindowName = fields.choice("none", WINDOW)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,); 1 is the height of the square wave without limit of its band."""
+        series = partial(_pulse_series, self.duty, 2.0)
         mean = 2.0 * self.duty - 1.0
-        return _harmonic_burst(self, self._series, sample_rate_hz, shift_s, mean=mean)
+        return _harmonic_burst(self, series, sample_rate_hz, shift_s, mean=mean)
 
-    def _series(self, harmonics: Floats) -> Complexes:
-        half = pi * np.remainder(harmonics * self.duty, 2.0)
-        turned: Complexes = np.exp(-1j * half)
-        return turned * (4.0 / (pi * harmonics) * np.sin(half))
+
+def _pulse_series(duty: float, height: float, harmonics: Floats) -> Complexes:
+    half = pi * np.remainder(harmonics * duty, 2.0)
+    turned: Complexes = np.exp(-1j * half)
+    return turned * (2.0 * height / (pi * harmonics) * np.sin(half))
 
 
 @dataclass(frozen=True, slots=True)
-class Saw:
+class Saw(fields.CheckedModel):
     """A sawtooth wave without aliases: it rises from 0 to 1, falls to -1, and rises again.
 
     Its Fourier series, the sum of (2 / pi h) (-1)^(h + 1) sin(2 pi h u) at the turn
@@ -100,9 +100,6 @@ class Saw:
     phase_rad: float = fields.number(0.0, PHASE)
     window: WindowName = fields.choice("none", WINDOW)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,); 1 is the height of the saw without limit of its band."""
         return _harmonic_burst(self, _saw_series, sample_rate_hz, shift_s)
@@ -114,7 +111,7 @@ def _saw_series(harmonics: Floats) -> Complexes:
 
 
 @dataclass(frozen=True, slots=True)
-class Triangle:
+class Triangle(fields.CheckedModel):
     """A triangle wave without aliases: from 0 up to 1, down to -1, and back.
 
     Its Fourier series, the sum over odd h of (8 / pi² h²) (-1)^((h - 1) / 2) sin(2 pi h u) at
@@ -142,9 +139,6 @@ class Triangle:
     phase_rad: float = fields.number(0.0, PHASE)
     window: WindowName = fields.choice("none", WINDOW)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,); 1 is the height of the triangle without limit of its band."""
         return _harmonic_burst(self, _triangle_series, sample_rate_hz, shift_s)
@@ -156,12 +150,13 @@ def _triangle_series(harmonics: Floats) -> Complexes:
 
 
 def _harmonic_burst(
-    waveform: Square | Saw | Triangle,
+    waveform: "Square | Saw | Triangle | PulseTrain",
     series: Callable[[Floats], Complexes],
     sample_rate_hz: float,
     shift_s: float,
     *,
     mean: float = 0.0,
+    frequency: str = "frequency_hz",
 ) -> Floats:
     """Cut a burst out of a periodic wave, (n_times,).
 
@@ -170,11 +165,14 @@ def _harmonic_burst(
     series, mean
         Coefficients of the harmonics, and the mean of the wave: see
         `skinsource.signals.synthesis.sampled_series`.
+    frequency
+        Field that holds the frequency of the wave.
     """
-    check_below_half_rate("frequency_hz", waveform.frequency_hz, sample_rate_hz)
+    frequency_hz: float = getattr(waveform, frequency)
+    check_below_half_rate(frequency, frequency_hz, sample_rate_hz)
     wave = sampled_series(
         series,
-        waveform.frequency_hz,
+        frequency_hz,
         waveform.phase_rad,
         count_of(waveform.duration_s, sample_rate_hz, shift_s),
         sample_rate_hz,
@@ -243,19 +241,7 @@ class PulseTrain:
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,); 1 is the height of the pulses without limit of their band."""
-        check_below_half_rate("rate_hz", self.rate_hz, sample_rate_hz)
-        wave = sampled_series(
-            self._series,
-            self.rate_hz,
-            self.phase_rad,
-            count_of(self.duration_s, sample_rate_hz, shift_s),
-            sample_rate_hz,
-            shift_s,
-            mean=self._duty,
+        series = partial(_pulse_series, self._duty, 1.0)
+        return _harmonic_burst(
+            self, series, sample_rate_hz, shift_s, mean=self._duty, frequency="rate_hz"
         )
-        return burst(wave, self.window, sample_rate_hz, shift_s)
-
-    def _series(self, harmonics: Floats) -> Complexes:
-        half = pi * np.remainder(harmonics * self._duty, 2.0)
-        turned: Complexes = np.exp(-1j * half)
-        return turned * (2.0 / (pi * harmonics) * np.sin(half))

@@ -11,9 +11,9 @@ from skinsource.base.arguments import positive_number
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import BAND_HZ, SAMPLE_RATE_HZ
 from skinsource.design.waveform import DURATION, WINDOW
-from skinsource.design.waveforms.tones import FREQUENCY, PHASE, count_of, instants
+from skinsource.design.waveforms.tones import FREQUENCY, PHASE, angles, count_of
 from skinsource.signals.generators import TAP_S, WindowName, impulse, sample_count, tap, white_noise
-from skinsource.signals.sampling import band_limited_delay, shift_of, turns
+from skinsource.signals.sampling import band_limited_delay, shift_of
 from skinsource.signals.synthesis import (
     about_middle,
     burst,
@@ -52,7 +52,7 @@ WIDTH = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class CentredTap:
+class CentredTap(fields.CheckedModel):
     """A tap whose mean is 0: as an acceleration it leaves neither velocity nor displacement.
 
     (cos(2 pi t / T) + cos(4 pi t / T)) / 2 for |t| <= T / 2: a crest of 1 and of a third of the
@@ -70,9 +70,6 @@ class CentredTap:
     title: ClassVar[str] = "Centred tap"
 
     width_s: float = fields.number(0.02, WIDTH)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     @property
     def duration_s(self) -> float:
@@ -127,7 +124,7 @@ DECAY = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class DampedSine:
+class DampedSine(fields.CheckedModel):
     """A sine with an exponential decay, as of a struck object.
 
     exp(-t / decay) sin(2 pi frequency t + phase).  The decay starts at 1, and the first crest, a
@@ -160,18 +157,13 @@ class DampedSine:
     phase_rad: float = fields.number(0.0, PHASE)
     window: WindowName = fields.choice("none", WINDOW)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), below a decay that starts at 1."""
         check_below_half_rate("frequency_hz", self.frequency_hz, sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
-        wave = turns(self.frequency_hz, n, sample_rate_hz, shift_s)
-        wave *= 2.0 * pi
-        wave += self.phase_rad
+        wave = angles(self.frequency_hz, self.phase_rad, n, sample_rate_hz, shift_s)
         np.sin(wave, out=wave)
-        decay = instants(self.duration_s, sample_rate_hz, shift_s)
+        decay = np.arange(n) / sample_rate_hz - shift_s
         decay /= -self.decay_s
         wave *= np.exp(decay, out=decay)
         return burst(wave, self.window, sample_rate_hz, shift_s)

@@ -183,7 +183,7 @@ MODE = ChoiceSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class Layers(models.Nesting):
+class Layers(fields.CheckedModel, models.Nesting):
     r"""Clips that are added up, or multiplied, and played as one; its peak need not be 1.
 
     .. math:: x(t) = \sum_k g_k x_k(t - t_k) \quad\text{or}\quad \prod_k g_k x_k(t - t_k)
@@ -202,9 +202,6 @@ class Layers(models.Nesting):
 
     parts: tuple[Clip, ...] = fields.field(PARTS, factory=lambda: (Clip(),))
     mode: Mode = fields.choice("sum", MODE)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     @cached_property
     def duration_s(self) -> float:

@@ -43,7 +43,7 @@ PHASE = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class Tone:
+class Tone(fields.CheckedModel):
     """A sine burst.
 
     Attributes
@@ -62,9 +62,6 @@ class Tone:
     duration_s: float = fields.number(0.2, DURATION)
     window: WindowName = fields.choice("tukey", WINDOW)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of peak 1."""
         return sinusoid(
@@ -82,10 +79,14 @@ def count_of(duration_s: float, sample_rate_hz: float, shift_s: float) -> int:
     return sample_count(duration_s, sample_rate_hz) + (shift_of(shift_s, sample_rate_hz) > 0.0)
 
 
-def instants(duration_s: float, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
-    """Return a waveform's own time at its samples, (n_times,), in s; with a shift from below 0."""
-    n = count_of(duration_s, sample_rate_hz, shift_s)
-    return np.arange(n) / sample_rate_hz - shift_s
+def angles(
+    frequency_hz: float, phase_rad: float, n: int, sample_rate_hz: float, shift_s: float
+) -> Floats:
+    """Return the angle of a steady wave at a waveform's samples, (n_times,), in rad."""
+    angle = turns(frequency_hz, n, sample_rate_hz, shift_s)
+    angle *= 2.0 * pi
+    angle += phase_rad
+    return angle
 
 
 CARRIER = replace(FREQUENCY, label="Carrier")
@@ -105,7 +106,7 @@ MODULATOR_PHASE = replace(
 
 
 @dataclass(frozen=True, slots=True)
-class AmplitudeModulated:
+class AmplitudeModulated(fields.CheckedModel):
     """A tone whose amplitude is modulated by a sine.
 
     (1 + depth cos(2 pi modulator t + modulator phase)) / (1 + depth)
@@ -136,9 +137,6 @@ class AmplitudeModulated:
     modulator_phase_rad: float = fields.number(0.0, MODULATOR_PHASE)
     window: WindowName = fields.choice("none", WINDOW)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of peak 1."""
         check_below_half_rate("carrier_hz", self.carrier_hz, sample_rate_hz)
@@ -146,13 +144,9 @@ class AmplitudeModulated:
             highest_hz = self.carrier_hz + self.modulator_hz
             check_below_half_rate("carrier_hz + modulator_hz", highest_hz, sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
-        wave = turns(self.carrier_hz, n, sample_rate_hz, shift_s)
-        wave *= 2.0 * pi
-        wave += self.phase_rad
+        wave = angles(self.carrier_hz, self.phase_rad, n, sample_rate_hz, shift_s)
         np.sin(wave, out=wave)
-        swell = turns(self.modulator_hz, n, sample_rate_hz, shift_s)
-        swell *= 2.0 * pi
-        swell += self.modulator_phase_rad
+        swell = angles(self.modulator_hz, self.modulator_phase_rad, n, sample_rate_hz, shift_s)
         np.cos(swell, out=swell)
         swell *= self.depth
         swell += 1.0
@@ -172,7 +166,7 @@ DEVIATION = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class FrequencyModulated:
+class FrequencyModulated(fields.CheckedModel):
     """A tone whose frequency is modulated by a sine.
 
     sin(2 pi carrier t + phase + (deviation / modulator) (sin(2 pi modulator t + modulator phase)
@@ -210,9 +204,6 @@ class FrequencyModulated:
     )
     window: WindowName = fields.choice("none", WINDOW)
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of peak 1."""
         check_below_half_rate("carrier_hz", self.carrier_hz, sample_rate_hz)
@@ -228,9 +219,7 @@ class FrequencyModulated:
         np.sin(swing, out=swing)
         swing -= np.sin(self.modulator_phase_rad)
         swing *= self.deviation_hz / self.modulator_hz
-        wave = turns(self.carrier_hz, n, sample_rate_hz, shift_s)
-        wave *= 2.0 * pi
-        wave += self.phase_rad
+        wave = angles(self.carrier_hz, self.phase_rad, n, sample_rate_hz, shift_s)
         wave += swing
         return burst(np.sin(wave, out=wave), self.window, sample_rate_hz, shift_s)
 
@@ -247,7 +236,7 @@ LAW = ChoiceSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class Chirp:
+class Chirp(fields.CheckedModel):
     """A sine whose frequency goes from f0 to f1 in the time T.
 
     sin(2 pi p(t) + phase), with p(t) = f0 t + (f1 - f0) t² / 2T (linear: the frequency is
@@ -278,9 +267,6 @@ class Chirp:
     law: Law = fields.choice("linear", LAW)
     phase_rad: float = fields.number(0.0, PHASE)
     window: WindowName = fields.choice("none", WINDOW)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of peak 1."""

@@ -151,7 +151,7 @@ class Morlet:
 
 
 @dataclass(frozen=True, slots=True)
-class Ricker:
+class Ricker(fields.CheckedModel):
     """The Ricker wavelet, or Mexican hat, the shortest pulse that leaves no velocity.
 
     (1 - 2 a) exp(-a), with a = (pi f t)², cut at t = ±1.5 / f, where 1e-8 is left.  It takes
@@ -171,9 +171,6 @@ class Ricker:
     title: ClassVar[str] = "Ricker wavelet"
 
     frequency_hz: float = fields.number(100.0, CENTRE)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     @property
     def duration_s(self) -> float:
@@ -211,7 +208,7 @@ _SIGMAS_OF_ENERGY = 2.0
 
 
 @dataclass(frozen=True, slots=True)
-class Chirplet:
+class Chirplet(fields.CheckedModel):
     """A tone within a Gaussian whose frequency rises or falls evenly.
 
     exp(-t² / 2 sigma²) cos(2 pi (f t + c t² / 2)), whose frequency at t is f + c t, cut at
@@ -240,9 +237,6 @@ class Chirplet:
     frequency_hz: float = fields.number(150.0, CENTRE)
     rate_hz_per_s: float = fields.number(1500.0, SLOPE)
     sigma_s: float = fields.number(0.03, SIGMA)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     @property
     def duration_s(self) -> float:

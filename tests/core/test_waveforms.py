@@ -1,0 +1,206 @@
+"""Single kinds of waveforms: tones, taps and noise between samples, series, and trains."""
+
+import math
+import tracemalloc
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle
+from skinsource.design.waveforms.pulses import CentredTap, Impulse, Noise, Tap
+from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.wavelet_train import EQUALISE, WaveletTrain, frequency_sweep
+from skinsource.design.waveforms.wavelets import Morlet, Ricker
+from skinsource.signals.generators import sinusoid, white_noise
+from skinsource.signals.synthesis import harmonics_below, sum_of_harmonics
+
+RATE_HZ = 1300.0
+FINE_HZ = 48000.0
+
+
+@pytest.mark.parametrize("window", ["none", "tukey", "hanning"])
+@pytest.mark.parametrize("part", [0.25, 0.999])
+def test_a_shifted_tone_is_its_formula_at_its_own_time(window, part):
+    """By math.sin and the documented windows, sample by sample."""
+    n, shift_s = 130, part / RATE_HZ
+    samples = Tone(87.3, 0.4, n / RATE_HZ, window).samples(RATE_HZ, shift_s)
+    expected = [0.0]
+    for k in range(1, n + 1):
+        place = k - part
+        ends = min(place / (n - 1), 1 - place / (n - 1))
+        weight = {
+            "none": 1.0,
+            "hanning": 0.5 - 0.5 * math.cos(2 * math.pi * (place + 1) / (n + 1)),
+            "tukey": 1.0 if ends >= 0.125 else 0.5 - 0.5 * math.cos(8 * math.pi * max(ends, 0.0)),
+        }[window]
+        expected.append(weight * math.sin(2 * math.pi * 87.3 * (k / RATE_HZ - shift_s) + 0.4))
+    np.testing.assert_allclose(samples, expected, rtol=0, atol=1e-12)
+
+
+def test_a_shifted_burst_of_an_hour_is_exact():
+    shift_s = 0.37 / RATE_HZ
+    samples = sinusoid(250.1, 3600.0, shift_s=shift_s)
+    k = samples.size - 2
+    exact = float(Fraction(250.1) * (Fraction(k, 1300) - Fraction(shift_s)) % 1)
+    assert samples[k] == pytest.approx(math.sin(2 * math.pi * exact), abs=1e-12)
+
+
+def test_an_impulse_is_one_sample_at_any_rate_and_two_between_samples():
+    for rate_hz in (1300.0, 8000.0, 48000.0):
+        assert Impulse().samples(rate_hz).tolist() == [1.0]
+        first, second = Impulse().samples(rate_hz, 0.25 / rate_hz)
+        assert second / (first + second) == pytest.approx(0.25, rel=1e-3)
+
+
+@pytest.mark.parametrize("n", [130, 131])
+def test_shifted_noise_is_the_same_sum_of_waves_at_other_instants(n):
+    """By the sum over sines and cosines written out."""
+    part = 0.3
+    drawn, time = np.random.default_rng(7).standard_normal(n), np.arange(n)
+    samples = Noise(7, n / RATE_HZ, window="none").samples(RATE_HZ, part / RATE_HZ)
+    plain, later = np.zeros(n), np.zeros(n + 1)
+    for k in range(math.ceil(25 * n / 1300), math.floor(600 * n / 1300) + 1):
+        turn, turn_later = (2 * np.pi * k * at / n for at in (time, np.arange(n + 1) - part))
+        cosine, sine = drawn @ np.cos(turn), drawn @ np.sin(turn)
+        plain += cosine * np.cos(turn) + sine * np.sin(turn)
+        later += cosine * np.cos(turn_later) + sine * np.sin(turn_later)
+    later[0] = 0.0
+    np.testing.assert_allclose(samples, later / np.abs(plain).max(), rtol=0, atol=1e-12)
+
+
+def test_noise_of_a_band_lies_in_it():
+    samples = Noise(3, 1.0, 100.0, 200.0, "none").samples(RATE_HZ)
+    lines = np.flatnonzero(np.abs(np.fft.rfft(samples)) > 1e-9)
+    assert (lines.min(), lines.max()) == (100, 200)
+    np.testing.assert_array_equal(samples, white_noise(1.0, 3, band_hz=(100.0, 200.0)))
+
+
+@pytest.mark.parametrize(
+    "recipe", [Ricker(100.0), CentredTap(0.02), Morlet(100.0, 1.0), Morlet(100.0, 6.0)], ids=repr
+)
+def test_a_pulse_that_is_to_leave_no_velocity_leaves_none(recipe):
+    """As an acceleration of 1 m/s², at its end, in mm/s and mm."""
+    samples = recipe.samples(FINE_HZ)
+    velocity = np.cumsum(samples) / FINE_HZ * 1e3
+    # What is cut at 5 standard deviations, 4e-6 of the peak, has a mean of its own.
+    assert abs(velocity[-1]) < 3e-5 * np.abs(velocity).max()
+    displacement = np.cumsum(velocity) / FINE_HZ
+    assert abs(displacement[-1]) < 2e-2 * np.abs(displacement).max()
+
+
+def test_an_upstream_tap_leaves_a_velocity():
+    velocity = np.cumsum(Tap().samples(FINE_HZ)) / FINE_HZ * 1e3
+    assert velocity[-1] == pytest.approx(8.46, abs=0.01)
+
+
+def test_a_harmonic_at_half_the_rate_is_left_out():
+    assert harmonics_below(650.0, 50.0) == 12
+    assert harmonics_below(650.0, 649.9) == 1
+    assert harmonics_below(math.nextafter(650.0, 651.0), 50.0) == 13
+    lines = np.abs(np.fft.rfft(Saw(50.0, 1.0).samples(1300.0))) / 650
+    assert lines[600] == pytest.approx(2 / (12 * math.pi))
+    assert lines[650] < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("kind", "most"), [(Square, 1.201), (Saw, 1.18), (Triangle, 1.0), (PulseTrain, 1.18)]
+)
+def test_what_a_limited_band_adds_to_peak_1_is_as_told(kind, most):
+    for frequency_hz, rate_hz in ((40.3, 1300.0), (90.7, 1300.0), (90.7, 48000.0)):
+        assert np.abs(kind(frequency_hz).samples(rate_hz)).max() <= most
+
+
+@given(
+    st.lists(st.complex_numbers(max_magnitude=1.0), min_size=0, max_size=40),
+    st.floats(-1.0, 1.0),
+    st.lists(st.floats(-300.0, 300.0), min_size=1, max_size=20),
+)
+def test_a_sum_of_harmonics_is_the_sum(above, mean, turns):
+    coefficients = np.array([mean, *above], np.complex128)
+    turns = np.array(turns)
+    within = turns - np.rint(turns)
+    waves = np.exp(2j * np.pi * np.outer(within, np.arange(coefficients.size)))
+    largest = max(np.abs(coefficients).sum(), 1e-300)
+    samples = sum_of_harmonics(coefficients, turns)
+    assert np.abs(samples - (waves @ coefficients).real).max() < 3e-14 * largest * coefficients.size
+
+
+def test_a_sum_of_harmonics_takes_no_more_memory_than_a_few_of_its_results():
+    coefficients = np.zeros(960, np.complex128)
+    coefficients[1::2] = 1j
+    turns = np.arange(1_000_000) * (25 / 48000)
+    tracemalloc.start()
+    sum_of_harmonics(coefficients, turns)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 2 * turns.nbytes
+
+
+FIVE_HZ = (50.0, 84.1, 141.4, 237.8, 400.0)
+
+
+def test_a_train_starts_with_five_frequencies_in_slots_of_their_own():
+    recipe = WaveletTrain()
+    assert recipe.frequencies_hz == FIVE_HZ
+    assert recipe.duration_s == pytest.approx(0.6)
+    assert recipe.middles_s() == pytest.approx((0.06, 0.18, 0.30, 0.42, 0.54))
+
+
+@pytest.mark.parametrize("family", ["gabor", "ricker", "hann"])
+def test_wavelets_of_a_train_have_equal_energies_where_that_is_asked(family):
+    recipe = WaveletTrain(equalise="energy", family=family)
+    energies = (recipe.samples(FINE_HZ).reshape(5, -1) ** 2).sum(axis=1)
+    np.testing.assert_allclose(energies, energies[0], rtol=1e-5)
+    assert max(recipe.gains()) == 1.0
+    unequal = (WaveletTrain(family=family).samples(FINE_HZ).reshape(5, -1) ** 2).sum(axis=1)
+    np.testing.assert_allclose(unequal * FIVE_HZ, unequal[0] * 50.0, rtol=1e-5)
+
+
+def test_a_sweep_of_frequencies_has_equal_steps_or_factors_and_both_ends():
+    assert frequency_sweep(50.0, 400.0, 4) == (50.0, 100.0, 200.0, 400.0)
+    assert frequency_sweep(50.0, 400.0, 4, order="down") == (400.0, 200.0, 100.0, 50.0)
+    assert frequency_sweep(100.0, 300.0, 3, "linear") == (100.0, 200.0, 300.0)
+    assert frequency_sweep(70.0, 300.0, 1) == (70.0,)
+    assert np.round(frequency_sweep(50.0, 400.0, 5), 1).tolist() == list(FIVE_HZ)
+    WaveletTrain(frequency_sweep(25.0, 600.0, 1000), slot_s=0.01)
+
+
+@given(
+    st.floats(0.1, 1e4),
+    st.floats(1.0, 1e3),
+    st.integers(2, 60),
+    st.sampled_from(["linear", "logarithmic"]),
+)
+def test_a_sweep_never_turns_back(low_hz, factor, count, spacing):
+    frequencies_hz = frequency_sweep(low_hz, low_hz * factor, count, spacing)
+    assert (frequencies_hz[0], frequencies_hz[-1]) == (low_hz, low_hz * factor)
+    assert (np.diff(frequencies_hz) >= -1e-11 * low_hz * factor).all()
+    steps = np.diff(frequencies_hz) if spacing == "linear" else np.diff(np.log(frequencies_hz))
+    np.testing.assert_allclose(steps, steps.mean(), rtol=1e-6, atol=1e-10 * low_hz * factor)
+
+
+@pytest.mark.parametrize(
+    ("given", "what"),
+    [
+        ((400.0, 50.0, 5), "low_hz is 400"),
+        ((50.0, 400.0, 0), "count is 0"),
+        ((50.0, 400.0, 5, "cubic"), "spacing"),
+        ((50.0, 400.0, 5, "linear", "sideways"), "order"),
+    ],
+)
+def test_a_sweep_that_is_none_is_refused(given, what):
+    with pytest.raises(InvalidInputError, match=what):
+        frequency_sweep(*given)
+
+
+def test_what_is_equalised_has_the_same_word_in_the_window_and_in_files():
+    page = (Path(__file__).parents[2] / "docs" / "words.md").read_text("utf-8")
+    row = next(line for line in page.splitlines() if line.startswith("| equalise |"))
+    for name, title in EQUALISE.options:
+        assert title.lower() == name
+        assert f"*{title}*" in row or f"*{name}*" in row
