@@ -45,14 +45,6 @@ def never_ending(cases, *, repeats, progress, stop):
     yield
 
 
-def test_the_page_leaves_the_window_free_and_fits_a_small_screen(page):
-    assert page.isVisible()
-    assert not page.isModal()
-    assert page.width() <= 1366
-    assert page.height() <= 700
-    assert page.minimumSizeHint().width() <= 800
-
-
 def test_every_row_stands_in_table_and_plot(page, qtbot):
     measure(page, qtbot)
     assert page.table.rowCount() == len(page.rows) == N_ROWS

@@ -36,15 +36,3 @@ def complaints(*paths):
 
 def test_benchmarks_and_examples_use_only_names_that_exist():
     assert complaints(*BENCHMARKS, *EXAMPLES) == []
-
-
-def test_a_name_that_does_not_exist_would_be_found(tmp_path):
-    stale = tmp_path / "stale.py"
-    stale.write_text(
-        "from skinsource.design.view import View\n"
-        "from skinsource.design.design import Nothing\n"
-        "def main() -> None:\n"
-        "    print(View(selected=1), View().selected)\n",
-        encoding="utf-8",
-    )
-    assert len(complaints(stale)) == 3

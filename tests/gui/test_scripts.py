@@ -10,7 +10,6 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 BENCHMARKS = sorted((ROOT / "benchmarks").glob("*.py"))
-EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
 IMPORT_ALL = """
 import importlib, sys
 for name in sys.argv[1:]:
@@ -49,14 +48,7 @@ def test_every_benchmark_can_be_imported():
     assert done.stdout.strip() == f"all {len(names)}"
 
 
-@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
-def test_every_example_runs(path, tmp_path):
-    done = run(path, folder=tmp_path)
-    assert done.returncode == 0, done.stderr
-    assert done.stdout
-
-
-SPEAKING = ("walkthrough", "compose", "many_edits", "engine_speed", "growth", "start")
+SPEAKING = ("compose", "many_edits", "engine_speed", "growth", "start")
 
 
 def test_benchmarks_explain_themselves():

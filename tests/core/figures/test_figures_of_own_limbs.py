@@ -88,12 +88,3 @@ def test_lines_are_fitted_where_the_sweep_goes_and_the_limb_was_measured(user_da
     installed(band_hz=(599.0, 1500.0))
     with pytest.raises(InvalidInputError, match=r"25 to 600 Hz, and the limb 'lab-1' was measured"):
         draw_figure(on_lab("5D"))
-
-
-def test_what_is_separate_and_what_is_joint_is_compared_along_z(user_data):
-    installed(band_hz=BAND)
-    opened = on_lab("5F")
-    shown = columns(draw_figure(opened))
-    view = ss.View(axes="z", outputs=(20,))
-    joint = ss.evaluate(opened.design, "selected_traces", view=view)["selected_traces"][0]
-    np.testing.assert_allclose(shown["output_20_z_joint_m_per_s2"], joint, atol=1e-9)

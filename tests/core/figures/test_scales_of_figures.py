@@ -39,13 +39,6 @@ def test_an_output_that_is_silent_has_no_level_in_the_table_of_a_figure(user_dat
         assert np.isfinite(np.delete(levels, 1, axis=0)).all()
 
 
-def test_traces_are_cut_to_the_times_of_the_scene():
-    opened, columns = table_of("1C")
-    low, high = opened.view.time_range_s
-    assert low <= columns["time_s"].min() < low + 1 / 1300
-    assert high - 1 / 1300 < columns["time_s"].max() <= high
-
-
 def test_spectra_of_noise_are_means_over_ten_bins():
     opened, columns = table_of("2D")
     raw_hz, raw = ss.evaluate(opened.design, "selected_spectra", view=opened.view)[
@@ -55,11 +48,6 @@ def test_spectra_of_noise_are_means_over_ten_bins():
     at = int(np.searchsorted(raw_hz, columns["frequency_hz"][200]))
     means = [raw[0, at + shift - 5 : at + shift + 5].mean() for shift in (0, 1)]
     assert np.isclose(smooth[200], means, rtol=1e-9).any()
-
-
-def test_a_moment_is_not_hatched_for_the_noise_of_the_whole_record(measured):
-    figure = draw_figure(ss.scenes.open_scene("4A")).figure
-    assert not any(patch.get_hatch() for ax in figure.axes for patch in ax.patches)
 
 
 def test_frames_of_a_pulse_are_those_of_whole_samples_however_a_delay_is_rounded(user_data):

@@ -23,17 +23,6 @@ RATE_HZ = 48_000
 N_OUTPUTS = 3
 #: A loop that does not come to its end in a test.
 LONG, LONG_S = 480_000, 10.0
-#: What is matched: a reference at place 7 and a test at place 3, in turn.
-MATCHED = {
-    "person": "Anna",
-    "frequencies_hz": (200.0,),
-    "places": (3,),
-    "amplitude": 0.25,
-    "duration_s": 0.1,
-    "pause_s": 0.05,
-}
-#: Samples of a reference, a pause, a test and a pause.
-CYCLE = round(0.3 * RATE_HZ)
 _SET_PIPE_SIZE = 1031
 #: What comes with ALSA.
 ALSA_SETTINGS = Path("/usr/share/alsa/alsa.conf")
@@ -51,10 +40,10 @@ def first_sounding(recorded: np.ndarray) -> int:
     return int(np.flatnonzero(np.any(recorded != 0.0, axis=0))[0])
 
 
-def read_heard(folder: Path, n_outputs: int = N_OUTPUTS) -> np.ndarray:
+def read_heard(folder: Path) -> np.ndarray:
     """What arrived, (n_outputs, n_times)."""
     raw = np.fromfile(folder / "heard.raw", np.float32)
-    return raw[: raw.size // n_outputs * n_outputs].reshape(-1, n_outputs).T
+    return raw[: raw.size // N_OUTPUTS * N_OUTPUTS].reshape(-1, N_OUTPUTS).T
 
 
 def skip_where_there_is_none() -> None:
@@ -69,31 +58,21 @@ def skip_where_there_is_none() -> None:
         pytest.skip(f"{ALSA_SETTINGS} is not there: the settings of ALSA are not installed")
 
 
-def configure(folder: Path, file: Path) -> None:
-    """Make ``card`` the one device there is; what is played on it goes to ``file``."""
-    own = folder / "asound.conf"
-    own.write_text(f'pcm.card {{ type file slave.pcm {{ type null }} file "{file}" format raw }}\n')
-    os.environ["ALSA_CONFIG_PATH"] = f"{ALSA_SETTINGS}:{own}"
-
-
-def configure_duplex(folder: Path, file: Path, infile: Path) -> None:
-    """As `configure`, and what is recorded from ``card`` comes from ``infile``."""
+def configure(folder: Path, file: Path, infile: Path | None = None) -> None:
+    """Make ``card`` the one device: it plays to ``file`` and records ``infile``, if any."""
+    recorded = f'infile "{infile}" ' if infile else ""
     own = folder / "asound.conf"
     own.write_text(
-        f'pcm.card {{ type file slave.pcm {{ type null }} file "{file}" infile "{infile}" '
-        "format raw }\n"
+        f'pcm.card {{ type file slave.pcm {{ type null }} file "{file}" {recorded}format raw }}\n'
     )
     os.environ["ALSA_CONFIG_PATH"] = f"{ALSA_SETTINGS}:{own}"
 
 
 class PacedCard:
-    """Takes samples out of a pipe as fast as they would be heard, and can be pulled out."""
+    """Takes samples out of a pipe as fast as they would be heard."""
 
-    def __init__(
-        self, folder: Path, pulled_after_s: float | None = None, n_outputs: int = N_OUTPUTS
-    ) -> None:
-        self._folder, self._pulled_after_s = folder, pulled_after_s
-        self._frame = 4 * n_outputs
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
         os.mkfifo(folder / "pipe")
         # Open at both ends: PortAudio opens and closes the other one when it looks for devices.
         self._pipe = os.open(folder / "pipe", os.O_RDWR)
@@ -109,7 +88,7 @@ class PacedCard:
         self._thread.join(30)
 
     def _listen(self) -> None:
-        frame = self._frame
+        frame = 4 * N_OUTPUTS
         begun_s, n_taken = None, 0
         with (self._folder / "heard.raw").open("wb") as file:
             while True:
@@ -125,9 +104,6 @@ class PacedCard:
                 ahead_s = self.frames / RATE_HZ - (perf_counter() - begun_s)
                 if ahead_s > 0:
                     sleep(ahead_s)
-                pulled = self._pulled_after_s
-                if pulled is not None and self.frames > pulled * RATE_HZ:
-                    break
         os.close(self._pipe)
 
 
@@ -189,55 +165,6 @@ def live(folder: Path) -> dict:
     return report
 
 
-def pulled(folder: Path) -> dict:
-    """Pull the device out while it plays."""
-    configure(folder, folder / "pipe")
-    card = PacedCard(folder, pulled_after_s=0.2)
-    stream, finished = opened(mix(rows(1, 24_000), (0.0, 0.5)), 0)
-    stream.start()
-    done = finished.wait(30)
-    stream.close()
-    card.close()
-    return {"done": done, "ending": stream.queue.ending}
-
-
-def matching(folder: Path) -> dict:
-    """Two presses of an arrow, while reference and test alternate; then Esc."""
-    from skinsource.lab.matching import MatchingRun, Presenter, Procedure
-    from skinsource.lab.playing.devices import Output
-
-    configure(folder, folder / "pipe")
-    card = PacedCard(folder, n_outputs=2)
-    over = threading.Event()
-    presenter = Presenter(Output(device="card", outputs=((7, 2), (3, 1))), lambda _: over.set())
-    run = MatchingRun(Procedure(**MATCHED), None)
-    levels_db = [run.level_db]
-    playing = presenter.present(run.design, 0.0)
-    for _ in range(2):
-        # Until all of it was heard once, and a little of it again.
-        _wait_for(lambda: (playing.position_s() or 0.0) > 0.1)
-        at = card.frames
-        _wait_for(lambda at=at: card.frames > at + CYCLE)
-        run.step(1.0)
-        levels_db.append(run.level_db)
-        same = presenter.present(run.design, 0.0) is playing
-    at = card.frames
-    _wait_for(lambda: card.frames > at + 2 * CYCLE)
-    presenter.stop_at_once()
-    done = over.wait(30)
-    presenter.close()
-    card.close()
-    return {"done": done, "levels_db": levels_db, "same": same, "reason": presenter.reason}
-
-
-def _wait_for(condition) -> None:
-    until_s = perf_counter() + 30.0
-    while not condition():
-        if perf_counter() > until_s:
-            raise TimeoutError
-        sleep(0.002)
-
-
 if __name__ == "__main__":
-    scenes = {"once": once, "live": live, "pulled": pulled, "matching": matching}
+    scenes = {"once": once, "live": live}
     sys.stdout.write(json.dumps(scenes[sys.argv[1]](Path(sys.argv[2]))))

@@ -79,12 +79,6 @@ def test_where_no_default_is_said_the_first_host_has_one(library):
     assert devices.devices()[0].name == "Built-in"
 
 
-def test_looking_again_starts_the_sound_system_anew(library):
-    made = library()
-    assert len(devices.refresh_devices()) == 2
-    assert made.looked == 1
-
-
 def test_a_device_is_found_by_its_name_and_its_host(library):
     library(cards=(*CARDS, ("Built-in", 1, 2, 48000.0)))
     listed = devices.devices()

@@ -58,7 +58,3 @@ def test_a_live_change_arrives_in_its_place_while_the_playhead_keeps_step(tmp_pa
     way = slice(first_change, settled)
     expected = (1 - weight) * before[:, way] + weight * after[:, way]
     assert recorded[:, way] == pytest.approx(expected, abs=1e-6)
-
-
-def test_a_device_that_is_pulled_out_ends_playing_without_a_reason_of_ours(tmp_path):
-    assert report_of("pulled", tmp_path) == {"done": True, "ending": None}

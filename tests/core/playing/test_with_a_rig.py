@@ -9,7 +9,7 @@ import pytest
 import skinsource as ss
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.prediction import Limits
-from skinsource.actuators.rigs import Margin, Rig, RigChannel, highest_gain, rig_breaches
+from skinsource.actuators.rigs import Rig, RigChannel, highest_gain, rig_breaches
 from skinsource.base.errors import InvalidInputError, PlaybackError
 from skinsource.lab.playing.devices import Output
 from skinsource.lab.playing.session import Session
@@ -199,10 +199,3 @@ def test_the_highest_gain_is_the_one_at_which_a_limit_is_reached(limits):
     assert 0.0 < margin.factor < np.inf
     assert rig_breaches(rig, [7], samples * margin.factor * 1.0001, 8000)
     assert not rig_breaches(rig, [7], samples * margin.factor * 0.9999, 8000)
-
-
-def test_without_limits_there_is_no_highest_gain():
-    samples = ss.stimulus_of(ONE, 8000).samples
-    assert highest_gain(rig_of(), [7], samples, 8000) == Margin(np.inf, "")
-    limited = rig_of(limits=Limits(duration_s=0.01))
-    assert highest_gain(limited, [7], samples, 8000).factor == 0.0

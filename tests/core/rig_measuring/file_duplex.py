@@ -19,7 +19,7 @@ from skinsource.lab.rig_measuring import measurement
 from skinsource.lab.rig_measuring.duplex import Duplex
 
 sys.path.insert(0, str(Path(__file__).parents[3]))
-from tests.core.playing.file_card import configure_duplex
+from tests.core.playing.file_card import configure
 from tests.core.rig_measuring.bench_top import COIL, SETUP, VOLTS, relative_error, sensed
 
 RATE_HZ, DELAY_S = 48_000, 0.0123
@@ -37,7 +37,7 @@ def main(folder: Path) -> dict:
     """Measure the actuator of the file."""
     came = folder / "came.raw"
     came.write_bytes(b"")
-    configure_duplex(folder, folder / "heard.raw", came)
+    configure(folder, folder / "heard.raw", came)
 
     class Prepared(Duplex):
         """Puts into the file what will be recorded, before the device opens it."""

@@ -25,10 +25,3 @@ def test_a_response_is_measured_through_portaudio(tmp_path):
     assert report["off"] < 0.06
     assert abs(report["delay_s"] - DELAY_S) < 2e-5
     assert report["points"] > 230
-
-
-def test_it_is_measured_with_two_devices_whose_clocks_differ(tmp_path):
-    report = report_of("file_two_devices.py", tmp_path)
-    assert report["off"] < 0.06
-    assert abs(report["clock_ppm"] - 120.0) < 0.1
-    assert "two devices" in " ".join(report["lines"])

@@ -18,17 +18,11 @@ def opened(name, **how):
 @pytest.mark.parametrize("available", [(), MEASURED], ids=["synthetic", "measured"])
 @pytest.mark.parametrize("name", ss.scenes.names())
 def test_each_scene_is_called_by_its_title_as_long_as_it_is_that_scene(name, available):
-    for condition in opened(name, available=available).conditions:
-        assert title_of(condition.design) == condition.design.title
-
-
-@pytest.mark.parametrize("name", ss.scenes.names())
-def test_each_scene_that_plays_something_else_is_called_edited(name):
     scene = ss.scenes.scene(name)
-    for condition in opened(name, available=()).conditions:
-        louder = condition.design.with_input(
-            0, amplitude=3.25 * condition.design.inputs[0].amplitude
-        )
+    for condition in opened(name, available=available).conditions:
+        design = condition.design
+        assert title_of(design) == design.title
+        louder = design.with_input(0, amplitude=3.25 * design.inputs[0].amplitude)
         assert title_of(louder) == f"Fig. {name}: {scene.title} · edited"
 
 

@@ -10,13 +10,12 @@ from skinsource import actuators
 from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.equalising import RegularisedInverse, equalised
 from skinsource.actuators.prediction import Limits
-from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.errors import InvalidInputError
 from skinsource.lab.matching import MatchingRun, Procedure
 from skinsource.perception.sensation import sensation_levels_db
 from skinsource.studies.sweeps.measuring import Measurer
 from skinsource.studies.sweeps.metrics import ACTUATOR_METRICS
 from skinsource.studies.sweeps.plan import Plan, plan_of
-from skinsource.studies.sweeps.running import read_sweep
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.3)
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE), ss.track(3, TONE, amplitude=0.5)))
@@ -193,23 +192,6 @@ def test_designs_with_and_without_actuators_do_not_mix():
     assert "peak_voltage_v" not in ss.sweep(DESIGN).columns
 
 
-def test_without_an_equaliser_drives_are_volts():
-    volts = replace(DESIGN, actuation=replace(actuation("example-voice-coil"), equaliser=None))
-    table = ss.sweep(volts, limits=Limits(peak_voltage_v=0.9))
-    assert table.column("peak_voltage_v")[0] == pytest.approx(1.0, rel=0.01)
-    assert table.column("limits_passed").tolist() == [1.0]
-    softer = ss.sweep(volts, {"actuator": ["example-resonant"], "amplitude": [0.5]})
-    assert softer.column("peak_voltage_v")[0] == pytest.approx(0.5, rel=0.01)
-
-
-def test_levels_reach_the_actuator():
-    changes = {"vary": {"actuator": ("example-voice-coil",)}, "level": "loudest_100ms"}
-    soft, loud = (ss.sweep(DESIGN, level_db=level_db, **changes) for level_db in (-20.0, 0.0))
-    for metric in ("peak_voltage_v", "peak_velocity_m_per_s"):
-        ratio = loud.column(metric)[0] / soft.column(metric)[0]
-        assert ratio == pytest.approx(10.0, rel=1e-6)
-
-
 def test_an_actuator_that_cannot_be_is_a_row_that_says_why():
     tap = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
     names = ("no-such-one", "example-voice-coil")
@@ -224,52 +206,6 @@ def test_an_actuator_that_cannot_be_is_a_row_that_says_why():
     assert "expected a name" in ss.sweep(tap, {"actuator": [3]}).failed[1]
     upstream = ss.Design(limb="synthetic-1", inputs=DESIGN.inputs, scaling="relative")
     assert "Probe acceleration" in ss.sweep(upstream, {"actuator": names[1:]}).failed[1]
-
-
-def written(folder, text):
-    ss.save_design(folder / "two.skinsource", DESIGN)
-    (folder / "sweep.toml").write_text(f'designs = ["two.skinsource"]\n{text}')
-    return folder / "sweep.toml"
-
-
-def test_a_file_says_level_actuators_and_limits(matches):
-    path = written(
-        matches.parent,
-        'level = "matches.csv"\n[vary]\nactuator = ["example-piezo"]\n'
-        "[limits]\npeak_voltage_v = 5\n",
-    )
-    plan = read_sweep(path).plan
-    assert plan.level == "matched"
-    assert plan.strengths.reference == (7, 80.0)
-    assert plan.limits == Limits(peak_voltage_v=5.0)
-    assert plan.drives_actuators
-    path = written(matches.parent, 'level = "above_threshold"\nlevel_db = 20\n')
-    assert (read_sweep(path).plan.level, read_sweep(path).plan.level_db) == ("above_threshold", 20)
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("level = 3", "expected a text"),
-        ('level = "loud"', "one of drive"),
-        ('level = "two.skinsource"', "one of drive"),
-        ('level = "above_threshold"', "level_db"),
-        ("[limits]\npeak = 1", "'peak' is not known in"),
-        ("[limits]\npeak_voltage_v = -1", "peak_voltage_v"),
-        ('[limits]\npeak_voltage_v = "high"', "peak_voltage_v"),
-        ("limits = 3", "expected a table"),
-    ],
-)
-def test_a_level_or_limit_of_a_file_that_cannot_be_is_one_error(tmp_path, text, message):
-    with pytest.raises(FileFormatError, match=message) as refused:
-        read_sweep(written(tmp_path, text))
-    assert "sweep.toml" in str(refused.value)
-
-
-def test_a_damaged_table_is_named(tmp_path):
-    (tmp_path / "matches.csv").write_text("a,b\n")
-    with pytest.raises(FileFormatError, match=r"matches\.csv"):
-        read_sweep(written(tmp_path, 'level = "matches.csv"'))
 
 
 def test_long_stimuli_have_no_level_above_threshold():

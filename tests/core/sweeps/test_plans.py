@@ -99,18 +99,6 @@ def test_a_plan_comes_back_from_its_text():
     assert again.digest == plan.digest
 
 
-def test_another_plan_has_another_digest():
-    digests = {
-        Plan(designs=(("a", design(3)),)).digest,
-        Plan(designs=(("a", design(4)),)).digest,
-        Plan(designs=(("a", design(3)),), outputs=(1,)).digest,
-        Plan(designs=(("a", design(3)),), level_db=0.0).digest,
-        Plan(designs=(("a", design(3)),), variables=(("amplitude", (1.0,)),)).digest,
-        Plan(designs=(("a", design(3)),), variables=(("amplitude", (2.0,)),)).digest,
-    }
-    assert len(digests) == 6
-
-
 @pytest.mark.parametrize(
     ("changes", "message"),
     [

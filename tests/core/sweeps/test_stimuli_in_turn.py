@@ -90,12 +90,3 @@ def test_the_loudest_window_may_be_where_less_is_felt_in_all():
             )["output_levels_db"]
             factor_db = 20.0 * np.log10(table.column("factor")[row])
             assert factor_db == pytest.approx(-levels_db.max(), abs=1e-9)
-
-
-def test_one_that_cannot_be_measured_changes_no_other():
-    bad = plan_of(four_inputs(), "frequency_hz", (*FREQUENCIES, 900.0))
-    measurer = Measurer(bad)
-    with pytest.raises(ss.SkinSourceError, match="650 Hz"):
-        measurer.measure(6)
-    good = Measurer(plan_of(four_inputs(), "frequency_hz", (*FREQUENCIES, 90.0)))
-    assert [measurer.measure(k) for k in range(1, 6)] == [good.measure(k) for k in range(1, 6)]

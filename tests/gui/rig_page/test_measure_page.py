@@ -125,15 +125,6 @@ def test_a_band_that_the_rate_cannot_tell_is_said_at_once_and_mended_in_the_fiel
     assert page.message.text().startswith("Start plays")
 
 
-def test_stop_ends_it_and_nothing_can_be_kept(page, qtbot):
-    page.start.click()
-    page.stop.click()
-    qtbot.waitUntil(page.start.isEnabled, **WAIT)
-    assert page.message.text() in ("Stopped.", "Stopped; nothing was measured.")
-    assert not page.keep.isEnabled()
-    assert page.plot.plot.message == "Nothing is measured yet"
-
-
 def test_what_cannot_be_measured_says_why(page, card, qtbot):
     page.fields.cell("loopback_input").edited.emit("loopback_input", 1, None)
     assert "expected two inputs" in page.message.text()

@@ -40,11 +40,6 @@ def test_each_picture_is_of_the_scene_as_it_is_now_on_a_synthetic_limb(name):
     )
 
 
-def test_another_design_or_view_has_another_mark():
-    marks = {mark_of(synthetic_scene(name)) for name in ss.scenes.names()}
-    assert len(marks) == len(ss.scenes.names())
-
-
 def test_the_page_of_the_documents_shows_every_scene():
     path = resource_folder().parent / "docs" / "scenes.md"
     assert path.read_text("utf-8") == page_of(ss.scenes.all_scenes(), "../resources/scenes"), (
@@ -100,20 +95,6 @@ def test_a_scene_is_opened_with_the_keyboard(window, qtbot, settle):
     assert called == [f"Snapshot {k} · {hz} Hz" for k, hz in enumerate((50, 100, 200, 400), 1)]
 
 
-def test_a_double_click_opens_and_the_next_time_it_is_selected(window, qtbot, settle):
-    page = window.scenes.show()
-    item = page.list.item(1)
-    at = page.list.visualItemRect(item).center()
-    qtbot.mouseClick(page.list.viewport(), Qt.MouseButton.LeftButton, pos=at)
-    qtbot.mouseDClick(page.list.viewport(), Qt.MouseButton.LeftButton, pos=at)
-    settle()
-    assert window.document.design == ss.scenes.open_scene("1D").design
-    assert window.docks["spectra"].in_sight
-    again = window.scenes.show()
-    assert again.scene.name == "1D"
-    again.reject()
-
-
 def test_each_opens_with_the_panels_that_show_it_and_nothing_to_complain_of(window, settle):
     messages = []
     window.scenes.done.connect(messages.append)
@@ -129,12 +110,6 @@ def test_each_opens_with_the_panels_that_show_it_and_nothing_to_complain_of(wind
         assert messages[-1] == f"Opened {scene.heading}, on a SYNTHETIC limb"
 
 
-def test_saving_a_scene_asks_where_and_suggests_its_name(window):
-    window.scenes.open("2F")
-    assert window.files.suggested.name == "2F.skinsource"
-    assert window.files.suggested.parent == window.preferences.folder
-
-
 @pytest.mark.parametrize(
     ("answer", "opened"),
     [(QMessageBox.StandardButton.Discard, True), (QMessageBox.StandardButton.Cancel, False)],
@@ -148,13 +123,6 @@ def test_unsaved_work_is_asked_for_first(window, monkeypatch, answer, opened):
     window.scenes.open("2F")
     assert len(asked) == 1
     assert (window.document.design == ss.scenes.open_scene("2F").design) == opened
-
-
-def test_the_page_that_is_cancelled_changes_nothing(window):
-    before = window.document.design
-    page = window.scenes.show()
-    page.buttons.button(QDialogButtonBox.StandardButton.Cancel).click()
-    assert window.document.design is before
 
 
 #: 800x600, and what is as high as 1920x1080 at scale 2, less the frame of a window.

@@ -76,14 +76,3 @@ def test_each_scene_shows_the_same_panels_stepped_to_and_opened_alone(make_windo
     presented = stepped_through(window, 5)
     window.do("present")
     assert alone == {name: (plain[name], presented[name]) for name in NAMES}
-
-
-def test_what_was_in_sight_before_scenes_were_stepped_through_comes_back(make_window):
-    window = make_window()
-    window.docks["history"].bring_forward()
-    own = in_front(window)
-    for _ in range(3):
-        window.do("next_scene")
-    assert in_front(window) != own
-    window.do("new_design")
-    assert in_front(window) == own

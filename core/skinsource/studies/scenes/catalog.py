@@ -1,6 +1,7 @@
 """The catalog of scenes: their names, their files, how they are opened, and their titles."""
 
 import re
+import tomllib
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 from functools import lru_cache
@@ -24,9 +25,8 @@ from skinsource.studies.scenes.opened_scene import (
     opened_on,
     reason_against,
 )
-from skinsource.studies.scenes.shipped import SHIPPED
 
-FOLDER = "scenes"
+FOLDER, DESCRIPTIONS = "scenes", "scenes.toml"
 
 
 def scenes_folder() -> Path:
@@ -34,9 +34,15 @@ def scenes_folder() -> Path:
     return data_folder() / FOLDER
 
 
+@lru_cache(maxsize=1)
 def all_scenes() -> tuple[Scene, ...]:
     """Return every scene, in the order of the figures."""
-    return tuple(made.scene for made in SHIPPED)
+    text = (scenes_folder() / DESCRIPTIONS).read_text(encoding="utf-8")
+    entries = tomllib.loads(text)["scene"]
+    return tuple(
+        Scene(**{name: tuple(v) if isinstance(v, list) else v for name, v in entry.items()})
+        for entry in entries
+    )
 
 
 def names() -> tuple[str, ...]:
