@@ -57,25 +57,25 @@ def test_the_same_data_give_the_same_files(tmp_path):
 
 def test_the_sum_that_figure_5f_shows_is_of_what_each_input_causes_alone():
     table = draw_figure(ss.scenes.open_scene("5F", available=())).tables
-    columns = dict(zip(table[""].header, np.asarray(table[""].rows).T, strict=True))
+    columns = table[""]
     for output in (20, 26):
         separate = columns[f"output_{output}_z_separate_m_per_s2"]
         joint = columns[f"output_{output}_z_joint_m_per_s2"]
         assert np.abs(joint).max() > 0.1
         np.testing.assert_allclose(separate, joint, rtol=0, atol=1e-12 * np.abs(joint).max())
-    assert np.asarray(table["-correlation"].rows)[:, 1].min() > 1.0 - 1e-9
+    assert table["-correlation"]["pearson_r"].min() > 1.0 - 1e-9
 
 
 def test_frames_of_figure_4a_are_a_quarter_of_a_cycle_apart():
     opened = ss.scenes.open_scene("4A", available=())
     shown = draw_figure(opened).tables[""]
-    at_ms = [float(name.split()[2]) for name in shown.header[1:]]
+    at_ms = [float(name.split()[2]) for name in list(shown)[1:]]
     quarters = 100.0 + np.arange(5) * 1e3 / (4 * 104.0)
     np.testing.assert_allclose(at_ms, quarters, atol=1e3 / 1300 / 2 + 1e-3)
     view = ss.View(axes="z", outputs=tuple(range(1, 73)))
     values = ss.evaluate(opened.design, "response_time_s", "selected_traces", view=view)
     at = np.searchsorted(values["response_time_s"], 1e-3 * at_ms[2] - 1e-5)
-    np.testing.assert_array_equal(np.asarray(shown.rows)[:, 3], values["selected_traces"][:, at])
+    np.testing.assert_array_equal(list(shown.values())[3], values["selected_traces"][:, at])
 
 
 def test_figures_say_on_which_limb_and_which_conditions_are_not_kept(measured, tmp_path):

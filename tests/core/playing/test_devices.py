@@ -119,8 +119,11 @@ def test_rates_are_those_that_the_device_takes(library):
         (("Invalid sample rate", -9997), "Eight does not take 48000 Hz; it prefers 48000 Hz"),
         (("Invalid number of channels", -9998), "Eight does not take 3 outputs"),
         (("Device unavailable", -9985), "Eight is not free: another program uses it"),
-        (("Unanticipated host error", -9999), "cannot be played on: Unanticipated host error"),
-        (("no code",), "cannot be played on: no code"),
+        (
+            ("Unanticipated host error", -9999),
+            "cannot be used for 3 outputs: Unanticipated host error",
+        ),
+        (("no code",), "cannot be used for 3 outputs: no code"),
     ],
 )
 def test_what_a_device_refuses_is_said_in_plain_words(library, refusal, message):

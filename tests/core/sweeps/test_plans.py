@@ -1,6 +1,8 @@
 """Which stimuli a sweep consists of, and in which order they are presented."""
 
+import pickle
 from collections import Counter
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -8,7 +10,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
-from skinsource.studies.sweeps.plan import Order, Plan, plan_of, trials, varied
+from skinsource.studies.sweeps.plan import Order, Plan, trials, varied
 
 
 def design(*locations):
@@ -85,7 +87,7 @@ def test_a_plan_is_all_combinations_and_the_last_variable_varies_first():
     assert made.inputs[0].clips[0].waveform.frequency_hz == 50.0
 
 
-def test_a_plan_comes_back_from_its_text():
+def test_a_plan_reaches_other_processes_as_it_is():
     drawn = ss.waveforms.Drawn(ss.waveforms.Noise(seed=1, duration_s=0.1).samples(1300.0))
     inputs = (ss.track(3, drawn), ss.track(7))
     plan = Plan(
@@ -94,9 +96,10 @@ def test_a_plan_comes_back_from_its_text():
         outputs=(3, 19),
         level_db=-3.0,
     )
-    again = plan_of(plan.text)
+    again = pickle.loads(pickle.dumps(plan))  # noqa: S301  our own
     assert again == plan
     assert again.digest == plan.digest
+    assert replace(plan, level_db=-2.0).digest != plan.digest
 
 
 @pytest.mark.parametrize(
