@@ -129,15 +129,6 @@ def test_esc_stops_at_once_and_a_second_one_in_a_hurry_closes_nothing(
     assert page.run.level_db == pytest.approx(level_db + 1.0)
 
 
-def test_what_would_pass_full_scale_stops_it_and_is_said(sound, page, qtbot):
-    page.form.field("amplitude").set_value(1.0)
-    page.form.field("gain_db").set_value(20.0)
-    begin(page, qtbot)
-    qtbot.waitUntil(lambda: not page.player.playing, timeout=20_000)
-    assert "full scale" in page.view.note.text()
-    assert np.abs(sound.streams[0].samples).max() <= 1.0
-
-
 def test_without_a_device_it_is_a_rehearsal_and_nothing_is_stored(no_sound, page, qtbot, tmp_path):
     begin(page, qtbot)
     assert "Nothing is heard" in page.view.note.text()

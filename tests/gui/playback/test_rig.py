@@ -61,6 +61,7 @@ def test_a_rig_that_is_gone_is_no_reason_to_play_without_its_limits(
     sound, studio, player, path, tmp_path
 ):
     player.settings._preferences.rig_path = str(tmp_path / "gone.skinrig")
+    player.settings._rig_was_read = False
     studio.do("play")
     assert not player.playing
     assert "The rig of this machine cannot be read" in studio.notice.text

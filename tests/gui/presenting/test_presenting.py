@@ -3,18 +3,12 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.qt.overlays import COVERED, Cover
-
-
-@pytest.fixture
-def open_window(make_window):
-    """Each test has a window of its own."""
-    return make_window
 
 
 def title(window):
@@ -90,23 +84,6 @@ def test_while_the_bars_are_away_words_lie_over_the_window(studio):
     assert not studio.notice.text
 
 
-def test_hand_and_map_point_at_the_same_input(open_window, design):
-    window = open_window(design)
-    hand, skin = window.panel("hand"), window.panel("skin")
-    first, second = window.document.design.ids
-    hand.diagram.stage.change(hovered=13)
-    assert skin.map.content.pointed_at == second
-    hand.diagram.stage.change(hovered=20)
-    assert skin.map.content.pointed_at is None
-    content, layout = skin.map.content, skin.map.stage.layout
-    [x, y] = layout.frame.to_screen(content.limb_map.input_positions[[6]])[0]
-    QTest.mouseMove(skin.map, QPointF(float(x), float(y)).toPoint())
-    assert hand.diagram.state.target == 7
-    skin.map.inputs_chosen.emit((second,))
-    assert window.document.view.selected_inputs == (second,)
-    assert first in window.document.design.ids
-
-
 MAPS = {
     "windowed": ("window_strip",),
     "side_by_side": ("maps_side_by_side", "side_by_side_words"),
@@ -155,8 +132,8 @@ def test_nothing_stays_covered_once_presenting_ends(plain_studio, qtbot):
 
 
 @pytest.fixture
-def presented(open_window, design, qtbot):
-    window = open_window(design)
+def presented(make_window, design, qtbot):
+    window = make_window(design)
     window.document.look(replace(window.document.view, outputs=(29, 30)))
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
@@ -198,38 +175,13 @@ def test_space_plays_where_the_keyboard_came_to_a_list_by_chance(presented, play
     field.hidePopup()
 
 
-def test_escape_leaves_and_the_outputs_stay_selected(presented):
-    presented.panel("skin").map.setFocus()
-    press(presented, Qt.Key.Key_Escape)
-    assert not presented.presenter.presenting
-    assert presented.document.view.outputs == (29, 30)
-    # Back among the bars the key is that of the map.
-    presented.panel("skin").map.setFocus()
-    press(presented, Qt.Key.Key_Escape)
-    assert presented.document.view.outputs == ()
-
-
-@pytest.mark.parametrize("name", ["hand", "traces", "frequency_and_amplitude"])
-def test_escape_leaves_from_any_panel(presented, name):
-    presented.docks[name].bring_forward()
-    presented.panel(name).setFocus()
-    press(presented, Qt.Key.Key_Escape)
-    assert not presented.presenter.presenting
-
-
-def test_escape_gives_up_what_is_typed_first(presented):
+def test_escape_gives_up_what_is_typed_or_dragged_and_then_leaves(presented):
     number = presented.panel("frequency_and_amplitude")._amplitude.field
     number.setFocus()
     press(presented, Qt.Key.Key_5)
     assert number.editing
     press(presented, Qt.Key.Key_Escape)
     assert not number.editing
-    assert presented.presenter.presenting
-    press(presented, Qt.Key.Key_Escape)
-    assert not presented.presenter.presenting
-
-
-def test_escape_gives_up_what_is_dragged_first(presented):
     skin = presented.panel("skin").map
     skin.setFocus()
     at = skin.rect().center()
@@ -238,4 +190,10 @@ def test_escape_gives_up_what_is_dragged_first(presented):
     press(presented, Qt.Key.Key_Escape)
     QTest.mouseRelease(skin, Qt.MouseButton.LeftButton, pos=at + at / 8)
     assert presented.presenter.presenting
+    press(presented, Qt.Key.Key_Escape)
+    assert not presented.presenter.presenting
     assert presented.document.view.outputs == (29, 30)
+    # Back among the bars the key is that of the map.
+    skin.setFocus()
+    press(presented, Qt.Key.Key_Escape)
+    assert presented.document.view.outputs == ()

@@ -115,16 +115,6 @@ def test_what_the_rig_does_not_say_is_missed_at_once(rig_page, qtbot):
     page.reject()
 
 
-def test_a_band_that_the_rate_cannot_tell_is_said_at_once_and_mended_in_the_field(page):
-    assert page.start.isEnabled()
-    page.fields.cell("highest_hz").edited.emit("highest_hz", 20_000.0, None)
-    assert "choose a higher rate" in page.message.text()
-    assert not page.start.isEnabled()
-    page.fields.cell("highest_hz").edited.emit("highest_hz", 1000.0, None)
-    assert page.start.isEnabled()
-    assert page.message.text().startswith("Start plays")
-
-
 def test_what_cannot_be_measured_says_why(page, card, qtbot):
     page.fields.cell("loopback_input").edited.emit("loopback_input", 1, None)
     assert "expected two inputs" in page.message.text()

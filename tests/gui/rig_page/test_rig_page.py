@@ -23,12 +23,6 @@ FLAT = MeasuredResponse(((20.0, 50.0, 0.0), (1000.0, 50.0, 0.0)))
 
 
 @pytest.fixture
-def open_window(make_window):
-    """Each test has a window of its own."""
-    return make_window
-
-
-@pytest.fixture
 def window(open_window):
     return open_window(
         ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Gabor(200.0)),))
@@ -37,6 +31,7 @@ def window(open_window):
 
 @pytest.fixture
 def page(window, qtbot):
+    window.playback.player.settings.choose_rig(None)
     window.do("edit_rig")
     page = window.findChild(RigPage)
     qtbot.waitExposed(page)

@@ -125,15 +125,8 @@ def test_unsaved_work_is_asked_for_first(window, monkeypatch, answer, opened):
     assert (window.document.design == ss.scenes.open_scene("2F").design) == opened
 
 
-#: 800x600, and what is as high as 1920x1080 at scale 2, less the frame of a window.
-SCREENS = (QSize(780, 560), QSize(780, 490))
-
-
-@pytest.fixture
-def page(window):
-    page = window.scenes.show()
-    yield page
-    page.reject()
+#: As high as 1920x1080 at scale 2, less the frame of a window.
+SCREEN = QSize(780, 490)
 
 
 def assert_whole(page):
@@ -143,16 +136,14 @@ def assert_whole(page):
         assert inside.contains(QRect(button.mapTo(page, button.rect().topLeft()), button.size()))
 
 
-@pytest.mark.parametrize("screen", SCREENS)
-@pytest.mark.parametrize("scale", [1.0, 1.6, LARGEST_TEXT])
-def test_it_scrolls_inside_where_the_screen_is_small(window, settle, screen, scale):
+def test_it_scrolls_inside_where_the_screen_is_small_and_letters_are_large(window, settle):
     try:
-        window.appearance._scale_text(scale)
+        window.appearance._scale_text(LARGEST_TEXT)
         settle()
         page = window.scenes.show()
-        page.resize(screen)
+        page.resize(SCREEN)
         settle()
-        assert page.size() == screen
+        assert page.size() == SCREEN
         assert_whole(page)
         # What is said of a scene is all there, in sight or scrolled to.
         area = page.findChild(QScrollArea, "scene_area")
