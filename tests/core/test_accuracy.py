@@ -17,7 +17,6 @@ from skinsource.studies.accuracy.cases import (
     Convolution,
     Resampling,
     cases_of,
-    convolutions,
     exact_samples,
     stored_cases,
 )
@@ -103,19 +102,6 @@ def test_a_limb_without_finite_responses_has_no_exact_values():
     broken = limb_like(limb, lambda place: np.full((72, 3, 522), np.inf))
     with pytest.raises(InvalidInputError, match="not finite"):
         cases_of(broken, quick=True)
-
-
-def test_what_would_not_fit_or_take_too_long_is_left_out(monkeypatch):
-    limb = CASES["1 input, 0.5 s"].problem.limb
-    monkeypatch.setattr(cases_module, "_LARGEST_RESPONSE_BYTES", 216 * 8 * (522 + 2600))
-    names = [case.name for case in convolutions(limb)]
-    assert "20 inputs, 2 s" in names
-    assert "1 input, 60 s" not in names
-    (direct,) = (way for way in WAYS if way.name == "direct sums")
-    few = CASES["20 inputs, 2 s"].problem
-    many = replace(few, drives=np.zeros((20, 26_000)))
-    assert direct.fits(few)
-    assert not direct.fits(many)
 
 
 def test_measuring_is_told_and_can_be_stopped():

@@ -5,7 +5,7 @@ import numpy as np
 import skinsource as ss
 from skinsource.engine import evaluation
 from skinsource.studies.figures.writing import draw_figure
-from tests.core.own_limbs.lab_bench import installed, keep
+from tests.core.own_limbs.lab_bench import keep
 
 
 def table_of(name):
@@ -47,10 +47,3 @@ def test_spectra_of_noise_are_means_over_ten_bins():
     at = int(np.searchsorted(raw_hz, columns["frequency_hz"][200]))
     means = [raw[0, at + shift - 5 : at + shift + 5].mean() for shift in (0, 1)]
     assert np.isclose(smooth[200], means, rtol=1e-9).any()
-
-
-def test_frames_of_a_pulse_are_those_of_whole_samples_however_a_delay_is_rounded(user_data):
-    installed(pre_trigger_delay_s=0.005)
-    frames = draw_figure(ss.scenes.open_scene("1C", limb="lab-1")).tables["-frames"]
-    at_ms = [float(name.split("_")[0]) for name in list(frames)[1:]]
-    np.testing.assert_allclose(at_ms, [5.0, 5.75, 6.5, 7.25, 8.0])

@@ -108,18 +108,6 @@ def test_the_gain_that_is_named_is_low_enough_for_all_that_comes():
     assert stated_db == pytest.approx(-20 * np.log10(7.0), abs=0.11)
 
 
-def test_a_gain_that_would_pass_full_scale_stops_where_it_does():
-    live = playing(mix(np.full(8000, 0.5), loop=(0, 8000)), gain_db=0.0)
-    block(live, FADE + 1)
-    live.set_gain(20.0)
-    output = block(live, 2000)[0]
-    assert output.max() <= 1.0
-    assert live.ending.reason == "limit"
-    # From 0.5 to 1.0 takes 50 ms, the way from silence to full scale.
-    assert int(np.argmax(output)) == pytest.approx(0.05 * RATE_HZ, abs=2)
-    assert live.ending.highest_db == pytest.approx(6.0206, abs=1e-4)
-
-
 def test_the_limit_is_told_apart_from_what_is_no_number():
     live = playing(mix(np.full(400, 0.5)))
     block(live, FADE)
@@ -139,17 +127,6 @@ def test_the_limit_is_told_apart_from_what_is_no_number():
     assert np.isfinite(output).all()
     assert live.ending.reason == "broken"
     assert "output 1 (place 1) was to play something that is no number" in live.ending.sentence
-
-
-@pytest.mark.parametrize("into_the_block", [0, 1, 2])
-def test_the_limit_at_the_beginning_of_a_block_falls_from_the_sample_before(into_the_block):
-    row = np.concatenate((np.linspace(0.1, 0.9, 100), np.full(50, 2.0)))
-    live = playing(mix(row))
-    output = blocks(live, [FADE + 100 - into_the_block, 50])[0, FADE:]
-    assert np.array_equal(output[:100], row[:100].astype(np.float32))
-    weight = 0.5 - 0.5 * np.cos(np.pi * np.arange(1, FALL + 1) / (FALL + 1))
-    assert output[100 : 100 + FALL] == pytest.approx(0.9 * (1 - weight), abs=1e-6)
-    assert not output[100 + FALL :].any()
 
 
 def test_a_steady_tone_at_full_scale_has_an_rms_of_minus_three_decibels():
@@ -176,12 +153,3 @@ def test_each_output_has_its_own_and_what_is_over_stays_the_highest():
     assert second.peak_db[0] == -200.0
     assert second.rms_db == pytest.approx([-200.0, -26.02], abs=0.01)
     assert second.highest_db == pytest.approx([-20.0, -26.02], abs=0.01)
-
-
-def test_nothing_is_shown_of_what_was_not_played():
-    live = play_queue()
-    live.play(mix(np.full(2 * WINDOW, 4.0)), 0)
-    block(live, WINDOW)
-    assert live.ending.reason == "limit"
-    assert live.levels().highest_db[0] <= 0.0
-    assert FADE < WINDOW

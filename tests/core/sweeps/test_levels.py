@@ -180,17 +180,6 @@ def test_predictions_go_through_the_actuator_that_is_varied():
         assert rms == pytest.approx(output_rms.max(), rel=1e-9)
 
 
-def test_designs_with_and_without_actuators_do_not_mix():
-    through = replace(DESIGN, actuation=actuation("example-resonant"))
-    designs = [DESIGN, through, DESIGN, through]
-    table = ss.sweep(designs)
-    for row, design in enumerate(designs):
-        alone = ss.sweep(design)
-        assert table.column("rms")[row] == pytest.approx(alone.column("rms")[0], rel=1e-12)
-    assert np.isnan(table.column("peak_voltage_v")).tolist() == [True, False, True, False]
-    assert "peak_voltage_v" not in ss.sweep(DESIGN).columns
-
-
 def test_an_actuator_that_cannot_be_is_a_row_that_says_why():
     tap = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
     names = ("no-such-one", "example-voice-coil")

@@ -127,13 +127,3 @@ def test_of_silence_nothing_is_said():
         metrics = measured(silent, level=level, level_db=0.0)
         assert math.isnan(metrics["level_100ms_db"])
         assert math.isnan(metrics["level_above_threshold_db"])
-
-
-def test_numbers_do_not_depend_on_what_was_measured_before():
-    values = (60.0, 110.0, 250.0)
-    for name in ("frequency_hz", "1.frequency_hz"):
-        plan = Plan(designs=(("one", two_inputs()),), variables=((name, values),), outputs=(19,))
-        forwards, backwards = Measurer(plan), Measurer(plan)
-        there = [forwards.measure(number) for number in (1, 2, 3)]
-        back = [backwards.measure(number) for number in (3, 1, 2)]
-        assert there == [back[1], back[2], back[0]]

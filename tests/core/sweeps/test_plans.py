@@ -171,11 +171,6 @@ def test_counterbalanced_blocks_balance_places_and_what_comes_before(n):
     assert set(pairs.values()) == {participants // n}
 
 
-def test_given_order_is_that_of_the_sweep():
-    presentations = trials(Order(blocks=2), (4, 6))
-    assert [presentation.stimulus for presentation in presentations] == [4, 6, 4, 6]
-
-
 @pytest.mark.parametrize("changes", [{"kind": "odd"}, {"seed": -1}, {"blocks": 0}])
 def test_an_order_that_cannot_be_is_refused(changes):
     with pytest.raises(InvalidInputError):

@@ -265,11 +265,6 @@ def test_trials_leave_out_what_could_not_be_measured(tmp_path):
     assert {row["stimulus"] for row in rows} == {"1", "3"}
 
 
-def test_without_a_folder_nothing_can_be_written():
-    with pytest.raises(InvalidInputError, match="folder"):
-        ss.sweep(DESIGN, order=Order())
-
-
 def test_parquet_holds_the_same_table(tmp_path):
     parquet = pytest.importorskip("pyarrow.parquet", reason="the extra parquet is not installed")
     table = ss.sweep(DESIGN, {"frequency_hz": (50.0, 700.0)}, out=tmp_path, parquet=True)
