@@ -1,7 +1,6 @@
 """Help > Accuracy and speed, driven by mouse and keyboard, on one short case."""
 
 import csv
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -10,11 +9,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog, QPushButton
 
 from skinsource.base.job import stop_if
-from skinsource.limbs.own_limbs import facts_of
 from skinsource.studies.accuracy.cases import Resampling, stored_cases
 from skinsource.studies.accuracy.measuring import WAYS
 from skinsource_gui.pages import accuracy as page_module
-from tests.core.own_limbs.lab_bench import installed
 
 CASE = "1300 to 48000 Hz"
 N_ROWS = sum(way.kind is Resampling for way in WAYS)
@@ -104,21 +101,3 @@ def test_the_table_is_saved_as_numbers(page, qtbot, tmp_path, monkeypatch):
     assert [float(line["error"]) for line in lines] == [row.error for row in page.rows]
     page.save(Path(tmp_path / "table.csv" / "x.csv"))
     assert "cannot be written" in page.message.text()
-
-
-def test_the_limb_of_the_design_can_be_measured_on(window, page, qtbot, monkeypatch):
-    asked = []
-    monkeypatch.setattr(page_module, "cases_of", lambda limb, **_: asked.append(limb) or [])
-    measure(page, qtbot)
-    assert asked == [None]
-    installed()
-    digest = facts_of("lab-1").digest
-    design = replace(window.document.design, limb="lab-1", limb_digest=digest)
-    window.document.edit("Limb", design)
-    page._limb.setCurrentIndex(1)
-    assert page._limb.currentText() == "Lab 1"
-    measure(page, qtbot)
-    assert asked[1].name == "lab-1"
-    installed(hand_length_mm=150.0)
-    measure(page, qtbot)
-    assert page.message.text().startswith("The limb 'lab-1' here is another one than that of this")

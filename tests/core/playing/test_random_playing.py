@@ -3,6 +3,7 @@
 from math import cos, pi
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -158,8 +159,37 @@ def run(all_commands):
     return quick, slow, np.concatenate(output), np.concatenate(expected), own
 
 
+NOISE = np.random.default_rng(4).uniform(-0.5, 0.5, (2, 2000))
+LOOP = (200, 500)
+BEGIN = [("hear", FADE), ("play", NOISE[0], None, 0)]
+#: Blocks within a fade or a fall.
+SHORT = [("hear", 3)] * 20
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [
+        [*BEGIN, *SHORT, ("play", NOISE[1], LOOP, None), *SHORT, ("hear", 900)],
+        [*BEGIN, ("hear", 10), ("play", NOISE[1], None, None), ("play", NOISE[0], LOOP, 7), *SHORT],
+        [("hear", FADE), ("play", NOISE[0], LOOP, LOOP[1]), ("hear", 400)],
+        [*BEGIN, ("hear", FADE + LOOP[1]), ("play", NOISE[1], LOOP, None), ("hear", 400)],
+        [*BEGIN, ("hear", 900), ("play", NOISE[1], LOOP, None), ("hear", 400)],
+        [*BEGIN, ("hear", 100), ("gain", 20.0), ("hear", 60), *SHORT],
+        [*BEGIN, ("hear", 100), ("play", NOISE[1], LOOP, 0), ("hear", 20), ("panic",), *SHORT],
+        [*BEGIN, ("hear", 100), ("gain", -6.0), ("hear", 7), ("stop",), *SHORT],
+        [*BEGIN, ("hear", 1999), ("hear", FADE), ("hear", 1), ("play", NOISE[1], None, 0)],
+    ],
+)
+def test_in_each_scene_what_is_heard_is_what_a_plain_player_plays(scene):
+    check_against_a_plain_player(scene)
+
+
 @given(commands)
 def test_whatever_is_asked_for_what_is_heard_is_what_a_plain_player_plays(all_commands):
+    check_against_a_plain_player(all_commands)
+
+
+def check_against_a_plain_player(all_commands):
     quick, slow, output, expected, _ = run(all_commands)
     assert np.allclose(output, expected, rtol=0, atol=3e-7)
     assert np.all(np.abs(output) <= 1.0)
@@ -175,16 +205,3 @@ def test_whatever_is_asked_for_nothing_clicks(all_commands):
     if any(name == "panic" for name, *_ in all_commands):
         allowed = max(allowed, pi / 2 / FALL)
     assert np.abs(np.diff(np.pad(output.astype(float), 1))).max() <= allowed
-
-
-@given(rows, st.integers(0, 400), st.lists(st.integers(1, 300), min_size=1, max_size=6))
-def test_a_mix_in_the_place_of_itself_changes_nothing(row, at, sizes):
-    loop = (100, 400)
-    live, left_alone = play_queue(), play_queue()
-    for queue in (live, left_alone):
-        queue.play(mix(row, loop=loop), at)
-    for n in sizes:
-        live_heard, left_heard = block(live, n), block(left_alone, n)
-        assert np.allclose(live_heard, left_heard, rtol=0, atol=1e-7)
-        assert live.position == left_alone.position
-        live.play(mix(row, loop=loop))

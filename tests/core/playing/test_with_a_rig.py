@@ -64,24 +64,6 @@ def test_the_rig_says_which_output_drives_a_place(sound, session):
     assert played[0, :n] == pytest.approx(expected[1], abs=1e-6)
 
 
-def test_an_inverted_channel_is_turned_round(sound, session):
-    quiet = ONE.with_input(0, amplitude=0.5)
-    play(session, quiet, rig=rig_of(polarity="inverted"))
-    played = samples_at_outputs(sound, session)[2]
-    expected = -ss.stimulus_of(quiet, RATE_HZ).samples[0]
-    assert played[: expected.size] == pytest.approx(expected, abs=1e-6)
-
-
-def test_volts_of_a_design_are_volts_of_the_rig(sound, session):
-    coil = ss.actuators.load("example-voice-coil")
-    through = ss.Actuation(actuators=(ss.ActuatorAt(actuator="coil", model=coil),))
-    volts = replace(ONE.with_input(0, amplitude=1.5), actuation=through)
-    play(session, volts)
-    played = samples_at_outputs(sound, session)[2]
-    expected = ss.stimulus_of(volts, RATE_HZ).samples[0] / 2.0
-    assert played[: expected.size] == pytest.approx(expected, abs=1e-6)
-
-
 def test_what_is_predicted_through_an_equaliser_is_played_through_it(sound, session):
     coil = ss.actuators.load("example-voice-coil")
     through = ss.Actuation(
@@ -93,20 +75,6 @@ def test_what_is_predicted_through_an_equaliser_is_played_through_it(sound, sess
     # 50 m/s² for each volt, 2 V at full scale.
     expected = ss.stimulus_of(ONE, RATE_HZ).samples[0] / 50.0 / 2.0
     assert played[: expected.size] == pytest.approx(expected, abs=4e-3 * np.abs(expected).max())
-
-
-@pytest.mark.parametrize("delay_s", [0.002, 0.00201])
-def test_channels_wait_for_the_slowest(sound, session, delay_s):
-    quiet = TWO.with_input(0, amplitude=0.5)
-    play(session, quiet, rig=rig_of(delay_s=delay_s))
-    played = samples_at_outputs(sound, session)
-    expected = ss.stimulus_of(quiet, 1300).samples
-    sent = ss.resample(expected, 1300, RATE_HZ)
-    n = sent.shape[1]
-    assert played[2, :n] == pytest.approx(sent[0], abs=1e-6)
-    times_s = np.arange(n) / RATE_HZ
-    late = np.interp(times_s - delay_s, times_s, sent[1])
-    assert played[0, :n] == pytest.approx(late, abs=1e-3)
 
 
 def test_a_limit_of_the_rig_stops_it_before_anything_is_heard(sound, session):

@@ -48,12 +48,6 @@ def test_a_scene_at_another_place_is_edited_and_at_the_places_of_a_lab_it_is_tha
     assert title_of(louder).endswith(" · edited")
 
 
-def test_one_of_several_people_on_the_limb_of_another_is_edited():
-    first = opened("1G", available=()).conditions[0].design
-    assert title_of(first).endswith(" · Limb 1")
-    assert title_of(replace(first, limb="synthetic-3")) == "Fig. 1G: Four people · edited"
-
-
 def test_another_limb_or_colour_leaves_the_title_of_a_scene_that_names_none():
     design = opened("2B", available=()).design
     assert title_of(replace(design, limb="synthetic-3")) == design.title

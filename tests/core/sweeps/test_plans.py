@@ -3,7 +3,7 @@
 import pickle
 from collections import Counter
 from dataclasses import replace
-from itertools import pairwise
+from itertools import pairwise, product
 
 import numpy as np
 import pytest
@@ -132,31 +132,19 @@ def test_the_inputs_that_neighbours_differ_in_are_known_from_the_plan():
 
 
 def test_random_blocks_hold_every_stimulus_once_and_follow_the_seed():
-    order = Order(kind="random", seed=5, participants=2, blocks=3)
-    presentations = trials(order, (2, 3, 5, 8))
-    assert len(presentations) == 24
-    for participant in (1, 2):
-        for block in (1, 2, 3):
-            of_block = [
-                presentation
-                for presentation in presentations
-                if (presentation.participant, presentation.block) == (participant, block)
-            ]
-            assert sorted(presentation.stimulus for presentation in of_block) == [2, 3, 5, 8]
-            assert [presentation.trial for presentation in of_block] == [1, 2, 3, 4]
-    assert presentations == trials(order, (2, 3, 5, 8))
-    other = trials(Order(kind="random", seed=6, participants=2, blocks=3), (2, 3, 5, 8))
-    assert [presentation.stimulus for presentation in presentations] != [
-        presentation.stimulus for presentation in other
-    ]
-    sequences = [
-        tuple(presentation.stimulus for presentation in presentations[k : k + 4])
-        for k in range(0, 24, 4)
-    ]
-    assert len(set(sequences)) > 2
+    def sequences(seed):
+        presented = trials(Order(kind="random", seed=seed, participants=2, blocks=3), (2, 3, 5, 8))
+        blocks = [presented[k : k + 4] for k in range(0, 24, 4)]
+        numbers = [(each.participant, each.block, each.trial) for each in presented]
+        assert numbers == list(product((1, 2), (1, 2, 3), (1, 2, 3, 4)))
+        return [tuple(each.stimulus for each in block) for block in blocks]
+
+    assert all(sorted(sequence) == [2, 3, 5, 8] for sequence in sequences(5))
+    assert sequences(5) == sequences(5) != sequences(6)
+    assert len(set(sequences(5))) > 2
 
 
-@pytest.mark.parametrize("n", [2, 3, 4, 5, 8, 9])
+@pytest.mark.parametrize("n", [4, 5, 8])
 def test_counterbalanced_blocks_balance_places_and_what_comes_before(n):
     participants = n if n % 2 == 0 else 2 * n
     order = Order(kind="counterbalanced", seed=11, participants=participants)

@@ -106,23 +106,6 @@ def test_a_damaged_byte_costs_the_journal_no_line_but_its_own(tmp_path):
         assert len(written) >= ends[-2] + 1
 
 
-def test_a_line_that_is_measured_again_is_added_to_the_damaged_journal(tmp_path):
-    whole = ss.sweep(DESIGN, {"frequency_hz": FREQUENCIES}, out=tmp_path)
-    lines = (tmp_path / JOURNAL).read_bytes().splitlines(keepends=True)
-    damaged = [*lines[:3], lines[3].replace(b"rms", b"rmS", 1), *lines[4:]]
-    (tmp_path / JOURNAL).write_bytes(b"".join(damaged))
-    begun = []
-    table = ss.sweep(
-        DESIGN,
-        {"frequency_hz": FREQUENCIES},
-        out=tmp_path,
-        progress=lambda done, *_: begun.append(done),
-    )
-    assert begun[0] == 5
-    assert rows_of(table) == rows_of(whole)
-    assert (tmp_path / JOURNAL).read_bytes() == b"".join([*damaged, lines[3]])
-
-
 def test_what_is_no_journal_is_renamed_and_never_changed(tmp_path):
     foreign = [b"my notes", b"first line\nsecond line\n", bytes(1000)]
     for content in foreign:

@@ -79,19 +79,6 @@ def test_arrow_keys_and_enter_make_a_row(sound, page, qtbot, tmp_path):
     assert page.player.playing
 
 
-def test_all_matches_are_made_and_the_sound_ends(sound, page, qtbot, tmp_path):
-    begin(page, qtbot)
-    for _ in range(4):
-        key(page, Qt.Key.Key_Enter)
-    assert len(rows_in(tmp_path / "matches.csv")) == 4
-    assert "All 4" in page.view.progress.text()
-    assert not page.player.playing
-    key(page, Qt.Key.Key_Enter)
-    key(page, Qt.Key.Key_Space)
-    assert len(rows_in(tmp_path / "matches.csv")) == 4
-    assert not page.player.playing
-
-
 def test_reference_and_test_are_heard_and_lit_in_turn(sound, page, qtbot):
     begin(page, qtbot)
     lit_places = set()

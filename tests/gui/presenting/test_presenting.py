@@ -121,16 +121,6 @@ def test_all_that_draws_maps_is_covered_together_and_revealed(plain_studio, qtbo
     assert not any(cover.isVisible() for cover in panel.findChildren(Cover))
 
 
-def test_nothing_stays_covered_once_presenting_ends(plain_studio, qtbot):
-    plain_studio.docks["windowed"].bring_forward()
-    wait(plain_studio, qtbot)
-    plain_studio.do("present")
-    plain_studio.do("cover_map")
-    plain_studio.do("present")
-    covers = plain_studio.panel("windowed").findChildren(Cover)
-    assert not any(cover.isVisible() for cover in covers)
-
-
 @pytest.fixture
 def presented(make_window, design, qtbot):
     window = make_window(design)

@@ -66,27 +66,6 @@ class LoudestPanel(Panel):
     def show_results(self, results):
         self.words.setText(f"{results['loudest_level_db']:.{self.settings.digits}f} dB")
 '''
-EXPORT = '''
-"""The level of the loudest output, as a file."""
-
-from skinsource.base.job import never, silent
-from skinsource.engine.evaluation import Evaluator
-
-
-def export_loudest(path, design, view, *, progress=silent, stop=never, largest_error=0.0):
-    """Write one number."""
-    results = Evaluator().evaluate(design, ("loudest_level_db",), view)
-    path.write_text(f"{results['loudest_level_db']!r}")
-'''
-EXPORTED = """    ExportSpec(
-        name="loudest",
-        title="loudest level…",
-        file_name="loudest.txt",
-        kinds=(("Text", ".txt"),),
-        hint="Save the level of the loudest output",
-        write=export_loudest,
-    ),
-"""
 ACTION = """    action(
         "silence_all",
         "Edit",
@@ -133,8 +112,7 @@ TRY = """
 import sys
 from pathlib import Path
 
-from PySide6.QtCore import QEventLoop
-from PySide6.QtWidgets import QFileDialog, QMenu, QTextBrowser
+from PySide6.QtWidgets import QMenu, QTextBrowser
 
 import skinsource as ss
 from skinsource.design.design import Design, track
@@ -194,7 +172,6 @@ for arrangement in ARRANGEMENTS:
 menus = {menu.title().replace("&", ""): [entry.text() for entry in menu.actions()]
          for menu in window.findChildren(QMenu)}
 assert "Loudest output" in menus["Panels"]
-assert "Export loudest level…" in menus["File"]
 assert "Silence all" in menus["Edit"]
 window.do("find_action")
 palette = window.findChildren(Palette)[-1]
@@ -222,15 +199,7 @@ assert panel.words.text() == f"{loudest_db:.4f} dB"
 ss.save_design(path, window.document.design, window.document.view)
 assert settings_of(ss.open_design(path).view, "loudest", LoudestSettings).digits == 4
 
-# The export.
-target = folder / "loudest.txt"
-QFileDialog.getSaveFileName = staticmethod(lambda *words, **more: (str(target), ""))
-loop = QEventLoop()
-window.runner.done.connect(loop.quit)
-window.runner.failed.connect(loop.quit)
-window.do("export_loudest")
-loop.exec()
-assert float(target.read_text()) == loudest_db
+settle()
 window.close_unasked()
 print("all of it works")
 """
@@ -281,12 +250,6 @@ def test_each_recipe_leads_to_what_it_says(copy, tmp_path):
         '    PanelSpec(panel=LazyPanel("loudest", "Loudest output"), settings=LoudestSettings),\n'
     )
     insert(panels, '    PanelSpec(panel=LazyPanel("inspector"', line)
-    # An export: a module, and an entry.
-    write(library / "export" / "loudest.py", EXPORT)
-    exports = studio / "pages" / "files" / "exports.py"
-    imported = "from skinsource.base.job import Job, Progress, Stop\n"
-    insert(exports, imported, "from skinsource.export.loudest import export_loudest\n")
-    insert(exports, '    ExportSpec(\n        name="field"', EXPORTED)
     # An action: an entry.
     edit_menu = studio / "shell" / "actions" / "edit_menu.py"
     insert(edit_menu, '    action(\n        "shift_input_up"', ACTION)

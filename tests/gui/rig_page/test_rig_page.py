@@ -96,15 +96,6 @@ def test_zero_volts_are_volts_that_are_not_known(page):
     assert page.draft.rig.channels[0].limits.peak_voltage_v is None
 
 
-def test_a_place_that_is_wired_twice_is_refused_and_said(page):
-    press(page, "add")
-    press(page, "add")
-    put(page, "place", page.draft.rig.channels[0].place)
-    assert "place 7 2 times" in page.message.text()
-    assert [channel.place for channel in page.draft.rig.channels] == [7, 1]
-    assert page.fields.cell("place").field.value_si == 1
-
-
 def test_a_response_comes_from_a_table_and_is_forgotten_again(page, qtbot, answer):
     press(page, "add")
     path = answer("coil.csv")

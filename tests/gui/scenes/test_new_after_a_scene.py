@@ -55,22 +55,6 @@ def test_new_is_empty_on_the_limb_and_in_the_view_of_a_start_in_ones_own_panels(
     assert in_sight(window) == now
 
 
-@pytest.mark.parametrize("moved", [False, True])
-def test_the_next_session_begins_in_the_panels_before_the_scene(
-    window, preferences, make_window, monkeypatch, moved
-):
-    if moved:
-        window.docks["spectra"].hide()
-    before = in_sight(window)
-    window.scenes.open(SCENE)
-    QApplication.processEvents()
-    window.close()
-    assert preferences.arrangement == "design"
-    # Others take up an arrangement at first.
-    monkeypatch.setattr(type(window), "do", lambda *_: None)
-    assert in_sight(make_window()) == before
-
-
 def test_the_next_session_begins_in_the_panels_before_they_were_presented(
     window, own, preferences, make_window, monkeypatch
 ):

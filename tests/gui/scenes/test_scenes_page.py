@@ -7,8 +7,8 @@ from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtWidgets import QDialogButtonBox, QMessageBox, QScrollArea
 
 import skinsource as ss
+from benchmarks.gallery import MARK, mark_of, page_of, synthetic_scene
 from skinsource.design.panel_settings import settings_of
-from skinsource.studies.figures.gallery import MARK, mark_of, page_of, synthetic_scene
 from skinsource_gui.qt.resources import resource_folder
 from skinsource_gui.shell.appearance import LARGEST_TEXT
 from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS
@@ -36,7 +36,7 @@ def test_each_picture_is_of_the_scene_as_it_is_now_on_a_synthetic_limb(name):
     content = (resource_folder() / "scenes" / f"{name}.png").read_bytes()
     assert texts_of(content)[MARK] == mark_of(synthetic_scene(name)), (
         "pictures are out of date; draw them anew with "
-        "'python -m skinsource.studies.figures.gallery resources/scenes docs/scenes.md'"
+        "'python benchmarks/gallery.py resources/scenes docs/scenes.md'"
     )
 
 
@@ -44,7 +44,7 @@ def test_the_page_of_the_documents_shows_every_scene():
     path = resource_folder().parent / "docs" / "scenes.md"
     assert path.read_text("utf-8") == page_of(ss.scenes.all_scenes(), "../resources/scenes"), (
         "docs/scenes.md is out of date; write it anew with "
-        "'python -m skinsource.studies.figures.gallery resources/scenes docs/scenes.md'"
+        "'python benchmarks/gallery.py resources/scenes docs/scenes.md'"
     )
 
 

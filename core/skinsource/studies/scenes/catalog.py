@@ -6,6 +6,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 from skinsource.base.arguments import checking
 from skinsource.base.assets import data_folder
@@ -38,11 +39,14 @@ def scenes_folder() -> Path:
 def all_scenes() -> tuple[Scene, ...]:
     """Return every scene, in the order of the figures."""
     text = (scenes_folder() / DESCRIPTIONS).read_text(encoding="utf-8")
-    entries = tomllib.loads(text)["scene"]
-    return tuple(
-        Scene(**{name: tuple(v) if isinstance(v, list) else v for name, v in entry.items()})
-        for entry in entries
-    )
+    scenes = []
+    for entry in tomllib.loads(text)["scene"]:
+        fields: dict[str, Any] = {
+            name: tuple(value) if isinstance(value, list) else value
+            for name, value in entry.items()
+        }
+        scenes.append(Scene(**fields))
+    return tuple(scenes)
 
 
 def names() -> tuple[str, ...]:
