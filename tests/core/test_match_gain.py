@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.design.comparing import louder
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Tap
@@ -52,20 +51,6 @@ def test_no_drive_has_it_and_nothing_that_is_judged_by_drives():
     for name in NOT_SCALED[:-1]:
         np.testing.assert_array_equal(flat(scaled[name]), flat(as_stored[name]))
     assert scaled["validity"] == as_stored["validity"]
-
-
-def test_a_gain_costs_what_an_edit_of_all_amplitudes_costs_and_draws_nothing():
-    def work_of(design, gain):
-        graph = new_graph()
-        values_of(SCALED, graph=graph)
-        graph.evaluate(SCALED, sources(design, VIEW, match_gain=gain))
-        return graph.work
-
-    work = work_of(DESIGN, GAIN)
-    edited = work_of(louder(DESIGN, GAIN), 1.0)
-    assert work.samples_drawn == work.bytes_read == 0
-    assert work.forward_transforms <= edited.forward_transforms
-    assert work.inverse_transforms <= edited.inverse_transforms
 
 
 def test_what_is_too_long_to_be_transformed_at_once_has_it_too():

@@ -143,11 +143,3 @@ def test_a_device_that_does_not_begin_is_let_go(sound, session):
         play(session)
     sound.refuses_to_start = False
     assert play(session).stream is not None
-
-
-def test_a_device_that_is_pulled_out_leaves_no_ending(sound, session):
-    playing = play(session, loops=True)
-    sound.streams[0].pull_out()
-    assert session.over.wait(20)
-    assert playing.stream.queue.ending is None
-    assert not playing.stream.closed

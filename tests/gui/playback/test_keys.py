@@ -1,7 +1,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu, QPushButton
+from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu
 
 from skinsource.design.waveforms.pulses import Noise
 from skinsource_gui.shell.playing import EscapeTwice
@@ -52,16 +52,6 @@ def test_a_space_that_is_typed_is_a_space(studio, pressed):
     QTest.keyClicks(line, "a b")
     assert line.text() == "a b"
     assert pressed == []
-
-
-def test_space_presses_the_button_that_the_keyboard_is_on(studio, pressed):
-    button = QPushButton("Press", studio)
-    clicks = []
-    button.clicked.connect(lambda: clicks.append(1))
-    button.show()
-    button.setFocus(Qt.FocusReason.TabFocusReason)
-    QTest.keyClick(button, SPACE)
-    assert (clicks, pressed) == ([1], [])
 
 
 def test_escape_twice_is_heard_wherever_the_keyboard_is(studio, qtbot):

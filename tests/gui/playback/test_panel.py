@@ -82,16 +82,6 @@ def test_where_nothing_can_be_heard_no_tone_is_offered_and_the_button_says_why(
     assert "on output 2 alone" in button.toolTip()
 
 
-def test_another_device_than_the_one_that_is_gone_is_not_missing(sound, player, panel):
-    button = panel.findChild(QToolButton, "tone_of_12")
-    player.settings.choose(Output(device="Nine"))
-    assert "Nine" in text_of(panel, "playback_problem")
-    assert not button.isEnabled()
-    panel.fields.device.choose("Eight\nMade up")
-    assert not panel.problem.isVisibleTo(panel)
-    assert button.isEnabled()
-
-
 def test_levels_delay_and_underruns_are_shown(sound, studio, player, panel, qtbot, listen):
     now = listen(loops=True)
     sound.streams[-1].underflows = 2

@@ -85,17 +85,6 @@ def test_a_rig_made_by_hand_is_the_one_in_its_file(page, window, answer):
     assert window.playback.player.settings.rig == page.draft.rig
 
 
-def test_zero_volts_are_volts_that_are_not_known(page):
-    press(page, "add")
-    put(page, "full_scale_v", 2.0)
-    assert page.draft.rig.channels[0].full_scale_v == 2.0
-    put(page, "full_scale_v", 0.0)
-    assert page.draft.rig.channels[0].full_scale_v is None
-    put(page, "limit peak_voltage_v", 3.0)
-    put(page, "limit peak_voltage_v", 0.0)
-    assert page.draft.rig.channels[0].limits.peak_voltage_v is None
-
-
 def test_a_response_comes_from_a_table_and_is_forgotten_again(page, qtbot, answer):
     press(page, "add")
     path = answer("coil.csv")
