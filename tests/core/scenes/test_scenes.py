@@ -18,6 +18,7 @@ every = pytest.mark.parametrize("name", NAMES)
 def test_each_design_file_has_a_description():
     stored = {path.stem for path in ss.scenes.scenes_folder().glob("*.skinsource")}
     assert stored == set(NAMES)
+    assert len(set(ss.scenes.all_scenes())) == len(NAMES)
 
 
 @every
