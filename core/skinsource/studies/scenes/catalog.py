@@ -35,18 +35,9 @@ def scenes_folder() -> Path:
     return data_folder() / FOLDER
 
 
-@lru_cache(maxsize=1)
 def all_scenes() -> tuple[Scene, ...]:
     """Return every scene, in the order of the figures."""
-    text = (scenes_folder() / DESCRIPTIONS).read_text(encoding="utf-8")
-    scenes = []
-    for entry in tomllib.loads(text)["scene"]:
-        fields: dict[str, Any] = {
-            name: tuple(value) if isinstance(value, list) else value
-            for name, value in entry.items()
-        }
-        scenes.append(Scene(**fields))
-    return tuple(scenes)
+    return _scenes_in(scenes_folder() / DESCRIPTIONS)
 
 
 def names() -> tuple[str, ...]:
@@ -238,3 +229,15 @@ def _played_content(design: Design, *, moved: bool) -> Design:
 @lru_cache(maxsize=64)
 def _designs_of(path: Path) -> tuple[Design, ...]:
     return compared(open_design(path))
+
+
+@lru_cache(maxsize=1)
+def _scenes_in(path: Path) -> tuple[Scene, ...]:
+    scenes = []
+    for entry in tomllib.loads(path.read_text(encoding="utf-8"))["scene"]:
+        fields: dict[str, Any] = {
+            name: tuple(value) if isinstance(value, list) else value
+            for name, value in entry.items()
+        }
+        scenes.append(Scene(**fields))
+    return tuple(scenes)
