@@ -50,7 +50,7 @@ nightly: .venv/ready-to-test  ## damaged files, killed exports, studios that end
 	$(BIN)/python -m tests.nightly.monkey
 
 faults: .venv/ready-to-test  ## do the tests still notice the faults that they noticed once? (an hour or more)
-	$(BIN)/python -m tests.nightly.planted_faults again
+	$(BIN)/python -m tests.nightly.planted_faults
 
 growth: .venv/ready-to-test  ## how cost grows with length, inputs and outputs: build/growth
 	$(BIN)/python benchmarks/growth.py

@@ -35,14 +35,3 @@ def test_the_library_imports_nothing_before_something_is_asked_for():
         [sys.executable, "-c", probe], capture_output=True, text=True, check=True, timeout=60
     )
     assert done.stdout.strip() == "[]"
-
-
-def test_a_room_does_not_import_its_modules():
-    probe = (
-        "import sys; from skinsource.actuators import rigs;"
-        "print('skinsource.actuators.measuring' in sys.modules)"
-    )
-    done = subprocess.run(
-        [sys.executable, "-c", probe], capture_output=True, text=True, check=True, timeout=60
-    )
-    assert done.stdout.strip() == "False"

@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.design.comparing import louder
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Tap
@@ -52,35 +51,6 @@ def test_no_drive_has_it_and_nothing_that_is_judged_by_drives():
     for name in NOT_SCALED[:-1]:
         np.testing.assert_array_equal(flat(scaled[name]), flat(as_stored[name]))
     assert scaled["validity"] == as_stored["validity"]
-
-
-def test_a_gain_costs_what_an_edit_of_all_amplitudes_costs_and_draws_nothing():
-    def work_of(design, gain):
-        graph = new_graph()
-        values_of(SCALED, graph=graph)
-        graph.evaluate(SCALED, sources(design, VIEW, match_gain=gain))
-        return graph.work
-
-    work = work_of(DESIGN, GAIN)
-    edited = work_of(louder(DESIGN, GAIN), 1.0)
-    assert work.samples_drawn == work.bytes_read == 0
-    assert work.forward_transforms <= edited.forward_transforms
-    assert work.inverse_transforms <= edited.inverse_transforms
-
-
-def test_traces_with_a_gain_are_as_exact_as_others():
-    assert values_of(("trace_error",), GAIN)["trace_error"].estimate < 1e-12
-
-
-def test_noise_has_it_too_so_that_nothing_comes_nearer_to_the_noise(measured):
-    names = ("output_noise_rms", "above_noise_db", "noise_rms_of_windows")
-    design = replace(DESIGN, limb="measured-1")
-    stored, scaled = (
-        new_graph().evaluate(names, sources(design, VIEW, match_gain=gain)) for gain in (1.0, GAIN)
-    )
-    for name in ("output_noise_rms", "noise_rms_of_windows"):
-        np.testing.assert_allclose(scaled[name], GAIN * stored[name], rtol=1e-9)
-    np.testing.assert_allclose(scaled["above_noise_db"], stored["above_noise_db"], atol=1e-9)
 
 
 def test_what_is_too_long_to_be_transformed_at_once_has_it_too():

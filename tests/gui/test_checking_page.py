@@ -134,10 +134,3 @@ def test_what_does_not_fit_is_said_in_its_row_and_the_others_are_checked(page, q
     button(page, "remove_design").click()
     assert page.list.rows == ()
     assert not button(page, "check_designs").isEnabled()
-
-
-def test_closing_gives_up_what_is_checked(page, qtbot):
-    runner = page.run._runner
-    button(page, "check_designs").click()
-    page.close()
-    qtbot.waitUntil(lambda: not runner.busy, timeout=60_000)

@@ -91,21 +91,6 @@ def test_a_recording_is_held_against_the_prediction_and_reported(design_file, tm
     assert re.search(r"written on \d{4}-\d\d-\d\d \d\d:\d\d UTC", page)
 
 
-def test_a_report_says_what_there_is_to_note_of_the_limb_and_what_a_lamp_warns_of(
-    measured,
-):
-    tone = ss.waveforms.Tone(frequency_hz=640.0, duration_s=0.1)
-    design = ss.Design(limb="measured-1", inputs=(ss.track(8, tone),))
-    note = ss.load_limb("measured-1").note
-    assert note
-    condition = condition_of(design, "<fast>")
-    page = html_of([condition], ["synthetic-1"])
-    assert "recording: none" in page
-    assert f"NOTE on the limb: {note}" in page
-    assert "validity, band: CAUTION" in page
-    assert "<h2>&lt;fast&gt;</h2>" in page
-
-
 @pytest.mark.parametrize("strength", [0.002, 3.0])
 def test_channels_count_that_are_above_twice_the_noise_of_their_recording(
     design_file, tmp_path, strength

@@ -28,8 +28,3 @@ def test_what_lies_between_outputs_is_told_below_maps_and_nowhere_else(name, map
     assert drawn.sheet.maps == maps
     assert ("spacing" in said_below(drawn)) == maps
     assert any(SPACING in line for line in about(opened, maps=drawn.sheet.maps)) == maps
-
-
-@pytest.mark.parametrize("name", ["2H", "4A"])
-def test_maps_of_moments_are_maps(name):
-    assert draw_figure(ss.scenes.open_scene(name, available=())).sheet.maps

@@ -4,7 +4,6 @@ import csv
 import subprocess
 import sys
 from collections import Counter
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import numpy as np
@@ -156,20 +155,6 @@ def test_two_processes_that_add_matches_at_the_same_time_lose_none(tmp_path):
         assert person.returncode == 0
     assert Counter(row.person for row in read_matches(path)) == {"Anna": 100, "Ben": 100}
     assert list(tmp_path.iterdir()) == [path]
-
-
-def test_threads_that_add_matches_at_the_same_time_lose_none(tmp_path):
-    path = tmp_path / "matches.csv"
-    match = MatchingRun(ANNA, path).store()
-    with ThreadPoolExecutor(4) as pool:
-        list(pool.map(lambda place: add_match(path, replace(match, place=place)), range(8, 21)))
-    assert len(read_matches(path)) == 14
-
-
-def test_of_a_rehearsal_nothing_is_kept(tmp_path):
-    run = store_all(ANNA, None)
-    assert run.done == 8
-    assert list(tmp_path.iterdir()) == []
 
 
 def test_another_reference_needs_another_table(tmp_path):

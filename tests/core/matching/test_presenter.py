@@ -6,8 +6,6 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuators.prediction import Limits
-from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.base.errors import NothingToPlayOnError
 from skinsource.lab.matching import MatchingRun, Presenter, Procedure
 from skinsource.lab.playing import session as session_module
@@ -90,40 +88,6 @@ def test_stopped_at_once_it_is_silent_and_can_be_played_again(sound, presenter):
     presenter.stop_at_once()
     wait_for(lambda: playing.stream.queue.ending is not None)
     assert playing.stream.queue.ending.reason == "panic"
-
-
-def test_what_would_pass_full_scale_ends_it(sound, presenter):
-    run = MatchingRun(PROCEDURE, None)
-    run.step(30.0)
-    playing = presenter.present(run.design, 0.0)
-    assert presenter.over.wait(20)
-    assert playing.stream.queue.ending.reason == "limit"
-    assert np.abs(sound.streams[0].samples).max() <= 1.0
-
-
-def test_the_rig_says_which_outputs_and_how_far(sound):
-    def rig(limit_v):
-        limits = Limits(peak_voltage_v=limit_v)
-        return Rig(
-            channels=tuple(
-                RigChannel(place=place, output=output, full_scale_v=2.0, limits=limits)
-                for place, output in ((7, 4), (3, 3))
-            )
-        )
-
-    run = MatchingRun(PROCEDURE, None)
-    over = threading.Event()
-    wide = Presenter(Output(), lambda stream: over.set(), rig(10.0))
-    wide.present(run.design, 0.0)
-    wait_for(lambda: (np.abs(sound.streams[0].samples).max(axis=1, initial=0.0)[2:] > 0.01).all())
-    assert not sound.streams[0].samples[:2].any()
-    wide.close()
-    over.clear()
-    narrow = Presenter(Output(), lambda stream: over.set(), rig(0.1))
-    playing = narrow.present(run.design, 0.0)
-    assert over.wait(20)
-    assert playing.stream.queue.ending.reason == "rig"
-    narrow.close()
 
 
 def test_without_a_device_it_is_a_rehearsal_that_says_why(monkeypatch, presenter):

@@ -44,12 +44,6 @@ def blocks(of, sizes) -> np.ndarray:
     return np.concatenate([block(of, n) for n in sizes], axis=1)
 
 
-def largest_step(signal) -> float:
-    """Between one sample and the next, silence before and after."""
-    padded = np.pad(np.asarray(signal, float), ((0, 0), (1, 1)))
-    return float(np.abs(np.diff(padded, axis=1)).max(initial=0.0))
-
-
 def playing(of_mix, *, at=0, gain_db=0.0, n_outputs=None):
     """A queue that plays a mix from a sample on."""
     queue = play_queue(n_outputs or of_mix.n_outputs, gain_db)

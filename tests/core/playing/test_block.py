@@ -1,3 +1,5 @@
+"""Blocks for a device: samples, limits, and levels."""
+
 import numpy as np
 import pytest
 
@@ -7,12 +9,13 @@ from tests.core.playing.playing_bench import (
     RATE_HZ,
     block,
     blocks,
-    largest_step,
     mix,
     play_queue,
     playing,
     tone,
 )
+
+WINDOW = RATE_HZ // 10
 
 
 def test_what_is_sent_is_what_was_to_be_played_to_the_last_bit():
@@ -21,13 +24,6 @@ def test_what_is_sent_is_what_was_to_be_played_to_the_last_bit():
     assert np.array_equal(output[:, FADE : FADE + 500], rows.astype(np.float32))
     assert not output[:, :FADE].any()
     assert not output[:, FADE + 500 :].any()
-
-
-def test_a_gain_multiplies_each_sample_before_it_is_rounded():
-    row = np.random.default_rng(2).uniform(-1, 1, 300)
-    output = block(playing(mix(row), gain_db=-20.0), FADE + 300)
-    expected = (0.1 * row.astype(np.float32).astype(float)).astype(np.float32)
-    assert np.array_equal(output[0, FADE:], expected)
 
 
 @pytest.mark.parametrize("sizes", [[1] * 600, [7, 93, 500], [600], [299, 301]])
@@ -46,126 +42,6 @@ def test_blocks_longer_than_any_device_asks_for_are_whole():
     row = np.random.default_rng(3).uniform(-1, 1, 9000)
     output = block(playing(mix(row)), 9000 + FADE)
     assert np.array_equal(output[0, FADE:], row.astype(np.float32))
-
-
-def test_it_starts_at_the_playhead_with_its_first_sample_whole():
-    row = np.linspace(0.5, 0.9, 400)
-    output = block(playing(mix(row), at=150), 250 + FADE)
-    assert np.array_equal(output[0, FADE:], row[150:].astype(np.float32))
-    # What stands before it rises from silence.
-    weight = 0.5 - 0.5 * np.cos(np.pi * np.arange(1, FADE + 1) / (FADE + 1))
-    assert output[0, :FADE] == pytest.approx(weight * row[150 - FADE : 150], abs=1e-7)
-
-
-def test_a_loop_comes_back_to_its_first_sample_each_time():
-    row = np.random.default_rng(4).uniform(-0.5, 0.5, 1000)
-    output = block(playing(mix(row, loop=(200, 500)), at=300), FADE + 200 + 3 * 300)[0, FADE:]
-    inside = slice(200, 500 - FADE)
-    for begin in (200, 500, 800):
-        turn = output[begin : begin + 300 - FADE]
-        assert np.array_equal(turn, row[inside].astype(np.float32))
-
-
-def test_the_end_of_a_loop_passes_over_into_what_stands_before_its_beginning():
-    row = np.concatenate((np.full(200, 0.25), np.full(300, 0.75)))
-    output = block(playing(mix(row, loop=(200, 400)), at=200), FADE + 200)[0, FADE:]
-    weight = 0.5 - 0.5 * np.cos(np.pi * np.arange(1, FADE + 1) / (FADE + 1))
-    assert output[200 - FADE :] == pytest.approx(0.75 * (1 - weight) + 0.25 * weight, abs=1e-7)
-
-
-def test_a_loop_is_no_click_where_its_ends_do_not_fit():
-    row = np.sin(2 * np.pi * np.arange(4000) * 110.0 / RATE_HZ)
-    output = block(playing(mix(row, loop=(500, 1333)), at=500), 5000)
-    own = largest_step(output[:, FADE : FADE + 833 - FADE])
-    assert largest_step(output[:, FADE : FADE + 4000]) <= own + np.pi / FADE
-
-
-def test_a_live_change_goes_on_at_the_same_sample_without_a_step():
-    before, after = tone(4000, 40), -0.4 * tone(4000, 40)
-    live = playing(mix(before, loop=(0, 4000)))
-    first = block(live, FADE + 1000)
-    live.play(mix(after, loop=(0, 4000)))
-    second = block(live, 3000)
-    # The last samples of the loop are its seam.
-    expected = after[1000 + FADE : 4000 - FADE].astype(np.float32)
-    assert np.array_equal(second[0, FADE:-FADE], expected)
-    output = np.concatenate((first, second), axis=1)
-    own = max(largest_step(before[np.newaxis]), largest_step(after[np.newaxis]))
-    assert largest_step(output) <= own + 0.7 * np.pi / 2 / FADE
-
-
-def test_a_change_within_a_change_waits_and_only_the_last_one_comes():
-    live = playing(mix(np.full(2000, 0.1), loop=(0, 2000)))
-    block(live, 100)
-    live.play(mix(np.full(2000, 0.2), loop=(0, 2000)))
-    block(live, 10)
-    live.play(mix(np.full(2000, 0.3), loop=(0, 2000)))
-    live.play(mix(np.full(2000, 0.4), loop=(0, 2000)))
-    output = blocks(live, [30, 40, 10])[0]
-    assert np.isclose(output[29], 0.2, atol=1e-3)
-    assert output[-1] == np.float32(0.4)
-    assert np.all(np.diff(output) >= 0)
-
-
-def test_a_loop_that_moves_away_is_entered_at_its_beginning():
-    row = np.random.default_rng(5).uniform(-0.5, 0.5, 4000)
-    live = playing(mix(row, loop=(2000, 3000)), at=2500)
-    block(live, FADE + 100)
-    live.play(mix(row, loop=(0, 1000)))
-    output = block(live, FADE + 500)
-    assert np.array_equal(output[0, FADE:], row[:500].astype(np.float32))
-
-
-def test_a_loop_ahead_is_reached_in_its_time():
-    row = np.random.default_rng(6).uniform(-0.5, 0.5, 4000)
-    live = playing(mix(row, loop=(2000, 3000)), at=0)
-    output = block(live, FADE + 2900)
-    assert np.array_equal(output[0, FADE:], row[:2900].astype(np.float32))
-
-
-def test_it_stops_within_a_fade_and_says_so():
-    live = playing(mix(np.full(4000, 0.8)))
-    block(live, 500)
-    live.stop()
-    output = block(live, 2 * FADE)
-    assert largest_step(output[:, :-1]) <= 0.8
-    assert np.abs(np.diff(output[0, : FADE + 1])).max() <= 0.8 * np.pi / 2 / FADE
-    assert not output[0, FADE:].any()
-    assert live.ending.reason == "stopped"
-    assert live.silent
-
-
-def test_a_panic_is_silent_within_a_millisecond_even_amid_a_fade():
-    live = playing(mix(np.full(4000, 0.8)))
-    block(live, FADE + 100)
-    live.play(mix(np.full(4000, 0.4)))
-    before = block(live, FADE // 2)
-    live.stop_at_once()
-    output = block(live, 100)
-    assert not output[0, FALL:].any()
-    steps = np.abs(np.diff(np.concatenate((before[0, -1:], output[0]))))
-    assert steps.max() <= 0.8 * np.pi / 2 / FALL
-    assert live.ending.reason == "panic"
-    assert not block(live, 50).any()
-
-
-def test_it_ends_when_all_has_been_played():
-    live = playing(mix(tone(1000)))
-    block(live, FADE + 999)
-    assert live.ending is None
-    block(live, 1)
-    assert live.ending.reason == "end"
-    assert live.silent
-
-
-def test_a_gain_goes_in_a_straight_line_and_arrives_exactly():
-    live = playing(mix(np.full(8000, 1.0)), gain_db=-20.0)
-    block(live, FADE)
-    live.set_gain(0.0)
-    output = blocks(live, [100, 100, 100, 100])[0]
-    expected = np.minimum(0.1 + np.arange(1, 401) / (0.05 * RATE_HZ), 1.0)
-    assert output == pytest.approx(expected, abs=1e-6)
-    assert output[-1] == 1.0
 
 
 def test_outputs_that_nobody_uses_are_silent():
@@ -205,10 +81,75 @@ def test_nothing_grows_while_it_plays():
     assert peak - before < 240 * 8 * 2
 
 
-def test_a_loop_that_ends_at_this_very_sample_is_entered_at_its_beginning():
-    row = np.random.default_rng(7).uniform(-0.5, 0.5, 4000)
-    live = playing(mix(row))
-    block(live, FADE + 1000)
-    assert live.position == 1000
-    live.play(mix(row, loop=(200, 1000)))
-    assert np.array_equal(block(live, FADE + 300)[0, FADE:], row[200:500].astype(np.float32))
+def test_a_sample_beyond_full_scale_is_not_played_and_its_output_is_named():
+    rows = np.zeros((2, 1000))
+    rows[0], rows[1, 600] = 0.5, 1.25
+    live = playing(mix(rows))
+    output = blocks(live, [FADE, 256, 256, 256])[:, FADE:]
+    assert np.array_equal(output[:, :600], rows[:, :600].astype(np.float32))
+    assert np.all(np.abs(np.diff(output[0, 599:])) <= 0.5 * np.pi / 2 / FALL)
+    assert not output[:, 600 + FALL :].any()
+    ending = live.ending
+    assert (ending.reason, ending.output, ending.name) == ("limit", 2, "place 2")
+    assert ending.peak == pytest.approx(1.25)
+    assert "output 2 (place 2) would have passed full scale." in ending.sentence
+    assert "down to \u22122.0 dB or less" in ending.sentence
+
+
+def test_the_gain_that_is_named_is_low_enough_for_all_that_comes():
+    row = np.concatenate((np.linspace(0.0, 3.0, 500), np.full(100, -7.0)))
+    loud = playing(mix(row))
+    block(loud, 800)
+    assert loud.ending.peak < 1.1
+    stated_db = float(loud.ending.sentence.split("down to ")[1].split()[0].replace("\u2212", "-"))
+    again = playing(mix(row), gain_db=stated_db)
+    block(again, 800)
+    assert again.ending.reason == "end"
+    assert stated_db == pytest.approx(-20 * np.log10(7.0), abs=0.11)
+
+
+def test_the_limit_is_told_apart_from_what_is_no_number():
+    live = playing(mix(np.full(400, 0.5)))
+    block(live, FADE)
+    live.mix = object.__new__(type(live.mix))
+    broken = np.full((1, 400), np.nan, np.float32)
+    for name, value in (
+        ("samples", broken),
+        ("sample_rate_hz", RATE_HZ),
+        ("peak", 0.5),
+        ("names", ("place 1",)),
+        ("loop", None),
+        ("seam", broken[:, :0]),
+        ("most_gain", np.inf),
+    ):
+        object.__setattr__(live.mix, name, value)
+    output = block(live, 100)
+    assert np.isfinite(output).all()
+    assert live.ending.reason == "broken"
+    assert "output 1 (place 1) was to play something that is no number" in live.ending.sentence
+
+
+def test_a_steady_tone_at_full_scale_has_an_rms_of_minus_three_decibels():
+    live = play_queue()
+    live.play(mix(np.sin(2 * np.pi * np.arange(4 * WINDOW) * 100 / RATE_HZ)), 0)
+    blocks(live, [97] * 24)
+    levels = live.levels()
+    assert levels.peak_db[0] == pytest.approx(0.0, abs=0.01)
+    assert levels.rms_db[0] == pytest.approx(-3.0103, abs=0.001)
+    assert levels.highest_db[0] == pytest.approx(0.0, abs=0.01)
+
+
+def test_each_output_has_its_own_and_what_is_over_stays_the_highest():
+    live = play_queue(2, gain_db=-20.0)
+    rows = np.zeros((2, 3 * WINDOW))
+    rows[0, 10] = -1.0
+    rows[1] = 0.5
+    live.play(mix(rows), 0)
+    block(live, WINDOW)
+    first = live.levels()
+    assert first.peak_db == pytest.approx([-20.0, -26.02], abs=0.01)
+    block(live, WINDOW)
+    second = live.levels()
+    assert second.peak_db[0] == -200.0
+    assert second.rms_db == pytest.approx([-200.0, -26.02], abs=0.01)
+    assert second.highest_db == pytest.approx([-20.0, -26.02], abs=0.01)

@@ -37,13 +37,6 @@ def test_only_what_has_changed_goes_through_the_filter():
     assert done < memory.n_resampled < done + 600
 
 
-def test_another_rate_is_another_signal():
-    memory = DeviceRows()
-    memory.at(rows(), FROM_HZ, 48_000)
-    resampled = memory.at(rows(), FROM_HZ, 44_100)
-    assert np.array_equal(resampled, ss.resample(rows(), FROM_HZ, 44_100))
-
-
 def test_what_is_given_out_does_not_change_what_is_kept():
     memory = DeviceRows()
     first = memory.at(rows(), FROM_HZ, 8_000)

@@ -3,7 +3,7 @@ import pytest
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.lab.playing.mix import FREQUENCY_HZ, mix_of, tone_of
-from tests.core.playing.playing_bench import FADE, RATE_HZ, mix
+from tests.core.playing.playing_bench import RATE_HZ, mix
 
 
 def made(rows, **changes):
@@ -51,22 +51,6 @@ def test_reading_tells_where_it_goes_on(start, n):
         for _ in range(n):
             one_by_one = mixed.read(one_by_one, np.zeros((1, 1)))
         assert position == one_by_one
-
-
-def test_a_loop_may_lie_where_nothing_plays_any_more():
-    mixed = mix(np.ones(100), loop=(2000, 2500))
-    out = np.full((1, 600), np.nan)
-    assert mixed.read(2000, out) == 2100
-    assert not out.any()
-
-
-def test_a_loop_behind_the_end_fades_the_end_into_silence():
-    mixed = mix(np.ones(100), loop=(0, 100))
-    out = np.full((1, 100), np.nan)
-    mixed.read(0, out)
-    assert np.all(out[0, : 100 - FADE] == 1.0)
-    assert np.all(np.diff(out[0, 100 - FADE :]) < 0)
-    assert 0 < out[0, -1] < 0.01
 
 
 def test_the_test_tone_is_on_its_output_alone_and_has_its_frequency():

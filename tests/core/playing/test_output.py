@@ -52,16 +52,3 @@ def test_what_is_written_down_is_read_again():
 def test_anything_else_is_refused(text):
     with pytest.raises(InvalidInputError):
         output_from_text(text)
-
-
-@pytest.mark.parametrize(
-    ("outputs", "message"),
-    [
-        (((1, 2), (3, 2)), "output 2 stands twice"),
-        (((1, 2), (1, 3)), "place 1 stands twice"),
-        (((1, 200),), "output is 200"),
-    ],
-)
-def test_an_impossible_map_is_refused(outputs, message):
-    with pytest.raises(InvalidInputError, match=message):
-        Output(outputs=outputs)

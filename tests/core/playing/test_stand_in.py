@@ -29,20 +29,6 @@ def test_a_tone_is_heard_so_many_hertz_higher_under_the_same_envelope(frequency_
     assert np.abs(shifted_row - expected).max() < 1e-4
 
 
-def test_no_mirror_image_is_heard():
-    row = burst(200.0, RATE_HZ, 2600)
-    shifted_row = shifted(row[np.newaxis], 300.0)[0]
-    spectrum = np.abs(np.fft.rfft(shifted_row))
-    at = np.fft.rfftfreq(shifted_row.size, 1 / THERE_HZ)
-    mirror = spectrum[np.argmin(np.abs(at - 100.0))]
-    assert 20 * np.log10(mirror / spectrum.max()) < -80.0
-
-
-def test_the_real_part_of_the_analytic_signal_is_the_signal():
-    rows = np.random.default_rng(3).standard_normal((2, 501))
-    assert np.allclose(analytic(rows).real, rows, rtol=0, atol=1e-12)
-
-
 def test_channels_are_spread_from_left_to_right_in_their_order():
     rows = np.eye(2)
     assert on_two_ears(rows).tolist() == [[0.75, 0.25], [0.25, 0.75]]

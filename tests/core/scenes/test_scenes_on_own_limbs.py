@@ -8,12 +8,11 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.cli.command_line import main
 from skinsource.design.design_file import open_design
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.studies.figures.writing import draw_figure, write_figures
+from skinsource.studies.figures.writing import draw_figure
 from tests.core.own_limbs.lab_bench import N_INPUTS, installed
-from tests.core.scenes.scenes_bench import PANELS
 
 #: All but those that compare people.
-APPLYING = [name for name in PANELS if name not in ("1G", "2E")]
+APPLYING = [name for name in ss.scenes.names() if name not in ("1G", "2E")]
 
 
 def reasons(limb):
@@ -112,15 +111,3 @@ def test_the_commands_take_a_limb(user_data, tmp_path, capsys):
     capsys.readouterr()
     assert main([*arguments, "2E"]) == 1
     assert "2E does not apply on lab-1" in capsys.readouterr().err
-
-
-def test_without_names_those_figures_are_drawn_that_apply(user_data, tmp_path, monkeypatch):
-    installed()
-    drawn = []
-    monkeypatch.setattr(
-        "skinsource.studies.figures.writing._write",
-        lambda folder, opened, *_: drawn.append(opened) or [],
-    )
-    monkeypatch.setattr("skinsource.studies.figures.writing.draw_figure", lambda opened: None)
-    write_figures(tmp_path, limb="lab-1")
-    assert [figure.scene.name for figure in drawn] == APPLYING

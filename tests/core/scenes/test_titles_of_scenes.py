@@ -18,17 +18,11 @@ def opened(name, **how):
 @pytest.mark.parametrize("available", [(), MEASURED], ids=["synthetic", "measured"])
 @pytest.mark.parametrize("name", ss.scenes.names())
 def test_each_scene_is_called_by_its_title_as_long_as_it_is_that_scene(name, available):
-    for condition in opened(name, available=available).conditions:
-        assert title_of(condition.design) == condition.design.title
-
-
-@pytest.mark.parametrize("name", ss.scenes.names())
-def test_each_scene_that_plays_something_else_is_called_edited(name):
     scene = ss.scenes.scene(name)
-    for condition in opened(name, available=()).conditions:
-        louder = condition.design.with_input(
-            0, amplitude=3.25 * condition.design.inputs[0].amplitude
-        )
+    for condition in opened(name, available=available).conditions:
+        design = condition.design
+        assert title_of(design) == design.title
+        louder = design.with_input(0, amplitude=3.25 * design.inputs[0].amplitude)
         assert title_of(louder) == f"Fig. {name}: {scene.title} · edited"
 
 
@@ -52,12 +46,6 @@ def test_a_scene_at_another_place_is_edited_and_at_the_places_of_a_lab_it_is_tha
     assert title_of(at_the_lab) == at_the_lab.title
     louder = at_the_lab.with_input(0, amplitude=3.25)
     assert title_of(louder).endswith(" · edited")
-
-
-def test_one_of_several_people_on_the_limb_of_another_is_edited():
-    first = opened("1G", available=()).conditions[0].design
-    assert title_of(first).endswith(" · Limb 1")
-    assert title_of(replace(first, limb="synthetic-3")) == "Fig. 1G: Four people · edited"
 
 
 def test_another_limb_or_colour_leaves_the_title_of_a_scene_that_names_none():

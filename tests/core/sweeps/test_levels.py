@@ -10,13 +10,12 @@ from skinsource import actuators
 from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.equalising import RegularisedInverse, equalised
 from skinsource.actuators.prediction import Limits
-from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.errors import InvalidInputError
 from skinsource.lab.matching import MatchingRun, Procedure
 from skinsource.perception.sensation import sensation_levels_db
 from skinsource.studies.sweeps.measuring import Measurer
 from skinsource.studies.sweeps.metrics import ACTUATOR_METRICS
-from skinsource.studies.sweeps.plan import Plan, plan_of
-from skinsource.studies.sweeps.running import read_sweep
+from skinsource.studies.sweeps.plan import Plan
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.3)
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE), ss.track(3, TONE, amplitude=0.5)))
@@ -97,30 +96,9 @@ def test_drives_are_as_people_matched_them(matches):
     first, second = plan.design_of(1).inputs
     assert first.amplitude == pytest.approx(10 ** (-4 / 20))
     assert second.amplitude == pytest.approx(0.5 * 10 ** (2 / 20))
-    assert plan_of(plan.text) == plan
     assert Plan(designs=plan.designs, variables=plan.variables).digest != plan.digest
     mixed = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Noise(duration_s=0.1)),))
     assert "one frequency" in ss.sweep(mixed, level=matches).failed[1]
-
-
-def test_matched_drives_are_those_of_the_files_with_one_full_scale(matches, tmp_path):
-    table = ss.sweep(
-        DESIGN,
-        {"frequency_hz": (50.0, 250.0), "amplitude": (0.5, 1.0)},
-        out=tmp_path / "out",
-        level=matches,
-        files=ss.sweeps.StimulusFiles(format="npz", rate_hz=1300),
-    )
-    assert not table.failed
-    peaks = []
-    for k in range(1, 5):
-        with np.load(tmp_path / "out" / "stimuli" / f"{k}.npz") as archive:
-            peaks.append(np.abs(archive["drive"]).max(axis=0))
-    # Place 3 is 6 dB above place 7 in each file, and the louder two are full scale.
-    for peak in peaks:
-        assert peak.max() / peak.min() == pytest.approx(10 ** (6 / 20), rel=0.02)
-    assert max(peak.max() for peak in peaks) == pytest.approx(1.0, abs=1e-6)
-    assert peaks[1].max() / peaks[0].max() == pytest.approx(2.0)
 
 
 @pytest.mark.parametrize(
@@ -182,34 +160,6 @@ def test_predictions_go_through_the_actuator_that_is_varied():
         assert rms == pytest.approx(output_rms.max(), rel=1e-9)
 
 
-def test_designs_with_and_without_actuators_do_not_mix():
-    through = replace(DESIGN, actuation=actuation("example-resonant"))
-    designs = [DESIGN, through, DESIGN, through]
-    table = ss.sweep(designs)
-    for row, design in enumerate(designs):
-        alone = ss.sweep(design)
-        assert table.column("rms")[row] == pytest.approx(alone.column("rms")[0], rel=1e-12)
-    assert np.isnan(table.column("peak_voltage_v")).tolist() == [True, False, True, False]
-    assert "peak_voltage_v" not in ss.sweep(DESIGN).columns
-
-
-def test_without_an_equaliser_drives_are_volts():
-    volts = replace(DESIGN, actuation=replace(actuation("example-voice-coil"), equaliser=None))
-    table = ss.sweep(volts, limits=Limits(peak_voltage_v=0.9))
-    assert table.column("peak_voltage_v")[0] == pytest.approx(1.0, rel=0.01)
-    assert table.column("limits_passed").tolist() == [1.0]
-    softer = ss.sweep(volts, {"actuator": ["example-resonant"], "amplitude": [0.5]})
-    assert softer.column("peak_voltage_v")[0] == pytest.approx(0.5, rel=0.01)
-
-
-def test_levels_reach_the_actuator():
-    changes = {"vary": {"actuator": ("example-voice-coil",)}, "level": "loudest_100ms"}
-    soft, loud = (ss.sweep(DESIGN, level_db=level_db, **changes) for level_db in (-20.0, 0.0))
-    for metric in ("peak_voltage_v", "peak_velocity_m_per_s"):
-        ratio = loud.column(metric)[0] / soft.column(metric)[0]
-        assert ratio == pytest.approx(10.0, rel=1e-6)
-
-
 def test_an_actuator_that_cannot_be_is_a_row_that_says_why():
     tap = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
     names = ("no-such-one", "example-voice-coil")
@@ -224,52 +174,6 @@ def test_an_actuator_that_cannot_be_is_a_row_that_says_why():
     assert "expected a name" in ss.sweep(tap, {"actuator": [3]}).failed[1]
     upstream = ss.Design(limb="synthetic-1", inputs=DESIGN.inputs, scaling="relative")
     assert "Probe acceleration" in ss.sweep(upstream, {"actuator": names[1:]}).failed[1]
-
-
-def written(folder, text):
-    ss.save_design(folder / "two.skinsource", DESIGN)
-    (folder / "sweep.toml").write_text(f'designs = ["two.skinsource"]\n{text}')
-    return folder / "sweep.toml"
-
-
-def test_a_file_says_level_actuators_and_limits(matches):
-    path = written(
-        matches.parent,
-        'level = "matches.csv"\n[vary]\nactuator = ["example-piezo"]\n'
-        "[limits]\npeak_voltage_v = 5\n",
-    )
-    plan = read_sweep(path).plan
-    assert plan.level == "matched"
-    assert plan.strengths.reference == (7, 80.0)
-    assert plan.limits == Limits(peak_voltage_v=5.0)
-    assert plan.drives_actuators
-    path = written(matches.parent, 'level = "above_threshold"\nlevel_db = 20\n')
-    assert (read_sweep(path).plan.level, read_sweep(path).plan.level_db) == ("above_threshold", 20)
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("level = 3", "expected a text"),
-        ('level = "loud"', "one of drive"),
-        ('level = "two.skinsource"', "one of drive"),
-        ('level = "above_threshold"', "level_db"),
-        ("[limits]\npeak = 1", "'peak' is not known in"),
-        ("[limits]\npeak_voltage_v = -1", "peak_voltage_v"),
-        ('[limits]\npeak_voltage_v = "high"', "peak_voltage_v"),
-        ("limits = 3", "expected a table"),
-    ],
-)
-def test_a_level_or_limit_of_a_file_that_cannot_be_is_one_error(tmp_path, text, message):
-    with pytest.raises(FileFormatError, match=message) as refused:
-        read_sweep(written(tmp_path, text))
-    assert "sweep.toml" in str(refused.value)
-
-
-def test_a_damaged_table_is_named(tmp_path):
-    (tmp_path / "matches.csv").write_text("a,b\n")
-    with pytest.raises(FileFormatError, match=r"matches\.csv"):
-        read_sweep(written(tmp_path, 'level = "matches.csv"'))
 
 
 def test_long_stimuli_have_no_level_above_threshold():

@@ -127,22 +127,3 @@ def test_of_silence_nothing_is_said():
         metrics = measured(silent, level=level, level_db=0.0)
         assert math.isnan(metrics["level_100ms_db"])
         assert math.isnan(metrics["level_above_threshold_db"])
-
-
-def test_numbers_do_not_depend_on_what_was_measured_before():
-    values = (60.0, 110.0, 250.0)
-    for name in ("frequency_hz", "1.frequency_hz"):
-        plan = Plan(designs=(("one", two_inputs()),), variables=((name, values),), outputs=(19,))
-        forwards, backwards = Measurer(plan), Measurer(plan)
-        there = [forwards.measure(number) for number in (1, 2, 3)]
-        back = [backwards.measure(number) for number in (3, 1, 2)]
-        assert there == [back[1], back[2], back[0]]
-
-
-def test_a_design_that_is_predicted_through_an_actuator_is_measured_through_it():
-    coil = ss.ActuatorAt(actuator="coil", model=ss.actuators.load("example-voice-coil"))
-    design = two_inputs(actuation=ss.Actuation(actuators=(coil,)))
-    metrics = measured(design, outputs=(19, 40))
-    rms = ss.evaluate(design, "output_rms", view=ss.View(axes="xyz"))["output_rms"]
-    assert metrics["output_19_rms"] == pytest.approx(rms[18], rel=1e-9)
-    assert rms[18] != pytest.approx(measured(two_inputs(), outputs=(19,))["output_19_rms"])

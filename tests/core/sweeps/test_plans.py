@@ -1,14 +1,16 @@
 """Which stimuli a sweep consists of, and in which order they are presented."""
 
+import pickle
 from collections import Counter
-from itertools import pairwise
+from dataclasses import replace
+from itertools import pairwise, product
 
 import numpy as np
 import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
-from skinsource.studies.sweeps.plan import Order, Plan, plan_of, trials, varied
+from skinsource.studies.sweeps.plan import Order, Plan, trials, varied
 
 
 def design(*locations):
@@ -85,7 +87,7 @@ def test_a_plan_is_all_combinations_and_the_last_variable_varies_first():
     assert made.inputs[0].clips[0].waveform.frequency_hz == 50.0
 
 
-def test_a_plan_comes_back_from_its_text():
+def test_a_plan_reaches_other_processes_as_it_is():
     drawn = ss.waveforms.Drawn(ss.waveforms.Noise(seed=1, duration_s=0.1).samples(1300.0))
     inputs = (ss.track(3, drawn), ss.track(7))
     plan = Plan(
@@ -94,21 +96,10 @@ def test_a_plan_comes_back_from_its_text():
         outputs=(3, 19),
         level_db=-3.0,
     )
-    again = plan_of(plan.text)
+    again = pickle.loads(pickle.dumps(plan))  # noqa: S301  our own
     assert again == plan
     assert again.digest == plan.digest
-
-
-def test_another_plan_has_another_digest():
-    digests = {
-        Plan(designs=(("a", design(3)),)).digest,
-        Plan(designs=(("a", design(4)),)).digest,
-        Plan(designs=(("a", design(3)),), outputs=(1,)).digest,
-        Plan(designs=(("a", design(3)),), level_db=0.0).digest,
-        Plan(designs=(("a", design(3)),), variables=(("amplitude", (1.0,)),)).digest,
-        Plan(designs=(("a", design(3)),), variables=(("amplitude", (2.0,)),)).digest,
-    }
-    assert len(digests) == 6
+    assert replace(plan, level_db=-2.0).digest != plan.digest
 
 
 @pytest.mark.parametrize(
@@ -141,31 +132,19 @@ def test_the_inputs_that_neighbours_differ_in_are_known_from_the_plan():
 
 
 def test_random_blocks_hold_every_stimulus_once_and_follow_the_seed():
-    order = Order(kind="random", seed=5, participants=2, blocks=3)
-    presentations = trials(order, (2, 3, 5, 8))
-    assert len(presentations) == 24
-    for participant in (1, 2):
-        for block in (1, 2, 3):
-            of_block = [
-                presentation
-                for presentation in presentations
-                if (presentation.participant, presentation.block) == (participant, block)
-            ]
-            assert sorted(presentation.stimulus for presentation in of_block) == [2, 3, 5, 8]
-            assert [presentation.trial for presentation in of_block] == [1, 2, 3, 4]
-    assert presentations == trials(order, (2, 3, 5, 8))
-    other = trials(Order(kind="random", seed=6, participants=2, blocks=3), (2, 3, 5, 8))
-    assert [presentation.stimulus for presentation in presentations] != [
-        presentation.stimulus for presentation in other
-    ]
-    sequences = [
-        tuple(presentation.stimulus for presentation in presentations[k : k + 4])
-        for k in range(0, 24, 4)
-    ]
-    assert len(set(sequences)) > 2
+    def sequences(seed):
+        presented = trials(Order(kind="random", seed=seed, participants=2, blocks=3), (2, 3, 5, 8))
+        blocks = [presented[k : k + 4] for k in range(0, 24, 4)]
+        numbers = [(each.participant, each.block, each.trial) for each in presented]
+        assert numbers == list(product((1, 2), (1, 2, 3), (1, 2, 3, 4)))
+        return [tuple(each.stimulus for each in block) for block in blocks]
+
+    assert all(sorted(sequence) == [2, 3, 5, 8] for sequence in sequences(5))
+    assert sequences(5) == sequences(5) != sequences(6)
+    assert len(set(sequences(5))) > 2
 
 
-@pytest.mark.parametrize("n", [2, 3, 4, 5, 8, 9])
+@pytest.mark.parametrize("n", [4, 5, 8])
 def test_counterbalanced_blocks_balance_places_and_what_comes_before(n):
     participants = n if n % 2 == 0 else 2 * n
     order = Order(kind="counterbalanced", seed=11, participants=participants)
@@ -178,11 +157,6 @@ def test_counterbalanced_blocks_balance_places_and_what_comes_before(n):
     pairs = Counter(pair for row in sequences.tolist() for pair in pairwise(row))
     assert len(pairs) == n * (n - 1)
     assert set(pairs.values()) == {participants // n}
-
-
-def test_given_order_is_that_of_the_sweep():
-    presentations = trials(Order(blocks=2), (4, 6))
-    assert [presentation.stimulus for presentation in presentations] == [4, 6, 4, 6]
 
 
 @pytest.mark.parametrize("changes", [{"kind": "odd"}, {"seed": -1}, {"blocks": 0}])

@@ -18,7 +18,6 @@ from skinsource.base.lock import Lock
 from skinsource.studies.sweeps.plan import Order, Plan
 from skinsource.studies.sweeps.running import Sweep, run
 from skinsource.studies.sweeps.table import JOURNAL, Journal
-from skinsource.studies.sweeps.workers import measured
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE),))
@@ -83,38 +82,6 @@ def test_stopped_it_goes_on_where_it_ended(tmp_path):
     assert rows_of(table) == rows_of(ss.sweep(DESIGN, {"frequency_hz": FREQUENCIES}))
 
 
-def test_run_again_it_has_nothing_to_do(tmp_path):
-    first = ss.sweep(DESIGN, {"frequency_hz": FREQUENCIES}, out=tmp_path)
-
-    def refuse(plan, numbers, stop):
-        assert list(numbers) == []
-        return iter(())
-
-    plan = Plan(designs=(("design 1", DESIGN),), variables=(("frequency_hz", FREQUENCIES),))
-    again = run(Sweep(plan=plan), tmp_path, measuring=refuse)
-    assert rows_of(again) == rows_of(first)
-
-
-def test_a_line_that_was_cut_or_damaged_is_measured_again(tmp_path):
-    whole = ss.sweep(DESIGN, {"frequency_hz": FREQUENCIES}, out=tmp_path)
-    journal = tmp_path / JOURNAL
-    content = journal.read_bytes()
-    rng = np.random.default_rng(1)
-    ends = [k + 1 for k, byte in enumerate(content) if byte == ord("\n")]
-    for cut in (ends[2] - 1, ends[3] + 5):
-        journal.write_bytes(content[:cut])
-        assert rows_of(ss.sweep(DESIGN, {"frequency_hz": FREQUENCIES}, out=tmp_path)) == rows_of(
-            whole
-        )
-        assert journal.read_bytes() == content
-    for at in rng.integers(ends[0], len(content), 8):
-        damaged = bytearray(content)
-        damaged[at] ^= 1 << int(rng.integers(8))
-        journal.write_bytes(damaged)
-        table = ss.sweep(DESIGN, {"frequency_hz": FREQUENCIES}, out=tmp_path)
-        assert rows_of(table) == rows_of(whole)
-
-
 def test_a_damaged_byte_costs_the_journal_no_line_but_its_own(tmp_path):
     path = tmp_path / JOURNAL
     rows = {1: {"rms": 1.5}, 2: "too loud", 3: {"rms": 3.0}, 4: {"rms": 4.0}}
@@ -137,23 +104,6 @@ def test_a_damaged_byte_costs_the_journal_no_line_but_its_own(tmp_path):
         written = path.read_bytes()
         assert written == damaged[: len(written)]
         assert len(written) >= ends[-2] + 1
-
-
-def test_a_line_that_is_measured_again_is_added_to_the_damaged_journal(tmp_path):
-    whole = ss.sweep(DESIGN, {"frequency_hz": FREQUENCIES}, out=tmp_path)
-    lines = (tmp_path / JOURNAL).read_bytes().splitlines(keepends=True)
-    damaged = [*lines[:3], lines[3].replace(b"rms", b"rmS", 1), *lines[4:]]
-    (tmp_path / JOURNAL).write_bytes(b"".join(damaged))
-    begun = []
-    table = ss.sweep(
-        DESIGN,
-        {"frequency_hz": FREQUENCIES},
-        out=tmp_path,
-        progress=lambda done, *_: begun.append(done),
-    )
-    assert begun[0] == 5
-    assert rows_of(table) == rows_of(whole)
-    assert (tmp_path / JOURNAL).read_bytes() == b"".join([*damaged, lines[3]])
 
 
 def test_what_is_no_journal_is_renamed_and_never_changed(tmp_path):
@@ -188,35 +138,6 @@ def test_two_sweeps_do_not_write_to_one_folder(tmp_path):
         other.stdin.close()
     assert len(ss.sweep(DESIGN, out=tmp_path)) == 1
     assert Lock(tmp_path / JOURNAL).owner() is None
-
-
-def test_several_processes_find_the_same_bits():
-    plan = Plan(designs=(("one", DESIGN),), variables=(("frequency_hz", tuple(range(50, 90))),))
-    here = run(Sweep(plan=plan), None, processes=1)
-    beside = run(Sweep(plan=plan), None, processes=2)
-    assert rows_of(here) == rows_of(beside)
-
-
-def test_a_process_that_is_killed_is_started_anew():
-    plan = Plan(designs=(("one", DESIGN),), variables=(("frequency_hz", tuple(range(50, 150))),))
-    finished = {}
-    for number, row in measured(plan, range(1, 101), 1):
-        assert number not in finished
-        finished[number] = row
-        if len(finished) == 3:
-            assert _kill_a_worker()
-    assert sorted(finished) == list(range(1, 101))
-    assert not [row for row in finished.values() if isinstance(row, str)]
-
-
-def _kill_a_worker():
-    import psutil
-
-    for child in psutil.Process().children():
-        if "--process-name" in child.cmdline():
-            child.kill()
-            return True
-    return False
 
 
 def test_a_stimulus_that_ends_its_process_costs_only_its_own_row(tmp_path, monkeypatch):
@@ -325,11 +246,6 @@ def test_trials_leave_out_what_could_not_be_measured(tmp_path):
         rows = list(csv.DictReader(file))
     assert len(rows) == 4
     assert {row["stimulus"] for row in rows} == {"1", "3"}
-
-
-def test_without_a_folder_nothing_can_be_written():
-    with pytest.raises(InvalidInputError, match="folder"):
-        ss.sweep(DESIGN, order=Order())
 
 
 def test_parquet_holds_the_same_table(tmp_path):

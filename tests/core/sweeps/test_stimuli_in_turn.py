@@ -6,7 +6,7 @@ import pytest
 import skinsource as ss
 from skinsource.studies.sweeps.measuring import Measurer
 from skinsource.studies.sweeps.metrics import METRICS
-from skinsource.studies.sweeps.plan import BATCH_SIZE, Plan
+from skinsource.studies.sweeps.plan import Plan
 
 PLACES = (3, 7, 7, 18)
 FREQUENCIES = (40.0, 75.0, 110.0, 240.0, 390.0)
@@ -45,16 +45,6 @@ def test_metrics_are_those_of_each_stimulus_alone(name, scaling):
                 assert row[metric] == pytest.approx(expected[metric], rel=1e-10, nan_ok=True)
 
 
-def test_inputs_that_stay_for_a_while_are_summed_again_when_they_change():
-    frequencies = tuple(np.linspace(40.0, 400.0, BATCH_SIZE).tolist())
-    variables = (("1.amplitude", (1.0, -3.0)), ("2.frequency_hz", frequencies))
-    together = Measurer(Plan(designs=(("one", four_inputs()),), variables=variables))
-    for number in (1, BATCH_SIZE + 1):
-        alone = Plan(designs=(("one", together.plan.design_of(number)),))
-        expected, row = Measurer(alone).measure(1), together.measure(number)
-        assert row["rms"] == pytest.approx(expected["rms"], rel=1e-10)
-
-
 def test_where_inputs_cancel_no_digits_are_lost():
     tone = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.1)
     design = ss.Design(
@@ -90,12 +80,3 @@ def test_the_loudest_window_may_be_where_less_is_felt_in_all():
             )["output_levels_db"]
             factor_db = 20.0 * np.log10(table.column("factor")[row])
             assert factor_db == pytest.approx(-levels_db.max(), abs=1e-9)
-
-
-def test_one_that_cannot_be_measured_changes_no_other():
-    bad = plan_of(four_inputs(), "frequency_hz", (*FREQUENCIES, 900.0))
-    measurer = Measurer(bad)
-    with pytest.raises(ss.SkinSourceError, match="650 Hz"):
-        measurer.measure(6)
-    good = Measurer(plan_of(four_inputs(), "frequency_hz", (*FREQUENCIES, 90.0)))
-    assert [measurer.measure(k) for k in range(1, 6)] == [good.measure(k) for k in range(1, 6)]

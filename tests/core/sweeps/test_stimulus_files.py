@@ -7,7 +7,7 @@ import pytest
 import soundfile
 
 import skinsource as ss
-from skinsource.base.errors import InvalidInputError, Stopped
+from skinsource.base.errors import Stopped
 from skinsource.studies.sweeps.table import StimulusFiles
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)
@@ -31,28 +31,6 @@ def test_the_largest_drive_of_all_is_full_scale_in_every_file(tmp_path):
     assert len(scales) == 1
 
 
-def test_levels_that_were_asked_for_are_those_of_the_files(tmp_path):
-    table = ss.sweep(
-        DESIGN,
-        {"frequency_hz": (60.0, 250.0)},
-        out=tmp_path,
-        level_db=0.0,
-        files=StimulusFiles(format="npz", rate_hz=1300),
-    )
-    factors = table.column("factor")
-    peaks = []
-    for k in (1, 2):
-        with np.load(tmp_path / "stimuli" / f"{k}.npz") as archive:
-            peaks.append(np.abs(archive["drive"]).max())
-    plain = [
-        np.abs(ss.waveforms.Tone(frequency_hz=f, duration_s=0.05).samples(1300.0)).max()
-        for f in (60.0, 250.0)
-    ]
-    assert peaks[0] / peaks[1] == pytest.approx(
-        factors[0] * plain[0] / (factors[1] * plain[1]), rel=1e-6
-    )
-
-
 def test_stopped_the_export_goes_on_with_what_is_missing(tmp_path):
     progress = []
     vary = {"1.amplitude": AMPLITUDES}
@@ -73,18 +51,6 @@ def test_stopped_the_export_goes_on_with_what_is_missing(tmp_path):
     assert (tmp_path / "stimuli" / "3.wav").exists()
 
 
-def test_what_could_not_be_measured_is_not_exported(tmp_path):
-    vary = {"frequency_hz": (60.0, 900.0)}
-    ss.sweep(DESIGN, vary, out=tmp_path, files=StimulusFiles())
-    assert sorted(file.name for file in (tmp_path / "stimuli").glob("*.wav")) == ["1.wav"]
-
-
-@pytest.mark.parametrize("changes", [{"format": "tape"}, {"rate_hz": 0}])
-def test_a_form_that_there_is_not_is_refused(changes):
-    with pytest.raises(InvalidInputError):
-        StimulusFiles(**changes)
-
-
 def test_asked_for_at_another_rate_no_file_of_the_old_one_stays(tmp_path):
     vary = {"1.amplitude": AMPLITUDES}
     for rate_hz in (8000, 4000):
@@ -94,9 +60,3 @@ def test_asked_for_at_another_rate_no_file_of_the_old_one_stays(tmp_path):
     before = [file.stat().st_mtime_ns for file in files]
     ss.sweep(DESIGN, vary, out=tmp_path, files=StimulusFiles(rate_hz=4000))
     assert [file.stat().st_mtime_ns for file in files] == before
-    # What a format itself decides is not asked for again and again.
-    for _ in range(2):
-        ss.sweep(DESIGN, vary, out=tmp_path, files=StimulusFiles(format="bos1901"))
-        chips = sorted(p for p in (tmp_path / "stimuli").iterdir() if ".wav" not in p.name)
-        times_before = [chip.stat().st_mtime_ns for chip in chips]
-    assert times_before == [chip.stat().st_mtime_ns for chip in chips]

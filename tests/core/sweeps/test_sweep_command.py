@@ -92,10 +92,3 @@ def test_the_command_measures_names_what_it_left_out_and_ends_with_1_then(folder
     assert "stimulus 2 left out" in printed.err
     assert "650 Hz" in printed.err
     assert (folder / "out" / "stimuli.csv").read_text().count("\n") == 3
-
-
-def test_a_missing_design_is_one_line(folder, capsys):
-    path = written(folder, 'designs = ["three.skinsource"]')
-    assert main(["sweep", str(path), "--out", str(folder / "out")]) == 1
-    assert "three.skinsource" in capsys.readouterr().err
-    assert not (folder / "out").exists()

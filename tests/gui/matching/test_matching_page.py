@@ -79,35 +79,6 @@ def test_arrow_keys_and_enter_make_a_row(sound, page, qtbot, tmp_path):
     assert page.player.playing
 
 
-def test_all_matches_are_made_and_the_sound_ends(sound, page, qtbot, tmp_path):
-    begin(page, qtbot)
-    for _ in range(4):
-        key(page, Qt.Key.Key_Enter)
-    assert len(rows_in(tmp_path / "matches.csv")) == 4
-    assert "All 4" in page.view.progress.text()
-    assert not page.player.playing
-    key(page, Qt.Key.Key_Enter)
-    key(page, Qt.Key.Key_Space)
-    assert len(rows_in(tmp_path / "matches.csv")) == 4
-    assert not page.player.playing
-
-
-def test_it_goes_on_where_it_ended(sound, studio, page, qtbot, tmp_path):
-    begin(page, qtbot)
-    key(page, Qt.Key.Key_Return)
-    second = page.run.trial
-    page.reject()
-    studio.playback.matching.show()
-    again = studio.playback.matching.page
-    again.form.field("person").setText("Anna")
-    again.form.field("frequencies").setText("60")
-    again.form.field("places").setText("3, 12")
-    again.form.table.setText(str(tmp_path / "matches.csv"))
-    begin(again, qtbot)
-    assert again.run.trial == second
-    assert again.run.done == 1
-
-
 def test_reference_and_test_are_heard_and_lit_in_turn(sound, page, qtbot):
     begin(page, qtbot)
     lit_places = set()
@@ -145,34 +116,10 @@ def test_esc_stops_at_once_and_a_second_one_in_a_hurry_closes_nothing(
     assert page.run.level_db == pytest.approx(level_db + 1.0)
 
 
-def test_what_would_pass_full_scale_stops_it_and_is_said(sound, page, qtbot):
-    page.form.field("amplitude").set_value(1.0)
-    page.form.field("gain_db").set_value(20.0)
-    begin(page, qtbot)
-    qtbot.waitUntil(lambda: not page.player.playing, timeout=20_000)
-    assert "full scale" in page.view.note.text()
-    assert np.abs(sound.streams[0].samples).max() <= 1.0
-
-
-def test_a_device_that_is_pulled_out_is_said(sound, page, qtbot):
-    begin(page, qtbot)
-    sound.streams[0].pull_out()
-    qtbot.waitUntil(lambda: not page.player.playing, timeout=20_000)
-    assert "unplugged" in page.view.note.text()
-    assert not page.view.buttons["store"].isEnabled()
-
-
 def test_without_a_device_it_is_a_rehearsal_and_nothing_is_stored(no_sound, page, qtbot, tmp_path):
     begin(page, qtbot)
     assert "Nothing is heard" in page.view.note.text()
     assert "nothing is stored" in page.view.note.text()
-    key(page, Qt.Key.Key_Return)
-    assert page.run.done == 1
-    assert not (tmp_path / "matches.csv").exists()
-
-
-def test_a_rehearsal_with_sound_stores_nothing(sound, page, qtbot, tmp_path):
-    begin(page, qtbot, "rehearse")
     key(page, Qt.Key.Key_Return)
     assert page.run.done == 1
     assert not (tmp_path / "matches.csv").exists()
@@ -195,12 +142,6 @@ def test_what_cannot_be_matched_is_said_and_nothing_begins(sound, page, name, te
     assert reason in page.findChild(type(page.view.note), "matching_problem").text()
     assert page.run is None
     assert not sound.streams
-
-
-def test_a_table_of_something_else_is_said(sound, page, tmp_path):
-    (tmp_path / "matches.csv").write_text("a,b\n")
-    press(page, "begin")
-    assert "no table of matches" in page.findChild(type(page.view.note), "matching_problem").text()
 
 
 def test_a_table_that_cannot_be_written_stops_and_keeps_the_trial(sound, page, qtbot, tmp_path):

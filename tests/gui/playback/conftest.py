@@ -4,6 +4,7 @@ import pytest
 
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.tones import Tone
+from skinsource.lab.playing.devices import Output
 from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
 
 TONE = Tone(frequency_hz=100.0, duration_s=0.5)
@@ -24,10 +25,20 @@ def no_sound(monkeypatch):
 
 
 @pytest.fixture
-def studio(make_window):
-    window = make_window(DESIGN)
+def studio(open_window, qtbot):
+    window = open_window(DESIGN)
     window.activateWindow()
-    return window
+    yield window
+    player, settings = window.playback.player, window.playback.player.settings
+    player.stop_at_once()
+    qtbot.waitUntil(lambda: not player.playing, timeout=20_000)
+    if player.loops:
+        player.toggle_loop()
+    settings.choose_rig(None)
+    settings.choose(Output())
+    settings.searched, settings._rig_was_read = False, False
+    settings.devices, settings.rates_hz = (), ()
+    settings.missing = settings._search_error = ""
 
 
 @pytest.fixture

@@ -1,7 +1,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu, QPushButton
+from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu
 
 from skinsource.design.waveforms.pulses import Noise
 from skinsource_gui.shell.playing import EscapeTwice
@@ -45,13 +45,6 @@ def test_on_the_skin_map_space_selects_once_keys_are_used_there(studio, pressed)
     assert pressed == [1]
 
 
-def test_space_plays_from_a_number_at_rest(studio, pressed):
-    field = studio.panel("inspector").findChild(QLineEdit, "frequency_hz_field")
-    field.setFocus()
-    QTest.keyClick(field, SPACE)
-    assert pressed == [1]
-
-
 def test_a_space_that_is_typed_is_a_space(studio, pressed):
     line = QLineEdit(studio)
     line.show()
@@ -59,27 +52,6 @@ def test_a_space_that_is_typed_is_a_space(studio, pressed):
     QTest.keyClicks(line, "a b")
     assert line.text() == "a b"
     assert pressed == []
-
-
-def test_space_presses_the_button_that_the_keyboard_is_on(studio, pressed):
-    button = QPushButton("Press", studio)
-    clicks = []
-    button.clicked.connect(lambda: clicks.append(1))
-    button.show()
-    button.setFocus(Qt.FocusReason.TabFocusReason)
-    QTest.keyClick(button, SPACE)
-    assert (clicks, pressed) == ([1], [])
-
-
-def test_a_button_that_was_clicked_leaves_space_to_playing(studio, pressed):
-    button = QPushButton("Press", studio)
-    clicks = []
-    button.clicked.connect(lambda: clicks.append(1))
-    button.show()
-    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-    assert QApplication.focusWidget() is button
-    QTest.keyClick(button, SPACE)
-    assert (clicks, pressed) == ([1], [1])
 
 
 def test_escape_twice_is_heard_wherever_the_keyboard_is(studio, qtbot):
@@ -124,13 +96,6 @@ def kind(studio, pressed):
     return field
 
 
-def test_space_opens_a_list_that_the_keyboard_has_come_to(studio, pressed, kind):
-    QTest.keyClick(kind, SPACE)
-    assert pressed == []
-    assert kind.findChild(QMenu, "kind_menu").isVisible()
-    kind.hidePopup()
-
-
 def test_space_plays_once_a_waveform_is_chosen_and_opens_the_list_when_one_comes_back(
     studio, pressed, kind
 ):
@@ -150,12 +115,3 @@ def test_space_plays_once_a_waveform_is_chosen_and_opens_the_list_when_one_comes
     assert pressed == [1, 1]
     assert any(menu.isVisible() for menu in kind.findChildren(QMenu, "kind_menu"))
     kind.hidePopup()
-
-
-def test_it_plays_after_a_choice_from_an_ordinary_list_too(studio, pressed):
-    field = studio.panel("inspector").findChild(QComboBox, "window_field")
-    field.setFocus()
-    QTest.keyClick(field, Qt.Key.Key_Down)
-    QTest.keyClick(field, SPACE)
-    assert pressed == [1]
-    assert not field.view().isVisible()

@@ -34,17 +34,6 @@ def test_faster_and_slower_go_through_the_paces(studio):
     assert document.undo_stack.count() == 0
 
 
-def test_another_pace_goes_on_where_it_is(no_sound, studio, player, qtbot, listen):
-    document = studio.document
-    document.look(replace(document.view, slow_motion=50.0, playhead_s=0.2))
-    now = listen()
-    document.look(replace(document.view, slow_motion=200.0))
-    assert player.now is now
-    assert now.silent._slow_motion == 200.0
-    assert 0.2 <= now.position_s() < 0.3
-    assert 0.2 <= document.view.playhead_s < 0.3
-
-
 def test_from_slow_motion_to_sound_and_back(sound, studio, player, qtbot, listen):
     document = studio.document
     document.look(replace(document.view, slow_motion=50.0))

@@ -46,16 +46,6 @@ def test_device_rate_delay_and_stand_in_are_chosen_there(sound, player, panel, q
     assert player.settings.output.sample_rate_hz == 44_100
 
 
-def test_a_device_is_shown_by_its_name_alone_and_one_that_is_gone_as_not_available(
-    sound, player, panel
-):
-    player.settings.choose(Output(device="Eight"))
-    assert panel.fields.device.shown_text == "Eight (Made up, 8 outputs)"
-    for gone in (Output(device="Nine"), Output(device="Eight", host_api="Elsewhere")):
-        player.settings.choose(gone)
-        assert "(not available)" in panel.fields.device.shown_text
-
-
 def test_each_place_has_an_output_and_two_of_them_change_places(sound, player, panel):
     first, second = panel._rows
     assert [round(row.output.value_si) for row in panel._rows] == [1, 2]
@@ -92,16 +82,6 @@ def test_where_nothing_can_be_heard_no_tone_is_offered_and_the_button_says_why(
     assert "on output 2 alone" in button.toolTip()
 
 
-def test_another_device_than_the_one_that_is_gone_is_not_missing(sound, player, panel):
-    button = panel.findChild(QToolButton, "tone_of_12")
-    player.settings.choose(Output(device="Nine"))
-    assert "Nine" in text_of(panel, "playback_problem")
-    assert not button.isEnabled()
-    panel.fields.device.choose("Eight\nMade up")
-    assert not panel.problem.isVisibleTo(panel)
-    assert button.isEnabled()
-
-
 def test_levels_delay_and_underruns_are_shown(sound, studio, player, panel, qtbot, listen):
     now = listen(loops=True)
     sound.streams[-1].underflows = 2
@@ -119,47 +99,6 @@ def test_levels_delay_and_underruns_are_shown(sound, studio, player, panel, qtbo
     assert now.stream.underruns == 2
 
 
-def test_the_bar_of_a_level_has_room_in_the_narrowest_panel_while_it_plays(
-    sound, player, panel, qtbot, listen
-):
-    narrowest_px = panel.minimumSizeHint().width()
-    panel.setFixedWidth(narrowest_px)
-    listen(loops=True)
-    qtbot.waitUntil(lambda: "dBFS" in text_of(panel, "level_of_7"), **WAIT)
-    # Nothing is cut at its right side, and playing asks for no more room than silence.
-    assert panel.minimumSizeHint().width() == narrowest_px
-    inside = panel.fields.rescan.parentWidget().parentWidget()
-    qtbot.waitUntil(lambda: inside.width() <= panel.width(), **WAIT)
-    for part in (panel.fields.rescan, panel.fields.device, panel._rows[0].tone):
-        assert part.width() >= part.minimumSizeHint().width()
-        assert part.mapTo(panel, part.rect().topRight()).x() < panel.width()
-    for row in panel._rows:
-        # Layouts inside layouts take a while.
-        needed_px = row.level.sizeHint().width()
-        qtbot.waitUntil(lambda row=row, needed_px=needed_px: row.level.width() >= needed_px, **WAIT)
-        assert row.meter.width() >= 48
-
-
-def test_the_device_is_called_in_full_where_the_panel_has_room(sound, player, panel, qtbot):
-    field = panel.fields.device
-    panel.setFixedWidth(panel.sizeHint().width())
-    needed_px = field.fontMetrics().horizontalAdvance(field.shown_text) + 40
-    qtbot.waitUntil(lambda: field.width() >= needed_px, **WAIT)
-
-
-def test_what_is_missing_is_said_with_what_to_do(no_sound, panel):
-    assert "No device to play on was found. Connect one" in text_of(panel, "playback_problem")
-
-
-def test_a_device_that_is_connected_later_is_found_by_looking_again(no_sound, player, panel, qtbot):
-    no_sound.outputs = {"New": 4}
-    no_sound.default.device["output"] = 0
-    panel.fields.rescan.click()
-    qtbot.waitUntil(lambda: len(player.settings.devices) == 1, **WAIT)
-    assert not panel.problem.isVisibleTo(panel)
-    assert panel.fields.device.itemText(1) == "New (Made up, 4 outputs)"
-
-
 def test_rows_follow_the_places_of_the_design(sound, studio, panel):
     design = studio.document.design
     studio.document.edit("Remove", design.without_input(0))
@@ -167,10 +106,6 @@ def test_rows_follow_the_places_of_the_design(sound, studio, panel):
     studio.document.edit("Remove", replace(design, inputs=()))
     assert panel._rows == []
     assert "No place is in use" in text_of(panel, "playback_words")
-
-
-def test_it_says_that_nothing_is_calibrated_and_what_full_scale_is(sound, panel):
-    assert "an amplitude of 1 m/s² is full scale. Uncalibrated" in text_of(panel, "playback_words")
 
 
 def test_hidden_it_is_told_nothing(sound, studio, player, panel, qtbot, listen, monkeypatch):

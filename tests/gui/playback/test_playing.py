@@ -43,15 +43,6 @@ def test_a_playhead_that_runs_evaluates_nothing(sound, studio, player, qtbot, li
     assert (asked, changes) == ([], [])
 
 
-def test_space_again_fades_out(sound, studio, player, qtbot, listen):
-    now = listen(loops=True)
-    studio.do("play")
-    qtbot.waitUntil(settled(player), **WAIT)
-    assert now.stream.queue.ending.reason == "stopped"
-    assert studio.notice.text == ""
-    assert studio.document.view.playhead_s == 0.0
-
-
 def test_an_edit_is_heard_while_it_loops_without_a_click(sound, studio, player, qtbot, listen):
     now = listen(loops=True)
     softer = DESIGN.with_input(0, amplitude=0.2)
@@ -66,25 +57,6 @@ def test_an_edit_is_heard_while_it_loops_without_a_click(sound, studio, player, 
     delay = now.stream.delay(player.edits.render_s)
     assert delay.device_s == pytest.approx(0.015)
     assert delay.total_s == pytest.approx(delay.render_s + delay.wait_s + delay.device_s)
-
-
-def test_many_edits_at_once_are_heard_as_the_last_one(sound, studio, player, qtbot, listen):
-    now = listen(loops=True)
-    for amplitude in np.linspace(0.8, 0.1, 15):
-        studio.document.edit("Softer", DESIGN.with_input(0, amplitude=float(amplitude)))
-    qtbot.waitUntil(
-        lambda: now.stream.queue.mix.samples[0].max() < 0.11 and player.edits.render_s > 0, **WAIT
-    )
-    assert now.stream.queue.ending is None
-
-
-def test_an_edit_that_cannot_be_played_leaves_what_is_heard(sound, studio, player, qtbot, listen):
-    now = listen(loops=True)
-    nine = tuple(ss.track(place, amplitude=0.1) for place in (7, 12, 9))
-    studio.document.edit("Add", replace(DESIGN, inputs=nine))
-    qtbot.waitUntil(lambda: "Two has 2 outputs" in studio.notice.text, **WAIT)
-    assert player.now is now
-    assert now.stream.queue.ending is None
 
 
 def test_the_limit_stops_and_names_the_output(sound, studio, player, qtbot):
@@ -174,15 +146,6 @@ def test_what_is_chosen_is_kept_on_this_machine_but_not_the_gain(sound, make_win
     second = make_window(DESIGN).playback.player
     assert second.settings.output == output
     assert second.gain.gain_db == START_DB
-
-
-def test_another_output_ends_what_is_played(sound, studio, player, qtbot, listen):
-    listen(loops=True)
-    player.settings.choose(replace(player.settings.output, stand_in=True))
-    qtbot.waitUntil(settled(player), **WAIT)
-    now = listen()
-    qtbot.waitUntil(lambda: now.stream.queue.mix is not None, **WAIT)
-    assert now.stream.queue.mix.names == ("left", "right")
 
 
 def test_nothing_ticks_while_nothing_is_played(sound, studio, player, qtbot, listen):

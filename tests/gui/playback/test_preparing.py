@@ -67,11 +67,3 @@ def test_what_is_played_after_something_was_cancelled_is_what_is_heard(
     assert not player.preparing
     player.stop_at_once()
     qtbot.waitUntil(lambda: not player.playing, **WAIT)
-
-
-def test_what_plays_at_once_says_nothing_of_it(sound, studio, player, qtbot, listen):
-    listen()
-    assert not player.preparing
-    assert not studio.playback.note.isVisible()
-    player.stop_at_once()
-    qtbot.waitUntil(lambda: not player.playing, **WAIT)

@@ -36,11 +36,6 @@ def panel(sound, studio, qtbot):
     return panel
 
 
-def test_without_a_rig_it_says_uncalibrated(panel):
-    assert "Uncalibrated" in panel.text.text()
-    assert panel.fields.rig.currentText() == "None"
-
-
 def test_a_rig_wires_the_places_and_says_how_calibrated_it_is(panel, player, path):
     player.settings.choose_rig(path)
     assert panel.fields.rig.currentText() == "Bench 3"
@@ -51,13 +46,6 @@ def test_a_rig_wires_the_places_and_says_how_calibrated_it_is(panel, player, pat
     panel.fields.rig.rig_chosen.emit(None)
     assert panel.fields.rig.currentText() == "None"
     assert panel._rows[0].output.isEnabled()
-
-
-def test_it_is_kept_for_the_next_studio(panel, player, path):
-    player.settings.choose_rig(path)
-    assert player.settings._preferences.rig_path == str(path)
-    player.settings.choose_rig(None)
-    assert player.settings._preferences.rig_path == ""
 
 
 def test_what_is_no_rig_is_refused_and_the_present_one_stays(panel, player, path, studio, tmp_path):
@@ -73,6 +61,7 @@ def test_a_rig_that_is_gone_is_no_reason_to_play_without_its_limits(
     sound, studio, player, path, tmp_path
 ):
     player.settings._preferences.rig_path = str(tmp_path / "gone.skinrig")
+    player.settings._rig_was_read = False
     studio.do("play")
     assert not player.playing
     assert "The rig of this machine cannot be read" in studio.notice.text
@@ -87,17 +76,6 @@ def test_it_is_played_on_the_outputs_of_the_rig(sound, studio, player, path, lis
         "place 12",
         "place 7",
     )
-
-
-def test_a_limit_that_would_be_passed_is_said(sound, studio, player, tmp_path, listen, qtbot):
-    limits = Limits(peak_voltage_v=0.01)
-    limited = Rig(channels=tuple(replace(channel, limits=limits) for channel in BENCH.channels))
-    save_rig(tmp_path / "limited.skinrig", limited)
-    player.settings.choose_rig(tmp_path / "limited.skinrig")
-    studio.do("play")
-    qtbot.waitUntil(lambda: "Stopped" in studio.notice.text, **WAIT)
-    assert not player.playing
-    assert "a limit of the rig would have been passed (place" in studio.notice.text
 
 
 def test_a_limit_in_the_first_block_is_said_even_if_that_is_over_before_play_was_under_way(

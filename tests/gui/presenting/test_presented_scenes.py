@@ -14,12 +14,6 @@ from skinsource_gui.plots.small_map import level_style
 from skinsource_gui.shell.presenting import NotesWindow
 
 
-@pytest.fixture
-def open_window(make_window):
-    """Each test has a window of its own."""
-    return make_window
-
-
 def title(window):
     return window.document.design.title
 
@@ -32,16 +26,6 @@ def test_scenes_are_the_designs_of_the_folder_in_their_order(studio):
     assert titles == ["3 both", "3 both", "2 tone", "1 tap", "1 tap"]
     # A scene is no file any more: saving asks for a name.
     assert studio.document.path is None
-
-
-def test_without_a_file_the_scenes_are_those_of_the_paper(open_window, design):
-    window = open_window(design)
-    window.do("next_scene")
-    assert all_scenes()[0].name in title(window)
-    window.do("next_scene")
-    assert all_scenes()[1].name in title(window)
-    # The panels that show it are in sight.
-    assert all(not window.docks[name].isHidden() for name in all_scenes()[1].panels)
 
 
 @pytest.mark.parametrize("opened_by", ["gallery", "key"])
@@ -129,27 +113,6 @@ def test_of_a_scene_that_was_turned_it_is_said_that_it_is_left_as_it_was(open_wi
     assert "kept" not in window.notice.text
 
 
-def test_a_file_that_is_presented_as_it_was_saved_is_left_unasked(studio, folder, asked):
-    studio.do("present")
-    saved = (folder / "2 tone.skinsource").read_bytes()
-    louder(studio, 2.0)
-    studio.do("next_scene")
-    assert studio.notice.text == "Scene 3 of 3: 3 both; changes to 2 tone are not kept"
-    studio.do("previous_scene")
-    assert studio.document.design.inputs[0].amplitude == 1.0
-    assert (folder / "2 tone.skinsource").read_bytes() == saved
-    assert not asked
-
-
-def test_work_on_a_file_from_before_it_was_presented_is_asked_about(studio, asked):
-    edited = louder(studio, 2.0)
-    studio.do("present")
-    studio.do("next_scene")
-    assert len(asked) == 1
-    assert studio.document.design == edited
-    studio.document.mark_saved(studio.document.path)
-
-
 @pytest.mark.parametrize("presented", ["never", "afterwards", "before"])
 def test_work_that_was_done_in_a_scene_is_not_lost_unasked(open_window, asked, presented, design):
     window = open_window(design)
@@ -164,18 +127,6 @@ def test_work_that_was_done_in_a_scene_is_not_lost_unasked(open_window, asked, p
     assert len(asked) == 1
     assert window.document.design == edited
     window.document.mark_saved(window.document.path)
-
-
-def test_the_next_scene_is_that_after_the_one_that_was_opened_last(open_window, design):
-    window = open_window(design)
-    names = [scene.name for scene in all_scenes()]
-    window.do("next_scene")
-    window.scenes.open(names[5])
-    window.do("next_scene")
-    assert names[6] in title(window)
-    window.files.new()
-    window.do("next_scene")
-    assert names[0] in title(window)
 
 
 def test_notes_follow_the_scenes(studio):
@@ -193,8 +144,9 @@ def test_notes_follow_the_scenes(studio):
     notes.close()
 
 
-@pytest.mark.parametrize("first", ["show_notes", "present"])
-@pytest.mark.parametrize("leave", [Qt.Key.Key_F9, Qt.Key.Key_Escape])
+@pytest.mark.parametrize(
+    ("first", "leave"), [("show_notes", Qt.Key.Key_F9), ("present", Qt.Key.Key_Escape)]
+)
 def test_keys_of_presenting_work_on_the_notes_too_whichever_came_first(studio, qtbot, first, leave):
     for name in (first, *({"show_notes", "present"} - {first})):
         studio.do(name)
@@ -215,13 +167,9 @@ def colours(window):
     return level_style(window.document.view).colours
 
 
-@pytest.mark.parametrize("presented", [True, False])
-def test_levels_stay_in_the_colours_that_were_chosen_from_scene_to_scene(
-    open_window, design, presented
-):
+def test_levels_stay_in_the_colours_that_were_chosen_from_scene_to_scene(open_window, design):
     window = open_window(design)
-    if presented:
-        window.do("present")
+    window.do("present")
     window.do("next_scene")
     assert colours(window) == "viridis"
     window.do("use_magma_colours")
@@ -255,48 +203,3 @@ def test_a_scene_says_what_is_turned(open_window, design):
         if panel._frequency is not None:
             cells["frequency_hz"] = panel._frequency
         assert {name for name, cell in cells.items() if cell.isVisible()} == shown, control
-
-
-def test_turning_the_onset_moves_the_clip(open_window, design):
-    window = open_window(design)
-    panel = window.panel("frequency_and_amplitude")
-    panel._change("onset_s", 0.1, None)
-    assert window.document.design.inputs[0].clips[0].onset_s == 0.1
-
-
-def test_the_only_input_is_turned_without_being_selected(open_window, design):
-    window = open_window(replace(design, inputs=design.inputs[:1]))
-    window.do("arrange_presentation")
-    panel = window.panel("frequency_and_amplitude")
-    unselected = replace(window.document.view, selected_inputs=())
-    window.document.look(unselected)
-    assert "place 7" in panel._heading.text()
-    assert not panel._amplitude_part.isHidden()
-    panel._change("amplitude", 0.25, None)
-    assert window.document.design.inputs[0].amplitude == 0.25
-    panel._change("frequency_hz", 60.0, None)
-    assert window.document.design.inputs[0].clips[0].waveform.frequency_hz == 60.0
-
-
-def test_after_a_show_the_panels_of_the_scene_that_is_open_are_in_front(open_window, qtbot, design):
-    window = open_window(design)
-    # So low that other panels stand behind each other than on the whole screen.
-    window.resize(1366, 600)
-    names = [scene.name for scene in all_scenes()]
-    window.scenes.open("1G")
-    assert "side_by_side" in in_front(window)
-    window.do("present")
-    for _ in range(names.index("2H") - names.index("1G")):
-        window.do("next_scene")
-    window.do("present")
-    qtbot.waitUntil(lambda: "windowed" in in_front(window))
-    qtbot.waitUntil(lambda: window.height() == 600)
-    settle()
-    assert "windowed" in in_front(window)
-    assert "timeline" in in_front(window)
-
-
-def settle():
-    """Docks have their room."""
-    for _ in range(20):
-        QApplication.processEvents()

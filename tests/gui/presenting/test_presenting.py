@@ -3,20 +3,12 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QColor
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.panels.skin.painting import marks_at
 from skinsource_gui.qt.overlays import COVERED, Cover
-
-
-@pytest.fixture
-def open_window(make_window):
-    """Each test has a window of its own."""
-    return make_window
 
 
 def title(window):
@@ -65,28 +57,6 @@ def test_keys_work_while_the_menus_are_away(studio, qtbot):
     assert title(studio) == "2 tone"
 
 
-def test_clickers_step_scenes_whatever_has_the_keyboard(studio, qtbot):
-    studio.activateWindow()
-    qtbot.waitUntil(studio.isActiveWindow)
-    panel = studio.panel("traces")
-    studio.do("present")
-    studio.docks["traces"].bring_forward()
-    at_s = studio.document.view.playhead_s
-    panel.setFocus()
-    for key, expected in (("PageUp", "1 tap"), ("PageDown", "2 tone"), ("PageDown", "3 both")):
-        panel.setFocus()
-        assert panel.isAncestorOf(studio.focusWidget())
-        QTest.keyClick(studio.focusWidget(), getattr(Qt.Key, f"Key_{key}"))
-        assert title(studio) == expected
-    assert studio.document.view.playhead_s == at_s
-    studio.do("present")
-    studio.docks["traces"].bring_forward()
-    panel.setFocus()
-    # Back among the bars the keys are those of the plot.
-    QTest.keyClick(studio.focusWidget(), Qt.Key.Key_PageUp)
-    assert title(studio) == "3 both"
-
-
 def test_a_covered_map_shows_nothing_that_was_computed(window, settle):
     skin = window.panel("skin")
     window.do("cover_map")
@@ -114,34 +84,6 @@ def test_while_the_bars_are_away_words_lie_over_the_window(studio):
     assert not studio.notice.text
 
 
-def test_inputs_are_marked_on_the_map_where_they_are_behind(open_window, design):
-    window = open_window(design)
-    skin = window.panel("skin")
-    content, layout = skin.map.content, skin.map.stage.layout
-    assert [mark.location for mark in content.inputs] == [7, 13]
-    place = layout.frame.to_screen(content.limb_map.input_positions[[12]])[0]
-    [mark_at_place] = marks_at(content.inputs, content.limb_map, layout, QPointF(*place))
-    assert mark_at_place.location == 13
-    assert marks_at(content.inputs, content.limb_map, layout, QPointF(1.0, 1.0)) == ()
-
-
-def test_hand_and_map_point_at_the_same_input(open_window, design):
-    window = open_window(design)
-    hand, skin = window.panel("hand"), window.panel("skin")
-    first, second = window.document.design.ids
-    hand.diagram.stage.change(hovered=13)
-    assert skin.map.content.pointed_at == second
-    hand.diagram.stage.change(hovered=20)
-    assert skin.map.content.pointed_at is None
-    content, layout = skin.map.content, skin.map.stage.layout
-    [x, y] = layout.frame.to_screen(content.limb_map.input_positions[[6]])[0]
-    QTest.mouseMove(skin.map, QPointF(float(x), float(y)).toPoint())
-    assert hand.diagram.state.target == 7
-    skin.map.inputs_chosen.emit((second,))
-    assert window.document.view.selected_inputs == (second,)
-    assert first in window.document.design.ids
-
-
 MAPS = {
     "windowed": ("window_strip",),
     "side_by_side": ("maps_side_by_side", "side_by_side_words"),
@@ -156,12 +98,6 @@ def plain_studio(open_window, design):
 
 def parts(panel):
     return {part.objectName(): part for part in panel.guessed}
-
-
-def colours(part):
-    image = part.grab().toImage()
-    steps = range(0, image.height(), 3), range(0, image.width(), 3)
-    return {image.pixelColor(x, y).name() for y in steps[0] for x in steps[1]}
 
 
 def wait(plain_studio, qtbot):
@@ -185,44 +121,9 @@ def test_all_that_draws_maps_is_covered_together_and_revealed(plain_studio, qtbo
     assert not any(cover.isVisible() for cover in panel.findChildren(Cover))
 
 
-def test_nothing_is_seen_through_a_cover_however_large_it_gets(plain_studio, qtbot):
-    plain_studio.docks["windowed"].bring_forward()
-    wait(plain_studio, qtbot)
-    strip = plain_studio.panel("windowed").strip
-    qtbot.waitUntil(lambda: strip.content is not None, timeout=30_000)
-    assert len(colours(strip)) > 50
-    plain_studio.do("cover_map")
-    strip.resize(strip.width() + 60, strip.height() + 40)
-    # Words alone, in greys between two colours.
-    ground = strip.palette().window().color()
-    assert all(QColor(colour).hsvSaturation() < 80 for colour in colours(strip))
-    assert ground.name() in colours(strip)
-
-
-def test_a_panel_that_is_first_seen_while_maps_are_covered_is_covered(plain_studio, qtbot):
-    assert "windowed" not in plain_studio.panels
-    plain_studio.do("cover_map")
-    plain_studio.docks["windowed"].bring_forward()
-    panel = plain_studio.panel("windowed")
-    wait(plain_studio, qtbot)
-    assert panel.strip.findChildren(Cover)
-    plain_studio.do("cover_map")
-    assert not any(cover.isVisible() for cover in panel.findChildren(Cover))
-
-
-def test_nothing_stays_covered_once_presenting_ends(plain_studio, qtbot):
-    plain_studio.docks["windowed"].bring_forward()
-    wait(plain_studio, qtbot)
-    plain_studio.do("present")
-    plain_studio.do("cover_map")
-    plain_studio.do("present")
-    covers = plain_studio.panel("windowed").findChildren(Cover)
-    assert not any(cover.isVisible() for cover in covers)
-
-
 @pytest.fixture
-def presented(open_window, design, qtbot):
-    window = open_window(design)
+def presented(make_window, design, qtbot):
+    window = make_window(design)
     window.document.look(replace(window.document.view, outputs=(29, 30)))
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
@@ -264,38 +165,13 @@ def test_space_plays_where_the_keyboard_came_to_a_list_by_chance(presented, play
     field.hidePopup()
 
 
-def test_escape_leaves_and_the_outputs_stay_selected(presented):
-    presented.panel("skin").map.setFocus()
-    press(presented, Qt.Key.Key_Escape)
-    assert not presented.presenter.presenting
-    assert presented.document.view.outputs == (29, 30)
-    # Back among the bars the key is that of the map.
-    presented.panel("skin").map.setFocus()
-    press(presented, Qt.Key.Key_Escape)
-    assert presented.document.view.outputs == ()
-
-
-@pytest.mark.parametrize("name", ["hand", "traces", "frequency_and_amplitude"])
-def test_escape_leaves_from_any_panel(presented, name):
-    presented.docks[name].bring_forward()
-    presented.panel(name).setFocus()
-    press(presented, Qt.Key.Key_Escape)
-    assert not presented.presenter.presenting
-
-
-def test_escape_gives_up_what_is_typed_first(presented):
+def test_escape_gives_up_what_is_typed_or_dragged_and_then_leaves(presented):
     number = presented.panel("frequency_and_amplitude")._amplitude.field
     number.setFocus()
     press(presented, Qt.Key.Key_5)
     assert number.editing
     press(presented, Qt.Key.Key_Escape)
     assert not number.editing
-    assert presented.presenter.presenting
-    press(presented, Qt.Key.Key_Escape)
-    assert not presented.presenter.presenting
-
-
-def test_escape_gives_up_what_is_dragged_first(presented):
     skin = presented.panel("skin").map
     skin.setFocus()
     at = skin.rect().center()
@@ -304,4 +180,10 @@ def test_escape_gives_up_what_is_dragged_first(presented):
     press(presented, Qt.Key.Key_Escape)
     QTest.mouseRelease(skin, Qt.MouseButton.LeftButton, pos=at + at / 8)
     assert presented.presenter.presenting
+    press(presented, Qt.Key.Key_Escape)
+    assert not presented.presenter.presenting
     assert presented.document.view.outputs == (29, 30)
+    # Back among the bars the key is that of the map.
+    skin.setFocus()
+    press(presented, Qt.Key.Key_Escape)
+    assert presented.document.view.outputs == ()

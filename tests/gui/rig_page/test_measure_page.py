@@ -102,38 +102,6 @@ def test_what_is_measured_is_drawn_beside_the_model_and_kept(page, rig_page, qtb
         assert setup_of(odd) == MeasuringSetup()
 
 
-def test_what_the_rig_does_not_say_is_missed_at_once(rig_page, qtbot):
-    channel = rig_page.draft.rig.channels[0]
-    rig_page.draft.take_channel(0, replace(channel, full_scale_v=None))
-    rig_page.fields.measure.click()
-    page = rig_page.findChildren(MeasurePage)[-1]
-    assert "volts at full scale" in page.message.text()
-    qtbot.waitUntil(lambda: not page._looking, **WAIT)
-    assert "volts at full scale" in page.message.text()
-    assert not page.start.isEnabled()
-    assert page.start.toolTip() == page.message.text()
-    page.reject()
-
-
-def test_a_band_that_the_rate_cannot_tell_is_said_at_once_and_mended_in_the_field(page):
-    assert page.start.isEnabled()
-    page.fields.cell("highest_hz").edited.emit("highest_hz", 20_000.0, None)
-    assert "choose a higher rate" in page.message.text()
-    assert not page.start.isEnabled()
-    page.fields.cell("highest_hz").edited.emit("highest_hz", 1000.0, None)
-    assert page.start.isEnabled()
-    assert page.message.text().startswith("Start plays")
-
-
-def test_stop_ends_it_and_nothing_can_be_kept(page, qtbot):
-    page.start.click()
-    page.stop.click()
-    qtbot.waitUntil(page.start.isEnabled, **WAIT)
-    assert page.message.text() in ("Stopped.", "Stopped; nothing was measured.")
-    assert not page.keep.isEnabled()
-    assert page.plot.plot.message == "Nothing is measured yet"
-
-
 def test_what_cannot_be_measured_says_why(page, card, qtbot):
     page.fields.cell("loopback_input").edited.emit("loopback_input", 1, None)
     assert "expected two inputs" in page.message.text()

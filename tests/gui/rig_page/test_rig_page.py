@@ -23,12 +23,6 @@ FLAT = MeasuredResponse(((20.0, 50.0, 0.0), (1000.0, 50.0, 0.0)))
 
 
 @pytest.fixture
-def open_window(make_window):
-    """Each test has a window of its own."""
-    return make_window
-
-
-@pytest.fixture
 def window(open_window):
     return open_window(
         ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Gabor(200.0)),))
@@ -37,6 +31,7 @@ def window(open_window):
 
 @pytest.fixture
 def page(window, qtbot):
+    window.playback.player.settings.choose_rig(None)
     window.do("edit_rig")
     page = window.findChild(RigPage)
     qtbot.waitExposed(page)
@@ -90,37 +85,6 @@ def test_a_rig_made_by_hand_is_the_one_in_its_file(page, window, answer):
     assert window.playback.player.settings.rig == page.draft.rig
 
 
-def test_zero_volts_are_volts_that_are_not_known(page):
-    press(page, "add")
-    put(page, "full_scale_v", 2.0)
-    assert page.draft.rig.channels[0].full_scale_v == 2.0
-    put(page, "full_scale_v", 0.0)
-    assert page.draft.rig.channels[0].full_scale_v is None
-    put(page, "limit peak_voltage_v", 3.0)
-    put(page, "limit peak_voltage_v", 0.0)
-    assert page.draft.rig.channels[0].limits.peak_voltage_v is None
-
-
-def test_a_place_that_is_wired_twice_is_refused_and_said(page):
-    press(page, "add")
-    press(page, "add")
-    put(page, "place", page.draft.rig.channels[0].place)
-    assert "place 7 2 times" in page.message.text()
-    assert [channel.place for channel in page.draft.rig.channels] == [7, 1]
-    assert page.fields.cell("place").field.value_si == 1
-
-
-def test_channels_are_removed_and_an_empty_rig_says_what_to_do(page):
-    assert "No channel yet" in page.message.text()
-    press(page, "add")
-    press(page, "add")
-    press(page, "remove")
-    assert [channel.place for channel in page.draft.rig.channels] == [7]
-    press(page, "remove")
-    assert page.draft.rig.channels == ()
-    assert not page.fields.widget.isEnabled()
-
-
 def test_a_response_comes_from_a_table_and_is_forgotten_again(page, qtbot, answer):
     press(page, "add")
     path = answer("coil.csv")
@@ -137,14 +101,6 @@ def test_a_response_comes_from_a_table_and_is_forgotten_again(page, qtbot, answe
     page.fields.forget.click()
     assert page.draft.rig.channels[0].measured is None
     assert page.draft.rig.channels[0].measured_on == ""
-
-
-def test_what_is_no_response_says_so_and_changes_nothing(page, qtbot, answer):
-    press(page, "add")
-    answer("coil.csv").write_text("a,b\n1,2\n3,4\n", encoding="utf-8")
-    page.fields.from_file.click()
-    qtbot.waitUntil(lambda: "coil.csv" in page.message.text(), **WAIT)
-    assert page.draft.rig.channels[0].measured is None
 
 
 def test_an_opened_rig_is_shown_and_what_is_none_is_refused(page, answer):
@@ -192,19 +148,6 @@ def test_a_design_is_predicted_through_the_rig(page, window):
         actuated.at(3)
 
 
-def test_what_was_measured_goes_before_what_is_listed():
-    channels = (
-        RigChannel(place=7, actuator="example-voice-coil", measured=FLAT),
-        RigChannel(place=12, output=2, actuator="of the lab"),
-        RigChannel(place=3, output=3, actuator="example-piezo"),
-    )
-    actuation = ss.actuation_of_rig(Rig(title="Bench", channels=channels))
-    assert [actuator.place for actuator in actuation.actuators] == [7, 3]
-    assert actuation.at(7).model == FLAT
-    assert actuation.at(3).model == ss.actuators.load("example-piezo")
-    assert actuation.rig == "Bench"
-
-
 def test_places_are_those_of_the_limb_of_the_design_the_driven_ones_first(user_data, qtbot):
     installed()
     edit = edits.change_limb(
@@ -221,3 +164,16 @@ def test_places_are_those_of_the_limb_of_the_design_the_driven_ones_first(user_d
     own = input_name(5, "lab-1").name
     assert title_of(draft.rig.channels[0], "lab-1") == f"5 · {own}, output 1"
     assert own != input_name(5).name
+
+
+def test_what_was_measured_goes_before_what_is_listed():
+    channels = (
+        RigChannel(place=7, actuator="example-voice-coil", measured=FLAT),
+        RigChannel(place=12, output=2, actuator="of the lab"),
+        RigChannel(place=3, output=3, actuator="example-piezo"),
+    )
+    actuation = ss.actuation_of_rig(Rig(title="Bench", channels=channels))
+    assert [actuator.place for actuator in actuation.actuators] == [7, 3]
+    assert actuation.at(7).model == FLAT
+    assert actuation.at(3).model == ss.actuators.load("example-piezo")
+    assert actuation.rig == "Bench"

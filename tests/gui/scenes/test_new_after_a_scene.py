@@ -6,7 +6,6 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design.design import Design
-from skinsource.design.design_file import save_design
 from skinsource.design.edits.setup import change_limb
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
@@ -54,42 +53,6 @@ def test_new_is_empty_on_the_limb_and_in_the_view_of_a_start_in_ones_own_panels(
     now = in_sight(window)
     window.do("new_design")
     assert in_sight(window) == now
-
-
-def test_of_several_scenes_it_is_the_panels_before_the_first_that_come_back(window, own, tmp_path):
-    window.scenes.open(SCENE)
-    window.scenes.open("2B")
-    # A file says which panels it shows, where the person has them.
-    path = tmp_path / "own.skinsource"
-    save_design(path, window.document.design, View())
-    window.files.open(path)
-    assert in_sight(window) == own
-
-
-def test_panels_that_the_person_arranged_after_a_scene_stay(window, own):
-    window.scenes.open(SCENE)
-    window.do("arrange_drawing")
-    drawing = in_sight(window)
-    window.do("new_design")
-    assert in_sight(window) == drawing
-    window.do("arrange_design")
-    assert in_sight(window) == own
-
-
-@pytest.mark.parametrize("moved", [False, True])
-def test_the_next_session_begins_in_the_panels_before_the_scene(
-    window, preferences, make_window, monkeypatch, moved
-):
-    if moved:
-        window.docks["spectra"].hide()
-    before = in_sight(window)
-    window.scenes.open(SCENE)
-    QApplication.processEvents()
-    window.close()
-    assert preferences.arrangement == "design"
-    # Others take up an arrangement at first.
-    monkeypatch.setattr(type(window), "do", lambda *_: None)
-    assert in_sight(make_window()) == before
 
 
 def test_the_next_session_begins_in_the_panels_before_they_were_presented(

@@ -58,15 +58,3 @@ def test_a_scene_that_does_not_apply_says_why_and_is_not_opened(lab_window):
     assert page.buttons.button(OPEN).isEnabled()
     assert "Opens on Synthetic 1" in page.text.text()
     page.reject()
-
-
-def test_every_scene_that_applies_opens_with_nothing_to_complain_of(lab_window, qtbot):
-    window = lab_window
-    for name in ss.scenes.names():
-        if ss.scenes.why_not_on(name, "lab-1"):
-            continue
-        window.scenes.open(name, "lab-1")
-        qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
-        window.catch_up()
-        assert window.notice.text == "", name
-        assert window.panel("skin").map.content.message == "", name

@@ -7,8 +7,8 @@ from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtWidgets import QDialogButtonBox, QMessageBox, QScrollArea
 
 import skinsource as ss
+from benchmarks.gallery import MARK, mark_of, page_of, synthetic_scene
 from skinsource.design.panel_settings import settings_of
-from skinsource.studies.figures.gallery import MARK, mark_of, page_of, synthetic_scene
 from skinsource_gui.qt.resources import resource_folder
 from skinsource_gui.shell.appearance import LARGEST_TEXT
 from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS
@@ -36,20 +36,15 @@ def test_each_picture_is_of_the_scene_as_it_is_now_on_a_synthetic_limb(name):
     content = (resource_folder() / "scenes" / f"{name}.png").read_bytes()
     assert texts_of(content)[MARK] == mark_of(synthetic_scene(name)), (
         "pictures are out of date; draw them anew with "
-        "'python -m skinsource.studies.figures.gallery resources/scenes docs/scenes.md'"
+        "'python benchmarks/gallery.py resources/scenes docs/scenes.md'"
     )
-
-
-def test_another_design_or_view_has_another_mark():
-    marks = {mark_of(synthetic_scene(name)) for name in ss.scenes.names()}
-    assert len(marks) == len(ss.scenes.names())
 
 
 def test_the_page_of_the_documents_shows_every_scene():
     path = resource_folder().parent / "docs" / "scenes.md"
     assert path.read_text("utf-8") == page_of(ss.scenes.all_scenes(), "../resources/scenes"), (
         "docs/scenes.md is out of date; write it anew with "
-        "'python -m skinsource.studies.figures.gallery resources/scenes docs/scenes.md'"
+        "'python benchmarks/gallery.py resources/scenes docs/scenes.md'"
     )
 
 
@@ -100,20 +95,6 @@ def test_a_scene_is_opened_with_the_keyboard(window, qtbot, settle):
     assert called == [f"Snapshot {k} · {hz} Hz" for k, hz in enumerate((50, 100, 200, 400), 1)]
 
 
-def test_a_double_click_opens_and_the_next_time_it_is_selected(window, qtbot, settle):
-    page = window.scenes.show()
-    item = page.list.item(1)
-    at = page.list.visualItemRect(item).center()
-    qtbot.mouseClick(page.list.viewport(), Qt.MouseButton.LeftButton, pos=at)
-    qtbot.mouseDClick(page.list.viewport(), Qt.MouseButton.LeftButton, pos=at)
-    settle()
-    assert window.document.design == ss.scenes.open_scene("1D").design
-    assert window.docks["spectra"].in_sight
-    again = window.scenes.show()
-    assert again.scene.name == "1D"
-    again.reject()
-
-
 def test_each_opens_with_the_panels_that_show_it_and_nothing_to_complain_of(window, settle):
     messages = []
     window.scenes.done.connect(messages.append)
@@ -127,12 +108,6 @@ def test_each_opens_with_the_panels_that_show_it_and_nothing_to_complain_of(wind
             assert window.docks[panel].in_sight, (scene.name, panel)
         assert window.notice.text == "", scene.name
         assert messages[-1] == f"Opened {scene.heading}, on a SYNTHETIC limb"
-
-
-def test_saving_a_scene_asks_where_and_suggests_its_name(window):
-    window.scenes.open("2F")
-    assert window.files.suggested.name == "2F.skinsource"
-    assert window.files.suggested.parent == window.preferences.folder
 
 
 @pytest.mark.parametrize(
@@ -150,22 +125,8 @@ def test_unsaved_work_is_asked_for_first(window, monkeypatch, answer, opened):
     assert (window.document.design == ss.scenes.open_scene("2F").design) == opened
 
 
-def test_the_page_that_is_cancelled_changes_nothing(window):
-    before = window.document.design
-    page = window.scenes.show()
-    page.buttons.button(QDialogButtonBox.StandardButton.Cancel).click()
-    assert window.document.design is before
-
-
-#: 800x600, and what is as high as 1920x1080 at scale 2, less the frame of a window.
-SCREENS = (QSize(780, 560), QSize(780, 490))
-
-
-@pytest.fixture
-def page(window):
-    page = window.scenes.show()
-    yield page
-    page.reject()
+#: As high as 1920x1080 at scale 2, less the frame of a window.
+SCREEN = QSize(780, 490)
 
 
 def assert_whole(page):
@@ -175,16 +136,14 @@ def assert_whole(page):
         assert inside.contains(QRect(button.mapTo(page, button.rect().topLeft()), button.size()))
 
 
-@pytest.mark.parametrize("screen", SCREENS)
-@pytest.mark.parametrize("scale", [1.0, 1.6, LARGEST_TEXT])
-def test_it_scrolls_inside_where_the_screen_is_small(window, settle, screen, scale):
+def test_it_scrolls_inside_where_the_screen_is_small_and_letters_are_large(window, settle):
     try:
-        window.appearance._scale_text(scale)
+        window.appearance._scale_text(LARGEST_TEXT)
         settle()
         page = window.scenes.show()
-        page.resize(screen)
+        page.resize(SCREEN)
         settle()
-        assert page.size() == screen
+        assert page.size() == SCREEN
         assert_whole(page)
         # What is said of a scene is all there, in sight or scrolled to.
         area = page.findChild(QScrollArea, "scene_area")

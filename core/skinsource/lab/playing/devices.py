@@ -191,20 +191,8 @@ class Device:
         return f"{self.name} ({self.host_api}, {counted(self.n_outputs, 'output')})"
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Listed:
-    """A device as the system describes it."""
-
-    index: int
-    name: str
-    host_api: str
-    n_channels: int
-    sample_rate_hz: int
-    is_default: bool
-
-
-def listed(direction: Literal["input", "output"]) -> list[Listed]:
-    """Return all devices with inputs, or with outputs, the default device first.
+def listed(direction: Literal["input", "output"]) -> list[dict[str, Any]]:
+    """Return the fields of all devices with inputs, or with outputs, the default device first.
 
     Raises
     ------
@@ -220,39 +208,23 @@ def listed(direction: Literal["input", "output"]) -> list[Listed]:
     except library.PortAudioError as error:
         raise PlaybackError(f"The sound system does not answer: {printable(error)}.") from error
     devices_of_direction = [
-        Listed(
-            index=index,
-            name=device["name"],
-            host_api=apis[device["hostapi"]]["name"],
-            n_channels=device[f"max_{direction}_channels"],
-            sample_rate_hz=round(device["default_samplerate"]),
-            is_default=index == default,
-        )
+        {
+            "index": index,
+            "name": device["name"],
+            "host_api": apis[device["hostapi"]]["name"],
+            f"n_{direction}s": device[f"max_{direction}_channels"],
+            "sample_rate_hz": round(device["default_samplerate"]),
+            "is_default": index == default,
+        }
         for index, device in enumerate(system_devices)
         if device[f"max_{direction}_channels"] > 0
     ]
-    return sorted(devices_of_direction, key=lambda device: not device.is_default)
+    return sorted(devices_of_direction, key=lambda device: not device["is_default"])
 
 
 def devices() -> tuple[Device, ...]:
-    """Return the devices to play on, the default device first.
-
-    Raises
-    ------
-    PlaybackError
-        sounddevice or PortAudio is missing, or does not answer.
-    """
-    return tuple(
-        Device(
-            index=device.index,
-            name=device.name,
-            host_api=device.host_api,
-            n_outputs=device.n_channels,
-            sample_rate_hz=device.sample_rate_hz,
-            is_default=device.is_default,
-        )
-        for device in listed("output")
-    )
+    """Return the devices to play on, the default device first; raises as `listed`."""
+    return tuple(Device(**fields) for fields in listed("output"))
 
 
 def refresh_devices() -> tuple[Device, ...]:
@@ -329,28 +301,20 @@ def _accepts_rate(library: object, device: Device, rate_hz: int) -> bool:
 _WRONG_RATE, _TOO_MANY_CHANNELS, _UNAVAILABLE = -9997, -9998, -9985
 
 
-def playing_error_text(error: Any, device: Device, sample_rate_hz: int, n_outputs: int) -> str:
-    """Return why a device cannot be played on, and what to do."""
-    channels = (
-        f"{counted(n_outputs, 'output')}. Mute what has no actuator, give it another output, or "
-        "choose another device."
-    )
-    return _error_text(
-        error, device.name, device.sample_rate_hz, sample_rate_hz, channels, "played on"
-    )
+def refusal_text(error: Any, name: str, prefers_hz: int, sample_rate_hz: int, channels: str) -> str:
+    """Return why a device cannot be opened, and what to do.
 
-
-def recording_error_text(
-    error: Any, name: str, prefers_hz: int, sample_rate_hz: int, n_inputs: int
-) -> str:
-    """Return why a device cannot be recorded from, and what to do."""
-    channels = f"{counted(n_inputs, 'input')}. Choose another input, or another device."
-    return _error_text(error, name, prefers_hz, sample_rate_hz, channels, "recorded from")
-
-
-def _error_text(
-    error: Any, name: str, prefers_hz: int, sample_rate_hz: int, channels: str, what: str
-) -> str:
+    Parameters
+    ----------
+    error
+        Of PortAudio.
+    name, prefers_hz
+        Name of the device, and the rate that it prefers.
+    sample_rate_hz
+        The requested rate.
+    channels
+        Number of the requested channels as text: ``"3 outputs"``.
+    """
     code = error.args[1] if len(error.args) > 1 else 0
     if code == _WRONG_RATE:
         return (
@@ -358,14 +322,17 @@ def _error_text(
             "Choose another rate."
         )
     if code == _TOO_MANY_CHANNELS:
-        return f"{name} does not take {channels}"
+        return (
+            f"{name} does not take {channels}. Mute what has no actuator, choose other channels, "
+            "or choose another device."
+        )
     if code == _UNAVAILABLE:
         return (
             f"{name} is not free: another program uses it, or it was taken away. Close that "
             "program, or choose another device."
         )
     reason = printable(error.args[0] if error.args else error)
-    return f"{name} cannot be {what}: {reason}. Choose another device."
+    return f"{name} cannot be used for {channels}: {reason}. Choose another device."
 
 
 @dataclass(frozen=True, slots=True, eq=False)

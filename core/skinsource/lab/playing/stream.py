@@ -13,7 +13,8 @@ import numpy as np
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import PlaybackError
-from skinsource.lab.playing.devices import Device, playing_error_text, sound_library
+from skinsource.base.work import counted
+from skinsource.lab.playing.devices import Device, refusal_text, sound_library
 from skinsource.lab.playing.mix import (
     MOST_SAMPLES,
     Delay,
@@ -290,8 +291,10 @@ class Stream:
         return Delay(render_s=render_s, wait_s=self.queue.waited_s, device_s=self._inside_s)
 
     def _refusal(self, error: Any) -> PlaybackError:
-        rate_hz, n_outputs = self.queue.sample_rate_hz, self.queue.n_outputs
-        return PlaybackError(playing_error_text(error, self.device, rate_hz, n_outputs))
+        device, rate_hz = self.device, self.queue.sample_rate_hz
+        channels = counted(self.queue.n_outputs, "output")
+        text = refusal_text(error, device.name, device.sample_rate_hz, rate_hz, channels)
+        return PlaybackError(text)
 
     def _finish(self) -> None:
         self._silent.set()

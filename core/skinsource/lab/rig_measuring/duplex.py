@@ -12,13 +12,7 @@ from skinsource.base.errors import PlaybackError, Stopped
 from skinsource.base.job import Stop
 from skinsource.base.quoting import quoted
 from skinsource.base.work import counted
-from skinsource.lab.playing.devices import (
-    Device,
-    listed,
-    playing_error_text,
-    recording_error_text,
-    sound_library,
-)
+from skinsource.lab.playing.devices import Device, listed, refusal_text, sound_library
 from skinsource.lab.playing.mix import Frames, PlayQueue
 from skinsource.lab.playing.stream import next_block
 
@@ -58,17 +52,7 @@ def input_devices() -> tuple[InputDevice, ...]:
     PlaybackError
         sounddevice or PortAudio is missing, or does not answer.
     """
-    return tuple(
-        InputDevice(
-            index=device.index,
-            name=device.name,
-            host_api=device.host_api,
-            n_inputs=device.n_channels,
-            sample_rate_hz=device.sample_rate_hz,
-            is_default=device.is_default,
-        )
-        for device in listed("input")
-    )
+    return tuple(InputDevice(**fields) for fields in listed("input"))
 
 
 def input_device_of(name: str, played_on: Device, inputs: Sequence[InputDevice]) -> InputDevice:
@@ -341,8 +325,9 @@ class Duplex:
             raise self._library.CallbackStop
 
     def _refusal(self, error: Any) -> str:
-        queue, card, rate_hz = self._deck, self._card, self._deck.sample_rate_hz
+        device: Device | InputDevice = self._card.device
+        channels = counted(self._deck.n_outputs, "output")
         if self._opens_inputs:
-            name, prefers_hz = card.inputs.name, card.inputs.sample_rate_hz
-            return recording_error_text(error, name, prefers_hz, rate_hz, card.n_inputs)
-        return playing_error_text(error, card.device, rate_hz, queue.n_outputs)
+            device, channels = self._card.inputs, counted(self._card.n_inputs, "input")
+        rate_hz = self._deck.sample_rate_hz
+        return refusal_text(error, device.name, device.sample_rate_hz, rate_hz, channels)

@@ -48,7 +48,6 @@ from skinsource.studies.figures.sheet import (
     WIDTH_MM,
     Drawn,
     Sheet,
-    Table,
     axes_of_sensors,
     field_of,
     frequency_of,
@@ -80,7 +79,7 @@ def strengths(opened: OpenedScene) -> Drawn:
     drawn_s, drawn = finer(time_s, normalised)
     clips = opened.design.inputs[0].clips
     delay_s = facts_of(opened.design.limb).pre_trigger_delay_s
-    sheet, columns, header = Sheet(opened, 78.0), [time_s], ["time_s"]
+    sheet, columns = Sheet(opened, 78.0), {"time_s": time_s}
     with style():
         for row, number in enumerate(view.outputs):
             for column, clip in enumerate(clips):
@@ -92,12 +91,12 @@ def strengths(opened: OpenedScene) -> Drawn:
                 ax.set_title(f"{frequency_of(clip):g} Hz: {ax.get_title()}", fontsize=6)
                 ax.set_ylabel("" if column else f"Output {number}\nz / strength")
                 ax.set_xlabel("" if row + 1 < len(view.outputs) else "Time (ms)")
-            columns += list(normalised[:, row])
             per = f"output_{number} per {amplitude_unit(opened.design)}"
-            header += [f"{per} at {condition.label}" for condition in opened.conditions]
+            for condition, traces_of_design in zip(opened.conditions, normalised, strict=True):
+                columns[f"{per} at {condition.label}"] = traces_of_design[row]
         handles = ax.get_legend_handles_labels()
         sheet.figure.legend(*handles, loc="upper right", ncols=5, fontsize=6)
-    return Drawn(sheet=sheet, tables={"": Table(header=header, rows=np.vstack(columns).T)})
+    return Drawn(sheet=sheet, tables={"": columns})
 
 
 def _overlay(ax: Any, opened: OpenedScene, time_ms: Floats, curves: Floats) -> None:
@@ -211,15 +210,12 @@ def output_over_input(opened: OpenedScene) -> Drawn:
             ax.legend(fontsize=6, loc="upper left")
             low, high = ax.get_ylim()
             ax.set_ylim(low, high * 12.0)
-    header, columns = ["frequency_hz"], [fits.frequency_hz]
-    for level, condition in enumerate(opened.conditions):
-        header += [f"input at {condition.label} ({unit})"]
-        header += [f"output_{number} at {condition.label} (m/s²)" for number in outputs]
-        columns += [
-            fits.input_rms[level],
-            *(fits.output_rms[level, number - 1] for number in outputs),
-        ]
-    return Drawn(sheet=sheet, tables={"": Table(header=header, rows=np.vstack(columns).T)})
+    columns = {"frequency_hz": fits.frequency_hz}
+    for level, label in enumerate(_labels(opened)):
+        columns[f"input at {label} ({unit})"] = fits.input_rms[level]
+        for number in outputs:
+            columns[f"output_{number} at {label} (m/s²)"] = fits.output_rms[level, number - 1]
+    return Drawn(sheet=sheet, tables={"": columns})
 
 
 def straightness(opened: OpenedScene) -> Drawn:
@@ -242,10 +238,10 @@ def straightness(opened: OpenedScene) -> Drawn:
         bound = f"1 − adjusted R² is at most {deviation:.0e}"
         note = bound if deviation > 0.0 else "1 to the last digit"
         ax.text(0.02, 0.06, note, transform=ax.transAxes)
-    numbers = range(1, fits.adjusted_r2.shape[0] + 1)
-    header = ["frequency_hz", *(f"output_{k}_adjusted_r2" for k in numbers)]
-    rows = np.vstack((fits.frequency_hz, fits.adjusted_r2)).T
-    return Drawn(sheet=sheet, tables={"": Table(header=header, rows=rows)})
+    columns = {"frequency_hz": fits.frequency_hz}
+    for number, adjusted_r2 in enumerate(fits.adjusted_r2, start=1):
+        columns[f"output_{number}_adjusted_r2"] = adjusted_r2
+    return Drawn(sheet=sheet, tables={"": columns})
 
 
 def superposition(opened: OpenedScene) -> Drawn:
@@ -254,14 +250,13 @@ def superposition(opened: OpenedScene) -> Drawn:
     time_s, joint = fields[-1]
     separate = fields[0][1] + fields[1][1]
     worst = pearson(separate, joint).min(axis=1)
-    outputs, header = opened.view.outputs, ["time_s"]
+    outputs, columns = opened.view.outputs, {"time_s": time_s}
     normal = normal_of(opened.design, separate), normal_of(opened.design, joint)
-    columns = [time_s]
     sheet = Sheet(opened, 70.0)
     with style():
         _draw_sums(sheet, outputs, time_s, *normal)
         ax = sheet.axes(112.0, 12.0, 62.0, 46.0)
-        numbers = np.arange(1, worst.size + 1)
+        numbers = np.arange(1.0, worst.size + 1.0)
         ax.semilogy(numbers, np.maximum(1.0 - worst, _SMALLEST), "o", ms=2.5, color=COLOURS[0])
         ax.set_ylim(_SMALLEST, 1.0)
         ax.axhline(0.01, color=COLOURS[1], lw=0.8)
@@ -270,16 +265,10 @@ def superposition(opened: OpenedScene) -> Drawn:
         ax.set_ylabel("1 − Pearson r, worst axis")
         ax.set_title("0 is drawn at the foot", fontsize=6)
     for number in outputs:
-        header += [f"output_{number}_z_separate_m_per_s2", f"output_{number}_z_joint_m_per_s2"]
-        columns += [signals[number - 1] for signals in normal]
-    numbers_and_r = np.column_stack((numbers.astype(float), worst))
-    return Drawn(
-        sheet=sheet,
-        tables={
-            "": Table(header=header, rows=np.vstack(columns).T),
-            "-correlation": Table(header=["output", "pearson_r"], rows=numbers_and_r),
-        },
-    )
+        for name, signals in zip(("separate", "joint"), normal, strict=True):
+            columns[f"output_{number}_z_{name}_m_per_s2"] = signals[number - 1]
+    correlation = {"output": numbers, "pearson_r": worst}
+    return Drawn(sheet=sheet, tables={"": columns, "-correlation": correlation})
 
 
 def _draw_sums(
@@ -359,13 +348,10 @@ def maps_figure(
             shown = replace(level, values=level.values - tops_db[k])
             image = draw_map(ax, shown, colours, title=title, bar=bar)
         sheet.colour_bar(image, left_mm + room_mm + 2.0, 24.0, 50.0, unit)
-    values = [
-        levels_for_tables(level.values) - top for level, top in zip(levels, tops_db, strict=True)
-    ]
-    header = ["output", *(f"{title.replace(',', '')} ({unit})" for title in titles)]
-    numbers = np.arange(1.0, values[0].size + 1.0)
-    table = Table(header=header, rows=np.column_stack((numbers, *values)))
-    return Drawn(sheet=sheet, tables={"": table})
+    columns = {"output": np.arange(1.0, levels[0].values.size + 1.0)}
+    for level, top_db, title in zip(levels, tops_db, titles, strict=True):
+        columns[f"{title.replace(',', '')} ({unit})"] = levels_for_tables(level.values) - top_db
+    return Drawn(sheet=sheet, tables={"": columns})
 
 
 def _labels(opened: OpenedScene) -> list[str]:
@@ -400,10 +386,10 @@ def tone_frames(opened: OpenedScene) -> Drawn:
             image = draw_map(ax, shown, (-limit, limit), title=title, signed=True, bar=bar)
         label = f"z, m/s²; colours end at {_SHARE_OF_PEAK:.0%} of the peak"
         sheet.colour_bar(image, 153.0, 20.0, 48.0, label)
-    header = ["output", *(f"z at {1e3 * time_s[k]:.3f} ms (m/s²)" for k in instants)]
-    numbers = np.arange(1.0, normal.shape[1] + 1.0)
-    table = Table(header=header, rows=np.vstack((numbers, normal)).T)
-    return Drawn(sheet=sheet, tables={"": table})
+    columns = {"output": np.arange(1.0, normal.shape[1] + 1.0)}
+    for instant, values in zip(instants, normal, strict=True):
+        columns[f"z at {1e3 * time_s[instant]:.3f} ms (m/s²)"] = values
+    return Drawn(sheet=sheet, tables={"": columns})
 
 
 def train_windows(opened: OpenedScene) -> Drawn:
@@ -424,7 +410,7 @@ def train_windows(opened: OpenedScene) -> Drawn:
         draw_extent(sheet.axes(left_mm, 6.0, width_mm, 20.0), windowed, n)
     bounds_s = windowed.windows.bounds_s(windowed.sample_rate_hz)
     header, rows = windows_table(bounds_s, windowed.extents_of_windows, windowed.rms_of_windows)
-    return Drawn(sheet=sheet, tables={"": Table(header=header, rows=rows)})
+    return Drawn(sheet=sheet, tables={"": dict(zip(header, np.transpose(rows), strict=True))})
 
 
 def _draw_stimulus(ax: Any, opened: OpenedScene, until_s: float) -> None:
@@ -482,17 +468,23 @@ def pulse_traces(opened: OpenedScene) -> Drawn:
             title = f"{1e3 * time_s[instant]:.1f} ms"
             image = draw_map(place, level, colours, title=title, bar=bar, part="hand")
         sheet.colour_bar(image, 160.0, 4.0, _FRAMES_MM - 14.0, "magnitude, dB re 1 m/s²")
-    header = ["time_s", *(f"output_{n}_{axis}_m_per_s2" for n in outputs for axis in axes)]
-    shown = np.concatenate([field[number - 1] for number in outputs])[:, within]
-    shown_at = [f"{1e3 * time_s[instant]:.3f}_ms_magnitude_m_per_s2" for instant in instants]
-    numbers = np.arange(1.0, magnitudes.shape[1] + 1.0)
-    return Drawn(
-        sheet=sheet,
-        tables={
-            "": Table(header=header, rows=np.vstack((time_s[within], shown)).T),
-            "-frames": Table(header=["output", *shown_at], rows=np.vstack((numbers, magnitudes)).T),
-        },
-    )
+    shown = field[np.array(outputs) - 1][..., within]
+    columns = {"time_s": time_s[within], **_columns_of_axes(outputs, axes, shown)}
+    frames = {"output": np.arange(1.0, magnitudes.shape[1] + 1.0)}
+    for instant, magnitude in zip(instants, magnitudes, strict=True):
+        frames[f"{1e3 * time_s[instant]:.3f}_ms_magnitude_m_per_s2"] = magnitude
+    return Drawn(sheet=sheet, tables={"": columns, "-frames": frames})
+
+
+def _columns_of_axes(
+    outputs: Sequence[int], axes: Sequence[str], values: Floats
+) -> dict[str, Floats]:
+    """Return values, (n_outputs, n_axes, n), by the names of their columns."""
+    return {
+        f"output_{number}_{axis}_m_per_s2": values[row, column]
+        for row, number in enumerate(outputs)
+        for column, axis in enumerate(axes)
+    }
 
 
 def _pulse_samples(opened: OpenedScene) -> list[int]:
@@ -516,26 +508,22 @@ def traces(opened: OpenedScene, *, colours: Sequence[str], own_scale: bool) -> D
     within = _in_time_range(opened, time_s)
     curves = [result["selected_traces"][:, within] for result in results]
     drawn_s, drawn = finer(time_s, np.stack([result["selected_traces"] for result in results]))
-    drawn_s, drawn = (
-        drawn_s[_in_time_range(opened, drawn_s)],
-        drawn[..., _in_time_range(opened, drawn_s)],
-    )
+    shown = _in_time_range(opened, drawn_s)
+    drawn_s, drawn = drawn_s[shown], drawn[..., shown]
     size = None if own_scale else common_size(list(drawn))
     rows = [_row(number, 1e3 * drawn_s, drawn[:, k], size) for k, number in enumerate(view.outputs)]
-    labels = [condition.label for condition in opened.conditions] if several else []
+    labels = _labels(opened) if several else []
     sheet, ax = _rows_sheet(opened, rows, labels, colours)
     with style():
         ax.set_xlabel("Time (ms)")
         scale = "each row relative to its peak" if own_scale else f"a row is {size:.3g} m/s² high"
         annotate_scale(ax, f"{signal_label(view.axes, view.method)}; {scale}")
-    names = [
-        f"_{condition.label.replace(' ', '_')}" if several else ""
-        for condition in opened.conditions
-    ]
-    header = ["time_s"]
-    header += [f"output_{n}{name}_m_per_s2" for name in names for n in view.outputs]
-    table = Table(header=header, rows=np.vstack((time_s[within], *curves)).T)
-    return Drawn(sheet=sheet, tables={"": table})
+    columns = {"time_s": time_s[within]}
+    for label, curves_of_design in zip(_labels(opened), curves, strict=True):
+        name = f"_{label.replace(' ', '_')}" if several else ""
+        for number, curve in zip(view.outputs, curves_of_design, strict=True):
+            columns[f"output_{number}{name}_m_per_s2"] = curve
+    return Drawn(sheet=sheet, tables={"": columns})
 
 
 def axis_spectra(opened: OpenedScene, n_bins: int = 1) -> Drawn:
@@ -559,10 +547,8 @@ def axis_spectra(opened: OpenedScene, n_bins: int = 1) -> Drawn:
         ax.set_xlabel("Frequency (Hz)")
         mean = f", mean of {n_bins} bins" if n_bins > 1 else ""
         annotate_scale(ax, f"magnitude{mean}; each row relative to its largest")
-    header = ["frequency_hz", *(f"output_{n}_{axis}_m_per_s2" for n in outputs for axis in axes)]
-    columns = of_outputs.reshape(-1, of_outputs.shape[-1])
-    table = Table(header=header, rows=np.vstack((frequency_hz[within], columns)).T)
-    return Drawn(sheet=sheet, tables={"": table})
+    columns = _columns_of_axes(outputs, axes, of_outputs)
+    return Drawn(sheet=sheet, tables={"": {"frequency_hz": frequency_hz[within], **columns}})
 
 
 def _rows_sheet(

@@ -1,7 +1,6 @@
 """The page of a figure: heading, drawing and notes below it, with the data that figures share."""
 
 import textwrap
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -123,22 +122,6 @@ _EDGE_MM, _HEAD_MM, _LINE_MM, _FOOT_EDGE_MM = 4.0, 9.0, 3.2, 3.0
 _LINE_CHARACTERS = 128
 
 
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Table:
-    """Numbers of a drawing.
-
-    Attributes
-    ----------
-    header
-        Names of the columns, with units.
-    rows : (n_rows, n_columns)
-        Numbers.
-    """
-
-    header: Sequence[str]
-    rows: Floats
-
-
 class Sheet:
     """A page for a drawing.
 
@@ -221,11 +204,12 @@ class Drawn:
     sheet
         Page of the figure.
     tables
-        Tables by the suffix of the name of their file; that of the first one is empty.
+        Tables by the suffix of the name of their file, which is empty for the first one: the
+        numbers of each column, (n_rows,), by its name, with its unit.
     """
 
     sheet: Sheet
-    tables: dict[str, Table]
+    tables: dict[str, dict[str, Floats]]
 
     @property
     def figure(self) -> Any:

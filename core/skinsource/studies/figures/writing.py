@@ -114,6 +114,6 @@ def _write(folder: Path, opened: OpenedScene, drawn: Drawn, stop: Stop) -> list[
         path = folder / f"{name}{suffix}.csv"
         with output_file(path, stop) as file:
             lines = about(opened, maps=drawn.sheet.maps)
-            CsvTable(file, lines, table.header, stop).add(table.rows)
+            CsvTable(file, lines, list(table), stop).add(np.column_stack(list(table.values())))
         written.append(path)
     return written

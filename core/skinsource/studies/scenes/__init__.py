@@ -1,7 +1,7 @@
 """The scenes of the paper: panels of its figures as designs that can be opened and edited.
 
-Each is a design file in the data folder, with the view that shows it; they are made by ``python -m
-skinsource.studies.scenes``.
+Each is a design file in the data folder, with the view that shows it; ``scenes.toml`` there tells
+what each shows.
 
 >>> import skinsource as ss
 >>> ss.scenes.names()[:3]

@@ -1,10 +1,12 @@
 """The catalog of scenes: their names, their files, how they are opened, and their titles."""
 
 import re
+import tomllib
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 from skinsource.base.arguments import checking
 from skinsource.base.assets import data_folder
@@ -24,9 +26,8 @@ from skinsource.studies.scenes.opened_scene import (
     opened_on,
     reason_against,
 )
-from skinsource.studies.scenes.shipped import SHIPPED
 
-FOLDER = "scenes"
+FOLDER, DESCRIPTIONS = "scenes", "scenes.toml"
 
 
 def scenes_folder() -> Path:
@@ -36,7 +37,7 @@ def scenes_folder() -> Path:
 
 def all_scenes() -> tuple[Scene, ...]:
     """Return every scene, in the order of the figures."""
-    return tuple(made.scene for made in SHIPPED)
+    return _scenes_in(scenes_folder() / DESCRIPTIONS)
 
 
 def names() -> tuple[str, ...]:
@@ -228,3 +229,15 @@ def _played_content(design: Design, *, moved: bool) -> Design:
 @lru_cache(maxsize=64)
 def _designs_of(path: Path) -> tuple[Design, ...]:
     return compared(open_design(path))
+
+
+@lru_cache(maxsize=1)
+def _scenes_in(path: Path) -> tuple[Scene, ...]:
+    scenes = []
+    for entry in tomllib.loads(path.read_text(encoding="utf-8"))["scene"]:
+        fields: dict[str, Any] = {
+            name: tuple(value) if isinstance(value, list) else value
+            for name, value in entry.items()
+        }
+        scenes.append(Scene(**fields))
+    return tuple(scenes)

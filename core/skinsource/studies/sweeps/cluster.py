@@ -53,7 +53,7 @@ class Cluster:
         with self._client() as client:
             # Not pure: a later sweep of the same plan is measured again.
             executor = client.get_executor(pure=False, retries=_RETRIES)
-            submit = partial(executor.submit, measure_chunk, plan.text, plan.digest)
+            submit = partial(executor.submit, measure_chunk, plan, plan.digest)
             under_way = _CHUNKS_PER_THREAD * max(sum(client.nthreads().values()), 1)
             try:
                 yield from rows_of(submit, chunks(numbers), under_way, stop)
@@ -77,7 +77,7 @@ class Cluster:
             ) from error
 
 
-def measure_chunk(text: str, digest: str, numbers: tuple[int, ...]) -> list[Row]:
+def measure_chunk(plan: Plan, digest: str, numbers: tuple[int, ...]) -> list[Row]:
     """Measure on a worker; each of its threads has a measurer for the plan."""
-    prepare(text, digest)
+    prepare(plan, digest)
     return measure(numbers)

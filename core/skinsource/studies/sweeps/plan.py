@@ -27,9 +27,8 @@ from skinsource.lab.matching import Strengths
 from skinsource.perception.sensation import sensation_levels_db
 from skinsource.signals.projection import Method
 from skinsource.specs import models
-from skinsource.specs.codec import from_text, to_text
+from skinsource.specs.codec import to_text
 from skinsource.specs.models import specs_of
-from skinsource.specs.spec import Address
 
 Level = Literal["drive", "loudest_100ms", "above_threshold", "matched"]
 LEVELS: tuple[Level, ...] = get_args(Level)
@@ -477,7 +476,7 @@ class Plan:
 
     @property
     def text(self) -> str:
-        """The whole plan as text, for `plan_of`."""
+        """The whole plan as text."""
         tree: Tree = {
             "designs": [[name, models.encode(design)] for name, design in self.designs],
             "variables": [[name, list(values)] for name, values in self.variables],
@@ -503,31 +502,6 @@ class Plan:
         return rest, tuple(reversed(picked))
 
 
-def plan_of(text: str) -> Plan:
-    """Return the plan that `Plan.text` wrote.
-
-    Raises
-    ------
-    FileFormatError
-        The text holds something else.
-    """
-    tree = from_text(text, _FORMAT)
-    return Plan(
-        designs=tuple(
-            (name, models.decode(content, (Design,), Address(("designs", name))))
-            for name, content in tree["designs"]
-        ),
-        variables=tuple((name, tuple(map(_value, values))) for name, values in tree["variables"]),
-        outputs=tuple(tree["outputs"]),
-        axes=tree["axes"],
-        method=tree["method"],
-        level=tree["level"],
-        level_db=tree["level_db"],
-        strengths=_strengths(tree["strengths"]),
-        limits=models.decode(tree["limits"], (Limits,), Address(("limits",))),
-    )
-
-
 def chunks(numbers: Iterable[int]) -> Iterator[tuple[int, ...]]:
     """Yield numbers of stimuli in their order, a batch at a time."""
     for _, chunk in groupby(numbers, lambda number: (number - 1) // BATCH_SIZE):
@@ -539,15 +513,3 @@ def _tree_of(strengths: Strengths) -> Tree:
         "points": [list(point) for point in strengths.points],
         "reference": list(strengths.reference),
     }
-
-
-def _strengths(tree: Tree) -> Strengths | None:
-    if tree is None:
-        return None
-    points = tuple((place, hertz, level_db) for place, hertz, level_db in tree["points"])
-    place, hertz = tree["reference"]
-    return Strengths(points, (place, hertz))
-
-
-def _value(tree: Tree) -> Value:
-    return tuple(tree) if isinstance(tree, list) else tree

@@ -19,7 +19,7 @@ from skinsource.base.errors import StorageError
 from skinsource.base.job import Stop, never, stop_if
 from skinsource.studies.sweeps.measuring import Measurer, metrics_or_reason
 from skinsource.studies.sweeps.metrics import Metrics
-from skinsource.studies.sweeps.plan import Plan, plan_of
+from skinsource.studies.sweeps.plan import Plan
 
 #: Number of a stimulus, and its metrics or the reason why it has none.
 Row = tuple[int, Metrics | str]
@@ -114,27 +114,27 @@ def _pool(plan: Plan, processes: int) -> Any:
         processes,
         timeout=_IDLE_S,
         initializer=_begin,
-        initargs=(plan.text, plan.digest),
+        initargs=(plan, plan.digest),
         env=_ENVIRONMENT,
     )
 
 
-def _begin(text: str, digest: str) -> None:
+def _begin(plan: Plan, digest: str) -> None:
     # Ctrl-C goes to the whole group of processes; the first one ends the others.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     keep_freed_memory()
     # Modules stay: a garbage collection through them takes as long as a hundred stimuli.
     gc.freeze()
-    prepare(text, digest)
+    prepare(plan, digest)
 
 
 _thread = local()
 
 
-def prepare(text: str, digest: str) -> None:
-    """Make this thread measure stimuli of a plan, given by its text and digest."""
+def prepare(plan: Plan, digest: str) -> None:
+    """Make this thread measure stimuli of a plan with this digest."""
     if getattr(_thread, "digest", None) != digest:
-        _thread.measurer = Measurer(plan_of(text))
+        _thread.measurer = Measurer(plan)
         _thread.digest = digest
 
 

@@ -1,9 +1,11 @@
-"""Wavelets and glides to 50 digits, rounded once: ``wavelets.npz``, read by their tests.
+"""Stored samples of waveforms are those of their formulas to 40 or 50 digits, rounded.
 
-Each is its documented formula in mpmath at some instants of its samples.  Nothing here knows the
+``periodic_waveforms.npz`` and ``wavelets.npz`` hold cases, read by their tests: a kind, its fields
+by position, a rate and a shift, and some instants with their values.  Each formula is the
+documented one in mpmath, summed harmonic by harmonic where it is a series.  Nothing here knows the
 library.
 
-    python tests/references/make_wavelets.py
+    python tests/references/check_waveforms.py
 """
 
 import json
@@ -11,12 +13,86 @@ from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
-from mpmath import cos, exp, floor, mp, mpf, pi, sin, sqrt
+from mpmath import ceil, cos, exp, floor, fsum, log, mp, mpf, pi, sin, sqrt
 
-#: Instants of each case: so many anywhere, and so many at each end.
-N_ANYWHERE, N_ENDS = 380, 10
-TRAIN = (50.0, 84.1, 141.4, 237.8, 400.0)
-GLIDE = ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0), (0.4, 240.0, 1.0), (0.5, 240.0, 0.0))
+
+def turn(frequency_hz, time, phase_rad=0.0):
+    """Phase of a tone, in rad."""
+    return 2 * pi * mpf(frequency_hz) * time + mpf(phase_rad)
+
+
+def harmonics(frequency_hz, rate_hz):
+    """Numbers of the harmonics below half the rate."""
+    return range(1, int(ceil(mpf(rate_hz) / 2 / mpf(frequency_hz))))
+
+
+def chirp(time, rate_hz, start_hz, end_hz, duration_s, law="linear", phase_rad=0.0):
+    """The integral of the frequency."""
+    start, end, length = mpf(start_hz), mpf(end_hz), mpf(duration_s)
+    if law == "linear":
+        turns = start * time + (end - start) * time**2 / (2 * length)
+    else:
+        ratio = end / start
+        turns = start * length * (ratio ** (time / length) - 1) / log(ratio)
+    return sin(2 * pi * turns + mpf(phase_rad))
+
+
+def damped_sine(time, rate_hz, frequency_hz, decay_s, duration_s, phase_rad=0.0):
+    """A sine times its decay."""
+    return exp(-time / mpf(decay_s)) * sin(turn(frequency_hz, time, phase_rad))
+
+
+def square(time, rate_hz, frequency_hz, duty, duration_s, phase_rad=0.0):
+    """High for the first ``duty`` of each turn."""
+    high, angle = mpf(duty), turn(frequency_hz, time, phase_rad)
+    return (2 * high - 1) + fsum(
+        4 / (pi * h) * sin(pi * h * high) * cos(h * (angle - pi * high))
+        for h in harmonics(frequency_hz, rate_hz)
+    )
+
+
+def saw(time, rate_hz, frequency_hz, duration_s, phase_rad=0.0):
+    """2 u for -1/2 < u < 1/2."""
+    angle = turn(frequency_hz, time, phase_rad)
+    return fsum(
+        (-1) ** (h + 1) * 2 / (pi * h) * sin(h * angle) for h in harmonics(frequency_hz, rate_hz)
+    )
+
+
+def triangle(time, rate_hz, frequency_hz, duration_s, phase_rad=0.0):
+    """1 - 4 |u - 1/4| for -1/4 < u < 3/4."""
+    angle = turn(frequency_hz, time, phase_rad)
+    return fsum(
+        (-1) ** ((h - 1) // 2) * 8 / (pi * h) ** 2 * sin(h * angle)
+        for h in harmonics(frequency_hz, rate_hz)
+        if h % 2
+    )
+
+
+def pulse_train(time, rate_hz, rate, pulse_s, duration_s, phase_rad=0.0):
+    """1 for the first ``pulse_s`` of each turn, then 0."""
+    high, angle = mpf(rate) * mpf(pulse_s), turn(rate, time, phase_rad)
+    return high + fsum(
+        2 / (pi * h) * sin(pi * h * high) * cos(h * (angle - pi * high))
+        for h in harmonics(rate, rate_hz)
+    )
+
+
+def amplitude_modulated(
+    time, rate_hz, carrier_hz, modulator_hz, depth, duration_s, phase_rad=0.0, modulator_rad=0.0
+):
+    """Carrier and two lines beside it."""
+    swell = 1 + mpf(depth) * cos(turn(modulator_hz, time, modulator_rad))
+    return swell / (1 + mpf(depth)) * sin(turn(carrier_hz, time, phase_rad))
+
+
+def frequency_modulated(
+    time, rate_hz, carrier_hz, modulator_hz, deviation, duration_s, phase_rad=0.0, modulator_rad=0.0
+):
+    """The frequency is carrier + deviation cos(2 pi modulator t + modulator phase)."""
+    index = mpf(deviation) / mpf(modulator_hz)
+    swing = sin(turn(modulator_hz, time, modulator_rad)) - sin(mpf(modulator_rad))
+    return sin(turn(carrier_hz, time, phase_rad) + index * swing)
 
 
 def gabor_length(frequency_hz, cycles=4.0, phase_rad=0.0):
@@ -152,8 +228,19 @@ def glide(time, points):
     return mpf(0)
 
 
+#: Formula of each periodic kind.
+PERIODIC = {
+    "Chirp": chirp,
+    "DampedSine": damped_sine,
+    "Square": square,
+    "Saw": saw,
+    "Triangle": triangle,
+    "PulseTrain": pulse_train,
+    "AmplitudeModulated": amplitude_modulated,
+    "FrequencyModulated": frequency_modulated,
+}
 #: Formula, length, whether times are from the middle of all samples.
-FORMULAS = {
+WAVELETS = {
     "Gabor": (gabor, gabor_length, True),
     "Ricker": (ricker, ricker_length, True),
     "Morlet": (morlet, morlet_length, True),
@@ -163,88 +250,32 @@ FORMULAS = {
     "WaveletTrain": (train, train_length, False),
     "Glide": (glide, glide_length, False),
 }
-WIGGLE = tuple((0.02 * k, 100.0 + 90.0 * (-1) ** k, 1.0 - 0.01 * k) for k in range(80))
-#: Kind, its fields by position, sample rate in Hz, shift in samples.
-CASES = (
-    ("Gabor", (250.0,), 1300.0, 0.0),
-    ("Gabor", (250.0,), 1300.0, 0.37),
-    ("Gabor", (25.0, 0.5, 1.0), 1300.0, 0.0),
-    ("Gabor", (600.0, 0.5, -1.0), 1300.0, 0.9),
-    ("Gabor", (249.9, 10_000.0, 0.3), 1300.0, 0.61),
-    ("Gabor", (649.9, 40.0), 1300.0, 0.0),
-    ("Gabor", (100.0, 4.0), 48000.0, 0.25),
-    ("Gabor", (0.1, 4.0), 1300.0, 0.0),
-    ("Ricker", (100.0,), 1300.0, 0.0),
-    ("Ricker", (100.0,), 1300.0, 0.5),
-    ("Ricker", (0.1,), 1300.0, 0.25),
-    ("Ricker", (600.0,), 48000.0, 0.1),
-    ("Ricker", (649.9,), 1300.0, 0.0),
-    ("Morlet", (100.0,), 1300.0, 0.0),
-    ("Morlet", (250.0, 1.0), 1300.0, 0.37),
-    ("Morlet", (249.9, 1000.0), 1300.0, 0.5),
-    ("Morlet", (60.0, 5.0), 48000.0, 0.8),
-    ("Morlet", (0.1, 6.0), 1300.0, 0.0),
-    ("Chirplet", (150.0, 1500.0, 0.03), 1300.0, 0.0),
-    ("Chirplet", (150.0, -3000.0, 0.03), 1300.0, 0.41),
-    ("Chirplet", (300.0, 2.5, 60.0), 1300.0, 0.77),
-    ("Chirplet", (20_000.0, 900_000.0, 0.002), 48000.0, 0.2),
-    ("Chirplet", (250.0, 0.0, 0.001), 1300.0, 0.0),
-    ("CentredTap", (0.02,), 1300.0, 0.0),
-    ("CentredTap", (0.0123,), 1300.0, 0.63),
-    ("CentredTap", (0.004,), 48000.0, 0.5),
-    ("CentredTap", (10.0,), 1300.0, 0.1),
-    ("Tap", (), 1300.0, 0.0),
-    ("Tap", (), 1300.0, 0.5),
-    ("Tap", (), 48000.0, 0.3),
-    ("WaveletTrain", (TRAIN,), 1300.0, 0.0),
-    ("WaveletTrain", (TRAIN, 4.0, 0.12, "gabor", "energy"), 1300.0, 0.43),
-    ("WaveletTrain", (TRAIN, 6.0, 0.05, "hann", "none", (0.0, -3.0, 6.0, 1.5, -20.0)), 1300.0, 0.1),
-    ("WaveletTrain", (TRAIN, 4.0, 0.013, "ricker", "energy"), 1300.0, 0.0),
-    ("WaveletTrain", (TRAIN, 7.0, 0.02, "gabor"), 48000.0, 0.7),
-    ("WaveletTrain", ((300.0, 249.9), 1000.0, 60.0, "gabor"), 1300.0, 0.2),
-    ("Glide", (GLIDE,), 1300.0, 0.0),
-    ("Glide", (GLIDE,), 48000.0, 0.57),
-    ("Glide", (WIGGLE,), 1300.0, 0.33),
-    ("Glide", (((0.0, 649.9, 1.0), (600.0, 0.0, 0.1)),), 1300.0, 0.33),
-    (
-        "Glide",
-        (((0.3, 250.1, 0.5), (0.5, 250.1, 1.0), (0.5, 80.3, 0.2), (60.0, 81.7, 1.0)),),
-        1300.0,
-        0.0,
-    ),
-)
 
 
-def some_instants(n: int, seed: int) -> list[int]:
-    """Numbers of samples, by a linear congruential generator, and those at both ends."""
-    state, result = seed, {k % n for k in range(-N_ENDS, N_ENDS)}
-    for _ in range(N_ANYWHERE):
-        state = (6364136223846793005 * state + 1442695040888963407) % 2**64
-        result.add((state >> 11) * n >> 53)
-    return sorted(result)
+def periodic_value(k, kind, fields, rate_hz, shift_s):
+    """Sample ``k`` of a periodic waveform."""
+    time = mpf(k) / mpf(rate_hz) - mpf(shift_s)
+    return PERIODIC[kind](time, rate_hz, *fields) if time >= 0 else mpf(0)
+
+
+def wavelet_value(k, kind, fields, rate_hz, shift_s):
+    """Sample ``k`` of a wavelet or glide."""
+    formula, length, centred = WAVELETS[kind]
+    time = mpf(k) / mpf(rate_hz) - mpf(shift_s)
+    if time < 0:
+        return mpf(0)
+    n = int(floor(length(*fields) * mpf(rate_hz) + mpf(1) / 2))
+    return formula(time - mpf(n - 1) / (2 * mpf(rate_hz)) if centred else time, *fields)
 
 
 def main() -> None:
-    """Write the file."""
-    mp.dps = 50
-    cases, stored = [], {}
-    for number, (kind, fields, rate_hz, part) in enumerate(CASES):
-        formula, length, centred = FORMULAS[kind]
-        shift_s = part / rate_hz
-        n = int(floor(length(*fields) * mpf(rate_hz) + mpf(1) / 2))
-        places = some_instants(n + (part > 0), number + 1)
-        values = []
-        for k in places:
-            time = mpf(k) / mpf(rate_hz) - mpf(shift_s)
-            begun = time >= 0
-            if centred:
-                time -= mpf(n - 1) / (2 * mpf(rate_hz))
-            values.append(float(formula(time, *fields)) if begun else 0.0)
-        cases.append({"kind": kind, "fields": fields, "rate_hz": rate_hz, "shift_s": shift_s})
-        stored[f"places_{number}"] = np.array(places, np.int32)
-        stored[f"values_{number}"] = np.array(values)
-    path = Path(__file__).with_name("wavelets.npz")
-    np.savez_compressed(path, cases=np.array(json.dumps(cases)), **stored)
+    """Compare all stored values."""
+    files = (("periodic_waveforms", 40, periodic_value), ("wavelets", 50, wavelet_value))
+    for name, mp.dps, value in files:
+        with np.load(Path(__file__).with_name(f"{name}.npz")) as stored:
+            for number, case in enumerate(json.loads(str(stored["cases"]))):
+                exact = [float(value(int(k), **case)) for k in stored[f"places_{number}"]]
+                np.testing.assert_array_equal(exact, stored[f"values_{number}"], str(case))
 
 
 if __name__ == "__main__":

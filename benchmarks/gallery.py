@@ -1,6 +1,6 @@
 """The gallery of scenes: a picture of each, and a page of the documentation that shows them.
 
-    python -m skinsource.studies.figures.gallery resources/scenes docs/scenes.md
+    python benchmarks/gallery.py resources/scenes docs/scenes.md
 
 Pictures are computed on the synthetic limbs, whatever is installed: they may be distributed.
 """
@@ -32,7 +32,7 @@ Panels of the figures of the SkinSource paper as designs: `ss.scenes.open_scene(
 `skinsource scenes 2F --out 2F.skinsource` and File > Scenes… open them. `skinsource figures --out
 FOLDER` draws them on the measured limbs where those are installed. The pictures below are computed
 on the **synthetic** limbs, which need not do what the sentences say of the measured ones. Made
-by `python -m skinsource.studies.figures.gallery`; do not edit.
+by `python benchmarks/gallery.py`; do not edit.
 """
 
 
