@@ -7,7 +7,6 @@ from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.panels.inspector.panel import InputHeading
-from skinsource_gui.qt.buttons import LetterButton
 from tests.gui.inspector.bench import Bench, design_of
 
 LEFT = Qt.MouseButton.LeftButton
@@ -62,12 +61,6 @@ def test_what_a_waveform_does_not_have_is_left_alone(qtbot):
     assert bench.design.inputs[1].clips[0].waveform == Noise()
     bench.choose("kind", "Tap")
     assert [type(track.clips[0].waveform) for track in bench.design.inputs] == [Tap, Tap, Tone]
-
-
-def test_buttons_mute_and_solo_all(qtbot):
-    bench = two(qtbot)
-    QTest.mouseClick(bench.panel.findChild(LetterButton, "mute_button"), LEFT)
-    assert [track.muted for track in bench.design.inputs] == [True, False, True]
 
 
 def test_a_drag_held_while_its_input_goes_edits_nothing_more_and_raises_nothing(qtbot):
