@@ -1,13 +1,11 @@
 """Breakpoints as a small curve."""
 
-import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource.design.effects.breakpoints import curve_at, with_point_after
 from skinsource.design.effects.level import POINTS
 from skinsource_gui.fields.curve_field import CurveField
 
@@ -90,28 +88,6 @@ def test_beside_the_curve_a_click_adds_nothing_and_a_double_click_a_point_just_t
     assert len(field.value) == 4
     assert (field.place_of(1) - QPointF(beside)).manhattanLength() < 2.0
     assert field.chosen == 1
-
-
-def test_keys_add_and_remove_as_in_the_clip_editor(field):
-    field.end_x = 0.5
-    field.setFocus()
-    QTest.keyClick(field, Qt.Key.Key_End)
-    QTest.keyClick(field, Qt.Key.Key_Insert)
-    expected, number = with_point_after(START, 2, 0.5)
-    assert (field.value, field.chosen) == (expected, number)
-    assert field.value[3][0] == pytest.approx(0.35)
-    QTest.keyClick(field, Qt.Key.Key_Delete)
-    assert (field.value, field.chosen) == (START, 2)
-
-
-def test_a_point_that_is_added_bends_nothing(field):
-    field.set_value(((0.0, 0.1, "smooth"), (0.1, 1.0, "smooth"), (0.2, 0.3, "smooth")))
-    at, before = np.linspace(0.0, 0.2, 101), field.value
-    field.setFocus()
-    QTest.keyClick(field, Qt.Key.Key_Home)
-    QTest.keyClick(field, Qt.Key.Key_Insert)
-    assert len(field.value) == 4
-    assert curve_at(field.value, at) == pytest.approx(curve_at(before, at), abs=1e-9)
 
 
 def test_keys_choose_move_continue_add_and_remove(field):

@@ -30,13 +30,6 @@ def make_cell(qtbot):
     return make
 
 
-def test_a_number_is_typed(make_cell):
-    cell = make_cell(FREQUENCY, 100.0)
-    QTest.keyClicks(cell.field, "250")
-    QTest.keyClick(cell.field, Qt.Key.Key_Return)
-    assert cell.edits == [("one", 250.0)]
-
-
 def test_a_choice_is_chosen(make_cell):
     spec = ChoiceSpec(label="Size", options=(("s", "Small"), ("l", "Large")))
     cell = make_cell(spec, "s")
@@ -121,19 +114,6 @@ def test_a_formula_that_is_refused_stays_as_it_is_typed(make_cell):
     assert "column" not in cell.note
     cell.set_value("another")
     assert cell.field.text() == "another"
-
-
-def test_quick_keys_of_a_formula_are_one_gesture_until_enter(make_cell, qtbot):
-    cell = make_cell(FORMULA, "t")
-    gestures = []
-    cell.edited.connect(lambda name, value, gesture: gestures.append(gesture))
-    cell.field.moveCursor(QTextCursor.MoveOperation.End)
-    QTest.keyClicks(cell.field, "+12")
-    QTest.keyClick(cell.field, Qt.Key.Key_Return)
-    QTest.keyClicks(cell.field, "3")
-    assert cell.field.text() == "t+123"
-    assert gestures[0] == gestures[1] != gestures[2]
-    assert None not in gestures
 
 
 def test_a_long_formula_is_wrapped_and_pasted_lines_become_one(make_cell):

@@ -20,10 +20,8 @@ def of(part, panel):
     return QRect(part.mapTo(panel, part.rect().topLeft()), part.size())
 
 
-@pytest.mark.parametrize("arrangement", ["arrange_design", "arrange_presentation"])
-def test_nothing_lies_on_the_map_or_on_the_ends_of_its_range(large, settle, arrangement):
+def test_nothing_lies_on_the_map_or_on_the_ends_of_its_range(large, settle):
     window = large
-    window.do(arrangement)
     window.resize(1366, 768)
     settle()
     assert window.appearance.text_scale == LARGEST_TEXT

@@ -146,14 +146,6 @@ def glide_cell(make_cell, points):
     return cell
 
 
-def test_points_are_seen_as_two_curves_each_with_its_own_bends(make_cell):
-    cell = glide_cell(make_cell, Glide().points)
-    assert cell.curves["frequency"].curve == curve_of(Glide().points, "frequency")
-    assert cell.curves["amplitude"].curve == ((0.0, 0.0), (0.1, 1.0), (0.4, 1.0), (0.5, 0.0))
-    assert cell.curves["frequency"].text == "Frequency · 1/4 · 0 ms · 60 Hz"
-    assert cell.curves["amplitude"].text == "Amplitude · 1/4 · 0 ms · 0"
-
-
 def test_a_point_that_is_dragged_moves_its_curve_and_not_the_other(make_cell):
     cell = glide_cell(make_cell, Glide().points)
     curve = cell.curves["frequency"]

@@ -42,7 +42,7 @@ def test_thirty_two_outputs_differ_in_colour_or_strokes(theme):
     assert all(not pens[rank].dashPattern() for rank in range(8))
 
 
-@pytest.mark.parametrize("rank", [0, 8, 16, 24])
+@pytest.mark.parametrize("rank", [0, 8, 24])
 def test_curves_and_rings_of_one_colour_have_strokes_of_their_own(qapp, rank):
     theme = THEMES["light"]
 

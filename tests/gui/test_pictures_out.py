@@ -20,7 +20,6 @@ from skinsource_gui.plots.pictures import (
     save_drawing,
     with_caption,
 )
-from skinsource_gui.plots.small_map import bar_length_mm
 from skinsource_gui.qt.theme import DARK, LIGHT, current_theme
 from tests.gui.dock_bench import bar_with, click_tab, titles
 
@@ -167,12 +166,6 @@ def test_a_panel_whose_tab_is_clicked_is_in_use_and_named_where_its_picture_is_a
         assert asked.pop() == f"Export picture of the panel {title}"
 
 
-def test_the_bar_is_the_longest_round_length_in_a_quarter_of_the_room():
-    assert bar_length_mm(1.0, 250.0) == 50
-    assert bar_length_mm(1.0, 400.0) == 100
-    assert bar_length_mm(100.0, 10.0) == 1
-
-
-def test_what_to_cite_is_copied(window, qapp):
-    window.do("copy_citation")
+def test_what_to_cite_is_copied(open_window, qapp):
+    open_window(DESIGN).do("copy_citation")
     assert "10.1109/HAPTICS59260.2024.10520852" in qapp.clipboard().text()

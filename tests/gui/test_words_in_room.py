@@ -56,7 +56,7 @@ def above_a_plot(parent):
     return bar
 
 
-@pytest.mark.parametrize("scale", [1.0, 1.25, 1.5, 2.0, 3.0])
+@pytest.mark.parametrize("scale", [1.0, 2.0])
 @pytest.mark.parametrize("make", [beside_the_ruler, above_a_plot])
 def test_in_any_room_words_settle_in_one_size(qtbot, make, scale):
     host, fits = QWidget(), Fits()
@@ -68,7 +68,7 @@ def test_in_any_room_words_settle_in_one_size(qtbot, make, scale):
     column.addWidget(bar)
     host.show()
     qtbot.waitExposed(host)
-    for width in (*range(40, 1200, 7), *range(1200, 40, -13)):
+    for width in (*range(40, 1200, 17), *range(1200, 40, -29)):
         fits.count = 0
         bar.installEventFilter(fits)
         host.resize(width, 200)
