@@ -35,6 +35,7 @@ from skinsource_gui.plots.pictures import (
     ask_picture_options,
     caption_px,
     drawn_image,
+    lines_of,
     save_drawing,
     with_caption,
 )
@@ -139,19 +140,11 @@ def _line_px(plot: Plot) -> float:
 
 
 def _heading_lines(plot: Plot) -> list[str]:
-    """Return the heading in as many lines as its parts need; a part that is too long is broken."""
-    metrics, room_px = QFontMetricsF(plot.text_font), plot.width() - 2 * UNIT_PX
-    lines: list[str] = []
-    for part in () if plot.curves is None else plot.curves.heading:
-        between = " · "
-        for word in [part] if metrics.horizontalAdvance(part) <= room_px else part.split(" "):
-            longer = f"{lines[-1]}{between}{word}" if lines else word
-            if lines and metrics.horizontalAdvance(longer) <= room_px:
-                lines[-1] = longer
-            else:
-                lines.append(word)
-            between = " "
-    return lines
+    """Return the heading in as many lines as it needs."""
+    if plot.curves is None or not plot.curves.heading:
+        return []
+    heading = "\N{NO-BREAK SPACE}· ".join(plot.curves.heading)
+    return lines_of(heading, QFontMetricsF(plot.text_font), plot.width() - 2 * UNIT_PX)
 
 
 def _legend_lines(plot: Plot) -> list[list[tuple[int, QPen | None, str]]]:
@@ -369,9 +362,16 @@ class SignalView(QWidget):
     ) -> QToolButton:
         """Return a new switch of the menu, which the toolbar shows too while it is on."""
         button = self.toolbar.add_switch(name, text, hint, toggled)
-        self.toolbar.show_passing(button, False)
         self._in_menu.append(button)
+        self.show_switch(button, False)
         return button
+
+    def show_switch(self, button: QToolButton, on: bool) -> None:
+        """Show whether a switch is on; one of the menu is seen only then."""
+        if button in self._in_menu:
+            self.toolbar.show_passing(button, on)
+        else:
+            button.setChecked(on)
 
     def set_view(
         self, axis: XAxis, zoom: Range | None, *, stacked: bool, fitted: bool = False
