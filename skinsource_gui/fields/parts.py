@@ -328,9 +328,15 @@ class FieldsRow(QWidget):
         The title; emits drags and keys.
     before, after
         Buttons before and after the title; the last one removes the row.
+
+    Attributes
+    ----------
+    part
+        The model that is shown.
     """
 
     removed = Signal()
+    part: Any = None
 
     def __init__(
         self, title: RowTitle, before: Sequence[QWidget], after: Sequence[QWidget], gap_px: int
@@ -404,7 +410,6 @@ class PartRow(FieldsRow):
 
     def __init__(self, spec: ModelSpec, new_editor: NewEditor) -> None:
         self._spec, self._new_editor = spec, new_editor
-        self.part: Any = None
         self.fields: PartFields | None = None
         self._up = _step_button("↑", "Move up", "shift_up")
         self._down = _step_button("↓", "Move down", "shift_down")
@@ -532,6 +537,26 @@ class RowColumn(QWidget, Generic[Row]):
             stops = stops or [self._head]
             stops[min(was_focused[0], len(stops) - 1)].setFocus(Qt.FocusReason.OtherFocusReason)
 
+    def rows_for(
+        self, parts: Parts, new_row: Callable[[Any], Row], *, same_kind: bool = False
+    ) -> tuple[Row, ...]:
+        """Return a row for each part: its own, else that at its place, else a new one.
+
+        ``same_kind``: the row at its place fits only a part of the same kind.
+        """
+        own = {id(row.part): row for row in reversed(self.rows)}
+        left = set(self.rows) - {own[id(part)] for part in parts if id(part) in own}
+        rows: list[Row] = []
+        for index, part in enumerate(parts):
+            row = own.pop(id(part), None)
+            if row is None:
+                at_place = self.rows[index] if index < len(self.rows) else None
+                fits = at_place in left and (not same_kind or type(at_place.part) is type(part))
+                row = at_place if fits else new_row(part)
+                left.discard(row)
+            rows.append(row)
+        return tuple(rows)
+
     def order_stops(self) -> None:
         """Set the order of the Tab key along the rows."""
         before = self._head
@@ -640,7 +665,7 @@ class PartsEditor(Editor, QWidget):
             row.forget_typing()
 
     def _show(self) -> None:
-        count, rows = len(self._value), _rows_of(self._value, self.rows, self._new_row)
+        count, rows = len(self._value), self._column.rows_for(self._value, self._new_row)
         for index, part in enumerate(self._value):
             rows[index].show_part(part, index, count, self._spec.fewest)
         self._column.show_rows(rows)
@@ -649,7 +674,7 @@ class PartsEditor(Editor, QWidget):
         reason = f"There are at most {self._spec.most}; remove one first"
         self._add.setToolTip(tooltip(reason if full else "Add one at the end"))
 
-    def _new_row(self) -> PartRow:
+    def _new_row(self, _part: Any) -> PartRow:
         row = PartRow(self._of, self._new_editor)
         row.edited.connect(lambda part, gesture: self._change(row, part, gesture))
         row.removed.connect(lambda: self._remove(row))
@@ -691,22 +716,3 @@ class PartsEditor(Editor, QWidget):
             self._value = parts
             self._show()
             self.edited.emit(parts, gesture)
-
-
-def _rows_of(
-    parts: Parts, rows: tuple[PartRow, ...], new_row: Callable[[], PartRow]
-) -> tuple[PartRow, ...]:
-    """Return a row for each part: that which shows it, else that at its index, else a new one."""
-    left = list(rows)
-    row_at: dict[int, PartRow] = {}
-    for index, part in enumerate(parts):
-        own = next((row for row in left if row.part is part), None)
-        if own is not None:
-            row_at[index] = own
-            left.remove(own)
-    for index in range(len(parts)):
-        if index not in row_at:
-            same_place = [row for row in rows[index : index + 1] if row in left]
-            row_at[index] = same_place[0] if same_place else new_row()
-            left = [row for row in left if row not in same_place]
-    return tuple(row_at[index] for index in range(len(parts)))

@@ -4,7 +4,7 @@
 """
 
 from dataclasses import dataclass, replace
-from itertools import accumulate
+from itertools import accumulate, islice
 
 from PySide6.QtCore import QEvent, QPointF, QRect, QSize, Qt
 from PySide6.QtGui import (
@@ -179,6 +179,16 @@ class LegendLayout:
                 return detail, fitting
         return details[-1], 0
 
+    def placed(self) -> tuple[Detail, list[tuple[int, int]], int]:
+        """Return parts of entries, x and line of those that fit, and the line of the crosshair."""
+        detail = self.in_lines
+        if detail is not None:
+            *places, (_, last) = self.lines(detail)
+            return detail, places, last
+        detail, fitting = self.fitting()
+        ends = accumulate(self._widths(detail), initial=UNIT_PX // 2)
+        return detail, [(x, 0) for x in islice(ends, fitting)], 0
+
     @property
     def in_lines(self) -> Detail | None:
         """Parts of entries that take more than one line; None: there is one line.
@@ -249,59 +259,9 @@ class LegendLayout:
         return max(share_px, SWATCH_PX + 2 * GAP_PX + UNIT_PX + name_px)
 
 
-class LegendPainter:
-    """Paints the entries of a legend into lines of the height ``row_px``, from the left.
-
-    ``painter`` has the font of ``layout``.
-    """
-
-    def __init__(self, painter: QPainter, layout: LegendLayout, row_px: int) -> None:
-        self._painter, self._layout, self._row_px = painter, layout, row_px
-
-    def paint_entry(self, x: int, rank: int, detail: Detail) -> int:
-        """Paint an entry; return where the next one begins."""
-        text, theme, metrics = self._layout.text, current_theme(), self._layout.metrics
-        name, end = text.names[rank], x + self._layout.entry_px(rank, detail)
-        by_axis = text.by_axis
-        pen = QPen(theme.axis_colour(rank), 2.0) if by_axis else theme.output_pen(rank, 2.0)
-        self._painter.setPen(pen)
-        middle = self._row_px / 2
-        self._painter.drawLine(QPointF(x, middle), QPointF(x + SWATCH_PX - 1, middle))
-        x += SWATCH_PX + GAP_PX
-        if detail.number:
-            x = self.write(x, str(name.number), theme.text)
-        if detail.place:
-            x = self.write(x, name.short, theme.dim)
-        if detail.reading and by_axis:
-            elided = Qt.TextElideMode.ElideRight
-            x = self.write(x, metrics.elidedText(text.readings[rank], elided, end - x), theme.text)
-        elif detail.reading:
-            room = metrics.horizontalAdvance(text.reading_room)
-            x += max(0, room - metrics.horizontalAdvance(text.readings[rank]))
-            x = self.write(x, text.readings[rank], theme.text)
-        if detail.unit:
-            self.write(x, text.unit, theme.dim)
-        return end
-
-    def write(self, x: int, text: str, colour: str) -> int:
-        """Write text; return where the next text begins."""
-        self._painter.setPen(QColor(colour))
-        width = self._layout.metrics.horizontalAdvance(text)
-        place = QRect(x, 0, width + 1, self._row_px)
-        self._painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, text)
-        return x + width + GAP_PX
-
-    def write_where(self, line: QRect, detail: Detail) -> None:
-        """Write the position of the crosshair, if any, at the right end of a line."""
-        if self._layout.text.where:
-            self._painter.setPen(QColor(current_theme().text))
-            at_right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-            where = self._layout.where(self._layout.text.where, detail)
-            self._painter.drawText(line, at_right, where)
-
-
 STRIP_HEIGHT_PX = 20
 _TEXT, _AROUND_PX = 0.9, 7
+_AT_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class LegendStrip(QWidget):
@@ -364,13 +324,24 @@ class LegendStrip(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         if not self._text.names:
             return
-        painter = QPainter(self)
+        painter, layout = QPainter(self), self.text_layout
         painter.setFont(self.text_font)
-        detail = self.text_layout.in_lines
-        if detail is None:
-            self._paint_line(painter)
-        else:
-            self._paint_lines(painter, detail)
+        detail, places, last = layout.placed()
+        row_px = self._line_px if self._n_lines > 1 else self.height()
+        advance = self._line_px - _AROUND_PX // 2
+        end = UNIT_PX // 2
+        for rank, (x, line) in enumerate(places):
+            painter.resetTransform()
+            painter.translate(0, line * advance)
+            end = self._paint_entry(painter, QRect(x, 0, 0, row_px), rank, detail)
+        hidden = len(self._text.names) - len(places)
+        if hidden:
+            self._write(painter, QRect(end, 0, 0, row_px), f"+{hidden}", current_theme().dim)
+        painter.resetTransform()
+        if self._text.where:
+            painter.setPen(QColor(current_theme().text))
+            line = QRect(0, last * advance, self.width() - UNIT_PX // 2, row_px)
+            painter.drawText(line, _AT_RIGHT, layout.where(self._text.where, detail))
         painter.end()
 
     @property
@@ -383,37 +354,45 @@ class LegendStrip(QWidget):
     def _line_px(self) -> int:
         return max(QFontMetrics(self.text_font).height() + _AROUND_PX, STRIP_HEIGHT_PX)
 
-    @property
-    def _row_px(self) -> int:
-        return self._line_px if self._n_lines > 1 else self.height()
-
     def _make_room(self) -> None:
         n_lines = self.text_layout.n_lines
         if n_lines != self._n_lines:
             self._n_lines = n_lines
             self.updateGeometry()
 
-    def _paint_line(self, painter: QPainter) -> None:
-        layout = self.text_layout
-        writer = LegendPainter(painter, layout, self._row_px)
-        detail, fitting = layout.fitting()
-        x = UNIT_PX // 2
-        for rank in range(fitting):
-            x = writer.paint_entry(x, rank, detail)
-        hidden = len(self._text.names) - fitting
-        if hidden:
-            writer.write(x, f"+{hidden}", current_theme().dim)
-        writer.write_where(self.rect().adjusted(0, 0, -UNIT_PX // 2, 0), detail)
+    def _paint_entry(self, painter: QPainter, place: QRect, rank: int, detail: Detail) -> int:
+        """Paint an entry at the left end of ``place``; return where the next one begins."""
+        text, theme, metrics = self._text, current_theme(), painter.fontMetrics()
+        name, x = text.names[rank], place.x()
+        end = x + self.text_layout.entry_px(rank, detail)
+        by_axis = text.by_axis
+        painter.setPen(
+            QPen(theme.axis_colour(rank), 2.0) if by_axis else theme.output_pen(rank, 2.0)
+        )
+        middle = place.height() / 2
+        painter.drawLine(QPointF(x, middle), QPointF(x + SWATCH_PX - 1, middle))
+        place.moveLeft(x + SWATCH_PX + GAP_PX)
+        if detail.number:
+            self._write(painter, place, str(name.number), theme.text)
+        if detail.place:
+            self._write(painter, place, name.short, theme.dim)
+        if detail.reading and text.readings:
+            reading = text.readings[rank]
+            if by_axis:
+                elided = Qt.TextElideMode.ElideRight
+                reading = metrics.elidedText(reading, elided, end - place.x())
+            else:
+                room = metrics.horizontalAdvance(text.reading_room)
+                place.translate(max(0, room - metrics.horizontalAdvance(reading)), 0)
+            self._write(painter, place, reading, theme.text)
+        if detail.unit:
+            self._write(painter, place, text.unit, theme.dim)
+        return end
 
-    def _paint_lines(self, painter: QPainter, detail: Detail) -> None:
-        layout, advance = self.text_layout, self._line_px - _AROUND_PX // 2
-        writer = LegendPainter(painter, layout, self._row_px)
-        *entries, (_, last) = layout.lines(detail)
-        reading = replace(detail, reading=bool(self._text.readings))
-        for rank, (x, line) in enumerate(entries):
-            painter.save()
-            painter.translate(0, line * advance)
-            writer.paint_entry(x, rank, reading)
-            painter.restore()
-        width = self.width() - UNIT_PX // 2
-        writer.write_where(QRect(0, last * advance, width, self._row_px), detail)
+    def _write(self, painter: QPainter, place: QRect, text: str, colour: str) -> None:
+        """Write text at the left end of ``place``, which moves to the end of the text."""
+        painter.setPen(QColor(colour))
+        width = painter.fontMetrics().horizontalAdvance(text)
+        place.setWidth(width + 1)
+        painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, text)
+        place.translate(width + GAP_PX, 0)
