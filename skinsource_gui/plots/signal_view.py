@@ -55,10 +55,7 @@ _SWATCH_PX, _GAP_PX = 16, 4
 
 def usual_size(plot: Plot) -> QSize:
     """Return the usual size of a picture of ``plot``, px: twice that on the screen, with legend."""
-    paper_plot = copy_of(plot, plot.size())
-    size = QSize(paper_plot.width(), paper_plot.height() + _head_px(paper_plot)) * _SCALE
-    paper_plot.deleteLater()
-    return size
+    return QSize(plot.width(), plot.height() + _head_px(plot, plot.width())) * _SCALE
 
 
 def draw_signals(
@@ -73,13 +70,8 @@ def _draw(painter: QPainter, width: int, height: int, plot: Plot) -> None:
     usual = usual_size(plot).toSizeF() * (1.0 / _SCALE)
     scale = min(width / usual.width(), height / usual.height())
     room = QSize(round(width / scale), round(height / scale))
-    # A copy of the final width tells how many lines the head needs.
-    measured = copy_of(plot, room)
-    head_px = _head_px(measured)
-    measured.deleteLater()
-    # A plot that is not shown is laid out for its first size.
-    left_px = max(room.height() - head_px, measured.minimumHeight())
-    paper_plot = copy_of(plot, QSize(room.width(), left_px))
+    head_px = _head_px(plot, room.width())
+    paper_plot = copy_of(plot, QSize(room.width(), max(room.height() - head_px, 1)))
     painter.save()
     painter.fillRect(QRectF(0, 0, width, height), QColor(current_theme().base))
     painter.scale(scale, scale)
@@ -110,8 +102,8 @@ def copy_of(plot: Plot, size: QSize) -> Plot:
     return paper_plot
 
 
-def _head_px(plot: Plot) -> int:
-    n_lines = len(_heading_lines(plot)) + len(_legend_lines(plot))
+def _head_px(plot: Plot, width_px: int) -> int:
+    n_lines = len(_heading_lines(plot, width_px)) + len(_legend_lines(plot, width_px))
     return ceil(n_lines * _line_px(plot)) + UNIT_PX // 2
 
 
@@ -119,11 +111,11 @@ def _paint_head(painter: QPainter, plot: Plot) -> None:
     line_px = _line_px(plot)
     painter.setFont(plot.text_font)
     painter.setPen(QColor(current_theme().text))
-    heading = _heading_lines(plot)
+    heading = _heading_lines(plot, plot.width())
     for row, words in enumerate(heading):
         room = QRectF(UNIT_PX, row * line_px, plot.width(), line_px)
         painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, words)
-    for row, line in enumerate(_legend_lines(plot), start=len(heading)):
+    for row, line in enumerate(_legend_lines(plot, plot.width()), start=len(heading)):
         middle = (row + 0.5) * line_px
         for left, pen, text in line:
             if pen is not None:
@@ -139,15 +131,15 @@ def _line_px(plot: Plot) -> float:
     return QFontMetricsF(plot.text_font).height() + 2
 
 
-def _heading_lines(plot: Plot) -> list[str]:
+def _heading_lines(plot: Plot, width_px: int) -> list[str]:
     """Return the heading in as many lines as it needs."""
     if plot.curves is None or not plot.curves.heading:
         return []
     heading = "\N{NO-BREAK SPACE}· ".join(plot.curves.heading)
-    return lines_of(heading, QFontMetricsF(plot.text_font), plot.width() - 2 * UNIT_PX)
+    return lines_of(heading, QFontMetricsF(plot.text_font), width_px - 2 * UNIT_PX)
 
 
-def _legend_lines(plot: Plot) -> list[list[tuple[int, QPen | None, str]]]:
+def _legend_lines(plot: Plot, width_px: int) -> list[list[tuple[int, QPen | None, str]]]:
     """Return left edge, pen and text of each entry of the legend, line by line."""
     metrics = QFontMetricsF(plot.text_font)
     lines: list[list[tuple[int, QPen | None, str]]] = [[]]
@@ -155,7 +147,7 @@ def _legend_lines(plot: Plot) -> list[list[tuple[int, QPen | None, str]]]:
     for pen, text in _entries(plot):
         swatch_px = 0 if pen is None else _SWATCH_PX + _GAP_PX
         width = ceil(swatch_px + metrics.horizontalAdvance(text) + 2 * UNIT_PX)
-        if lines[-1] and left + width > plot.width():
+        if lines[-1] and left + width > width_px:
             lines.append([])
             left = UNIT_PX
         lines[-1].append((left, pen, text))

@@ -51,7 +51,7 @@ def too_wide(dock):
 def numbers(plot):
     """How many numbers are written at each axis."""
     axes = [item for item in plot.scene().items() if isinstance(item, Axis) and item.isVisible()]
-    return [len(axis.generateDrawSpecs(None)[2]) for axis in axes]
+    return [len(axis.labels()) for axis in axes]
 
 
 def cut(window):

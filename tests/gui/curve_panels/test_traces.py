@@ -237,7 +237,7 @@ def test_the_peaks_to_which_curves_are_relative_are_said_with_their_unit(show):
     assert second.startswith(f"{numbers[0]}  ")
     assert second.endswith(f": {legend.text.readings[0]} m/s²")
     # In a picture too, where nothing is read.
-    texts = [text for line in _legend_lines(plot) for _, _, text in line]
+    texts = [text for line in _legend_lines(plot, plot.width()) for _, _, text in line]
     assert texts[0].endswith(f", peak {legend.text.readings[0]} m/s²")
     # Where the crosshair is, parts of the peaks are read.
     plot.crosshair.put(100)
