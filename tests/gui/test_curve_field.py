@@ -60,16 +60,6 @@ def test_a_press_on_the_curve_adds_a_point_there_without_changing_it(field):
     assert [points for points, _ in field.edits] == [field.value]
 
 
-def test_a_new_point_is_dragged_on_in_the_same_gesture(field):
-    drag(field, QPointF(field.width() - 4, field.place_of(2).y()), (-2, -20))
-    assert len(field.value) == 4
-    assert field.chosen == 3
-    assert len({gesture for _, gesture in field.edits}) == 1
-    QTest.keyClick(field, Qt.Key.Key_Escape)
-    assert len(field.value) == 4  # as the press had left it
-    assert field.value[3][1] == 0.5
-
-
 def test_a_drag_is_given_up_with_escape(field):
     drag(field, field.place_of(1), (20, 10))
     assert field.value != START
@@ -117,16 +107,6 @@ def test_keys_choose_move_continue_add_and_remove(field):
     n_edits = len(field.edits)
     QTest.keyClick(field, Qt.Key.Key_Delete)
     assert (len(field.value), len(field.edits)) == (1, n_edits)
-
-
-def test_the_value_is_shown_without_telling_anybody(field):
-    field.setFocus()
-    QTest.keyClick(field, Qt.Key.Key_End)
-    field.set_value(START[:1])
-    assert field.edits == []
-    assert field.chosen == 0
-    assert field.rect().contains(field.place_of(0).toPoint())
-    assert not field.grab().isNull()
 
 
 def lines_of_menu(field, at, reason=QContextMenuEvent.Reason.Mouse):

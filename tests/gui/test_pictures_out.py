@@ -3,9 +3,8 @@
 import re
 from dataclasses import replace
 
-import numpy as np
 import pytest
-from PySide6.QtGui import QColor, QFont, QImage
+from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
@@ -94,23 +93,6 @@ def test_dots_in_an_inch_are_as_chosen(tmp_path, dpi, pixels):
     assert picture.width() == pixels
     assert picture.dotsPerMeterX() == pytest.approx(dpi / 0.0254, abs=1)
     assert QColor(picture.pixel(pixels - 1, picture.height() - 1)).name() == "#0000ff"
-
-
-def test_letters_take_the_same_part_of_a_picture_whatever_its_resolution(qapp):
-    def draw(painter, width, height):
-        painter.fillRect(0, 0, width, height, QColor("white"))
-        painter.setFont(QFont(qapp.font().family(), 20))
-        painter.drawText(20, 100, "Skin Skin")
-
-    def right_end(dpi):
-        image = drawn_image(draw, 500, 150, dpi).convertToFormat(QImage.Format.Format_Grayscale8)
-        rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
-        return np.flatnonzero((rows[:, : image.width()] < 128).any(axis=0))[-1] / image.width()
-
-    usual = right_end(96)
-    assert 0.1 < usual < 0.6
-    assert right_end(300) == pytest.approx(usual, rel=0.03)
-    assert right_end(144) == pytest.approx(usual, rel=0.03)
 
 
 def test_each_picture_has_real_words_and_the_stimulus(open_window, tmp_path):

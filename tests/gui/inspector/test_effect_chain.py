@@ -116,6 +116,10 @@ def test_keys_walk_open_switch_and_remove(bench):
     assert last.title.hasFocus()
     QTest.keyClick(last.title, Qt.Key.Key_Return)
     assert last.open
+    QTest.keyClick(last.title, Qt.Key.Key_Up, Qt.KeyboardModifier.AltModifier)
+    assert bench.effects == (CHAIN[0], CHAIN[2], CHAIN[1])
+    QTest.keyClick(last.title, Qt.Key.Key_Down, Qt.KeyboardModifier.AltModifier)
+    assert last.title.hasFocus()
     QTest.keyClick(last.title, Qt.Key.Key_M)
     assert not bench.effects[2].on
     QTest.keyClick(last.title, Qt.Key.Key_Up)

@@ -8,9 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from skinsource.design.design import Design
-from skinsource.design.edits.edit import as_kind
 from skinsource.design.effects.time import Stretch, Trim
-from skinsource.design.waveforms import KINDS
 from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.samples import Formula, Recording
 from skinsource.design.waveforms.tones import Tone
@@ -75,16 +73,6 @@ def test_another_kind_of_waveform_keeps_what_both_share(bench):
     assert bench.labels[-1] == "Change waveform of input at 7 (II pad)"
     assert bench.number("frequency_hz") is None or not bench.number("frequency_hz").isVisible()
     assert bench.number("seed").isVisible()
-
-
-def test_a_shared_number_that_is_not_allowed_becomes_the_nearest_that_is():
-    assert as_kind(Tone(duration_s=0.002), Noise, 1300.0).duration_s == 0.01
-
-
-def test_every_kind_can_become_every_other():
-    for kind in KINDS:
-        for other in KINDS:
-            assert type(as_kind(kind(), other, 1300.0)) is other
 
 
 def test_a_whole_number_stays_whole(bench):

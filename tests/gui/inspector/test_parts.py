@@ -5,14 +5,12 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QMenu, QToolButton
+from PySide6.QtWidgets import QApplication, QLineEdit, QMenu, QToolButton
 
 from skinsource.design.clips import Clip
 from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.samples import MAX_PARTS, Formula, Layers
 from skinsource.design.waveforms.tones import Chirp, Tone
-from skinsource.specs.models import nesting
-from skinsource.specs.spec import MAX_DEPTH
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.parts import PartsEditor
 from skinsource_gui.qt.buttons import LetterButton
@@ -97,22 +95,6 @@ def test_buttons_move_and_remove_parts_each_as_one_step(bench):
     assert [gesture for _, _, gesture in bench.edits] == [None] * 3
 
 
-def test_keys_move_and_remove_parts_and_the_focus_goes_along(bench):
-    bench.rows[0].title.setFocus()
-    QTest.keyClick(bench.rows[0].title, _Key.Key_Down, _ALT)
-    assert bench.parts == (B, A, C)
-    assert bench.rows[1].title.hasFocus()
-    QTest.keyClick(bench.rows[1].title, _Key.Key_Up)
-    assert bench.rows[0].title.hasFocus()
-    QTest.keyClick(bench.rows[0].title, _Key.Key_Up, _ALT)
-    assert bench.parts == (B, A, C)
-    QTest.keyClick(bench.rows[0].title, _Key.Key_Delete)
-    assert bench.parts == (A, C)
-    assert bench.rows[0].title.hasFocus()
-    QTest.keyClick(bench.rows[0].title, _Key.Key_Return)
-    assert bench.rows[0].open
-
-
 def test_the_fields_of_a_part_are_edited(bench):
     cells = bench.opened(0)
     assert list(cells) == [
@@ -187,25 +169,6 @@ def test_a_refused_value_is_shown_again_with_the_reason_at_its_field(bench):
     assert noise["low_hz"].field.value_si == B.waveform.low_hz
     assert "low_hz" in noise["low_hz"].note
     assert (low.note, high.note) == ("", "")
-
-
-def test_what_no_design_may_hold_is_refused_below_the_list(bench):
-    deep = Layers((A,))
-    while nesting(bench.design.with_input(0, clips=(Clip(waveform=deep),))) < MAX_DEPTH - 1:
-        deep = Layers((Clip(waveform=deep),))
-    bench.show(bench.design.with_input(0, clips=(Clip(id=1, waveform=deep),)))
-    innermost = bench.editor
-    while isinstance(innermost.rows[0].part.waveform, Layers):
-        innermost.rows[0].set_open(True)
-        cells = innermost.rows[0].fields.cells
-        innermost = next(cell for cell in cells if cell.name == "parts").field
-    before = bench.design
-    bench.add("Layers", innermost)
-    assert bench.design == before
-    assert bench.edits == []
-    assert [row.part for row in innermost.rows] == [A]
-    notes = [label.text() for label in bench.panel.findChildren(QLabel, "parts_note")]
-    assert any(f"at most {MAX_DEPTH} deep" in note for note in notes)
 
 
 def test_the_tab_key_goes_along_the_rows(bench):

@@ -6,7 +6,6 @@ from PySide6.QtTest import QTest
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.panels.inspector.panel import InputHeading
 from tests.gui.inspector.bench import Bench, design_of
 
 LEFT = Qt.MouseButton.LeftButton
@@ -76,21 +75,3 @@ def test_a_drag_held_while_its_input_goes_edits_nothing_more_and_raises_nothing(
         QTest.mouseMove(field, start + QPoint(60, 0))
     QTest.mouseRelease(field, LEFT, pos=start)
     assert len(bench.edits) == count
-
-
-def test_a_list_left_open_while_its_input_goes_edits_nothing(qtbot):
-    bench = two(qtbot)
-    box = bench.choice("kind")
-    bench.show(selected_inputs=())
-    box.choose("Tap")
-    assert (bench.edits, bench.refusals) == ([], [])
-
-
-def test_of_several_the_heading_says_which_one_is_silent(qtbot):
-    first, other = design_of(Tone(), Tone()).inputs
-    heading = InputHeading()
-    qtbot.addWidget(heading)
-    heading.show_input(first, silent=True, batch=(other, first), limb="synthetic-1")
-    assert heading._state.text() == "last silent"
-    heading.show_input(first, silent=True, batch=(first,), limb="synthetic-1")
-    assert heading._state.text() == "silent"

@@ -161,14 +161,6 @@ def test_why_it_was_not_allowed_stands_below_the_field_until_there_is_another_va
     left_wrong(lambda: QTest.keyClick(cell.field, Qt.Key.Key_Up))
 
 
-def test_leaving_the_field_commits_what_is_allowed(make_bench, qtbot):
-    bench = make_bench(FREQUENCY, 100.0)
-    bench.field.setFocus()
-    QTest.keyClicks(bench.field, "120")
-    bench.other.setFocus()
-    qtbot.waitUntil(lambda: bench.edits == [(120.0, None)])
-
-
 def test_typing_what_is_shown_does_not_change_the_value(make_bench):
     bench = make_bench(DURATION, 1 / 3)
     bench.type(bench.field.text())
