@@ -1,6 +1,7 @@
 """Kinds of waveforms in the inspector and in words, one of them new."""
 
 from dataclasses import dataclass, replace
+from itertools import product
 from typing import ClassVar
 
 import numpy as np
@@ -11,6 +12,7 @@ from skinsource.design import waveforms
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
 from skinsource.design.design_file import open_design, save_design
+from skinsource.design.edits.edit import as_kind
 from skinsource.design.effects.level import Fade
 from skinsource.design.effects.time import Stretch
 from skinsource.design.waveforms.tones import Tone
@@ -60,6 +62,11 @@ def test_a_new_kind_of_waveform_is_chosen_in_the_panel(qtbot):
     bench = Bench(qtbot, design_of(Tone(duration_s=0.3)))
     bench.choose("kind", "Sweep")
     assert bench.track.clips[0].waveform == Sweep(duration_s=0.3)
+
+
+def test_every_kind_can_become_every_other():
+    for kind, other in product(waveforms.KINDS, repeat=2):
+        assert type(as_kind(kind(), other, 1300.0)) is other
 
 
 def test_a_new_kind_of_waveform_is_saved_and_opened(tmp_path):

@@ -123,6 +123,11 @@ def test_what_is_not_allowed_is_not_committed_and_says_why(make_bench, qtbot):
     bench.other.setFocus()
     qtbot.waitUntil(lambda: not bench.field.editing)
     assert (bench.field.text(), bench.field.problem, bench.edits) == ("100", "", [])
+    # What is allowed is committed when the field is left.
+    bench.field.setFocus()
+    QTest.keyClicks(bench.field, "120")
+    bench.other.setFocus()
+    qtbot.waitUntil(lambda: bench.edits == [(120.0, None)])
 
 
 @pytest.mark.parametrize("text", ["-5", ""])
