@@ -2,14 +2,16 @@
 
 from collections.abc import Callable
 from functools import lru_cache
+from math import ceil
 
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
-from PySide6.QtCore import QEvent, QPoint, QPointF, QSize, Qt
+from PySide6.QtCore import QPoint, QPointF, QRect, QSize, Qt
 from PySide6.QtGui import (
     QAction,
     QColor,
     QIcon,
+    QIconEngine,
     QPainter,
     QPainterPath,
     QPen,
@@ -38,10 +40,11 @@ from skinsource.design.waveforms.wavelets import Chirplet, Gabor
 from skinsource.specs.samples import Samples
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.qt.theme import Theme, current_theme
+from skinsource_gui.qt.theme import current_theme
 
 #: Size of an icon, px.
 PICTURE_PX = QSize(30, 18)
+#: Largest number of device pixels per px.
 _SHARPEST = 3
 _RATE_HZ = 20_000.0
 _MARGIN_PX = 2.0
@@ -77,22 +80,49 @@ _EXAMPLES: tuple[Waveform, ...] = (
 )
 
 
+@lru_cache(maxsize=128)
 def waveform_icon(kind: type[Waveform]) -> QIcon:
-    """Return the icon of a kind of waveform in the present colours."""
-    return _icon(kind, current_theme())
+    """Return the icon of a kind of waveform, which is drawn when it is first visible."""
+    return QIcon(_WaveformEngine(kind))
 
 
-@lru_cache(maxsize=64)
-def _icon(kind: type[Waveform], theme: Theme) -> QIcon:
-    icon, path = QIcon(), _path_of(kind)
-    for mode, colour in (
-        (QIcon.Mode.Normal, theme.text),
-        (QIcon.Mode.Disabled, theme.dim),
-        (QIcon.Mode.Active, theme.on_accent),
-        (QIcon.Mode.Selected, theme.on_accent),
-    ):
-        icon.addPixmap(_drawn(path, QColor(colour)), mode)
-    return icon
+class _WaveformEngine(QIconEngine):
+    """Draws an icon in the mode and resolution that Qt asks for; most are never needed."""
+
+    def __init__(self, kind: type[Waveform]) -> None:
+        super().__init__()
+        self._kind = kind
+
+    def scaledPixmap(
+        self, size: QSize, mode: QIcon.Mode, state: QIcon.State, scale: float
+    ) -> QPixmap:
+        del size, state  # icons have one size, and look the same on and off
+        per_px = min(max(ceil(scale), 1), _SHARPEST)
+        return _drawn(_path_of(self._kind), _colour(mode), per_px)
+
+    def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
+        return self.scaledPixmap(size, mode, state, 1.0)
+
+    def actualSize(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QSize:
+        del mode, state
+        return PICTURE_PX.boundedTo(size)
+
+    def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, state: QIcon.State) -> None:
+        sharp = painter.device().devicePixelRatioF()
+        picture = self.scaledPixmap(rect.size(), mode, state, sharp)
+        area = QRect(0, 0, PICTURE_PX.width(), PICTURE_PX.height())
+        area.moveCenter(rect.center())
+        painter.drawPixmap(area, picture)
+
+    def clone(self) -> QIconEngine:
+        return _WaveformEngine(self._kind)
+
+
+def _colour(mode: QIcon.Mode) -> QColor:
+    theme = current_theme()
+    if mode == QIcon.Mode.Disabled:
+        return QColor(theme.dim)
+    return QColor(theme.text if mode == QIcon.Mode.Normal else theme.on_accent)
 
 
 def _samples_of(kind: type[Waveform]) -> Floats:
@@ -145,10 +175,9 @@ def _sheets() -> QPainterPath:
     return path
 
 
-def _drawn(path: QPainterPath, colour: QColor) -> QPixmap:
-    # So many pixels that it is sharp on screens of high resolution.
-    picture = QPixmap(PICTURE_PX * _SHARPEST)
-    picture.setDevicePixelRatio(_SHARPEST)
+def _drawn(path: QPainterPath, colour: QColor, per_px: int) -> QPixmap:
+    picture = QPixmap(PICTURE_PX * per_px)
+    picture.setDevicePixelRatio(per_px)
     picture.fill(Qt.GlobalColor.transparent)
     painter = QPainter(picture)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -241,11 +270,6 @@ class KindField(ChoiceField):
         if self._menu is not None:
             self._menu.close()
         super().hidePopup()
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange:
-            self._picture()
 
     def _picture(self) -> None:
         # Only the icon of the present kind: those of noise and of samples need slow imports, which
