@@ -549,12 +549,12 @@ class RowColumn(QWidget, Generic[Row]):
         rows: list[Row] = []
         for index, part in enumerate(parts):
             row = own.pop(id(part), None)
-            if row is None:
-                at_place = self.rows[index] if index < len(self.rows) else None
-                fits = at_place in left and (not same_kind or type(at_place.part) is type(part))
-                row = at_place if fits else new_row(part)
-                left.discard(row)
-            rows.append(row)
+            at_place = self.rows[index] if index < len(self.rows) else None
+            if row is None and at_place in left:
+                fits = not same_kind or type(at_place.part) is type(part)
+                row = at_place if fits else None
+            rows.append(new_row(part) if row is None else row)
+            left.discard(rows[-1])
         return tuple(rows)
 
     def order_stops(self) -> None:

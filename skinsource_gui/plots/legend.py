@@ -340,8 +340,8 @@ class LegendStrip(QWidget):
         painter.resetTransform()
         if self._text.where:
             painter.setPen(QColor(current_theme().text))
-            line = QRect(0, last * advance, self.width() - UNIT_PX // 2, row_px)
-            painter.drawText(line, _AT_RIGHT, layout.where(self._text.where, detail))
+            room = QRect(0, last * advance, self.width() - UNIT_PX // 2, row_px)
+            painter.drawText(room, _AT_RIGHT, layout.where(self._text.where, detail))
         painter.end()
 
     @property

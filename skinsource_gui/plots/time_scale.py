@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QWheelEvent
 
 from skinsource_gui.plots import ranges
-from skinsource_gui.plots.ranges import Range, round_step
+from skinsource_gui.plots.ranges import round_step
 from skinsource_gui.qt.wheel import NOTCH, PAN_PER_NOTCH, ZOOM_PER_NOTCH
 
 #: An edge snaps from this far away, px.
@@ -86,6 +86,8 @@ def _nearest(rising: Sequence[float], time_s: float) -> float | None:
     neighbours = rising[max(right - 1, 0) : right + 1]
     return min(neighbours, key=lambda time: abs(time - time_s))
 
+
+Range = tuple[float, float]
 
 #: The shortest time that the whole width can show, s.
 SHORTEST_S = 0.005
