@@ -73,15 +73,6 @@ def test_a_kind_of_field_without_an_editor_is_shown_and_never_taken_for_another_
 FORMULA = Formula.__dataclass_fields__["text"].metadata["spec"]
 
 
-def test_a_formula_is_told_with_each_key_that_leaves_it_readable(make_cell):
-    cell = make_cell(FORMULA, "t")
-    cell.field.moveCursor(QTextCursor.MoveOperation.End)
-    QTest.keyClicks(cell.field, "+12")
-    assert [value for _, value in cell.edits] == ["t+1", "t+12"]
-    assert cell.note == ""
-    assert cell.field.text() == "t+12"
-
-
 def test_a_formula_that_cannot_be_read_says_why_under_it_and_marks_the_column(make_cell):
     cell = make_cell(FORMULA, "t")
     cell.field.moveCursor(QTextCursor.MoveOperation.End)

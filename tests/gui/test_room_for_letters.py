@@ -1,7 +1,9 @@
 """In letters of any size, on small and large screens, each panel has room, scrolls, or is a tab."""
 
+from itertools import pairwise
+
 import pytest
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QRect, QSize
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel
 
@@ -11,6 +13,7 @@ from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.plots.axis import Axis
 from skinsource_gui.plots.plot import Plot
+from skinsource_gui.shell.appearance import LARGEST_TEXT
 from skinsource_gui.shell.arrangement_spec import ArrangementSpec, Place
 from skinsource_gui.shell.dock_layout import Folded, Needs, folded, room_of
 
@@ -108,6 +111,33 @@ def test_panels_that_somebody_moved_stay_where_they_are(studio, settle):
     shown = {dock.objectName() for dock in in_sight(window)}
     assert {"skin", "inspector", "traces", "spectra", "timeline"} <= shown
     assert "hand" not in shown
+
+
+def test_in_the_largest_letters_nothing_lies_on_the_map_or_on_the_ends_of_its_range(studio, settle):
+    def of(part, panel):
+        return QRect(part.mapTo(panel, part.rect().topLeft()), part.size())
+
+    studio.appearance._scale_text(LARGEST_TEXT)
+    studio.resize(1366, 768)
+    settle()
+    panel = studio.panel("skin")
+    layout, bar = panel.map.stage.layout, panel.colour_bar
+    # All of the limb is in sight, beside the cards.
+    limb = layout.frame.transform().mapRect(panel.map.content.field.rect)
+    for output in range(1, 61):
+        point = panel.map.stage.place_of(output)
+        assert layout.room.contains(point)
+        assert not layout.palmar_card.contains(point)
+    assert limb.height() > 0.5 * panel.map.height()
+    assert layout.room.contains(layout.palmar_card)
+    fields = [bar.high_field, bar.strip, bar.low_field]
+    shown = [*fields, *([bar.auto_button] if bar.auto_button.isVisible() else [])]
+    places = [of(widget, bar) for widget in shown]
+    for above, below in pairwise(places):
+        assert above.bottom() < below.top()
+    assert places[-1].bottom() <= bar.height()
+    for field in (bar.high_field, bar.low_field):
+        assert field.height() >= field.fontMetrics().height()
 
 
 SPEC = ArrangementSpec(

@@ -1,7 +1,8 @@
-"""Colours change while the studio is open, in all that is seen."""
+"""Colours change while the studio is open, in all that is seen; pens of outputs differ."""
 
 from PySide6.QtWidgets import QApplication
 
+from skinsource_gui.qt.theme import THEMES
 from skinsource_gui.shell.panels import PANELS
 
 #: What is known of the sound card comes at any time.
@@ -45,3 +46,11 @@ def test_colours_that_are_chosen_later_are_those_of_a_window_that_opens_in_them(
     chosen = pictures(window)
     assert [name for name in opened if opened[name] != chosen[name]] == []
     assert [name for name in opened if opened[name] == light[name]] == []
+
+
+def test_thirty_two_outputs_differ_in_colour_or_strokes():
+    for theme in THEMES.values():
+        pens = [theme.output_pen(rank, 0.0) for rank in range(32)]
+        assert len({(pen.color().name(), tuple(pen.dashPattern())) for pen in pens}) == 32
+        # The first of them have whole lines.
+        assert all(not pens[rank].dashPattern() for rank in range(8))

@@ -171,14 +171,12 @@ def test_the_chain_is_that_of_the_selected_clip(bench):
     bench.add("Fade")
     assert bench.track.clips[0].effects == CHAIN
     assert bench.track.clips[1].effects == (Fade(0.02, 0.02),)
-    bench.show(selected_inputs=(2,), selected_clips=())
-    assert not bench.chain.isVisible()
-
-
-def test_an_effect_is_added_to_all_selected_clips(bench):
+    # One that is added goes to all selected clips.
     bench.show(selected_clips=(1, 2))
     bench.add("Reverse")
     assert [clip.effects[-1] for clip in bench.track.clips] == [Reverse(), Reverse()]
+    bench.show(selected_inputs=(2,), selected_clips=())
+    assert not bench.chain.isVisible()
 
 
 def test_an_envelope_is_drawn_in_its_row(bench):

@@ -114,23 +114,3 @@ def test_the_field_opens_the_menu_and_takes_what_is_chosen_there(qtbot, field):
     field.showPopup()
     assert field.findChild(QMenu, "kind_menu").isVisible()
     field.hidePopup()
-
-
-def test_keys_choose_among_all_kinds_as_in_any_list(field):
-    chosen = []
-    field.edited.connect(lambda kind, gesture: chosen.append(kind))
-    field.set_value("Formula")
-    QTest.keyClick(field, Qt.Key.Key_Down)
-    QTest.keyClick(field, Qt.Key.Key_Up)
-    QTest.keyClicks(field, "Saw")
-    assert chosen[:2] == ["Ricker", "Formula"]
-    assert chosen[-1] == "Saw"
-
-
-def test_where_nothing_is_chosen_the_field_says_so(qtbot):
-    field = KindField(kind_spec())
-    qtbot.addWidget(field)
-    field.set_value("")
-    assert field.shown_text == "Nothing yet"
-    field.set_value("Formant")
-    assert field.shown_text == "Formant (not available)"

@@ -12,7 +12,7 @@ from PySide6.QtGui import QFontMetricsF
 from skinsource.signals.resampling import FINER, finer
 from skinsource_gui.plots.curves import Curves, output_names
 from skinsource_gui.plots.ranges import wave_of
-from skinsource_gui.qt.theme import LIGHT, current_theme
+from skinsource_gui.qt.theme import LIGHT
 from tests.gui.signal_view.bench import TIME, drawn, header_of, waves
 
 
@@ -174,18 +174,6 @@ def test_samples_are_marked_where_eight_pixels_lie_between_them(signals):
         samples = slice(first, first + len(dots))
         np.testing.assert_allclose(at_s, curves.x[samples], atol=1e-9)
         np.testing.assert_allclose(values(signals, heights), curves.y[rank, samples], atol=1e-12)
-    # As wide as they are high, whatever is stretched: a sample at a crest, and what is around it.
-    picture, row = signals.plot.grab().toImage(), signals.plot.stack.rows[0]
-    best = int(np.argmax(curves.y[0, samples]))
-    at = row.view.mapViewToScene(drawn(signals)[0].dots.at(best))
-    colour = current_theme().output_colour(0).name()
-
-    def inked(dx, dy):
-        return picture.pixelColor(round(at.x() + dx), round(at.y() + dy)).name() == colour
-
-    assert inked(0, 0)
-    for far in (-5, 5):
-        assert not inked(far, -3)
 
 
 def test_peaks_between_samples_are_in_the_range_and_readings_stay_those_of_samples(signals):
