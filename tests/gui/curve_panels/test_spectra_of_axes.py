@@ -99,12 +99,6 @@ def test_rows_have_a_curve_for_each_axis_in_colours_that_no_output_has(panel):
     assert [row.number.text for row in plot.stack.rows] == ["29", "52"]
 
 
-def test_an_output_keeps_the_proportion_of_its_axes(panel):
-    click(panel, "relative")
-    expected = PEAKS / PEAKS.max(axis=-1, keepdims=True)
-    assert plot_of(panel).curves.y.max(axis=-1) == pytest.approx(expected.ravel())
-
-
 def test_the_legend_names_the_axes_and_reads_all_outputs_along_each(panel):
     plot, legend = plot_of(panel), panel.findChild(SignalView).legend
     assert [name.short for name in legend.text.names] == ["x", "y", "z"]
