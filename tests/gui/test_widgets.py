@@ -85,15 +85,18 @@ class Counted(QObject):
         return False
 
 
-@pytest.fixture
-def area(qtbot):
-    panel, area = QWidget(), SteadyArea()
+@pytest.fixture(params=["inside", "itself"])
+def area(qtbot, request):
+    content, area = LowerWhereNarrower(), SteadyArea()
     qtbot.addWidget(area)
-    around = QVBoxLayout(panel)
-    around.setContentsMargins(0, 0, 0, 0)
-    around.addWidget(LowerWhereNarrower())
+    if request.param == "inside":
+        panel = QWidget()
+        around = QVBoxLayout(panel)
+        around.setContentsMargins(0, 0, 0, 0)
+        around.addWidget(content)
+        content = panel
     area.setFrameShape(SteadyArea.Shape.NoFrame)
-    area.setWidget(panel)
+    area.setWidget(content)
     area.resize(400, 300)
     area.show()
     qtbot.waitExposed(area)
