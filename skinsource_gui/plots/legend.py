@@ -39,12 +39,10 @@ class LegendText:
         Unit of the readings.
     where, readings
         Position of the crosshair and its readings; ``""`` and ``()`` without a crosshair.
-    where_room, reading_room, unit_room
+    where_room, reading_room
         The longest texts of each kind, so that nothing moves while numbers change.
     by_axis
         Whether the names are those of axes, each with the readings of all outputs along it.
-    relative
-        Whether curves are relative to their peaks, which the legend shows without a crosshair.
     """
 
     names: tuple[CurveName, ...] = ()
@@ -53,9 +51,7 @@ class LegendText:
     readings: tuple[str, ...] = ()
     where_room: str = ""
     reading_room: str = ""
-    unit_room: str = ""
     by_axis: bool = False
-    relative: bool = False
 
     @property
     def named(self) -> bool:
@@ -118,10 +114,6 @@ _READING = (
 #: Parts of an entry that has a name without a number.
 NAMED = Detail(number=False, place=True, reading=True, unit=False)
 _IDLE = (Detail(True, True, False, False), Detail(True, False, False, False))
-#: Parts of an entry with a number, where the legend takes more lines.
-NUMBERED = _READING[2]
-#: At most so many lines: curves are more important than their peaks.
-_MOST_LINES = 2
 # A peak without its number would say nothing: the peak is left out first.
 _PEAKS = (*_READING[:-1], _IDLE[-1])
 
@@ -134,14 +126,11 @@ class LegendLayout:
     ----------
     width_px
         Width of the legend.
-    may_fold
-        Whether entries may take more lines.
     """
 
     text: LegendText
     metrics: QFontMetrics
     width_px: int
-    may_fold: bool = True
 
     def where(self, where: str, detail: Detail) -> str:
         """Return the position of the crosshair, with the unit if entries have none; or ""."""
@@ -161,8 +150,8 @@ class LegendLayout:
         ]
         gaps = GAP_PX * len(texts) + UNIT_PX
         width = SWATCH_PX + gaps + sum(self.metrics.horizontalAdvance(word) for word in texts)
-        # The readings of many outputs are cut to a line, or to a part of it.
-        return min(width, self._most_px(rank)) if self.text.by_axis else width
+        # The readings of many outputs are cut to a line.
+        return min(width, self.width_px - UNIT_PX) if self.text.by_axis else width
 
     def fitting(self) -> tuple[Detail, int]:
         """Return which parts of entries fit in one line, and how many entries."""
@@ -181,48 +170,27 @@ class LegendLayout:
 
     def placed(self) -> tuple[Detail, list[tuple[int, int]], int]:
         """Return parts of entries, x and line of those that fit, and the line of the crosshair."""
-        detail = self.in_lines
-        if detail is not None:
-            *places, (_, last) = self.lines(detail)
-            return detail, places, last
+        if self.text.named:
+            *places, (_, last) = self.lines()
+            return NAMED, places, last
         detail, fitting = self.fitting()
         ends = accumulate(self._widths(detail), initial=UNIT_PX // 2)
         return detail, [(x, 0) for x in islice(ends, fitting)], 0
 
     @property
-    def in_lines(self) -> Detail | None:
-        """Parts of entries that take more than one line; None: there is one line.
-
-        Named entries always may; numbered ones take few lines, where peaks do not fit in one.
-        """
-        if self.text.named:
-            return NAMED
-        if self.text.relative and self.may_fold:
-            _, last = self.lines(NUMBERED)[-1]
-            return NUMBERED if 0 < last < _MOST_LINES else None
-        return None
-
-    @property
     def n_lines(self) -> int:
-        """Number of lines for which there is room; it never decreases with less width.
+        """Number of lines for which there is room; only named entries take more than one."""
+        return self.lines()[-1][1] + 1 if self.text.named else 1
 
-        Otherwise a scroll area would be lower with its scroll bar than without, and Qt would show
-        and hide the bar without end.
-        """
-        if self.text.named:
-            return self.lines(NAMED)[-1][1] + 1
-        if self.text.relative and self.may_fold:
-            return min(self.lines(NUMBERED)[-1][1] + 1, _MOST_LINES)
-        return 1
-
-    def lines(self, detail: Detail = NAMED) -> list[tuple[int, int]]:
-        """Return x and line of each entry, and last of the position of the crosshair.
+    def lines(self) -> list[tuple[int, int]]:
+        """Return x and line of each named entry, and last of the position of the crosshair.
 
         There is always room for readings, so that nothing moves when there are some.
         """
         first, places, line = UNIT_PX // 2, [], 0
         x = first
-        for width in (*self._widths(detail), self._where_px):
+        where = f"{self.text.where_room} · {self.text.unit}"
+        for width in (*self._widths(NAMED), self.metrics.horizontalAdvance(where)):
             if x > first and x + width > self.width_px - first:
                 x, line = first, line + 1
             places.append((x, line))
@@ -244,20 +212,6 @@ class LegendLayout:
         where = self.where(where_room, detail) if self.text.where else ""
         return self.width_px - UNIT_PX - self.metrics.horizontalAdvance(where)
 
-    @property
-    def _where_px(self) -> int:
-        unit = self.text.unit_room or self.text.unit
-        return self.metrics.horizontalAdvance(f"{self.text.where_room} · {unit}")
-
-    def _most_px(self, rank: int) -> int:
-        """Return the largest width of a named entry."""
-        line_px = self.width_px - UNIT_PX
-        if self.may_fold:
-            return line_px
-        name_px = self.metrics.horizontalAdvance(self.text.names[rank].short)
-        share_px = (line_px - self._where_px) // len(self.text.names)
-        return max(share_px, SWATCH_PX + 2 * GAP_PX + UNIT_PX + name_px)
-
 
 STRIP_HEIGHT_PX = 20
 _TEXT, _AROUND_PX = 0.9, 7
@@ -267,9 +221,9 @@ _AT_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 class LegendStrip(QWidget):
     """A line with colour, number, place and reading of each curve, and where they are read.
 
-    A narrow line leaves out units, then places, then numbers, then curves; peaks may take one more
-    line, and are left out before numbers.  The tooltip has everything.  Curves without numbers keep
-    their names, and take more lines if they may.
+    A narrow line leaves out units, then places, then numbers, then curves; peaks are left out
+    before numbers.  The tooltip has everything.  Curves without numbers keep their names, and take
+    more lines.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -278,7 +232,7 @@ class LegendStrip(QWidget):
         self.setAccessibleName("Curves and readings")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._text = LegendText()
-        self._n_lines, self._may_fold = 1, True
+        self._n_lines = 1
 
     @property
     def text(self) -> LegendText:
@@ -290,13 +244,6 @@ class LegendStrip(QWidget):
         if text != self._text:
             self._text = text
             self.setAccessibleDescription(text.lines())
-            self._make_room()
-            self.update()
-
-    def let_fold(self, may_fold: bool) -> None:
-        """Allow or forbid more than one line: a low plot needs the room."""
-        if may_fold != self._may_fold:
-            self._may_fold = may_fold
             self._make_room()
             self.update()
 
@@ -348,7 +295,7 @@ class LegendStrip(QWidget):
     def text_layout(self) -> LegendLayout:
         """The layout for the present size."""
         metrics = QFontMetrics(self.text_font)
-        return LegendLayout(self._text, metrics, self.width(), self._may_fold)
+        return LegendLayout(self._text, metrics, self.width())
 
     @property
     def _line_px(self) -> int:

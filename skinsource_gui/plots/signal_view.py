@@ -301,7 +301,7 @@ class SignalExports(QObject):
 
 
 _COMPUTING = "Computing…"
-#: A view of so many lines of text has room for two rows of switches, or of a legend.
+#: A view of so many lines of text has room for two rows of switches.
 _LINES_OF_TWO_ROWS = 12
 
 
@@ -394,9 +394,7 @@ class SignalView(QWidget):
 
     def _share_height(self) -> None:
         line_px = self.fontMetrics().lineSpacing()
-        has_room = self._in_sight.px >= _LINES_OF_TWO_ROWS * line_px
-        for part in (self.toolbar, self.legend):
-            part.let_fold(has_room)
+        self.toolbar.let_fold(self._in_sight.px >= _LINES_OF_TWO_ROWS * line_px)
 
     def _mark_stale(self, stale: bool) -> None:
         if self.plot.curves is None and not self.plot.message:
@@ -451,9 +449,10 @@ def reading(plot: Plot) -> LegendText:
     if curves.axes:
         text = text.of_axes(curves.axes)
     elif curves.peaks:
-        text = _with_room_for_peaks(text, curves)
+        # With room for peaks too, so that nothing moves.
+        text = replace(text, reading_room=max((text.reading_room, *curves.peak_texts), key=len))
     if plot.crosshair.index is None:
-        return _with_peaks(text, curves) if text.relative else text
+        return text if curves.axes or not curves.peaks else _with_peaks(text, curves)
     readings = tuple(unit.reading(float(y)) for y in curves.y[:, plot.crosshair.index])
     return replace(
         text,
@@ -465,16 +464,6 @@ def reading(plot: Plot) -> LegendText:
 def _with_peaks(text: LegendText, curves: Curves) -> LegendText:
     """Return the legend without a crosshair: the peaks to which the curves are relative."""
     return replace(text, unit=curves.peak_unit.symbol, where=PEAK, readings=curves.peak_texts)
-
-
-def _with_room_for_peaks(text: LegendText, curves: Curves) -> LegendText:
-    """Return the legend with room for readings and for peaks, so that nothing moves."""
-    return replace(
-        text,
-        relative=True,
-        reading_room=max((text.reading_room, *curves.peak_texts), key=len),
-        unit_room=max((text.unit, curves.peak_unit.symbol), key=len),
-    )
 
 
 #: Quantities that describe curves in files and pictures.
