@@ -113,7 +113,7 @@ class Theme:
 
 
 def _theme(name: str, row: Mapping[str, Any]) -> Theme:
-    colours = {
+    colours: dict[str, Any] = {
         part: tuple(colour) if isinstance(colour, list) else colour for part, colour in row.items()
     }
     return Theme(name=name, **colours)

@@ -130,6 +130,7 @@ class InputFields(QObject):
         facts = facts_of("")
         self._played_at, self._places = (facts.sample_rate_hz, facts.band_hz), _places_of("")
         self._own: tuple[LabelledCell, ...] = ()
+        self._arranged: tuple[LabelledCell, ...] = ()
         self._built_for: type[Waveform] | None = None
         self._length: TextCell | None = None
         self._several = False
@@ -171,15 +172,12 @@ class InputFields(QObject):
         # A curve that was deleted can be typed again until another track is shown.
         curved = track.id if track.gain_curve or self._curve_of == track.id else None
         lasts = "" if clip is None else played_length_text(clip)
-        others = (several, curved) != (self._several, self._curve_of)
-        before = self._notes_shown
+        self._several, self._curve_of = several, curved
         self._played_length.text_label.setText(lasts)
         self._peak.text_label.setText(peak)
-        if kind is not self._built_for or others:
-            self._several, self._curve_of = several, curved
+        if kind is not self._built_for:
             self._build_own(None if clip is None else clip.waveform)
-        elif self._notes_shown != before:
-            self.grid.show_cells(self._cells())
+        self._arrange()
         if self._length is not None and clip is not None:
             self._length.text_label.setText(fixed_length_text(clip.waveform))
         self._amplitude.set_spec(amplitude)
@@ -226,23 +224,24 @@ class InputFields(QObject):
         for cell in self._fields():
             cell.forget_typing()
 
-    @property
-    def _notes_shown(self) -> tuple[bool, bool]:
-        """Whether the played duration and the resulting peak are shown."""
-        return bool(self._played_length.text_label.text()), bool(self._peak.text_label.text())
-
     def _cells(self) -> tuple[LabelledCell, ...]:
-        of_clip = () if self._built_for is None else (self._onset,)
-        gain = (self._gain,) if self._several else ()
-        lasts, peak = (
-            (cell,) if shown else ()
-            for cell, shown in zip(
-                (self._played_length, self._peak), self._notes_shown, strict=True
-            )
+        optional: tuple[tuple[LabelledCell, object], ...] = (
+            (self._played_length, self._played_length.text_label.text()),
+            (self._amplitude, True),
+            (self._peak, self._peak.text_label.text()),
+            (self._gain, self._several),
+            (self._onset, self._built_for is not None),
+            (self.place, True),
+            (self._curve, self._curve_of is not None),
         )
-        own = (self.kind, *self._own, *lasts)
-        curve = () if self._curve_of is None else (self._curve,)
-        return (*own, self._amplitude, *peak, *gain, *of_clip, self.place, *curve)
+        return (self.kind, *self._own, *(cell for cell, shown in optional if shown))
+
+    def _arrange(self) -> None:
+        """Show the cells that belong to the input."""
+        cells = self._cells()
+        if cells != self._arranged:
+            self._arranged = cells
+            self.grid.show_cells(cells)
 
     def _fields(self) -> list[FieldCell]:
         return [cell for cell in self._cells() if isinstance(cell, FieldCell)]
@@ -271,7 +270,7 @@ class InputFields(QObject):
         focused = QApplication.focusWidget()
         if focused is not None and any(cell.isAncestorOf(focused) for cell in old):
             self.kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
-        self.grid.show_cells(self._cells())
+        self._arrange()
         for part in (widget for cell in old for widget in (cell.label, cell)):
             part.deleteLater()
 
