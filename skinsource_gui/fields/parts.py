@@ -42,7 +42,7 @@ from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import Editor, NewEditor
 from skinsource_gui.fields.grid import EditedCell, FieldGrid
 from skinsource_gui.fields.kinds import fill_kind_menu
-from skinsource_gui.qt.buttons import LetterButton, remove_button
+from skinsource_gui.qt.buttons import remove_button
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
@@ -326,8 +326,8 @@ class FieldsRow(QWidget):
     ----------
     title
         The title; emits drags and keys.
-    before, after
-        Buttons before and after the title; the last one removes the row.
+    before
+        Buttons before the title; one after it removes the row.
 
     Attributes
     ----------
@@ -338,16 +338,14 @@ class FieldsRow(QWidget):
     removed = Signal()
     part: Any = None
 
-    def __init__(
-        self, title: RowTitle, before: Sequence[QWidget], after: Sequence[QWidget], gap_px: int
-    ) -> None:
+    def __init__(self, title: RowTitle, before: Sequence[QWidget], gap_px: int) -> None:
         super().__init__()
         self.title, self.remove_button = title, remove_button()
         self.grid = FieldGrid()
         self.grid.hide()
         head = QHBoxLayout()
         head.setSpacing(gap_px)
-        for part in (*before, title, *after, self.remove_button):
+        for part in (*before, title, self.remove_button):
             head.addWidget(part, 1 if part is title else 0)
         in_column(head, self.grid, of=self, margins=0, gap_px=UNIT_PX // 4)
         title.opened.connect(self._open)
@@ -396,13 +394,11 @@ PLACE = "parts"
 
 
 class PartRow(FieldsRow):
-    """The title of a part, buttons that move and remove it, and its fields while it is open.
+    """The title of a part, a button that removes it, and its fields while it is open.
 
     The fields are made when they are shown first.
     """
 
-    #: The part shall move: "shift_up" or "shift_down".
-    stepped = Signal(str)
     #: The changed part; number of the gesture or None.
     edited = Signal(object, object)
     #: The order of the Tab key has changed.
@@ -411,13 +407,9 @@ class PartRow(FieldsRow):
     def __init__(self, spec: ModelSpec, new_editor: NewEditor) -> None:
         self._spec, self._new_editor = spec, new_editor
         self.fields: PartFields | None = None
-        self._up = _step_button("↑", "Move up", "shift_up")
-        self._down = _step_button("↓", "Move down", "shift_down")
-        super().__init__(RowTitle("", PLACE, "in the list"), (), (self._up, self._down), 0)
+        super().__init__(RowTitle("", PLACE, "in the list"), (), 0)
         # The indent tells whose fields they are.
         self.grid.set_margins(UNIT_PX, 0, 0, UNIT_PX // 2)
-        self._up.clicked.connect(lambda: self.stepped.emit("shift_up"))
-        self._down.clicked.connect(lambda: self.stepped.emit("shift_down"))
 
     @property
     def cells(self) -> tuple[EditedCell, ...]:
@@ -425,18 +417,13 @@ class PartRow(FieldsRow):
 
     @property
     def stops(self) -> tuple[QWidget, ...]:
-        buttons = (self.title, self._up, self._down, self.remove_button)
-        return (*buttons, *(cell.field for cell in self.cells))
+        return (self.title, self.remove_button, *(cell.field for cell in self.cells))
 
     def show_part(self, part: Any, index: int, count: int, fewest: int) -> None:
         """Show part ``index`` of ``count``, of which ``fewest`` have to stay."""
         self.part = part
         self.title.set_text(f"{index + 1} · {part_text(part)}")
         name = f"{self._spec.label.lower()} {index + 1}"
-        for button, can in ((self._up, index > 0), (self._down, index < count - 1)):
-            if button.hasFocus() and not can:
-                self.title.setFocus(Qt.FocusReason.OtherFocusReason)
-            button.setEnabled(can)
         self.remove_button.setEnabled(count > fewest)
         hint = f"Remove {name} ({key_text(PLACE, 'remove')})"
         self.remove_button.setToolTip(tooltip(hint if count > fewest else why_required(fewest)))
@@ -466,13 +453,6 @@ class PartRow(FieldsRow):
 def why_required(fewest: int) -> str:
     """Return why the last parts cannot be removed."""
     return f"At least {fewest} {'has' if fewest == 1 else 'have'} to stay"
-
-
-def _step_button(letter: str, name: str, key: str) -> LetterButton:
-    button = LetterButton(letter, name)
-    button.setObjectName(f"{key}_button")
-    button.setToolTip(tooltip(f"{name} ({key_text(PLACE, key)})"))
-    return button
 
 
 _LINE_PX = 2
@@ -678,7 +658,6 @@ class PartsEditor(Editor, QWidget):
         row = PartRow(self._of, self._new_editor)
         row.edited.connect(lambda part, gesture: self._change(row, part, gesture))
         row.removed.connect(lambda: self._remove(row))
-        row.stepped.connect(lambda name: self._column.step(row, name))
         row.restopped.connect(self._column.order_stops)
         self._column.take_in(row)
         return row

@@ -37,7 +37,7 @@ class EffectRow(FieldsRow):
         self._switch.setAccessibleName(f"{effect.title} on")
         self._switch.setToolTip(tooltip(ON.label, ON.hint))
         title = RowTitle(effect.title, "effects", "in the chain")
-        super().__init__(title, (self._switch,), (), UNIT_PX // 2)
+        super().__init__(title, (self._switch,), UNIT_PX // 2)
         self.remove_button.setToolTip(tooltip(f"Remove {effect.title.lower()}"))
         self.grid.show_cells(self._cells)
         for cell in self._cells:
