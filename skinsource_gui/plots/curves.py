@@ -111,14 +111,6 @@ class Curves:
     matched: str = ""
     wave: Wave | None = None
 
-    def __post_init__(self) -> None:
-        n_curves = len(self.names) * self.each
-        if self.y.shape != (n_curves, self.x.size) or self.x.size == 0:
-            raise ValueError(
-                f"y has shape {self.y.shape}, expected ({n_curves}, {self.x.size}) with at least "
-                "one point"
-            )
-
     @property
     def reach(self) -> Range:
         """Lowest and highest value of all curves, and of the wave where it is known."""

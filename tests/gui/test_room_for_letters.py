@@ -15,7 +15,7 @@ from skinsource_gui.plots.axis import Axis
 from skinsource_gui.plots.plot import Plot
 from skinsource_gui.shell.appearance import LARGEST_TEXT
 from skinsource_gui.shell.arrangement_spec import ArrangementSpec, Place
-from skinsource_gui.shell.dock_layout import Folded, Needs, folded, room_of
+from skinsource_gui.shell.dock_layout import Needs, folded, room_of
 
 FIELDS = View(selected_inputs=(1,), outputs=(29, 30, 33, 35))
 
@@ -160,28 +160,22 @@ def needs(width, height, spec=SPEC):
     )
 
 
-def test_where_there_is_room_for_all_panels_none_is_a_tab():
-    assert folded(COLUMNS, ("foot",), needs(310, 310)) == Folded(
-        ((("left",),), (("mid",),), (("right",), ("under",))), ("foot",)
-    )
-
-
-def test_panels_of_a_column_that_is_too_low_are_tabs():
-    fold = folded(COLUMNS, ("foot",), needs(310, 309))
-    assert fold == Folded(((("left",),), (("mid",),), (("right", "under"),)), ("foot",))
-    assert fold.tabs == (("right", "under"),)
-
-
-def test_what_is_below_all_columns_is_a_tab_where_columns_are_too_low_for_it():
-    fold = folded(COLUMNS, ("foot",), needs(310, 224))
-    assert fold.foot == ()
-    assert ("mid", "foot") in fold.tabs
-
-
-def test_columns_that_are_too_narrow_yield_in_their_order():
-    narrow = folded(COLUMNS, (), needs(309, 310))
-    assert narrow.columns == ((("left",),), (("mid", "right", "under"),))
-    assert folded(COLUMNS, (), needs(150, 310)).columns == ((("mid", "right", "under", "left"),),)
+@pytest.mark.parametrize(
+    ("size", "columns", "foot"),
+    [
+        # There is room for all; the last column is too low; all are too low for what is below.
+        ((310, 310), [["left"], ["mid"], ["right", "under"]], ("foot",)),
+        ((310, 309), [["left"], ["mid"], ["right under"]], ("foot",)),
+        ((310, 224), [["left"], ["mid foot"], ["right", "under"]], ()),
+        # Columns that are too narrow yield in their order.
+        ((309, 900), [["left"], ["mid right under"]], ("foot",)),
+        ((150, 900), [["mid right under left"]], ("foot",)),
+    ],
+)
+def test_panels_without_room_of_their_own_are_tabs(size, columns, foot):
+    fold = folded(COLUMNS, ("foot",), needs(*size))
+    assert [[" ".join(tabs) for tabs in column] for column in fold.columns] == columns
+    assert fold.foot == foot
 
 
 def test_gaps_between_panels_are_no_room_of_theirs():

@@ -199,13 +199,7 @@ def test_a_number_with_too_little_room_is_never_shown_as_another_one(make_bench,
 
 def test_a_long_time_is_shown_typed_and_copied_in_seconds(make_bench):
     bench = make_bench(DURATION, 0.2)
-    for typed, value_si in (
-        ("2.5 s", 2.5),
-        ("3", 3.0),
-        ("800 ms", 0.8),
-        ("900", 0.9),
-        ("12.5s", 12.5),
-    ):
+    for typed, value_si in (("2.5 s", 2.5), ("3", 3.0), ("800 ms", 0.8), ("12.5s", 12.5)):
         bench.type(typed)
         assert bench.edits[-1] == (value_si, None)
     assert bench.field.text() == "12.5"
