@@ -44,7 +44,7 @@ from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import Drawn, Recording
 from skinsource.limbs.limb import LimbFacts
-from skinsource.limbs.locations import LocationNames, input_name
+from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
@@ -55,8 +55,8 @@ from skinsource_gui.fields.inputs import FieldChanges, fixed_length_text, played
 from skinsource_gui.panels.inspector.effects import EffectChain
 from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import Swatch, mute_button, page_label, solo_button
-from skinsource_gui.qt.fitting import LayoutWatcher, SteadyArea
-from skinsource_gui.qt.labels import how_to_add, how_to_select_input
+from skinsource_gui.qt.fitting import SteadyArea
+from skinsource_gui.qt.labels import FittingLabel, how_to_add, how_to_select_input
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import show_tooltip, tooltip
@@ -290,11 +290,10 @@ class InputHeading(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._place: LocationNames | None = None
-        self._before = ""
         self._swatch = Swatch()
-        self._title = QLabel()
+        self._title = FittingLabel()
         self._title.setObjectName("inspector_heading")
+        self._title.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self._title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         font = QFont(self.font())
         font.setWeight(QFont.Weight.DemiBold)
@@ -303,9 +302,7 @@ class InputHeading(QWidget):
         set_tone(self._state, "warning")
         self._mute, self._solo = mute_button(), solo_button()
         parts = (self._swatch, (self._title, 1), self._state, self._mute, self._solo)
-        self._row = in_row(*parts, of=self, margins=0, gap_px=UNIT_PX // 2)
-        self._row.insertSpacing(1, UNIT_PX // 2)
-        LayoutWatcher(self).changed.connect(self._fit_title)
+        in_row(*parts, of=self, margins=0, gap_px=UNIT_PX // 2).insertSpacing(1, UNIT_PX // 2)
         self._mute.clicked.connect(self.mute_toggled)
         self._solo.clicked.connect(self.solo_toggled)
 
@@ -313,9 +310,10 @@ class InputHeading(QWidget):
         self, shown: Input, limb: str, *, silent: bool, batch: tuple[Input, ...]
     ) -> None:
         """Show the last input of a ``batch`` edited together; ``silent``: it is not heard."""
-        self._before = f"{len(batch)} inputs, last: " if len(batch) > 1 else ""
         place = input_name(shown.location, limb)
-        self._place = place
+        before = f"{len(batch)} inputs, last: " if len(batch) > 1 else ""
+        short = f"{before}{place.short_name}"
+        self._title.show_phrases((f"{before}{place.name}", f"{short[0].upper()}{short[1:]}"))
         self._swatch.show_input(shown.location, shown.colour, silent=silent)
         contact = f" ({place.kind})" if place.kind else ""
         show_tooltip(self._title, f"Input place {place.number}: {place.name}{contact}")
@@ -323,20 +321,6 @@ class InputHeading(QWidget):
         self._state.setText(of_whom if silent else "")
         self._mute.setChecked(all(track.muted for track in batch))
         self._solo.setChecked(all(track.solo for track in batch))
-        self._fit_title()
-
-    def _fit_title(self) -> None:
-        if self._place is None:
-            return
-        self._row.activate()
-        metrics, room = self._title.fontMetrics(), self._title.width()
-        name = f"{self._before}{self._place.name}"
-        if metrics.horizontalAdvance(name) > room:
-            short = f"{self._before}{self._place.short_name}"
-            name = metrics.elidedText(
-                short[0].upper() + short[1:], Qt.TextElideMode.ElideRight, room
-            )
-        self._title.setText(name)
 
 
 _NEEDS = frozenset({"input_waveforms", "sample_rate_hz"})
