@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import lru_cache, partial
 from typing import Any
 
-from PySide6.QtCore import QObject, QSize, Qt, Signal
+from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import (
     QApplication,
@@ -63,31 +63,20 @@ from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 from skinsource_gui.state.panel import Panel
 
 
-class ButtonCell(LabelledCell):
-    """A button that leads to where a value is changed.
-
-    Parameters
-    ----------
-    label, text, hint
-        Label beside the button, text on it, and tooltip.
-    name
-        Its `objectName`.
-    """
-
-    clicked = Signal()
-
-    def __init__(
-        self, label: str, text: str, hint: str, *, name: str, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(label, parent)
-        self.button = QPushButton(text, self)
-        self.button.setObjectName(name)
-        self.button.setMinimumHeight(LABEL_PX)
-        self.button.setToolTip(tooltip(hint))
-        self.button.clicked.connect(lambda: self.clicked.emit())
-        self.stack.addWidget(self.button, 0, Qt.AlignmentFlag.AlignLeft)
-        self.label.setBuddy(self.button)
-        self.setFocusProxy(self.button)
+def _button_cell(
+    label: str, text: str, hint: str, *, name: str, clicked: SignalInstance
+) -> LabelledCell:
+    """Return a cell with a button that leads to where a value is changed."""
+    cell = LabelledCell(label)
+    button = QPushButton(text, cell)
+    button.setObjectName(name)
+    button.setMinimumHeight(LABEL_PX)
+    button.setToolTip(tooltip(hint))
+    button.clicked.connect(lambda: clicked.emit())
+    cell.stack.addWidget(button, 0, Qt.AlignmentFlag.AlignLeft)
+    cell.label.setBuddy(button)
+    cell.setFocusProxy(button)
+    return cell
 
 
 def _places_of(limb: str) -> ChoiceSpec:
@@ -257,14 +246,17 @@ class InputFields(QObject):
             cells.append(self._length)
         if isinstance(waveform, Drawn):
             hint = "Show the clip large, and draw on it with the pen"
-            pen = ButtonCell("Pen", "Draw", hint, name="draw_button")
-            pen.clicked.connect(self.pen_requested)
-            cells.append(pen)
+            cells.append(
+                _button_cell("Pen", "Draw", hint, name="draw_button", clicked=self.pen_requested)
+            )
         if isinstance(waveform, Recording):
             hint = "Import a recording, in place of these samples or beside them"
-            file = ButtonCell("File", "Choose file…", hint, name="recording_button")
-            file.clicked.connect(self.file_requested)
-            cells.append(file)
+            requested = self.file_requested
+            cells.append(
+                _button_cell(
+                    "File", "Choose file…", hint, name="recording_button", clicked=requested
+                )
+            )
         self._own = tuple(cells)
         self._built_for = type(waveform) if waveform else None
         focused = QApplication.focusWidget()
