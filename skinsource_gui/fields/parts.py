@@ -42,7 +42,7 @@ from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import Editor, NewEditor
 from skinsource_gui.fields.grid import EditedCell, FieldGrid
 from skinsource_gui.fields.kinds import fill_kind_menu
-from skinsource_gui.qt.buttons import LetterButton, remove_button
+from skinsource_gui.qt.buttons import remove_button
 from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX
@@ -326,22 +326,26 @@ class FieldsRow(QWidget):
     ----------
     title
         The title; emits drags and keys.
-    before, after
-        Buttons before and after the title; the last one removes the row.
+    before
+        Buttons before the title; one after it removes the row.
+
+    Attributes
+    ----------
+    part
+        The model that is shown.
     """
 
     removed = Signal()
+    part: Any = None
 
-    def __init__(
-        self, title: RowTitle, before: Sequence[QWidget], after: Sequence[QWidget], gap_px: int
-    ) -> None:
+    def __init__(self, title: RowTitle, before: Sequence[QWidget], gap_px: int) -> None:
         super().__init__()
         self.title, self.remove_button = title, remove_button()
         self.grid = FieldGrid()
         self.grid.hide()
         head = QHBoxLayout()
         head.setSpacing(gap_px)
-        for part in (*before, title, *after, self.remove_button):
+        for part in (*before, title, self.remove_button):
             head.addWidget(part, 1 if part is title else 0)
         in_column(head, self.grid, of=self, margins=0, gap_px=UNIT_PX // 4)
         title.opened.connect(self._open)
@@ -390,13 +394,11 @@ PLACE = "parts"
 
 
 class PartRow(FieldsRow):
-    """The title of a part, buttons that move and remove it, and its fields while it is open.
+    """The title of a part, a button that removes it, and its fields while it is open.
 
     The fields are made when they are shown first.
     """
 
-    #: The part shall move: "shift_up" or "shift_down".
-    stepped = Signal(str)
     #: The changed part; number of the gesture or None.
     edited = Signal(object, object)
     #: The order of the Tab key has changed.
@@ -404,15 +406,10 @@ class PartRow(FieldsRow):
 
     def __init__(self, spec: ModelSpec, new_editor: NewEditor) -> None:
         self._spec, self._new_editor = spec, new_editor
-        self.part: Any = None
         self.fields: PartFields | None = None
-        self._up = _step_button("↑", "Move up", "shift_up")
-        self._down = _step_button("↓", "Move down", "shift_down")
-        super().__init__(RowTitle("", PLACE, "in the list"), (), (self._up, self._down), 0)
+        super().__init__(RowTitle("", PLACE, "in the list"), (), 0)
         # The indent tells whose fields they are.
         self.grid.set_margins(UNIT_PX, 0, 0, UNIT_PX // 2)
-        self._up.clicked.connect(lambda: self.stepped.emit("shift_up"))
-        self._down.clicked.connect(lambda: self.stepped.emit("shift_down"))
 
     @property
     def cells(self) -> tuple[EditedCell, ...]:
@@ -420,18 +417,13 @@ class PartRow(FieldsRow):
 
     @property
     def stops(self) -> tuple[QWidget, ...]:
-        buttons = (self.title, self._up, self._down, self.remove_button)
-        return (*buttons, *(cell.field for cell in self.cells))
+        return (self.title, self.remove_button, *(cell.field for cell in self.cells))
 
     def show_part(self, part: Any, index: int, count: int, fewest: int) -> None:
         """Show part ``index`` of ``count``, of which ``fewest`` have to stay."""
         self.part = part
         self.title.set_text(f"{index + 1} · {part_text(part)}")
         name = f"{self._spec.label.lower()} {index + 1}"
-        for button, can in ((self._up, index > 0), (self._down, index < count - 1)):
-            if button.hasFocus() and not can:
-                self.title.setFocus(Qt.FocusReason.OtherFocusReason)
-            button.setEnabled(can)
         self.remove_button.setEnabled(count > fewest)
         hint = f"Remove {name} ({key_text(PLACE, 'remove')})"
         self.remove_button.setToolTip(tooltip(hint if count > fewest else why_required(fewest)))
@@ -461,13 +453,6 @@ class PartRow(FieldsRow):
 def why_required(fewest: int) -> str:
     """Return why the last parts cannot be removed."""
     return f"At least {fewest} {'has' if fewest == 1 else 'have'} to stay"
-
-
-def _step_button(letter: str, name: str, key: str) -> LetterButton:
-    button = LetterButton(letter, name)
-    button.setObjectName(f"{key}_button")
-    button.setToolTip(tooltip(f"{name} ({key_text(PLACE, key)})"))
-    return button
 
 
 _LINE_PX = 2
@@ -531,6 +516,26 @@ class RowColumn(QWidget, Generic[Row]):
             stops: list[QWidget] = [row.title for row in rows]
             stops = stops or [self._head]
             stops[min(was_focused[0], len(stops) - 1)].setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def rows_for(
+        self, parts: Parts, new_row: Callable[[Any], Row], *, same_kind: bool = False
+    ) -> tuple[Row, ...]:
+        """Return a row for each part: its own, else that at its place, else a new one.
+
+        ``same_kind``: the row at its place fits only a part of the same kind.
+        """
+        own = {id(row.part): row for row in reversed(self.rows)}
+        left = set(self.rows) - {own[id(part)] for part in parts if id(part) in own}
+        rows: list[Row] = []
+        for index, part in enumerate(parts):
+            row = own.pop(id(part), None)
+            at_place = self.rows[index] if index < len(self.rows) else None
+            if row is None and at_place in left:
+                fits = not same_kind or type(at_place.part) is type(part)
+                row = at_place if fits else None
+            rows.append(new_row(part) if row is None else row)
+            left.discard(rows[-1])
+        return tuple(rows)
 
     def order_stops(self) -> None:
         """Set the order of the Tab key along the rows."""
@@ -640,7 +645,7 @@ class PartsEditor(Editor, QWidget):
             row.forget_typing()
 
     def _show(self) -> None:
-        count, rows = len(self._value), _rows_of(self._value, self.rows, self._new_row)
+        count, rows = len(self._value), self._column.rows_for(self._value, self._new_row)
         for index, part in enumerate(self._value):
             rows[index].show_part(part, index, count, self._spec.fewest)
         self._column.show_rows(rows)
@@ -649,11 +654,10 @@ class PartsEditor(Editor, QWidget):
         reason = f"There are at most {self._spec.most}; remove one first"
         self._add.setToolTip(tooltip(reason if full else "Add one at the end"))
 
-    def _new_row(self) -> PartRow:
+    def _new_row(self, _part: Any) -> PartRow:
         row = PartRow(self._of, self._new_editor)
         row.edited.connect(lambda part, gesture: self._change(row, part, gesture))
         row.removed.connect(lambda: self._remove(row))
-        row.stepped.connect(lambda name: self._column.step(row, name))
         row.restopped.connect(self._column.order_stops)
         self._column.take_in(row)
         return row
@@ -691,22 +695,3 @@ class PartsEditor(Editor, QWidget):
             self._value = parts
             self._show()
             self.edited.emit(parts, gesture)
-
-
-def _rows_of(
-    parts: Parts, rows: tuple[PartRow, ...], new_row: Callable[[], PartRow]
-) -> tuple[PartRow, ...]:
-    """Return a row for each part: that which shows it, else that at its index, else a new one."""
-    left = list(rows)
-    row_at: dict[int, PartRow] = {}
-    for index, part in enumerate(parts):
-        own = next((row for row in left if row.part is part), None)
-        if own is not None:
-            row_at[index] = own
-            left.remove(own)
-    for index in range(len(parts)):
-        if index not in row_at:
-            same_place = [row for row in rows[index : index + 1] if row in left]
-            row_at[index] = same_place[0] if same_place else new_row()
-            left = [row for row in left if row not in same_place]
-    return tuple(row_at[index] for index in range(len(parts)))

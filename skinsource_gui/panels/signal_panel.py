@@ -5,8 +5,9 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtGui import QPainter
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QToolButton, QWidget
 
+from skinsource.specs.spec import SwitchSpec
 from skinsource_gui.plots.signal_view import SignalView, draw_signals
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import LIGHT, Theme
@@ -30,6 +31,28 @@ class SignalPanel(OutputsPanel):
         in_column(self._plot, of=self, margins=0)
         self._plot.exports.failed.connect(self.failed)
         self._plot.exports.written.connect(self.written)
+        self._plot.toolbar.layout_chosen.connect(lambda layout: self.change_settings(layout=layout))
+        self._switches: dict[str, QToolButton] = {}
+
+    def add_switch(
+        self, name: str, spec: SwitchSpec, *, text: str = "", hint: str = "", in_menu: bool = False
+    ) -> None:
+        """Let the user switch a setting in the toolbar, or in the menu of the plot."""
+        add = self._plot.add_switch_in_menu if in_menu else self._plot.toolbar.add_switch
+        switch = add(
+            name.replace("_", "-"),
+            text or spec.label,
+            hint or spec.hint,
+            lambda on: self.change_settings(**{name: on}),
+        )
+        switch.setAccessibleName(spec.label)
+        self._switches[name] = switch
+
+    def show_settings(self, settings: Any, *, zoomed: bool) -> None:
+        """Show settings in the toolbar, and whether the plot is zoomed."""
+        for name, switch in self._switches.items():
+            self._plot.show_switch(switch, getattr(settings, name))
+        self._plot.toolbar.show_state(layout=settings.layout, zoomed=zoomed)
 
     @property
     def message(self) -> str:

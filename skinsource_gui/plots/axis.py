@@ -1,6 +1,7 @@
 """The scene of a plot: pyqtgraph's axes and view boxes, adapted, and the rows made of them."""
 
 from collections.abc import Callable, Sequence
+from itertools import product
 from typing import Any, Literal, TypeVar
 
 import pyqtgraph
@@ -118,49 +119,38 @@ class Axis(pyqtgraph.AxisItem):
         above = QFontMetricsF(self._font).height() / 2 if self.orientation == "left" else 1
         return bounds.adjusted(-1, -above, 1, above)
 
-    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
-        # Without pyqtgraph's QPicture, which would lose the tabular digits of the font.
-        painter.setFont(self._font)
-        specs = self.generateDrawSpecs(painter)
-        if specs is not None:
-            self.drawPicture(painter, *specs)
-
-    def generateDrawSpecs(self, painter: QPainter) -> Any:
-        metrics = QFontMetricsF(self._font)
-        ticks = self.ticks()
-        below = self.orientation == "bottom"
-        pen = QPen(QColor(current_theme().grid), 1)
-        lines, labels = [], []
-        for rect in map(self._view_rect, self._views):
-            for at, _ in ticks:
-                if below:
-                    ends = QPointF(at, rect.top()), QPointF(at, rect.bottom())
-                else:
-                    ends = QPointF(rect.left(), at), QPointF(rect.right(), at)
-                lines.append((pen, *ends))
+    def labels(self) -> list[tuple[QRectF, str]]:
+        """Return the labels that have room, and their places."""
+        metrics, below = QFontMetricsF(self._font), self.orientation == "bottom"
         place = self._below if below else self._beside
-        free_from = 0.0
-        for at, text in ticks:
+        labels, free_from = [], 0.0
+        for at, text in self.ticks():
             room = place(at, metrics.horizontalAdvance(text) + 2, metrics.height())
             if text and not (below and room.left() < free_from):
-                labels.append((room, _CENTRED if below else _AT_RIGHT, text))
+                labels.append((room, text))
                 free_from = room.right() + _GAP_PX
-        return None, lines, labels
+        return labels
 
-    def drawPicture(self, painter: QPainter, axis: Any, lines: Any, labels: Any) -> None:
+    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+        # Without pyqtgraph's QPicture, which would lose the tabular digits of the font.
+        below, theme = self.orientation == "bottom", current_theme()
+        painter.setFont(self._font)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         for outside in self.shaded():
-            painter.fillRect(outside, QColor(current_theme().window))
-        for pen, start, end in lines:
-            painter.setPen(pen)
-            painter.drawLine(start, end)
-        if self.orientation == "left":
-            painter.setPen(QPen(QColor(current_theme().border), 1))
-            for rect in map(self._view_rect, self._views):
-                painter.drawRect(rect)
-        painter.setPen(QColor(current_theme().dim))
-        for room, flags, text in labels:
-            painter.drawText(room, flags, text)
+            painter.fillRect(outside, QColor(theme.window))
+        rects = [self._view_rect(view) for view in self._views]
+        painter.setPen(QPen(QColor(theme.grid), 1))
+        for rect, (at, _) in product(rects, self.ticks()):
+            if below:
+                painter.drawLine(QPointF(at, rect.top()), QPointF(at, rect.bottom()))
+            else:
+                painter.drawLine(QPointF(rect.left(), at), QPointF(rect.right(), at))
+        if not below:
+            painter.setPen(QPen(QColor(theme.border), 1))
+            painter.drawRects(rects)
+        painter.setPen(QColor(theme.dim))
+        for room, text in self.labels():
+            painter.drawText(room, _CENTRED if below else _AT_RIGHT, text)
         self._write_title(painter)
 
     def _view_rect(self, view: pyqtgraph.ViewBox) -> QRectF:

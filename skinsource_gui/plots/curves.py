@@ -111,14 +111,6 @@ class Curves:
     matched: str = ""
     wave: Wave | None = None
 
-    def __post_init__(self) -> None:
-        n_curves = len(self.names) * self.each
-        if self.y.shape != (n_curves, self.x.size) or self.x.size == 0:
-            raise ValueError(
-                f"y has shape {self.y.shape}, expected ({n_curves}, {self.x.size}) with at least "
-                "one point"
-            )
-
     @property
     def reach(self) -> Range:
         """Lowest and highest value of all curves, and of the wave where it is known."""
@@ -702,32 +694,6 @@ class HeaderLine(pyqtgraph.GraphicsWidget):
         painter.drawText(QRectF(start, 0, max(right - start, 1), line.height()), _AT_LEFT, note)
 
 
-class RowNumber(pyqtgraph.GraphicsWidget):
-    """The number of an output beside its row, in the colour of its curve."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
-        self.text = ""
-        self._colour = QColor()
-        self._font = QFont()
-
-    def say(self, text: str, colour: QColor, font: QFont) -> None:
-        """Show ``text``."""
-        if (text, colour, font) != (self.text, self._colour, self._font):
-            self.text, self._colour, self._font = text, colour, font
-            self.update()
-
-    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
-        font, height = QFont(self._font), self.rect().height()
-        if height < QFontMetricsF(font).height():
-            font.setPixelSize(max(_SMALLEST_FONT_PX, int(height * 0.85)))
-        font.setBold(True)
-        painter.setFont(font)
-        painter.setPen(self._colour)
-        painter.drawText(self.rect(), _CENTRED, self.text)
-
-
 class Message(pyqtgraph.GraphicsWidget):
     """A text in the middle of an empty plot."""
 
@@ -741,11 +707,29 @@ class Message(pyqtgraph.GraphicsWidget):
 
     def say(self, text: str, colour: QColor, font: QFont) -> None:
         """Show ``text``."""
-        self.text, self._colour, self._font = text, colour, font
+        if (text, colour, font) != (self.text, self._colour, self._font):
+            self.text, self._colour, self._font = text, colour, font
+            self.update()
         self.setVisible(bool(text))
-        self.update()
 
     def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
         painter.setFont(self._font)
         painter.setPen(self._colour)
         painter.drawText(self.rect(), _CENTRED | Qt.TextFlag.TextWordWrap, self.text)
+
+
+class RowNumber(Message):
+    """The number of an output beside its row, in the colour of its curve."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
+
+    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+        font, height = QFont(self._font), self.rect().height()
+        if height < QFontMetricsF(font).height():
+            font.setPixelSize(max(_SMALLEST_FONT_PX, int(height * 0.85)))
+        font.setBold(True)
+        painter.setFont(font)
+        painter.setPen(self._colour)
+        painter.drawText(self.rect(), _CENTRED, self.text)

@@ -4,7 +4,7 @@
 """
 
 from dataclasses import dataclass, replace
-from itertools import accumulate
+from itertools import accumulate, islice
 
 from PySide6.QtCore import QEvent, QPointF, QRect, QSize, Qt
 from PySide6.QtGui import (
@@ -39,12 +39,10 @@ class LegendText:
         Unit of the readings.
     where, readings
         Position of the crosshair and its readings; ``""`` and ``()`` without a crosshair.
-    where_room, reading_room, unit_room
+    where_room, reading_room
         The longest texts of each kind, so that nothing moves while numbers change.
     by_axis
         Whether the names are those of axes, each with the readings of all outputs along it.
-    relative
-        Whether curves are relative to their peaks, which the legend shows without a crosshair.
     """
 
     names: tuple[CurveName, ...] = ()
@@ -53,9 +51,7 @@ class LegendText:
     readings: tuple[str, ...] = ()
     where_room: str = ""
     reading_room: str = ""
-    unit_room: str = ""
     by_axis: bool = False
-    relative: bool = False
 
     @property
     def named(self) -> bool:
@@ -118,10 +114,6 @@ _READING = (
 #: Parts of an entry that has a name without a number.
 NAMED = Detail(number=False, place=True, reading=True, unit=False)
 _IDLE = (Detail(True, True, False, False), Detail(True, False, False, False))
-#: Parts of an entry with a number, where the legend takes more lines.
-NUMBERED = _READING[2]
-#: At most so many lines: curves are more important than their peaks.
-_MOST_LINES = 2
 # A peak without its number would say nothing: the peak is left out first.
 _PEAKS = (*_READING[:-1], _IDLE[-1])
 
@@ -134,14 +126,11 @@ class LegendLayout:
     ----------
     width_px
         Width of the legend.
-    may_fold
-        Whether entries may take more lines.
     """
 
     text: LegendText
     metrics: QFontMetrics
     width_px: int
-    may_fold: bool = True
 
     def where(self, where: str, detail: Detail) -> str:
         """Return the position of the crosshair, with the unit if entries have none; or ""."""
@@ -161,8 +150,8 @@ class LegendLayout:
         ]
         gaps = GAP_PX * len(texts) + UNIT_PX
         width = SWATCH_PX + gaps + sum(self.metrics.horizontalAdvance(word) for word in texts)
-        # The readings of many outputs are cut to a line, or to a part of it.
-        return min(width, self._most_px(rank)) if self.text.by_axis else width
+        # The readings of many outputs are cut to a line.
+        return min(width, self.width_px - UNIT_PX) if self.text.by_axis else width
 
     def fitting(self) -> tuple[Detail, int]:
         """Return which parts of entries fit in one line, and how many entries."""
@@ -179,40 +168,29 @@ class LegendLayout:
                 return detail, fitting
         return details[-1], 0
 
-    @property
-    def in_lines(self) -> Detail | None:
-        """Parts of entries that take more than one line; None: there is one line.
-
-        Named entries always may; numbered ones take few lines, where peaks do not fit in one.
-        """
+    def placed(self) -> tuple[Detail, list[tuple[int, int]], int]:
+        """Return parts of entries, x and line of those that fit, and the line of the crosshair."""
         if self.text.named:
-            return NAMED
-        if self.text.relative and self.may_fold:
-            _, last = self.lines(NUMBERED)[-1]
-            return NUMBERED if 0 < last < _MOST_LINES else None
-        return None
+            *places, (_, last) = self.lines()
+            return NAMED, places, last
+        detail, fitting = self.fitting()
+        ends = accumulate(self._widths(detail), initial=UNIT_PX // 2)
+        return detail, [(x, 0) for x in islice(ends, fitting)], 0
 
     @property
     def n_lines(self) -> int:
-        """Number of lines for which there is room; it never decreases with less width.
+        """Number of lines for which there is room; only named entries take more than one."""
+        return self.lines()[-1][1] + 1 if self.text.named else 1
 
-        Otherwise a scroll area would be lower with its scroll bar than without, and Qt would show
-        and hide the bar without end.
-        """
-        if self.text.named:
-            return self.lines(NAMED)[-1][1] + 1
-        if self.text.relative and self.may_fold:
-            return min(self.lines(NUMBERED)[-1][1] + 1, _MOST_LINES)
-        return 1
-
-    def lines(self, detail: Detail = NAMED) -> list[tuple[int, int]]:
-        """Return x and line of each entry, and last of the position of the crosshair.
+    def lines(self) -> list[tuple[int, int]]:
+        """Return x and line of each named entry, and last of the position of the crosshair.
 
         There is always room for readings, so that nothing moves when there are some.
         """
         first, places, line = UNIT_PX // 2, [], 0
         x = first
-        for width in (*self._widths(detail), self._where_px):
+        where = f"{self.text.where_room} · {self.text.unit}"
+        for width in (*self._widths(NAMED), self.metrics.horizontalAdvance(where)):
             if x > first and x + width > self.width_px - first:
                 x, line = first, line + 1
             places.append((x, line))
@@ -234,82 +212,18 @@ class LegendLayout:
         where = self.where(where_room, detail) if self.text.where else ""
         return self.width_px - UNIT_PX - self.metrics.horizontalAdvance(where)
 
-    @property
-    def _where_px(self) -> int:
-        unit = self.text.unit_room or self.text.unit
-        return self.metrics.horizontalAdvance(f"{self.text.where_room} · {unit}")
-
-    def _most_px(self, rank: int) -> int:
-        """Return the largest width of a named entry."""
-        line_px = self.width_px - UNIT_PX
-        if self.may_fold:
-            return line_px
-        name_px = self.metrics.horizontalAdvance(self.text.names[rank].short)
-        share_px = (line_px - self._where_px) // len(self.text.names)
-        return max(share_px, SWATCH_PX + 2 * GAP_PX + UNIT_PX + name_px)
-
-
-class LegendPainter:
-    """Paints the entries of a legend into lines of the height ``row_px``, from the left.
-
-    ``painter`` has the font of ``layout``.
-    """
-
-    def __init__(self, painter: QPainter, layout: LegendLayout, row_px: int) -> None:
-        self._painter, self._layout, self._row_px = painter, layout, row_px
-
-    def paint_entry(self, x: int, rank: int, detail: Detail) -> int:
-        """Paint an entry; return where the next one begins."""
-        text, theme, metrics = self._layout.text, current_theme(), self._layout.metrics
-        name, end = text.names[rank], x + self._layout.entry_px(rank, detail)
-        by_axis = text.by_axis
-        pen = QPen(theme.axis_colour(rank), 2.0) if by_axis else theme.output_pen(rank, 2.0)
-        self._painter.setPen(pen)
-        middle = self._row_px / 2
-        self._painter.drawLine(QPointF(x, middle), QPointF(x + SWATCH_PX - 1, middle))
-        x += SWATCH_PX + GAP_PX
-        if detail.number:
-            x = self.write(x, str(name.number), theme.text)
-        if detail.place:
-            x = self.write(x, name.short, theme.dim)
-        if detail.reading and by_axis:
-            elided = Qt.TextElideMode.ElideRight
-            x = self.write(x, metrics.elidedText(text.readings[rank], elided, end - x), theme.text)
-        elif detail.reading:
-            room = metrics.horizontalAdvance(text.reading_room)
-            x += max(0, room - metrics.horizontalAdvance(text.readings[rank]))
-            x = self.write(x, text.readings[rank], theme.text)
-        if detail.unit:
-            self.write(x, text.unit, theme.dim)
-        return end
-
-    def write(self, x: int, text: str, colour: str) -> int:
-        """Write text; return where the next text begins."""
-        self._painter.setPen(QColor(colour))
-        width = self._layout.metrics.horizontalAdvance(text)
-        place = QRect(x, 0, width + 1, self._row_px)
-        self._painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, text)
-        return x + width + GAP_PX
-
-    def write_where(self, line: QRect, detail: Detail) -> None:
-        """Write the position of the crosshair, if any, at the right end of a line."""
-        if self._layout.text.where:
-            self._painter.setPen(QColor(current_theme().text))
-            at_right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-            where = self._layout.where(self._layout.text.where, detail)
-            self._painter.drawText(line, at_right, where)
-
 
 STRIP_HEIGHT_PX = 20
 _TEXT, _AROUND_PX = 0.9, 7
+_AT_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class LegendStrip(QWidget):
     """A line with colour, number, place and reading of each curve, and where they are read.
 
-    A narrow line leaves out units, then places, then numbers, then curves; peaks may take one more
-    line, and are left out before numbers.  The tooltip has everything.  Curves without numbers keep
-    their names, and take more lines if they may.
+    A narrow line leaves out units, then places, then numbers, then curves; peaks are left out
+    before numbers.  The tooltip has everything.  Curves without numbers keep their names, and take
+    more lines.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -318,7 +232,7 @@ class LegendStrip(QWidget):
         self.setAccessibleName("Curves and readings")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._text = LegendText()
-        self._n_lines, self._may_fold = 1, True
+        self._n_lines = 1
 
     @property
     def text(self) -> LegendText:
@@ -330,13 +244,6 @@ class LegendStrip(QWidget):
         if text != self._text:
             self._text = text
             self.setAccessibleDescription(text.lines())
-            self._make_room()
-            self.update()
-
-    def let_fold(self, may_fold: bool) -> None:
-        """Allow or forbid more than one line: a low plot needs the room."""
-        if may_fold != self._may_fold:
-            self._may_fold = may_fold
             self._make_room()
             self.update()
 
@@ -364,28 +271,35 @@ class LegendStrip(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         if not self._text.names:
             return
-        painter = QPainter(self)
+        painter, layout = QPainter(self), self.text_layout
         painter.setFont(self.text_font)
-        detail = self.text_layout.in_lines
-        if detail is None:
-            self._paint_line(painter)
-        else:
-            self._paint_lines(painter, detail)
+        detail, places, last = layout.placed()
+        row_px = self._line_px if self._n_lines > 1 else self.height()
+        advance = self._line_px - _AROUND_PX // 2
+        end = UNIT_PX // 2
+        for rank, (x, line) in enumerate(places):
+            painter.resetTransform()
+            painter.translate(0, line * advance)
+            end = self._paint_entry(painter, QRect(x, 0, 0, row_px), rank, detail)
+        hidden = len(self._text.names) - len(places)
+        if hidden:
+            self._write(painter, QRect(end, 0, 0, row_px), f"+{hidden}", current_theme().dim)
+        painter.resetTransform()
+        if self._text.where:
+            painter.setPen(QColor(current_theme().text))
+            room = QRect(0, last * advance, self.width() - UNIT_PX // 2, row_px)
+            painter.drawText(room, _AT_RIGHT, layout.where(self._text.where, detail))
         painter.end()
 
     @property
     def text_layout(self) -> LegendLayout:
         """The layout for the present size."""
         metrics = QFontMetrics(self.text_font)
-        return LegendLayout(self._text, metrics, self.width(), self._may_fold)
+        return LegendLayout(self._text, metrics, self.width())
 
     @property
     def _line_px(self) -> int:
         return max(QFontMetrics(self.text_font).height() + _AROUND_PX, STRIP_HEIGHT_PX)
-
-    @property
-    def _row_px(self) -> int:
-        return self._line_px if self._n_lines > 1 else self.height()
 
     def _make_room(self) -> None:
         n_lines = self.text_layout.n_lines
@@ -393,27 +307,39 @@ class LegendStrip(QWidget):
             self._n_lines = n_lines
             self.updateGeometry()
 
-    def _paint_line(self, painter: QPainter) -> None:
-        layout = self.text_layout
-        writer = LegendPainter(painter, layout, self._row_px)
-        detail, fitting = layout.fitting()
-        x = UNIT_PX // 2
-        for rank in range(fitting):
-            x = writer.paint_entry(x, rank, detail)
-        hidden = len(self._text.names) - fitting
-        if hidden:
-            writer.write(x, f"+{hidden}", current_theme().dim)
-        writer.write_where(self.rect().adjusted(0, 0, -UNIT_PX // 2, 0), detail)
+    def _paint_entry(self, painter: QPainter, place: QRect, rank: int, detail: Detail) -> int:
+        """Paint an entry at the left end of ``place``; return where the next one begins."""
+        text, theme, metrics = self._text, current_theme(), painter.fontMetrics()
+        name, x = text.names[rank], place.x()
+        end = x + self.text_layout.entry_px(rank, detail)
+        by_axis = text.by_axis
+        painter.setPen(
+            QPen(theme.axis_colour(rank), 2.0) if by_axis else theme.output_pen(rank, 2.0)
+        )
+        middle = place.height() / 2
+        painter.drawLine(QPointF(x, middle), QPointF(x + SWATCH_PX - 1, middle))
+        place.moveLeft(x + SWATCH_PX + GAP_PX)
+        if detail.number:
+            self._write(painter, place, str(name.number), theme.text)
+        if detail.place:
+            self._write(painter, place, name.short, theme.dim)
+        if detail.reading and text.readings:
+            reading = text.readings[rank]
+            if by_axis:
+                elided = Qt.TextElideMode.ElideRight
+                reading = metrics.elidedText(reading, elided, end - place.x())
+            else:
+                room = metrics.horizontalAdvance(text.reading_room)
+                place.translate(max(0, room - metrics.horizontalAdvance(reading)), 0)
+            self._write(painter, place, reading, theme.text)
+        if detail.unit:
+            self._write(painter, place, text.unit, theme.dim)
+        return end
 
-    def _paint_lines(self, painter: QPainter, detail: Detail) -> None:
-        layout, advance = self.text_layout, self._line_px - _AROUND_PX // 2
-        writer = LegendPainter(painter, layout, self._row_px)
-        *entries, (_, last) = layout.lines(detail)
-        reading = replace(detail, reading=bool(self._text.readings))
-        for rank, (x, line) in enumerate(entries):
-            painter.save()
-            painter.translate(0, line * advance)
-            writer.paint_entry(x, rank, reading)
-            painter.restore()
-        width = self.width() - UNIT_PX // 2
-        writer.write_where(QRect(0, last * advance, width, self._row_px), detail)
+    def _write(self, painter: QPainter, place: QRect, text: str, colour: str) -> None:
+        """Write text at the left end of ``place``, which moves to the end of the text."""
+        painter.setPen(QColor(colour))
+        width = painter.fontMetrics().horizontalAdvance(text)
+        place.setWidth(width + 1)
+        painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, text)
+        place.translate(width + GAP_PX, 0)

@@ -69,67 +69,6 @@ def joined(outputs: Outputs, more: Outputs) -> Outputs:
 
 # A press that moves less than this is a click.
 _CLICK_PX = 4.0
-
-
-class OutputMouse(QObject):
-    """Turns moves, clicks and rubber bands of the mouse into selected outputs.
-
-    Attributes
-    ----------
-    hovered
-        The output under the pointer.
-    pointer
-        Place of the pointer; None while it is elsewhere.
-    band
-        The rubber band, while one is drawn.
-    """
-
-    #: The outputs to select.
-    selected_outputs = Signal(object)
-
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self.hovered: int | None = None
-        self.pointer: QPointF | None = None
-        self.band: QRectF | None = None
-        self._pressed: QPointF | None = None
-
-    def press(self, at: QPointF) -> None:
-        """Begin a click or a rubber band."""
-        self._pressed = at
-
-    def move(self, at: QPointF, points: Floats) -> None:
-        """Follow the mouse, with or without the button; ``points`` is (n_outputs, 2)."""
-        self.pointer = at
-        self.hovered = output_at(points, at)
-        if self._pressed is not None:
-            band = QRectF(self._pressed, at).normalized()
-            if self.band is not None or max(band.width(), band.height()) >= _CLICK_PX:
-                self.band = band
-
-    def release(self, at: QPointF, points: Floats, outputs: Outputs, *, adds: bool) -> None:
-        """Select outputs; ``adds``: add them to the present ``outputs``."""
-        if self._pressed is None:
-            return
-        band, self.band, self._pressed = self.band, None, None
-        if band is not None:
-            inside = outputs_inside(points, band)
-            self.selected_outputs.emit(joined(outputs, inside) if adds else inside)
-            return
-        number = output_at(points, at)
-        if number is not None:
-            self.selected_outputs.emit(toggled(outputs, number) if adds else (number,))
-
-    def leave(self) -> None:
-        """Forget the pointer: it is elsewhere, or the keyboard is in use."""
-        self.pointer = self.hovered = None
-
-    def give_up(self) -> bool:
-        """End a press without selecting; return whether there was one."""
-        pressed, self._pressed, self.band = self._pressed, None, None
-        return pressed is not None
-
-
 #: Keys that are held to add to the selection.
 ADDS = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
 _ARROWS = {
@@ -140,87 +79,21 @@ _ARROWS = {
 }
 
 
-class OutputKeys(QObject):
-    """Moves a cursor from output to output by keys, and selects them.
-
-    Attributes
-    ----------
-    cursor_output
-        The output under the cursor; None until keys are used.
-    used
-        Whether keys were used later than the mouse.
-    """
-
-    #: The outputs to select.
-    selected_outputs = Signal(object)
-    #: The cursor is at another output.
-    moved = Signal()
-
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self.cursor_output: int | None = None
-        self.used = False
-
-    def claims(self, event: QKeyEvent) -> bool:
-        """Return whether this key is handled here, before any shortcut of the window."""
-        return bool(meaning_of("skin", event))
-
-    def press(
-        self,
-        event: QKeyEvent,
-        points: Floats,
-        unplaced: Outputs,
-        outputs: Outputs,
-        middle: QPointF,
-    ) -> bool:
-        """Handle a key; return whether it has a meaning for outputs.
-
-        Parameters
-        ----------
-        event
-            The key event.
-        points : (n_outputs, 2)
-            Screen places of the outputs.
-        unplaced
-            Outputs beside the map.
-        outputs
-            The selected outputs.
-        middle
-            Middle of the map, where the cursor begins.
-        """
-        meaning = meaning_of("skin", event)
-        if meaning == "go":
-            place = self._start(points, outputs, middle)
-            if self.cursor_output is not None:
-                place = output_beyond(points, place, *_ARROWS[Qt.Key(event.key())])
-            self.cursor_output = place
-            self.moved.emit()
-        elif meaning in ("select", "toggle"):
-            number = self._start(points, outputs, middle)
-            self.cursor_output = number
-            self.selected_outputs.emit(
-                toggled(outputs, number) if meaning == "toggle" else (number,)
-            )
-        elif meaning == "select_all":
-            self.selected_outputs.emit(dorsal_outputs(points, unplaced))
-        else:
-            return False
-        self.used = True
-        return True
-
-    def _start(self, points: Floats, outputs: Outputs, middle: QPointF) -> int:
-        cursor = () if self.cursor_output is None else (self.cursor_output,)
-        placed = [number for number in (*cursor, *outputs) if is_placed(points, number)]
-        return placed[0] if placed else output_at(points, middle, float("inf")) or 1
-
-
 class OutputPicker(QObject):
-    """Selects the outputs of a map by mouse and keys.
+    """Selects the outputs of a map by clicks, rubber bands, and a cursor that keys move.
+
+    Points are the screen places of the outputs, (n_outputs, 2), px.
 
     Attributes
     ----------
     selected
         The outputs that are selected at present.
+    hovered, pointer
+        The output under the pointer, and the place of that; None while it is elsewhere.
+    band
+        The rubber band, while one is drawn.
+    cursor_output
+        The output under the cursor; None until keys are used.
     """
 
     #: The outputs to select, a tuple of numbers.
@@ -230,51 +103,108 @@ class OutputPicker(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self.mouse, self.keys = OutputMouse(self), OutputKeys(self)
         self.selected: Outputs = ()
-        self.mouse.selected_outputs.connect(self._choose)
-        self.keys.selected_outputs.connect(self._choose)
-        self.keys.moved.connect(self._follow_cursor)
+        self.hovered: int | None = None
+        self.pointer: QPointF | None = None
+        self.band: QRectF | None = None
+        self.cursor_output: int | None = None
+        self._pressed: QPointF | None = None
+        # Whether keys were used later than the mouse.
+        self._uses_keys = False
 
     def pointed_at(self, *, focused: bool) -> int | None:
         """Return the output under the pointer; if ``focused``, else that under the cursor."""
-        if self.mouse.pointer is not None:
-            return self.mouse.hovered
-        return self.keys.cursor_output if focused else None
+        if self.pointer is not None:
+            return self.hovered
+        return self.cursor_output if focused else None
 
     def claims(self, event: QKeyEvent) -> bool:
         """Return whether this key is handled here, before any shortcut of the window."""
         # Until keys are used here, Space is a shortcut of the window.
-        is_used = self.keys.used or event.key() != Qt.Key.Key_Space
-        return is_used and self.keys.claims(event)
+        is_used = self._uses_keys or event.key() != Qt.Key.Key_Space
+        return is_used and bool(meaning_of("skin", event))
 
     def press(self, event: QMouseEvent) -> None:
-        """Handle a button that goes down."""
-        self.keys.used = False
+        """Handle a button that goes down: a click or a rubber band begins."""
+        self._uses_keys = False
         if event.button() == Qt.MouseButton.LeftButton:
-            self.mouse.press(event.position())
+            self._pressed = event.position()
+
+    def move(self, at: QPointF, points: Floats) -> None:
+        """Follow the mouse, with or without the button."""
+        self.pointer = at
+        self.hovered = output_at(points, at)
+        if self._pressed is not None:
+            band = QRectF(self._pressed, at).normalized()
+            if self.band is not None or max(band.width(), band.height()) >= _CLICK_PX:
+                self.band = band
 
     def release(self, event: QMouseEvent, points: Floats) -> None:
-        """Handle the left button that goes up; ``points`` is (n_outputs, 2), px."""
+        """Handle the left button that goes up: select outputs, or add them to the others."""
+        if self._pressed is None:
+            return
         adds = bool(event.modifiers() & ADDS)
-        self.mouse.release(event.position(), points, self.selected, adds=adds)
+        band, self.band, self._pressed = self.band, None, None
+        if band is not None:
+            inside = outputs_inside(points, band)
+            self._choose(joined(self.selected, inside) if adds else inside)
+            return
+        number = output_at(points, event.position())
+        if number is not None:
+            self._choose(toggled(self.selected, number) if adds else (number,))
+
+    def leave(self) -> None:
+        """Forget the pointer: it is elsewhere, or the keyboard is in use."""
+        self.pointer = self.hovered = None
+
+    def give_up(self) -> bool:
+        """End a press without selecting; return whether there was one."""
+        pressed, self._pressed, self.band = self._pressed, None, None
+        return pressed is not None
 
     def press_key(
         self, event: QKeyEvent, points: Floats, unplaced: Outputs, middle: QPointF
     ) -> bool:
-        """Handle a key as `OutputKeys.press` does; return whether it has a meaning here."""
-        if meaning_of("skin", event) != "select_none":
-            return self.keys.press(event, points, unplaced, self.selected, middle)
-        if not self.mouse.give_up():
-            self._choose(())
+        """Handle a key; return whether it has a meaning for outputs.
+
+        Parameters
+        ----------
+        event, points
+            The key event, and the places of the outputs.
+        unplaced
+            Outputs beside the map.
+        middle
+            Middle of the map, where the cursor begins.
+        """
+        meaning = meaning_of("skin", event)
+        if meaning == "select_none":
+            if not self.give_up():
+                self._choose(())
+            return True
+        if meaning == "go":
+            place = self._start(points, middle)
+            if self.cursor_output is not None:
+                place = output_beyond(points, place, *_ARROWS[Qt.Key(event.key())])
+            self.cursor_output = place
+            self.leave()
+            self.moved.emit()
+        elif meaning in ("select", "toggle"):
+            number = self.cursor_output = self._start(points, middle)
+            self._choose(toggled(self.selected, number) if meaning == "toggle" else (number,))
+        elif meaning == "select_all":
+            self._choose(dorsal_outputs(points, unplaced))
+        else:
+            return False
+        self._uses_keys = True
         return True
+
+    def _start(self, points: Floats, middle: QPointF) -> int:
+        cursor = () if self.cursor_output is None else (self.cursor_output,)
+        placed = [number for number in (*cursor, *self.selected) if is_placed(points, number)]
+        return placed[0] if placed else output_at(points, middle, float("inf")) or 1
 
     def _choose(self, outputs: Outputs) -> None:
         if len(outputs) == 1:
-            self.keys.cursor_output = outputs[0]
+            self.cursor_output = outputs[0]
         if outputs != self.selected:
             self.chosen.emit(outputs)
-
-    def _follow_cursor(self) -> None:
-        self.mouse.leave()
-        self.moved.emit()

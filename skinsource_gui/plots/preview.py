@@ -1,6 +1,5 @@
 """Small pictures of what a design plays: a spectrum, a waveform, and clips on tracks."""
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -8,7 +7,15 @@ from functools import partial
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPainterPath, QPaintEvent, QPen
+from PySide6.QtGui import (
+    QColor,
+    QFontMetrics,
+    QFontMetricsF,
+    QPainter,
+    QPainterPath,
+    QPaintEvent,
+    QPen,
+)
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.base.arrays import Floats
@@ -19,8 +26,9 @@ from skinsource.design.effects.playing import played
 from skinsource.design.waveform import Waveform
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.plots.curves import visible_course
+from skinsource_gui.plots.figure import Axes, Axis, fitted_axes
 from skinsource_gui.plots.pictures import DrawableWidget
-from skinsource_gui.plots.ranges import CachedColumns, wave_of
+from skinsource_gui.plots.ranges import CachedColumns, linear_ticks, wave_of
 from skinsource_gui.qt.buttons import paint_swatch
 from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.theme import (
@@ -34,10 +42,7 @@ from skinsource_gui.qt.theme import (
 )
 from skinsource_gui.qt.tooltips import show_tooltip
 
-LOWEST_HZ, FLOOR_DB = 10.0, -80.0
-_TICKS_HZ = (10, 25, 50, 100, 200, 600, 2000, 6000, 20_000)
-_TICKS_DB = (0, -40, -80)
-_LEFT_PX, _BOTTOM_PX, _EDGE_PX = 40, 18, 6
+_LOWEST_HZ, _FLOOR_DB = 10.0, -80.0
 _BAND_ALPHA = 24
 
 
@@ -70,66 +75,31 @@ class SpectrumPreview(QWidget):
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        plot = QRectF(self.rect()).adjusted(_LEFT_PX, _EDGE_PX, -_EDGE_PX, -_BOTTOM_PX)
+        painter, theme = QPainter(self), current_theme()
+        frequency = Axis(shown=(_LOWEST_HZ, self._highest_hz), title="Hz", log=True)
+        level = Axis(shown=(_FLOOR_DB, 0.0), title="dB")
+        axes = fitted_axes(QRectF(self.rect()), frequency, level, QFontMetricsF(painter.font()))
         if self._band_hz is not None:
-            band = QColor(current_theme().accent)
+            band = QColor(theme.accent)
             band.setAlpha(_BAND_ALPHA)
-            left, right = (
-                self._x(plot, min(max(hz, LOWEST_HZ), self._highest_hz)) for hz in self._band_hz
-            )
-            painter.fillRect(QRectF(left, plot.top(), right - left, plot.height()), band)
-        self._paint_ticks(painter, plot)
+            ends_hz = np.clip(self._band_hz, _LOWEST_HZ, self._highest_hz)
+            (left, top), (right, bottom) = axes.to_screen(ends_hz, np.array(level.shown[::-1]))
+            painter.fillRect(QRectF(QPointF(left, top), QPointF(right, bottom)), band)
+        axes.paint(painter, theme)
         if self._lines is not None:
-            self._paint_lines(painter, plot, *self._lines)
+            self._paint_lines(painter, axes, *self._lines)
 
-    def _x(self, plot: QRectF, hz: float) -> float:
-        span = np.log(self._highest_hz / LOWEST_HZ)
-        return plot.left() + plot.width() * float(np.log(hz / LOWEST_HZ) / span)
-
-    def _paint_ticks(self, painter: QPainter, plot: QRectF) -> None:
-        grid, text_pen = QPen(QColor(current_theme().grid), 1), QPen(QColor(current_theme().dim))
-        metrics = self.fontMetrics()
-        for db in _TICKS_DB:
-            y = plot.top() + plot.height() * db / FLOOR_DB
-            painter.setPen(grid)
-            painter.drawLine(QLineF(plot.left(), y, plot.right(), y))
-            painter.setPen(text_pen)
-            text = f"{db}".replace("-", "−") if db else "0 dB"
-            room = QRectF(0, y - 8, plot.left() - 4, 16)
-            # The lowest and the highest label stay inside.
-            room.moveTop(min(max(room.top(), 0.0), plot.bottom() - 14))
-            painter.drawText(
-                room, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, text
-            )
-        free = plot.left() - 8.0
-        visible_hz = [hz for hz in _TICKS_HZ if hz < self._highest_hz]
-        last = visible_hz[-1] if visible_hz else 0
-        for hz in visible_hz:
-            x = self._x(plot, hz)
-            painter.setPen(grid)
-            painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
-            text = f"{hz} Hz" if hz == last else f"{hz}"
-            width = metrics.horizontalAdvance(text)
-            start = min(x - width / 2, self.width() - width - 1)
-            if start > free:
-                painter.setPen(text_pen)
-                painter.drawText(QPointF(start, self.height() - 5), text)
-                free = start + width + 4
-
-    def _paint_lines(self, painter: QPainter, plot: QRectF, hz: Floats, db: Floats) -> None:
-        inside = (hz >= LOWEST_HZ) & (hz <= self._highest_hz)
+    def _paint_lines(self, painter: QPainter, axes: Axes, hz: Floats, db: Floats) -> None:
+        inside = (hz >= _LOWEST_HZ) & (hz <= self._highest_hz)
         if not inside.any():
             return
-        span = np.log(self._highest_hz / LOWEST_HZ)
-        column = (plot.width() * np.log(hz[inside] / LOWEST_HZ) / span).astype(np.intp)
+        across, up = axes.to_screen(hz[inside], np.clip(db[inside], _FLOOR_DB, 0.0)).T
+        column = across.astype(np.intp)
         firsts = np.flatnonzero(np.diff(column, prepend=-1))
-        x = plot.left() + column[firsts].astype(np.float64)
-        highest = np.maximum.reduceat(db[inside], firsts)
-        y = plot.top() + plot.height() * np.clip(highest, FLOOR_DB, 0.0) / FLOOR_DB
+        highest = np.minimum.reduceat(up, firsts)
         painter.setPen(thin_pen(QColor(current_theme().text)))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
+        painter.drawPath(arrayToQPath(across[firsts], highest, finiteCheck=False))
 
 
 def _lines(samples: Floats, sample_rate_hz: float) -> tuple[Floats, Floats]:
@@ -151,13 +121,6 @@ _BLOCK = 0.8
 # A single sample needs some time around it to look like one.
 _SHORTEST_S = 0.005
 _PALE = 0.35
-
-
-def tick_step(span: float, most: int) -> float:
-    """Return the smallest of 1, 2, 5, 10, … that divides ``span`` into at most ``most`` parts."""
-    least = span / max(most, 1)
-    decade = 10.0 ** math.floor(math.log10(least))
-    return next(decade * factor for factor in (1, 2, 5, 10, 20) if decade * factor >= least)
 
 
 class WaveformPreview(QWidget):
@@ -510,22 +473,19 @@ def _paint_time_axis(
 ) -> None:
     """Draw grid, labels and unit of an axis of time; ``part_s`` is its start and its length."""
     start_s, span_s = part_s
-    unit, per_s = axis_unit(start_s + span_s)
-    step = tick_step(span_s * per_s, int(plot.width() / spacing_px))
-    first = math.ceil(start_s * per_s / step - 1e-9)
-    last = math.floor((start_s + span_s) * per_s / step + 1e-9)
+    end_s = start_s + span_s
+    unit, per_s = axis_unit(end_s)
     unit_px = metrics.horizontalAdvance(f" {unit}") + 2
-    for k in range(first, last + 1):
-        x = _x_at(plot, start_s, span_s, k * step / per_s)
+    for tick in linear_ticks(start_s, end_s, int(plot.width() / spacing_px), per_s):
+        x = _x_at(plot, start_s, span_s, tick.value)
         painter.setPen(QPen(QColor(current_theme().grid), 1))
         painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
-        label = f"{k * step:g}"
-        width = metrics.horizontalAdvance(label)
+        width = metrics.horizontalAdvance(tick.label)
         left = min(max(x - width / 2, plot.left()), plot.right() - width)
         # The last tick makes room for the unit of all.
         if left + width <= plot.right() - unit_px:
             painter.setPen(QColor(current_theme().dim))
-            painter.drawText(QPointF(left, baseline), label)
+            painter.drawText(QPointF(left, baseline), tick.label)
     painter.setPen(QColor(current_theme().dim))
     painter.drawText(QPointF(plot.right() - unit_px + 2, baseline), f" {unit}")
 

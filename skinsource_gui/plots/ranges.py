@@ -105,10 +105,10 @@ def within(wanted: Range, extent: Range, shortest: float) -> Range | None:
     """
     low, high = wanted
     length = max(high - low, shortest)
-    middle = (low + high) / 2
     if length >= (extent[1] - extent[0]) * (1 - 1e-9):
         return None
-    low = min(max(middle - length / 2, extent[0]), extent[1] - length)
+    low -= (length - (high - low)) / 2
+    low = min(max(low, extent[0]), extent[1] - length)
     return (low, low + length)
 
 

@@ -35,6 +35,7 @@ from skinsource_gui.plots.pictures import (
     ask_picture_options,
     caption_px,
     drawn_image,
+    lines_of,
     save_drawing,
     with_caption,
 )
@@ -54,10 +55,7 @@ _SWATCH_PX, _GAP_PX = 16, 4
 
 def usual_size(plot: Plot) -> QSize:
     """Return the usual size of a picture of ``plot``, px: twice that on the screen, with legend."""
-    paper_plot = copy_of(plot, plot.size())
-    size = QSize(paper_plot.width(), paper_plot.height() + _head_px(paper_plot)) * _SCALE
-    paper_plot.deleteLater()
-    return size
+    return QSize(plot.width(), plot.height() + _head_px(plot, plot.width())) * _SCALE
 
 
 def draw_signals(
@@ -72,13 +70,8 @@ def _draw(painter: QPainter, width: int, height: int, plot: Plot) -> None:
     usual = usual_size(plot).toSizeF() * (1.0 / _SCALE)
     scale = min(width / usual.width(), height / usual.height())
     room = QSize(round(width / scale), round(height / scale))
-    # A copy of the final width tells how many lines the head needs.
-    measured = copy_of(plot, room)
-    head_px = _head_px(measured)
-    measured.deleteLater()
-    # A plot that is not shown is laid out for its first size.
-    left_px = max(room.height() - head_px, measured.minimumHeight())
-    paper_plot = copy_of(plot, QSize(room.width(), left_px))
+    head_px = _head_px(plot, room.width())
+    paper_plot = copy_of(plot, QSize(room.width(), max(room.height() - head_px, 1)))
     painter.save()
     painter.fillRect(QRectF(0, 0, width, height), QColor(current_theme().base))
     painter.scale(scale, scale)
@@ -109,8 +102,8 @@ def copy_of(plot: Plot, size: QSize) -> Plot:
     return paper_plot
 
 
-def _head_px(plot: Plot) -> int:
-    n_lines = len(_heading_lines(plot)) + len(_legend_lines(plot))
+def _head_px(plot: Plot, width_px: int) -> int:
+    n_lines = len(_heading_lines(plot, width_px)) + len(_legend_lines(plot, width_px))
     return ceil(n_lines * _line_px(plot)) + UNIT_PX // 2
 
 
@@ -118,11 +111,11 @@ def _paint_head(painter: QPainter, plot: Plot) -> None:
     line_px = _line_px(plot)
     painter.setFont(plot.text_font)
     painter.setPen(QColor(current_theme().text))
-    heading = _heading_lines(plot)
+    heading = _heading_lines(plot, plot.width())
     for row, words in enumerate(heading):
         room = QRectF(UNIT_PX, row * line_px, plot.width(), line_px)
         painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, words)
-    for row, line in enumerate(_legend_lines(plot), start=len(heading)):
+    for row, line in enumerate(_legend_lines(plot, plot.width()), start=len(heading)):
         middle = (row + 0.5) * line_px
         for left, pen, text in line:
             if pen is not None:
@@ -138,23 +131,15 @@ def _line_px(plot: Plot) -> float:
     return QFontMetricsF(plot.text_font).height() + 2
 
 
-def _heading_lines(plot: Plot) -> list[str]:
-    """Return the heading in as many lines as its parts need; a part that is too long is broken."""
-    metrics, room_px = QFontMetricsF(plot.text_font), plot.width() - 2 * UNIT_PX
-    lines: list[str] = []
-    for part in () if plot.curves is None else plot.curves.heading:
-        between = " · "
-        for word in [part] if metrics.horizontalAdvance(part) <= room_px else part.split(" "):
-            longer = f"{lines[-1]}{between}{word}" if lines else word
-            if lines and metrics.horizontalAdvance(longer) <= room_px:
-                lines[-1] = longer
-            else:
-                lines.append(word)
-            between = " "
-    return lines
+def _heading_lines(plot: Plot, width_px: int) -> list[str]:
+    """Return the heading in as many lines as it needs."""
+    if plot.curves is None or not plot.curves.heading:
+        return []
+    heading = "\N{NO-BREAK SPACE}· ".join(plot.curves.heading)
+    return lines_of(heading, QFontMetricsF(plot.text_font), width_px - 2 * UNIT_PX)
 
 
-def _legend_lines(plot: Plot) -> list[list[tuple[int, QPen | None, str]]]:
+def _legend_lines(plot: Plot, width_px: int) -> list[list[tuple[int, QPen | None, str]]]:
     """Return left edge, pen and text of each entry of the legend, line by line."""
     metrics = QFontMetricsF(plot.text_font)
     lines: list[list[tuple[int, QPen | None, str]]] = [[]]
@@ -162,7 +147,7 @@ def _legend_lines(plot: Plot) -> list[list[tuple[int, QPen | None, str]]]:
     for pen, text in _entries(plot):
         swatch_px = 0 if pen is None else _SWATCH_PX + _GAP_PX
         width = ceil(swatch_px + metrics.horizontalAdvance(text) + 2 * UNIT_PX)
-        if lines[-1] and left + width > plot.width():
+        if lines[-1] and left + width > width_px:
             lines.append([])
             left = UNIT_PX
         lines[-1].append((left, pen, text))
@@ -316,7 +301,7 @@ class SignalExports(QObject):
 
 
 _COMPUTING = "Computing…"
-#: A view of so many lines of text has room for two rows of switches, or of a legend.
+#: A view of so many lines of text has room for two rows of switches.
 _LINES_OF_TWO_ROWS = 12
 
 
@@ -369,9 +354,16 @@ class SignalView(QWidget):
     ) -> QToolButton:
         """Return a new switch of the menu, which the toolbar shows too while it is on."""
         button = self.toolbar.add_switch(name, text, hint, toggled)
-        self.toolbar.show_passing(button, False)
         self._in_menu.append(button)
+        self.show_switch(button, False)
         return button
+
+    def show_switch(self, button: QToolButton, on: bool) -> None:
+        """Show whether a switch is on; one of the menu is seen only then."""
+        if button in self._in_menu:
+            self.toolbar.show_passing(button, on)
+        else:
+            button.setChecked(on)
 
     def set_view(
         self, axis: XAxis, zoom: Range | None, *, stacked: bool, fitted: bool = False
@@ -402,9 +394,7 @@ class SignalView(QWidget):
 
     def _share_height(self) -> None:
         line_px = self.fontMetrics().lineSpacing()
-        has_room = self._in_sight.px >= _LINES_OF_TWO_ROWS * line_px
-        for part in (self.toolbar, self.legend):
-            part.let_fold(has_room)
+        self.toolbar.let_fold(self._in_sight.px >= _LINES_OF_TWO_ROWS * line_px)
 
     def _mark_stale(self, stale: bool) -> None:
         if self.plot.curves is None and not self.plot.message:
@@ -459,9 +449,10 @@ def reading(plot: Plot) -> LegendText:
     if curves.axes:
         text = text.of_axes(curves.axes)
     elif curves.peaks:
-        text = _with_room_for_peaks(text, curves)
+        # With room for peaks too, so that nothing moves.
+        text = replace(text, reading_room=max((text.reading_room, *curves.peak_texts), key=len))
     if plot.crosshair.index is None:
-        return _with_peaks(text, curves) if text.relative else text
+        return text if curves.axes or not curves.peaks else _with_peaks(text, curves)
     readings = tuple(unit.reading(float(y)) for y in curves.y[:, plot.crosshair.index])
     return replace(
         text,
@@ -473,16 +464,6 @@ def reading(plot: Plot) -> LegendText:
 def _with_peaks(text: LegendText, curves: Curves) -> LegendText:
     """Return the legend without a crosshair: the peaks to which the curves are relative."""
     return replace(text, unit=curves.peak_unit.symbol, where=PEAK, readings=curves.peak_texts)
-
-
-def _with_room_for_peaks(text: LegendText, curves: Curves) -> LegendText:
-    """Return the legend with room for readings and for peaks, so that nothing moves."""
-    return replace(
-        text,
-        relative=True,
-        reading_room=max((text.reading_room, *curves.peak_texts), key=len),
-        unit_room=max((text.unit, curves.peak_unit.symbol), key=len),
-    )
 
 
 #: Quantities that describe curves in files and pictures.

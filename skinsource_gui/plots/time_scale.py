@@ -10,6 +10,7 @@ from operator import itemgetter
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QWheelEvent
 
+from skinsource_gui.plots import ranges
 from skinsource_gui.plots.ranges import round_step
 from skinsource_gui.qt.wheel import NOTCH, PAN_PER_NOTCH, ZOOM_PER_NOTCH
 
@@ -129,10 +130,8 @@ class TimeScale:
 
 def zoomed(shown_s: Range, anchor_s: float, factor: float, whole_s: Range) -> Range | None:
     """Return the range ``factor`` times narrower around ``anchor_s``; None for the whole."""
-    low, high = shown_s
-    length = max((high - low) / factor, SHORTEST_S)
-    share = (anchor_s - low) / (high - low)
-    return within((anchor_s - share * length, anchor_s + (1 - share) * length), whole_s)
+    factor = min(factor, (shown_s[1] - shown_s[0]) / SHORTEST_S)
+    return within(ranges.zoomed(shown_s, anchor_s, factor), whole_s)
 
 
 def panned(shown_s: Range, by_s: float, whole_s: Range) -> Range | None:
@@ -142,11 +141,7 @@ def panned(shown_s: Range, by_s: float, whole_s: Range) -> Range | None:
 
 def within(wanted_s: Range, whole_s: Range) -> Range | None:
     """Return a range of this length moved into the whole; None where it is the whole."""
-    length = wanted_s[1] - wanted_s[0]
-    if length >= (whole_s[1] - whole_s[0]) * (1 - 1e-9):
-        return None
-    low = min(max(wanted_s[0], whole_s[0]), whole_s[1] - length)
-    return (low, low + length)
+    return ranges.within(wanted_s, whole_s, 0.0)
 
 
 def range_by_wheel(event: QWheelEvent, scale: TimeScale, whole_s: Range) -> Range | None:

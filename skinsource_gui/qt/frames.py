@@ -144,11 +144,6 @@ class CachedPicture:
         self._key: tuple[object, ...] = ()
         self._image, self._at = QImage(), QPointF()
 
-    @property
-    def cached_px(self) -> int:
-        """Number of pixels that are painted each time."""
-        return self._image.width() * self._image.height()
-
     def paint(
         self,
         painter: QPainter,

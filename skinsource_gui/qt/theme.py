@@ -4,11 +4,13 @@ Painting code asks `current_theme` each time; labels get their colour from the s
 `set_tone`.  Icons and other copies of a colour are made again on a change of the palette.
 """
 
-from collections.abc import Iterator
+import tomllib
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from string import Template
+from typing import Any
 
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import (
@@ -110,81 +112,16 @@ class Theme:
         return QColor((*self.inputs[:2], self.text)[rank % 3])
 
 
-LIGHT = Theme(
-    name="light",
-    window="#f3f4f6",
-    base="#ffffff",
-    raised="#ffffff",
-    border="#d2d6dc",
-    grid="#e4e7eb",
-    text="#1b1f24",
-    dim="#57606a",
-    disabled="#57606a",
-    accent="#0a66c2",
-    on_accent="#ffffff",
-    warning="#9a5b00",
-    error="#b42318",
-    skin="#ecdfd3",
-    skin_line="#a58e7a",
-    inputs=("#0072b2", "#d55e00", "#00845f", "#b0508a", "#9a6a00", "#3d7dc4", "#7a5195", "#6b4a3a"),
-    outputs=(
-        "#332288",
-        "#117733",
-        "#aa4499",
-        "#b8860b",
-        "#882255",
-        "#2a8c82",
-        "#c44e52",
-        "#4d4d4d",
-    ),
-)
-DARK = Theme(
-    name="dark",
-    window="#1d2025",
-    base="#15171b",
-    raised="#2a2e35",
-    border="#3a3f48",
-    grid="#2b2f37",
-    text="#e6e8eb",
-    dim="#a3abb6",
-    disabled="#a3abb6",
-    accent="#4c9be8",
-    on_accent="#0b1420",
-    warning="#e3a33b",
-    error="#f0776c",
-    skin="#4a4039",
-    skin_line="#8f7c6d",
-    inputs=("#4fa8e0", "#ff8a3d", "#2cc79b", "#e59ac6", "#f5c242", "#9fc3ff", "#b998e6", "#cda28f"),
-    outputs=(
-        "#a99bf5",
-        "#5fcb7a",
-        "#e07acb",
-        "#e6c34a",
-        "#f0709a",
-        "#5fd6c4",
-        "#ff9a8a",
-        "#c8ccd2",
-    ),
-)
-#: For poor projectors and tired eyes: a contrast of at least 12 : 1, except for disabled text.
-CONTRAST = replace(
-    DARK,
-    name="contrast",
-    window="#000000",
-    base="#000000",
-    raised="#1a1a1a",
-    border="#9aa3ad",
-    grid="#565d66",
-    text="#ffffff",
-    dim="#dfe4ea",
-    disabled="#7d858f",
-    accent="#ffd400",
-    on_accent="#000000",
-    warning="#ffc247",
-    error="#ff9d91",
-    skin="#2e2723",
-    skin_line="#f0d9c4",
-)
+def _theme(name: str, row: Mapping[str, Any]) -> Theme:
+    colours: dict[str, Any] = {
+        part: tuple(colour) if isinstance(colour, list) else colour for part, colour in row.items()
+    }
+    return Theme(name=name, **colours)
+
+
+_TABLE = tomllib.loads(read_text("themes.toml"))
+LIGHT, DARK = (_theme(name, _TABLE[name]) for name in ("light", "dark"))
+CONTRAST = _theme("contrast", _TABLE["dark"] | _TABLE["contrast"])
 THEMES = {theme.name: theme for theme in (LIGHT, DARK, CONTRAST)}
 _in_use = LIGHT
 

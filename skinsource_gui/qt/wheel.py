@@ -167,10 +167,7 @@ class PanZoom(QObject):
             self.frame = None
         elif self.fit == FREE and before is not None and before.scale > fits[WHOLE].scale:
             moved = room.center() - was.center()
-            frame = before.moved(moved.x(), moved.y())
-            if room != was:
-                frame = frame.moved(*self._into_new_room(before, frame, was))
-            self.frame = self._in_sight(frame)
+            self.frame = self._in_sight(before.moved(moved.x(), moved.y()))
         elif self.fit == FREE:
             # In the new room it would be smaller than the whole fit.
             self.fit, self.frame = WHOLE, fits[WHOLE]
@@ -262,37 +259,5 @@ class PanZoom(QObject):
         self.frame = self._in_sight(frame)
         self.changed.emit()
 
-    def _into_new_room(self, before: Frame, frame: Frame, was: QRectF) -> tuple[float, float]:
-        """Return the shift after which the new room is no emptier than the old one.
-
-        At each edge the margin is at most that of the whole drawing, or that of before.
-        """
-        whole, drawn, left = (
-            _box(shown_frame.to_screen(self._outline))
-            for shown_frame in (self._fits[WHOLE], frame, before)
-        )
-        room = self._room
-        return (
-            _shift(
-                (drawn.left(), drawn.right()),
-                max(whole.left(), room.left() + left.left() - was.left()),
-                min(whole.right(), room.right() + left.right() - was.right()),
-            ),
-            _shift(
-                (drawn.top(), drawn.bottom()),
-                max(whole.top(), room.top() + left.top() - was.top()),
-                min(whole.bottom(), room.bottom() + left.bottom() - was.bottom()),
-            ),
-        )
-
     def _in_sight(self, frame: Frame) -> Frame:
         return frame.shifted_into_sight(self._outline, self._room)
-
-
-def _box(places: Floats) -> QRectF:
-    return QRectF(QPointF(*places.min(axis=0)), QPointF(*places.max(axis=0)))
-
-
-def _shift(drawn: tuple[float, float], low: float, high: float) -> float:
-    """Return the shift after which a range covers the range from ``low`` to ``high``."""
-    return min(low - drawn[0], 0.0) + max(high - drawn[1], 0.0)

@@ -1,13 +1,11 @@
 """Breakpoints as a small curve."""
 
-import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource.design.effects.breakpoints import curve_at, with_point_after
 from skinsource.design.effects.level import POINTS
 from skinsource_gui.fields.curve_field import CurveField
 
@@ -62,16 +60,6 @@ def test_a_press_on_the_curve_adds_a_point_there_without_changing_it(field):
     assert [points for points, _ in field.edits] == [field.value]
 
 
-def test_a_new_point_is_dragged_on_in_the_same_gesture(field):
-    drag(field, QPointF(field.width() - 4, field.place_of(2).y()), (-2, -20))
-    assert len(field.value) == 4
-    assert field.chosen == 3
-    assert len({gesture for _, gesture in field.edits}) == 1
-    QTest.keyClick(field, Qt.Key.Key_Escape)
-    assert len(field.value) == 4  # as the press had left it
-    assert field.value[3][1] == 0.5
-
-
 def test_a_drag_is_given_up_with_escape(field):
     drag(field, field.place_of(1), (20, 10))
     assert field.value != START
@@ -90,28 +78,6 @@ def test_beside_the_curve_a_click_adds_nothing_and_a_double_click_a_point_just_t
     assert len(field.value) == 4
     assert (field.place_of(1) - QPointF(beside)).manhattanLength() < 2.0
     assert field.chosen == 1
-
-
-def test_keys_add_and_remove_as_in_the_clip_editor(field):
-    field.end_x = 0.5
-    field.setFocus()
-    QTest.keyClick(field, Qt.Key.Key_End)
-    QTest.keyClick(field, Qt.Key.Key_Insert)
-    expected, number = with_point_after(START, 2, 0.5)
-    assert (field.value, field.chosen) == (expected, number)
-    assert field.value[3][0] == pytest.approx(0.35)
-    QTest.keyClick(field, Qt.Key.Key_Delete)
-    assert (field.value, field.chosen) == (START, 2)
-
-
-def test_a_point_that_is_added_bends_nothing(field):
-    field.set_value(((0.0, 0.1, "smooth"), (0.1, 1.0, "smooth"), (0.2, 0.3, "smooth")))
-    at, before = np.linspace(0.0, 0.2, 101), field.value
-    field.setFocus()
-    QTest.keyClick(field, Qt.Key.Key_Home)
-    QTest.keyClick(field, Qt.Key.Key_Insert)
-    assert len(field.value) == 4
-    assert curve_at(field.value, at) == pytest.approx(curve_at(before, at), abs=1e-9)
 
 
 def test_keys_choose_move_continue_add_and_remove(field):
@@ -141,16 +107,6 @@ def test_keys_choose_move_continue_add_and_remove(field):
     n_edits = len(field.edits)
     QTest.keyClick(field, Qt.Key.Key_Delete)
     assert (len(field.value), len(field.edits)) == (1, n_edits)
-
-
-def test_the_value_is_shown_without_telling_anybody(field):
-    field.setFocus()
-    QTest.keyClick(field, Qt.Key.Key_End)
-    field.set_value(START[:1])
-    assert field.edits == []
-    assert field.chosen == 0
-    assert field.rect().contains(field.place_of(0).toPoint())
-    assert not field.grab().isNull()
 
 
 def lines_of_menu(field, at, reason=QContextMenuEvent.Reason.Mouse):

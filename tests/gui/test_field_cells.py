@@ -30,13 +30,6 @@ def make_cell(qtbot):
     return make
 
 
-def test_a_number_is_typed(make_cell):
-    cell = make_cell(FREQUENCY, 100.0)
-    QTest.keyClicks(cell.field, "250")
-    QTest.keyClick(cell.field, Qt.Key.Key_Return)
-    assert cell.edits == [("one", 250.0)]
-
-
 def test_a_choice_is_chosen(make_cell):
     spec = ChoiceSpec(label="Size", options=(("s", "Small"), ("l", "Large")))
     cell = make_cell(spec, "s")
@@ -80,15 +73,6 @@ def test_a_kind_of_field_without_an_editor_is_shown_and_never_taken_for_another_
 FORMULA = Formula.__dataclass_fields__["text"].metadata["spec"]
 
 
-def test_a_formula_is_told_with_each_key_that_leaves_it_readable(make_cell):
-    cell = make_cell(FORMULA, "t")
-    cell.field.moveCursor(QTextCursor.MoveOperation.End)
-    QTest.keyClicks(cell.field, "+12")
-    assert [value for _, value in cell.edits] == ["t+1", "t+12"]
-    assert cell.note == ""
-    assert cell.field.text() == "t+12"
-
-
 def test_a_formula_that_cannot_be_read_says_why_under_it_and_marks_the_column(make_cell):
     cell = make_cell(FORMULA, "t")
     cell.field.moveCursor(QTextCursor.MoveOperation.End)
@@ -103,37 +87,6 @@ def test_a_formula_that_cannot_be_read_says_why_under_it_and_marks_the_column(ma
     QTest.keyClick(cell.field, Qt.Key.Key_Escape)
     assert (cell.field.text(), cell.note, cell.field.extraSelections()) == ("t", "", [])
     assert len(cell.edits) == 1
-
-
-def test_a_formula_that_is_refused_stays_as_it_is_typed(make_cell):
-    cell = make_cell(FORMULA, "t")
-    cell.field.selectAll()
-    QTest.keyClicks(cell.field, "1")
-    cell.set_value("1")
-    QTest.keyClicks(cell.field, "/t")
-    assert cell.edits[-1] == ("one", "1/t")
-    cell.set_value("1")
-    cell.show_reason('formula "1/t", column 2: / is infinite at 0 s, expected finite numbers')
-    assert cell.field.text() == "1/t"
-    assert cell.field.extraSelections()[0].cursor.selectionEnd() == 2
-    QTest.keyClicks(cell.field, "+")
-    QTest.keyClick(cell.field, Qt.Key.Key_Backspace)
-    assert "column" not in cell.note
-    cell.set_value("another")
-    assert cell.field.text() == "another"
-
-
-def test_quick_keys_of_a_formula_are_one_gesture_until_enter(make_cell, qtbot):
-    cell = make_cell(FORMULA, "t")
-    gestures = []
-    cell.edited.connect(lambda name, value, gesture: gestures.append(gesture))
-    cell.field.moveCursor(QTextCursor.MoveOperation.End)
-    QTest.keyClicks(cell.field, "+12")
-    QTest.keyClick(cell.field, Qt.Key.Key_Return)
-    QTest.keyClicks(cell.field, "3")
-    assert cell.field.text() == "t+123"
-    assert gestures[0] == gestures[1] != gestures[2]
-    assert None not in gestures
 
 
 def test_a_long_formula_is_wrapped_and_pasted_lines_become_one(make_cell):

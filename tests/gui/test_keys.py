@@ -11,7 +11,6 @@ from skinsource_gui.fields.number_field import begins_typing, makes_step
 from skinsource_gui.panels.skin.scale import key_step_db
 from skinsource_gui.panels.skin.time import ScrubBar
 from skinsource_gui.panels.timeline.heads import ListKeys
-from skinsource_gui.plots.outputs import OutputKeys
 from skinsource_gui.qt.keys import KEYS, MOUSE, SHORTCUTS, key_text, meaning_of
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.playing import Transport
@@ -44,8 +43,6 @@ def claims(place, parent):
     if place == "inputs":
         parent.kept = ListKeys(parent)
         return parent.kept.claims
-    if place == "skin":
-        return OutputKeys(parent).claims
     if place == "number":
         return lambda event: makes_step(event) or begins_typing(event)
     if place == "colour_bar":

@@ -54,9 +54,9 @@ def test_the_pointer_comes_before_the_cursor_which_counts_with_the_keyboard_alon
     press(picker, Qt.Key.Key_Right)
     assert picker.pointed_at(focused=True) in (1, 2)
     assert picker.pointed_at(focused=False) is None
-    picker.mouse.move(QPointF(58, 12), POINTS)
+    picker.move(QPointF(58, 12), POINTS)
     assert picker.pointed_at(focused=False) == 2
-    picker.mouse.move(QPointF(300, 300), POINTS)
+    picker.move(QPointF(300, 300), POINTS)
     assert picker.pointed_at(focused=True) is None
     press(picker, Qt.Key.Key_Left)
     assert picker.pointed_at(focused=True) == 1
@@ -70,14 +70,14 @@ def test_only_another_selection_is_told_and_one_output_takes_the_cursor_along(pi
     assert picker.choices == [(1, 2)]
     click(picker, 60, 10)
     assert picker.choices[-1] == (2,)
-    assert picker.keys.cursor_output == 2
+    assert picker.cursor_output == 2
 
 
 def test_escape_gives_up_a_frame_before_it_selects_nothing(picker):
     picker.selected = (2,)
     picker.press(mouse(QEvent.Type.MouseButtonPress, 0, 0))
-    picker.mouse.move(QPointF(80, 80), POINTS)
+    picker.move(QPointF(80, 80), POINTS)
     assert press(picker, Qt.Key.Key_Escape)
-    assert (picker.choices, picker.mouse.band) == ([], None)
+    assert (picker.choices, picker.band) == ([], None)
     assert press(picker, Qt.Key.Key_Escape)
     assert picker.choices == [()]

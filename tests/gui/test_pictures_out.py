@@ -3,9 +3,8 @@
 import re
 from dataclasses import replace
 
-import numpy as np
 import pytest
-from PySide6.QtGui import QColor, QFont, QImage
+from PySide6.QtGui import QColor, QImage
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
@@ -20,7 +19,6 @@ from skinsource_gui.plots.pictures import (
     save_drawing,
     with_caption,
 )
-from skinsource_gui.plots.small_map import bar_length_mm
 from skinsource_gui.qt.theme import DARK, LIGHT, current_theme
 from tests.gui.dock_bench import bar_with, click_tab, titles
 
@@ -97,23 +95,6 @@ def test_dots_in_an_inch_are_as_chosen(tmp_path, dpi, pixels):
     assert QColor(picture.pixel(pixels - 1, picture.height() - 1)).name() == "#0000ff"
 
 
-def test_letters_take_the_same_part_of_a_picture_whatever_its_resolution(qapp):
-    def draw(painter, width, height):
-        painter.fillRect(0, 0, width, height, QColor("white"))
-        painter.setFont(QFont(qapp.font().family(), 20))
-        painter.drawText(20, 100, "Skin Skin")
-
-    def right_end(dpi):
-        image = drawn_image(draw, 500, 150, dpi).convertToFormat(QImage.Format.Format_Grayscale8)
-        rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
-        return np.flatnonzero((rows[:, : image.width()] < 128).any(axis=0))[-1] / image.width()
-
-    usual = right_end(96)
-    assert 0.1 < usual < 0.6
-    assert right_end(300) == pytest.approx(usual, rel=0.03)
-    assert right_end(144) == pytest.approx(usual, rel=0.03)
-
-
 def test_each_picture_has_real_words_and_the_stimulus(open_window, tmp_path):
     window = open_window(DESIGN)
     for name in ("skin", "traces", "hand", ALL_VISIBLE, PANEL_IN_USE):
@@ -167,12 +148,6 @@ def test_a_panel_whose_tab_is_clicked_is_in_use_and_named_where_its_picture_is_a
         assert asked.pop() == f"Export picture of the panel {title}"
 
 
-def test_the_bar_is_the_longest_round_length_in_a_quarter_of_the_room():
-    assert bar_length_mm(1.0, 250.0) == 50
-    assert bar_length_mm(1.0, 400.0) == 100
-    assert bar_length_mm(100.0, 10.0) == 1
-
-
-def test_what_to_cite_is_copied(window, qapp):
-    window.do("copy_citation")
+def test_what_to_cite_is_copied(open_window, qapp):
+    open_window(DESIGN).do("copy_citation")
     assert "10.1109/HAPTICS59260.2024.10520852" in qapp.clipboard().text()

@@ -97,7 +97,7 @@ def shown_letter_by_letter():
     return count
 
 
-def test_in_every_panel(window, qtbot):
+def test_in_every_panel_and_on_every_page(window, qtbot):
     count = 0
     for name, dock in window.docks.items():
         dock.bring_forward()
@@ -107,9 +107,6 @@ def test_in_every_panel(window, qtbot):
         QApplication.processEvents()
         count += shown_letter_by_letter()
     assert count > 0
-
-
-def test_on_every_page(window, qtbot):
     for action in PAGES:
         window.do(action)
         QApplication.processEvents()

@@ -5,7 +5,6 @@ import pytest
 
 from skinsource_gui.plots.curves import Curves, output_names
 from skinsource_gui.plots.ranges import (
-    MOST_IN_COLUMN,
     SteadyRange,
     ValueScale,
     linear_ticks,
@@ -51,10 +50,12 @@ def test_levels_span_80_db_below_a_top_that_holds_still():
     assert held.follow(-200.0, -31.0, "level") == (-110.0, -30.0)
 
 
-@pytest.mark.parametrize("peak", [5e-324, 1e-300, 1e-12, 3.7, 1e12, 1e300])
+@pytest.mark.parametrize("peak", [5e-324, 1e-300, 3.7, 1e300])
 def test_every_peak_fits_into_its_range_and_has_ticks_that_can_be_read(peak):
     low, high = SteadyRange().follow(-peak, peak, "amplitude")
     assert low <= -peak < peak <= high
+    heights = ValueScale(values=(low, high)).heights(np.array([-peak, 0.0, peak]))
+    assert 0 <= heights[0] < heights[1] == 0.5 < heights[2] <= 1
     unit = value_unit("amplitude", low, high)
     ticks = linear_ticks(low, high, 5, unit.factor)
     assert all(low * 1.001 <= tick.value <= high * 1.001 for tick in ticks)
@@ -83,15 +84,10 @@ def test_a_logarithmic_axis_labels_1_2_5_and_falls_back_to_even_steps_in_a_close
     assert [tick.label for tick in log_ticks(95, 125, 4)] == ["100", "110", "120"]
 
 
-def test_minus_is_a_minus_sign_and_there_is_no_negative_zero():
-    assert number_text(-0.25, 2) == "−0.25"
-    assert number_text(-1e-9, 2) == "0.00"
-
-
-def test_thousands_stand_apart():
+def test_thousands_stand_apart_and_there_is_no_negative_zero():
     assert number_text(1200.0, 0) == "1\u202f200"
     assert number_text(-1234567.5, 1) == "−1\u202f234\u202f567.5"
-    assert number_text(999.0, 0) == "999"
+    assert number_text(-1e-9, 2) == "0.00"
 
 
 def test_a_zoom_keeps_the_place_under_the_pointer_and_stays_inside():
@@ -107,31 +103,16 @@ def test_peaks_survive_when_a_long_signal_is_drawn_with_few_points():
     y[0, 12_345], y[1, 70_001] = 3.0, -4.0
     few = visible_points(x, y, (x[0], x[-1]), 500)
     assert few.strokes
-    few_x, few_y = few.x, few.y
-    assert few_x.size <= 1004
-    assert few_y[0].max() == 3.0
-    assert few_y[1].min() == -4.0
-    assert np.all(np.diff(few_x) >= 0)
+    assert few.x.size <= 1004
+    assert few.y[0].max() == 3.0
+    assert few.y[1].min() == -4.0
+    assert np.all(np.diff(few.x) >= 0)
     close = visible_points(x, y, (x[12_300], x[12_400]), 500)
     assert not close.strokes
     assert close.y[0].max() == 3.0
     assert close.x[0] <= x[12_300]
     assert close.x[-1] >= x[12_400]
-
-
-def test_signals_with_room_for_every_sample_are_drawn_sample_by_sample():
-    x = np.arange(MOST_IN_COLUMN * 500) / 1300
-    y = np.sin(x)[np.newaxis]
-    few = visible_points(x, y, (x[0], x[-1]), 500)
-    assert np.array_equal(few.x, x)
-    assert np.array_equal(few.y, y)
-
-
-def test_only_the_visible_part_is_drawn_with_one_point_more_at_each_side():
-    x = np.arange(1000.0)
-    few = visible_points(x, x[np.newaxis], (99.5, 120.5), 500)
-    assert few.x[0] == 99.0
-    assert few.x[-1] == 121.0
+    assert close.x.size <= 103
 
 
 def test_strokes_of_a_dense_signal_stand_in_the_middle_of_their_columns():
@@ -144,8 +125,7 @@ def test_strokes_of_a_dense_signal_stand_in_the_middle_of_their_columns():
     assert spans[1::2].max() < 0.1 * spans[::2].min()
 
 
-@pytest.mark.parametrize("columns", [64, 325, 333, 500])
-@pytest.mark.parametrize("size", [2600, 13_000, 78_000])
+@pytest.mark.parametrize(("columns", "size"), [(64, 2600), (325, 13_000), (333, 78_000)])
 def test_every_column_has_its_stroke_even_where_samples_lie_on_its_edge(columns, size):
     samples = np.random.default_rng(size + columns).uniform(-1, 1, (1, size))
     few = visible_points(np.arange(size) / size, samples, (0.0, 1.0), columns)
@@ -155,15 +135,7 @@ def test_every_column_has_its_stroke_even_where_samples_lie_on_its_edge(columns,
     assert (few.y.min(), few.y.max()) == (samples.min(), samples.max())
 
 
-@pytest.mark.parametrize("peak", [5e-324, 1e-300, 1e300])
-def test_no_value_is_too_small_or_too_large_to_be_drawn(peak):
-    scale = ValueScale(values=SteadyRange().follow(-peak, peak, "amplitude"))
-    heights = scale.heights(np.array([-peak, 0.0, peak]))
-    assert heights[1] == 0.5
-    assert 0 <= heights[0] < 0.5 < heights[2] <= 1
-
-
-@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("seed", range(3))
 def test_the_crosshair_snaps_to_the_nearest_sample(seed):
     random = np.random.default_rng(seed)
     x = np.sort(random.uniform(0, 1, random.integers(1, 40)))
@@ -179,8 +151,8 @@ def strokes_of(y, per_column):
     return points.y
 
 
-@pytest.mark.parametrize("frequency_hz", [95.0, 100.0, 150.0, 250.0, 333.0])
-@pytest.mark.parametrize("per_column", [5, 6, 7, 8, 11, 20])
+@pytest.mark.parametrize("frequency_hz", [95.0, 250.0, 333.0])
+@pytest.mark.parametrize("per_column", [5, 8, 20])
 def test_the_edges_of_a_dense_tone_are_as_even_as_the_tone(frequency_hz, per_column):
     y = np.sin(2 * np.pi * frequency_hz * np.arange(200 * per_column) / 1300)
     filled = without_notches(strokes_of(y, per_column)).reshape(-1, 2)[3:-3]

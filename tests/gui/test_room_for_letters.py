@@ -1,7 +1,9 @@
 """In letters of any size, on small and large screens, each panel has room, scrolls, or is a tab."""
 
+from itertools import pairwise
+
 import pytest
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QRect, QSize
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel
 
@@ -11,10 +13,10 @@ from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.plots.axis import Axis
 from skinsource_gui.plots.plot import Plot
+from skinsource_gui.shell.appearance import LARGEST_TEXT
 from skinsource_gui.shell.arrangement_spec import ArrangementSpec, Place
-from skinsource_gui.shell.dock_layout import Folded, Needs, folded, room_of
+from skinsource_gui.shell.dock_layout import Needs, folded, room_of
 
-SCREENS = ((1366, 768), (1920, 1080))
 FIELDS = View(selected_inputs=(1,), outputs=(29, 30, 33, 35))
 
 
@@ -52,7 +54,7 @@ def too_wide(dock):
 def numbers(plot):
     """How many numbers are written at each axis."""
     axes = [item for item in plot.scene().items() if isinstance(item, Axis) and item.isVisible()]
-    return [len(axis.generateDrawSpecs(None)[2]) for axis in axes]
+    return [len(axis.labels()) for axis in axes]
 
 
 def cut(window):
@@ -75,8 +77,9 @@ def cut(window):
     return cut
 
 
-@pytest.mark.parametrize("screen", SCREENS)
-@pytest.mark.parametrize("scale", [1.0, 1.5, 2.0, 3.0])
+@pytest.mark.parametrize(
+    ("scale", "screen"), [(1.0, (1366, 768)), (2.0, (1366, 768)), (3.0, (1920, 1080))]
+)
 def test_nothing_is_cut_or_scrolls_sideways(studio, settle, scale, screen):
     window = studio
     window.resize(*screen)
@@ -110,6 +113,33 @@ def test_panels_that_somebody_moved_stay_where_they_are(studio, settle):
     assert "hand" not in shown
 
 
+def test_in_the_largest_letters_nothing_lies_on_the_map_or_on_the_ends_of_its_range(studio, settle):
+    def of(part, panel):
+        return QRect(part.mapTo(panel, part.rect().topLeft()), part.size())
+
+    studio.appearance._scale_text(LARGEST_TEXT)
+    studio.resize(1366, 768)
+    settle()
+    panel = studio.panel("skin")
+    layout, bar = panel.map.stage.layout, panel.colour_bar
+    # All of the limb is in sight, beside the cards.
+    limb = layout.frame.transform().mapRect(panel.map.content.field.rect)
+    for output in range(1, 61):
+        point = panel.map.stage.place_of(output)
+        assert layout.room.contains(point)
+        assert not layout.palmar_card.contains(point)
+    assert limb.height() > 0.5 * panel.map.height()
+    assert layout.room.contains(layout.palmar_card)
+    fields = [bar.high_field, bar.strip, bar.low_field]
+    shown = [*fields, *([bar.auto_button] if bar.auto_button.isVisible() else [])]
+    places = [of(widget, bar) for widget in shown]
+    for above, below in pairwise(places):
+        assert above.bottom() < below.top()
+    assert places[-1].bottom() <= bar.height()
+    for field in (bar.high_field, bar.low_field):
+        assert field.height() >= field.fontMetrics().height()
+
+
 SPEC = ArrangementSpec(
     name="a", text="a", hint="", keys=(), columns=(1, 1, 1), host="mid", yields=("right", "left")
 )
@@ -130,28 +160,22 @@ def needs(width, height, spec=SPEC):
     )
 
 
-def test_where_there_is_room_for_all_panels_none_is_a_tab():
-    assert folded(COLUMNS, ("foot",), needs(310, 310)) == Folded(
-        ((("left",),), (("mid",),), (("right",), ("under",))), ("foot",)
-    )
-
-
-def test_panels_of_a_column_that_is_too_low_are_tabs():
-    fold = folded(COLUMNS, ("foot",), needs(310, 309))
-    assert fold == Folded(((("left",),), (("mid",),), (("right", "under"),)), ("foot",))
-    assert fold.tabs == (("right", "under"),)
-
-
-def test_what_is_below_all_columns_is_a_tab_where_columns_are_too_low_for_it():
-    fold = folded(COLUMNS, ("foot",), needs(310, 224))
-    assert fold.foot == ()
-    assert ("mid", "foot") in fold.tabs
-
-
-def test_columns_that_are_too_narrow_yield_in_their_order():
-    narrow = folded(COLUMNS, (), needs(309, 310))
-    assert narrow.columns == ((("left",),), (("mid", "right", "under"),))
-    assert folded(COLUMNS, (), needs(150, 310)).columns == ((("mid", "right", "under", "left"),),)
+@pytest.mark.parametrize(
+    ("size", "columns", "foot"),
+    [
+        # There is room for all; the last column is too low; all are too low for what is below.
+        ((310, 310), [["left"], ["mid"], ["right", "under"]], ("foot",)),
+        ((310, 309), [["left"], ["mid"], ["right under"]], ("foot",)),
+        ((310, 224), [["left"], ["mid foot"], ["right", "under"]], ()),
+        # Columns that are too narrow yield in their order.
+        ((309, 900), [["left"], ["mid right under"]], ("foot",)),
+        ((150, 900), [["mid right under left"]], ("foot",)),
+    ],
+)
+def test_panels_without_room_of_their_own_are_tabs(size, columns, foot):
+    fold = folded(COLUMNS, ("foot",), needs(*size))
+    assert [[" ".join(tabs) for tabs in column] for column in fold.columns] == columns
+    assert fold.foot == foot
 
 
 def test_gaps_between_panels_are_no_room_of_theirs():

@@ -4,7 +4,6 @@ import pytest
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import (
     QApplication,
-    QPushButton,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -15,20 +14,6 @@ from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.plots.toolbar import PlotToolbar
 from skinsource_gui.qt.fitting import width_in
 from skinsource_gui.qt.theme import UNIT_PX, scaled
-
-
-@pytest.mark.parametrize("kind", [QToolButton, QPushButton])
-def test_how_wide_a_button_would_be_does_not_depend_on_how_it_is_written_now(qtbot, kind):
-    button = kind()
-    qtbot.addWidget(button)
-    button.setText("Remove 52 ms delay")
-    usual = button.font()
-    widths = set()
-    for scale in (1.0, 0.9, 0.8, 0.7, 0.6, 1.5):
-        button.setFont(scaled(usual, scale))
-        assert width_in(button.font(), [button]) == button.sizeHint().width()
-        widths.add(width_in(usual, [button]))
-    assert len(widths) == 1
 
 
 class Fits(QObject):
@@ -56,7 +41,7 @@ def above_a_plot(parent):
     return bar
 
 
-@pytest.mark.parametrize("scale", [1.0, 1.25, 1.5, 2.0, 3.0])
+@pytest.mark.parametrize("scale", [1.0, 2.0])
 @pytest.mark.parametrize("make", [beside_the_ruler, above_a_plot])
 def test_in_any_room_words_settle_in_one_size(qtbot, make, scale):
     host, fits = QWidget(), Fits()
@@ -68,7 +53,7 @@ def test_in_any_room_words_settle_in_one_size(qtbot, make, scale):
     column.addWidget(bar)
     host.show()
     qtbot.waitExposed(host)
-    for width in (*range(40, 1200, 7), *range(1200, 40, -13)):
+    for width in (*range(40, 1200, 17), *range(1200, 40, -29)):
         fits.count = 0
         bar.installEventFilter(fits)
         host.resize(width, 200)

@@ -23,27 +23,21 @@ from skinsource_gui.qt.wheel import scroll_to
 
 
 class EffectRow(FieldsRow):
-    """Switch, name and remove button of an effect, and its fields while it is open.
-
-    Attributes
-    ----------
-    effect
-        The effect that is shown.
-    """
+    """Switch, name and remove button of an effect, and its fields while it is open."""
 
     switched = Signal(bool)
     #: Name of a field, its new value, number of the gesture or None.
     edited = Signal(str, object, object)
 
     def __init__(self, effect: Effect) -> None:
-        self.effect = effect
+        self.part = effect
         self._cells = tuple(self._cell(name) for name in specs_of(effect) if name != "on")
         self._switch = QCheckBox()
         self._switch.setObjectName("effect_switch")
         self._switch.setAccessibleName(f"{effect.title} on")
         self._switch.setToolTip(tooltip(ON.label, ON.hint))
         title = RowTitle(effect.title, "effects", "in the chain")
-        super().__init__(title, (self._switch,), (), UNIT_PX // 2)
+        super().__init__(title, (self._switch,), UNIT_PX // 2)
         self.remove_button.setToolTip(tooltip(f"Remove {effect.title.lower()}"))
         self.grid.show_cells(self._cells)
         for cell in self._cells:
@@ -61,7 +55,7 @@ class EffectRow(FieldsRow):
 
     def show_effect(self, effect: Effect) -> None:
         """Show another effect of the same kind."""
-        self.effect = effect
+        self.part = effect
         self._switch.setChecked(effect.on)
         set_tone(self.title, "" if effect.on else "dim")
         for cell in self._cells:
@@ -75,7 +69,7 @@ class EffectRow(FieldsRow):
 
     def show_refused(self, name: str, reason: str) -> None:
         """Show the value of a field again, and the reason why it did not change."""
-        self.cell(name).refuse(getattr(self.effect, name), reason)
+        self.cell(name).refuse(getattr(self.part, name), reason)
 
     def press(self, name: str) -> None:
         if name == "switch":
@@ -84,7 +78,7 @@ class EffectRow(FieldsRow):
             super().press(name)
 
     def _cell(self, name: str) -> FieldCell:
-        cell = FieldCell(name, specs_of(self.effect)[name])
+        cell = FieldCell(name, specs_of(self.part)[name])
         # Waveforms may have a field of the same name.
         cell.field.setObjectName(f"effect_{name}_field")
         return cell
@@ -129,20 +123,18 @@ class EffectChain(QWidget):
         self._design, self._view, self._ids = design, view, ids
         self.setVisible(clip is not None)
         same_clip = before is not None and clip is not None and before.id == clip.id
-        rows, left, new = [], list(self.rows), None
-        for index, effect in enumerate(clip.effects if clip is not None else ()):
-            row = _row_for(effect, index, left, self.rows)
-            if row is None:
-                row = new = self._new_row(effect)
+        effects = clip.effects if clip is not None else ()
+        before_rows, end_s = self.rows, clip.duration_s if clip is not None else 0.0
+        rows, new = self._column.rows_for(effects, self._new_row, same_kind=True), None
+        for row, effect in zip(rows, effects, strict=True):
+            if row not in before_rows:
+                new = row
                 row.set_open(same_clip)
-            else:
-                left.remove(row)
-                if not same_clip:
-                    row.forget_typing()
-                row.show_effect(effect)
-            row.show_end(clip.duration_s if clip is not None else 0.0)
-            rows.append(row)
-        self._column.show_rows(tuple(rows))
+            elif not same_clip:
+                row.forget_typing()
+            row.show_effect(effect)
+            row.show_end(end_s)
+        self._column.show_rows(rows)
         if self._adds and new is not None and same_clip:
             self._adds = False
             new.title.setFocus(Qt.FocusReason.OtherFocusReason)
@@ -194,18 +186,6 @@ class EffectChain(QWidget):
     def _tell(self, outcome: Edit | Refusal, gesture: int | None = None) -> None:
         if isinstance(outcome, Refusal) or outcome.design != self._design:
             self.edited.emit(outcome, gesture)
-
-
-def _row_for(
-    effect: Effect, index: int, left: list[EffectRow], before: tuple[EffectRow, ...]
-) -> EffectRow | None:
-    """Return the row that continues an effect: its own, the one at its place, one of its kind."""
-    own = [row for row in left if row.effect is effect]
-    at_place = [row for row in before[index : index + 1] if row in left]
-    for row in (*own, *at_place, *left):
-        if type(row.effect) is type(effect):
-            return row
-    return None
 
 
 def _show_whole(row: EffectRow) -> None:

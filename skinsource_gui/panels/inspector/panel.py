@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import lru_cache, partial
 from typing import Any
 
-from PySide6.QtCore import QObject, QSize, Qt, Signal
+from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import (
     QApplication,
@@ -44,7 +44,7 @@ from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import Drawn, Recording
 from skinsource.limbs.limb import LimbFacts
-from skinsource.limbs.locations import LocationNames, input_name
+from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
@@ -55,39 +55,28 @@ from skinsource_gui.fields.inputs import FieldChanges, fixed_length_text, played
 from skinsource_gui.panels.inspector.effects import EffectChain
 from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import Swatch, mute_button, page_label, solo_button
-from skinsource_gui.qt.fitting import LayoutWatcher, SteadyArea
-from skinsource_gui.qt.labels import how_to_add, how_to_select_input
+from skinsource_gui.qt.fitting import SteadyArea
+from skinsource_gui.qt.labels import FittingLabel, how_to_add, how_to_select_input
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 from skinsource_gui.state.panel import Panel
 
 
-class ButtonCell(LabelledCell):
-    """A button that leads to where a value is changed.
-
-    Parameters
-    ----------
-    label, text, hint
-        Label beside the button, text on it, and tooltip.
-    name
-        Its `objectName`.
-    """
-
-    clicked = Signal()
-
-    def __init__(
-        self, label: str, text: str, hint: str, *, name: str, parent: QWidget | None = None
-    ) -> None:
-        super().__init__(label, parent)
-        self.button = QPushButton(text, self)
-        self.button.setObjectName(name)
-        self.button.setMinimumHeight(LABEL_PX)
-        self.button.setToolTip(tooltip(hint))
-        self.button.clicked.connect(lambda: self.clicked.emit())
-        self.stack.addWidget(self.button, 0, Qt.AlignmentFlag.AlignLeft)
-        self.label.setBuddy(self.button)
-        self.setFocusProxy(self.button)
+def _button_cell(
+    label: str, text: str, hint: str, *, name: str, clicked: SignalInstance
+) -> LabelledCell:
+    """Return a cell with a button that leads to where a value is changed."""
+    cell = LabelledCell(label)
+    button = QPushButton(text, cell)
+    button.setObjectName(name)
+    button.setMinimumHeight(LABEL_PX)
+    button.setToolTip(tooltip(hint))
+    button.clicked.connect(lambda: clicked.emit())
+    cell.stack.addWidget(button, 0, Qt.AlignmentFlag.AlignLeft)
+    cell.label.setBuddy(button)
+    cell.setFocusProxy(button)
+    return cell
 
 
 def _places_of(limb: str) -> ChoiceSpec:
@@ -130,6 +119,7 @@ class InputFields(QObject):
         facts = facts_of("")
         self._played_at, self._places = (facts.sample_rate_hz, facts.band_hz), _places_of("")
         self._own: tuple[LabelledCell, ...] = ()
+        self._arranged: tuple[LabelledCell, ...] = ()
         self._built_for: type[Waveform] | None = None
         self._length: TextCell | None = None
         self._several = False
@@ -171,15 +161,12 @@ class InputFields(QObject):
         # A curve that was deleted can be typed again until another track is shown.
         curved = track.id if track.gain_curve or self._curve_of == track.id else None
         lasts = "" if clip is None else played_length_text(clip)
-        others = (several, curved) != (self._several, self._curve_of)
-        before = self._notes_shown
+        self._several, self._curve_of = several, curved
         self._played_length.text_label.setText(lasts)
         self._peak.text_label.setText(peak)
-        if kind is not self._built_for or others:
-            self._several, self._curve_of = several, curved
+        if kind is not self._built_for:
             self._build_own(None if clip is None else clip.waveform)
-        elif self._notes_shown != before:
-            self.grid.show_cells(self._cells())
+        self._arrange()
         if self._length is not None and clip is not None:
             self._length.text_label.setText(fixed_length_text(clip.waveform))
         self._amplitude.set_spec(amplitude)
@@ -226,23 +213,24 @@ class InputFields(QObject):
         for cell in self._fields():
             cell.forget_typing()
 
-    @property
-    def _notes_shown(self) -> tuple[bool, bool]:
-        """Whether the played duration and the resulting peak are shown."""
-        return bool(self._played_length.text_label.text()), bool(self._peak.text_label.text())
-
     def _cells(self) -> tuple[LabelledCell, ...]:
-        of_clip = () if self._built_for is None else (self._onset,)
-        gain = (self._gain,) if self._several else ()
-        lasts, peak = (
-            (cell,) if shown else ()
-            for cell, shown in zip(
-                (self._played_length, self._peak), self._notes_shown, strict=True
-            )
+        optional: tuple[tuple[LabelledCell, object], ...] = (
+            (self._played_length, self._played_length.text_label.text()),
+            (self._amplitude, True),
+            (self._peak, self._peak.text_label.text()),
+            (self._gain, self._several),
+            (self._onset, self._built_for is not None),
+            (self.place, True),
+            (self._curve, self._curve_of is not None),
         )
-        own = (self.kind, *self._own, *lasts)
-        curve = () if self._curve_of is None else (self._curve,)
-        return (*own, self._amplitude, *peak, *gain, *of_clip, self.place, *curve)
+        return (self.kind, *self._own, *(cell for cell, shown in optional if shown))
+
+    def _arrange(self) -> None:
+        """Show the cells that belong to the input."""
+        cells = self._cells()
+        if cells != self._arranged:
+            self._arranged = cells
+            self.grid.show_cells(cells)
 
     def _fields(self) -> list[FieldCell]:
         return [cell for cell in self._cells() if isinstance(cell, FieldCell)]
@@ -258,20 +246,23 @@ class InputFields(QObject):
             cells.append(self._length)
         if isinstance(waveform, Drawn):
             hint = "Show the clip large, and draw on it with the pen"
-            pen = ButtonCell("Pen", "Draw", hint, name="draw_button")
-            pen.clicked.connect(self.pen_requested)
-            cells.append(pen)
+            cells.append(
+                _button_cell("Pen", "Draw", hint, name="draw_button", clicked=self.pen_requested)
+            )
         if isinstance(waveform, Recording):
             hint = "Import a recording, in place of these samples or beside them"
-            file = ButtonCell("File", "Choose file…", hint, name="recording_button")
-            file.clicked.connect(self.file_requested)
-            cells.append(file)
+            requested = self.file_requested
+            cells.append(
+                _button_cell(
+                    "File", "Choose file…", hint, name="recording_button", clicked=requested
+                )
+            )
         self._own = tuple(cells)
         self._built_for = type(waveform) if waveform else None
         focused = QApplication.focusWidget()
         if focused is not None and any(cell.isAncestorOf(focused) for cell in old):
             self.kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
-        self.grid.show_cells(self._cells())
+        self._arrange()
         for part in (widget for cell in old for widget in (cell.label, cell)):
             part.deleteLater()
 
@@ -291,11 +282,10 @@ class InputHeading(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._place: LocationNames | None = None
-        self._before = ""
         self._swatch = Swatch()
-        self._title = QLabel()
+        self._title = FittingLabel()
         self._title.setObjectName("inspector_heading")
+        self._title.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self._title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         font = QFont(self.font())
         font.setWeight(QFont.Weight.DemiBold)
@@ -304,9 +294,7 @@ class InputHeading(QWidget):
         set_tone(self._state, "warning")
         self._mute, self._solo = mute_button(), solo_button()
         parts = (self._swatch, (self._title, 1), self._state, self._mute, self._solo)
-        self._row = in_row(*parts, of=self, margins=0, gap_px=UNIT_PX // 2)
-        self._row.insertSpacing(1, UNIT_PX // 2)
-        LayoutWatcher(self).changed.connect(self._fit_title)
+        in_row(*parts, of=self, margins=0, gap_px=UNIT_PX // 2).insertSpacing(1, UNIT_PX // 2)
         self._mute.clicked.connect(self.mute_toggled)
         self._solo.clicked.connect(self.solo_toggled)
 
@@ -314,9 +302,10 @@ class InputHeading(QWidget):
         self, shown: Input, limb: str, *, silent: bool, batch: tuple[Input, ...]
     ) -> None:
         """Show the last input of a ``batch`` edited together; ``silent``: it is not heard."""
-        self._before = f"{len(batch)} inputs, last: " if len(batch) > 1 else ""
         place = input_name(shown.location, limb)
-        self._place = place
+        before = f"{len(batch)} inputs, last: " if len(batch) > 1 else ""
+        short = f"{before}{place.short_name}"
+        self._title.show_phrases((f"{before}{place.name}", f"{short[0].upper()}{short[1:]}"))
         self._swatch.show_input(shown.location, shown.colour, silent=silent)
         contact = f" ({place.kind})" if place.kind else ""
         show_tooltip(self._title, f"Input place {place.number}: {place.name}{contact}")
@@ -324,20 +313,6 @@ class InputHeading(QWidget):
         self._state.setText(of_whom if silent else "")
         self._mute.setChecked(all(track.muted for track in batch))
         self._solo.setChecked(all(track.solo for track in batch))
-        self._fit_title()
-
-    def _fit_title(self) -> None:
-        if self._place is None:
-            return
-        self._row.activate()
-        metrics, room = self._title.fontMetrics(), self._title.width()
-        name = f"{self._before}{self._place.name}"
-        if metrics.horizontalAdvance(name) > room:
-            short = f"{self._before}{self._place.short_name}"
-            name = metrics.elidedText(
-                short[0].upper() + short[1:], Qt.TextElideMode.ElideRight, room
-            )
-        self._title.setText(name)
 
 
 _NEEDS = frozenset({"input_waveforms", "sample_rate_hz"})

@@ -430,7 +430,7 @@ class MapsView(QWidget):
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(QRectF(self.rect()).adjusted(8, 8, -8, -8), flags, content.message)
         else:
-            stale, band = self._stale, self.picker.mouse.band
+            stale, band = self._stale, self.picker.band
             paint_view(painter, self.visible_maps, theme, self.output, stale=stale, band=band)
         if self.hasFocus():
             paint_focus_frame(painter, QRectF(self.rect()), theme)
@@ -444,7 +444,7 @@ class MapsView(QWidget):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if not event.buttons():
             self._at = self.visible_maps.map_at(event.position(), self._at)
-        self.picker.mouse.move(event.position(), self.visible_maps.points_of(self._at))
+        self.picker.move(event.position(), self.visible_maps.points_of(self._at))
         self._emit_pointed_at()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
@@ -454,7 +454,7 @@ class MapsView(QWidget):
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
-        self.picker.mouse.leave()
+        self.picker.leave()
         self._emit_pointed_at()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

@@ -452,19 +452,19 @@ class SkinMap(QWidget):
             self._last = ""
         if content.outputs not in (self.content.outputs, self._chosen):
             # They were selected elsewhere: the old place of the cursor means nothing any more.
-            self.picker.keys.cursor_output = None
+            self.picker.cursor_output = None
         self.content, self.picker.selected = content, content.outputs
         if other_limb:
             limb_map = content.limb_map
             self._painter = None if limb_map is None else MapPainter(limb_map)
             self.stage.show_limb(limb_map)
         self.update()
-        if self.picker.mouse.pointer is not None or self.hasFocus():
+        if self.picker.pointer is not None or self.hasFocus():
             self.readout_changed.emit(self.readout())
 
     def readout(self) -> str:
         """Return a text on what is under the pointer, else under the keyboard's cursor."""
-        number, pointer = self.picker.pointed_at(focused=self.hasFocus()), self.picker.mouse.pointer
+        number, pointer = self.picker.pointed_at(focused=self.hasFocus()), self.picker.pointer
         if number is not None:
             return output_readout(self.content, number)
         if self.stage.layout is None or pointer is None:
@@ -480,19 +480,19 @@ class SkinMap(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         theme = current_theme()
-        painter, mouse = QPainter(self), self.picker.mouse
+        painter, picker = QPainter(self), self.picker
         painter.fillRect(self.rect(), QColor(theme.base))
         if self.stage.layout is not None and self._painter is not None:
             painter.setFont(tabular(small_font(self.stage.letters)))
             self._painter.paint(painter, self.content, self.stage.layout, theme)
-            marks = [(mouse.hovered, theme.text)]
+            marks = [(picker.hovered, theme.text)]
             if self.hasFocus():
-                marks.append((self.picker.keys.cursor_output, theme.accent))
+                marks.append((picker.cursor_output, theme.accent))
             for number, colour in marks:
                 if number is not None:
                     paint_mark(painter, number, colour, self.content, self.stage.layout, theme)
-            if mouse.band is not None:
-                paint_band(painter, mouse.band, theme)
+            if picker.band is not None:
+                paint_band(painter, picker.band, theme)
         painter.setFont(self.stage.letters)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         paint_map_texts(painter, self.content, self.stage.layout, QRectF(self.rect()), theme)
@@ -521,7 +521,7 @@ class SkinMap(QWidget):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         self.stage.pan_zoom.move(event)
         if self.stage.layout is not None:
-            self.picker.mouse.move(event.position(), self.stage.layout.points)
+            self.picker.move(event.position(), self.stage.layout.points)
             self._pointer.follow(input_at(self.content, self.stage.layout, event.position()))
             self.readout_changed.emit(self.readout())
             self.update()
@@ -529,16 +529,16 @@ class SkinMap(QWidget):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         self.stage.pan_zoom.release(event)
         if event.button() == Qt.MouseButton.LeftButton and self.stage.layout is not None:
-            points, mouse = self.stage.layout.points, self.picker.mouse
+            points, picker = self.stage.layout.points, self.picker
             on_output = output_at(points, event.position()) is not None
             adds = bool(event.modifiers() & ADDS) and on_output
             input_id = clicked_input(self.content, self.stage.layout, event.position(), self._last)
-            if input_id is not None and mouse.band is None and not adds:
+            if input_id is not None and picker.band is None and not adds:
                 self._choose_inputs((input_id,))
-                mouse.give_up()
+                picker.give_up()
             elif on_output:
                 self._last = "outputs"
-            self.picker.release(event, points)
+            picker.release(event, points)
             self.update()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
@@ -547,13 +547,13 @@ class SkinMap(QWidget):
             on_input = input_at(self.content, self.stage.layout, at) is not None
             if on_input or output_at(self.stage.layout.points, at) is not None:
                 # The second of two quick clicks.
-                self.picker.mouse.press(at)
+                self.picker.press(event)
             else:
                 self.stage.pan_zoom.show(WHOLE)
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
-        self.picker.mouse.leave()
+        self.picker.leave()
         self._pointer.follow(None)
         self.readout_changed.emit(self.readout())
         self.update()
@@ -575,7 +575,7 @@ class SkinMap(QWidget):
         elif meaning == "remove":
             self.removal_requested.emit(self._last == "outputs")
         elif meaning == "select_none" and self._last == "input" and selected_inputs(self.content):
-            if not self.picker.mouse.give_up():
+            if not self.picker.give_up():
                 self._choose_inputs(())
             self.update()
         elif self.stage.pan_zoom.step(meaning) or self.picker.press_key(
@@ -594,8 +594,8 @@ class SkinMap(QWidget):
         self.outputs_chosen.emit(outputs)
 
     def _follow_cursor(self) -> None:
-        if self.picker.keys.cursor_output is not None:
-            self.stage.pan_zoom.reveal(self.stage.place_of(self.picker.keys.cursor_output))
+        if self.picker.cursor_output is not None:
+            self.stage.pan_zoom.reveal(self.stage.place_of(self.picker.cursor_output))
         self.readout_changed.emit(self.readout())
         self.update()
 

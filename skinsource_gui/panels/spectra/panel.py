@@ -214,28 +214,20 @@ class SpectraPanel(SignalPanel):
         limb = facts_of("")
         self._axis, self._log_axis = _axes(limb.sample_rate_hz, limb.band_hz)
         self._plot.toolbar.add_layout("axes", "Axes", AXES_HINT)
-        self._log_frequency = self._plot.toolbar.add_switch(
-            "log-frequency",
-            "Log f",
-            f"Logarithmic frequency axis from {_LOWEST_HZ:g} Hz",
-            lambda on: self.change_settings(log_frequency=on),
+        self.add_switch(
+            "log_frequency",
+            LOG_FREQUENCY,
+            text="Log f",
+            hint=f"Logarithmic frequency axis from {_LOWEST_HZ:g} Hz",
         )
-        self._log_frequency.setAccessibleName("Log frequency")
-        self._log_magnitude = self._plot.toolbar.add_switch(
-            "log-magnitude",
-            "dB",
-            "Logarithmic magnitude: dB re 1 m/s², the uppermost 80 dB",
-            lambda on: self.change_settings(log_magnitude=on),
+        self.add_switch(
+            "log_magnitude",
+            LOG_MAGNITUDE,
+            hint="Logarithmic magnitude: dB re 1 m/s², the uppermost 80 dB",
         )
-        self._log_magnitude.setAccessibleName("Log magnitude")
-        self._relative = self._plot.toolbar.add_switch(
-            "relative", RELATIVE.label, RELATIVE.hint, lambda on: self.change_settings(relative=on)
-        )
+        self.add_switch("relative", RELATIVE)
         # Few want it, and seven switches have room on wide screens alone.
-        self._averaged = self._plot.add_switch_in_menu(
-            "averaged", AVERAGED.label, AVERAGED.hint, lambda on: self.change_settings(averaged=on)
-        )
-        self._plot.toolbar.layout_chosen.connect(lambda layout: self.change_settings(layout=layout))
+        self.add_switch("averaged", AVERAGED, in_menu=True)
         self._plot.zoom_requested.connect(
             lambda shown_hz: self.change_settings(frequency_range_hz=shown_hz)
         )
@@ -253,13 +245,7 @@ class SpectraPanel(SignalPanel):
             replace(settings, **_OF_AXIS) != replace(before, **_OF_AXIS)
         )
         self._view, self.settings = view, settings
-        self._log_frequency.setChecked(settings.log_frequency)
-        self._log_magnitude.setChecked(settings.log_magnitude)
-        self._relative.setChecked(settings.relative)
-        self._plot.toolbar.show_passing(self._averaged, settings.averaged)
-        self._plot.toolbar.show_state(
-            layout=settings.layout, zoomed=settings.frequency_range_hz is not None
-        )
+        self.show_settings(settings, zoomed=settings.frequency_range_hz is not None)
         self._show_axis()
         if self.show_selection(view) and rescaled and self._results is not None:
             self._draw(self._results)

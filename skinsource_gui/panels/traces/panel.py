@@ -89,13 +89,8 @@ class TracesPanel(SignalPanel):
             *_switch_text(facts_of("").pre_trigger_delay_s),
             self._remove_delay,
         )
-        self._relative = self._plot.toolbar.add_switch(
-            "relative", RELATIVE.label, RELATIVE.hint, lambda on: self.change_settings(relative=on)
-        )
-        self._fitted = self._plot.add_switch_in_menu(
-            "fitted", FITTED.label, FITTED.hint, lambda on: self.change_settings(fitted=on)
-        )
-        self._plot.toolbar.layout_chosen.connect(lambda layout: self.change_settings(layout=layout))
+        self.add_switch("relative", RELATIVE)
+        self.add_switch("fitted", FITTED, in_menu=True)
         self._plot.zoom_requested.connect(self._zoom)
         self._plot.plot.playhead.dragged_to.connect(self.playhead_requested)
         self._plot.plot.playhead_key.connect(self._press)
@@ -122,12 +117,9 @@ class TracesPanel(SignalPanel):
         settings = settings_of(view, self.name, TracesSettings)
         rescaled = settings.relative != self.settings.relative
         self._view, self.settings = view, settings
-        self._relative.setChecked(settings.relative)
-        self._plot.toolbar.show_passing(self._fitted, settings.fitted)
         self._delay.setChecked(view.delay_removed)
         self._show_delay(facts_of(design.limb).pre_trigger_delay_s)
-        zoomed = view.time_range_s is not None
-        self._plot.toolbar.show_state(layout=self.settings.layout, zoomed=zoomed)
+        self.show_settings(settings, zoomed=view.time_range_s is not None)
         self._plot.plot.playhead.show_at(view.playhead_s)
         self.show_selection(view)
         if self._drawn_removed == view.delay_removed:

@@ -12,10 +12,15 @@ from skinsource_gui.panels.spectra.panel import SpectraPanel
 from skinsource_gui.panels.traces.panel import TracesPanel
 from skinsource_gui.plots.signal_view import SignalView
 from skinsource_gui.state.preferences import start_design
-from tests.gui.curve_panels import spectra_bench, traces_bench
-from tests.gui.curve_panels.bench import header_of, plot_of
-from tests.gui.curve_panels.spectra_bench import LINEAR
-from tests.gui.curve_panels.traces_bench import SIGNED
+from tests.gui.curve_panels.bench import (
+    LINEAR,
+    SIGNED,
+    header_of,
+    opener,
+    plot_of,
+    spectra_for,
+    traces_for,
+)
 
 
 class Kind(NamedTuple):
@@ -24,11 +29,10 @@ class Kind(NamedTuple):
     panel: type
     view: View
     results_for: Callable
-    opener: Callable
 
 
-TRACES = Kind(TracesPanel, SIGNED, traces_bench.results_for, traces_bench.opener)
-SPECTRA = Kind(SpectraPanel, LINEAR, spectra_bench.results_for, spectra_bench.opener)
+TRACES = Kind(TracesPanel, SIGNED, traces_for)
+SPECTRA = Kind(SpectraPanel, LINEAR, spectra_for)
 
 
 @pytest.fixture(params=[TRACES, SPECTRA], ids=["traces", "spectra"])
@@ -38,7 +42,7 @@ def kind(request):
 
 @pytest.fixture
 def show(kind, qtbot):
-    return kind.opener(qtbot)
+    return opener(qtbot, *kind)
 
 
 def test_what_the_panel_needs_is_computed_or_given(qapp, kind):

@@ -5,22 +5,19 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.engine.evaluation import evaluate
+from skinsource.design.panel_settings import settings_of
 from skinsource.signals.spectra import magnitude_spectrum
-from skinsource_gui.panels.spectra.panel import SpectraSettings
+from skinsource_gui.panels.spectra.panel import SpectraPanel, SpectraSettings
 from skinsource_gui.plots.signal_view import SignalView, save_table
 from skinsource_gui.qt.theme import current_theme
-from tests.gui.curve_panels.bench import click, header_of, plot_of
-from tests.gui.curve_panels.spectra_bench import LINEAR, opener, results_for
+from tests.gui.curve_panels.bench import LINEAR, click, header_of, opener, plot_of, spectra_for
 
-AXES = "xyz"
 PEAKS = np.array([[0.5, 0.25, 0.1], [0.01, 0.02, 0.04]])
 
 
 @pytest.fixture
 def show(qtbot):
-    return opener(qtbot)
+    return opener(qtbot, SpectraPanel, LINEAR, spectra_for)
 
 
 def settings(panel):
@@ -31,7 +28,7 @@ def along_axes(view, peaks=PEAKS):
     """Results of two outputs that move at 100 Hz by ``peaks`` along x, y and z."""
     time_s = np.arange(650) / 1300
     spectra = magnitude_spectrum(peaks[..., None] * np.sin(2 * np.pi * 100 * time_s), 1300.0)
-    return {**results_for(view), "selected_axis_spectra": spectra}
+    return {**spectra_for(view), "selected_axis_spectra": spectra}
 
 
 @pytest.fixture
@@ -67,7 +64,7 @@ def test_a_peak_is_one_of_the_measured_band(show):
     drift, vibration = (np.sin(2 * np.pi * hz * time_s) for hz in (10.0, 100.0))
     traces = np.stack((9.0 * drift + vibration, 0.1 * vibration))
     panel.show_results(
-        {**results_for(LINEAR), "selected_spectra": magnitude_spectrum(traces, 1300.0)}
+        {**spectra_for(LINEAR), "selected_spectra": magnitude_spectrum(traces, 1300.0)}
     )
     click(panel, "relative")
     plot = plot_of(panel)
@@ -102,12 +99,6 @@ def test_rows_have_a_curve_for_each_axis_in_colours_that_no_output_has(panel):
     assert [row.number.text for row in plot.stack.rows] == ["29", "52"]
 
 
-def test_an_output_keeps_the_proportion_of_its_axes(panel):
-    click(panel, "relative")
-    expected = PEAKS / PEAKS.max(axis=-1, keepdims=True)
-    assert plot_of(panel).curves.y.max(axis=-1) == pytest.approx(expected.ravel())
-
-
 def test_the_legend_names_the_axes_and_reads_all_outputs_along_each(panel):
     plot, legend = plot_of(panel), panel.findChild(SignalView).legend
     assert [name.short for name in legend.text.names] == ["x", "y", "z"]
@@ -139,47 +130,3 @@ def test_axes_say_so_whatever_was_chosen_and_nothing_of_rectified_magnitudes(pan
         table = (tmp_path / "spectra.csv").read_text("utf-8")
         assert f"output_52_z_{unit}" in table
         assert "relative to its largest magnitude" in table
-
-
-def test_the_window_shows_each_axis_as_if_it_alone_were_chosen(window, settle, qtbot):
-    panel, document = window.panel("spectra"), window.document
-    window.docks["spectra"].bring_forward()
-    for span in ("record", "loudest"):
-        view = replace(document.view, span=span)
-        document.look(
-            with_settings(view, "spectra", SpectraSettings(layout="axes", log_magnitude=False))
-        )
-        settle()
-        qtbot.waitUntil(lambda: plot_of(panel).curves.axes == ("x", "y", "z"))
-        name = {"record": "selected_spectra", "loudest": "selected_peak_spectra"}[span]
-        for k, axis in enumerate(AXES):
-            alone = evaluate(document.design, name, view=replace(view, axes=axis))[name][1]
-            assert plot_of(panel).curves.y[k::3] == pytest.approx(alone, rel=1e-9, abs=1e-12)
-
-
-def test_who_looks_at_the_scale_alone_computes_nothing(window, settle, monkeypatch):
-    window.docks["spectra"].bring_forward()
-    settle()
-    asked = []
-    ask = window.engine.request
-    monkeypatch.setattr(
-        window.engine,
-        "request",
-        lambda request: (asked.append(request.wanted), ask(request)),
-    )
-    panel = window.panel("spectra")
-    before = panel._results["selected_spectra"]
-    for name in ("relative", "log-magnitude", "relative", "stacked"):
-        click(panel, name)
-        settle()
-        assert panel._results["selected_spectra"] is before
-    click(panel, "axes")
-    settle()
-    assert any("selected_axis_spectra" in request for request in asked)
-    window.docks["spectra"].toggleViewAction().trigger()
-    settle()
-    asked.clear()
-    window.document.edit("Louder", window.document.design.with_input(0, amplitude=3.0))
-    settle()
-    assert asked
-    assert not any("selected_axis_spectra" in request for request in asked)

@@ -5,8 +5,9 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QCheckBox, QScrollArea, QToolButton
+from PySide6.QtWidgets import QApplication, QScrollArea, QToolButton
 
+from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
 from skinsource.design.effects import EFFECTS
@@ -16,7 +17,6 @@ from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.curve_field import CurveField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.inspector.effects import EffectChain
-from skinsource_gui.qt.buttons import LetterButton
 from tests.gui.inspector.bench import Bench
 
 CHAIN = (Reverse(), Fade(), Repeat())
@@ -48,12 +48,6 @@ def bench(qtbot):
     clips = (Clip(id=1, waveform=Tone(), effects=CHAIN), Clip(id=2, onset_s=0.5))
     inputs = (Input(location=7, clips=clips), Input(location=3, clips=()))
     return ChainBench(qtbot, Design(limb="synthetic-1", inputs=inputs))
-
-
-def test_the_chain_is_listed_in_its_order_and_closed(bench):
-    assert bench.titles == ["Reverse", "Fade", "Repeat"]
-    assert not any(row.open for row in bench.chain.rows)
-    assert bench.panel.findChild(NumberField, "effect_in_s_field").isVisible() is False
 
 
 def test_every_effect_can_be_added_and_stands_open(bench):
@@ -89,20 +83,6 @@ def test_what_was_added_is_in_sight_and_has_the_keyboard(bench, qtbot):
     assert field.hasFocus()
 
 
-def test_a_switch_leaves_an_effect_out(bench):
-    switch = bench.chain.rows[1].findChild(QCheckBox, "effect_switch")
-    switch.click()
-    assert bench.effects == (CHAIN[0], replace(CHAIN[1], on=False), CHAIN[2])
-    assert bench.labels == ["Switch fade off in clip at 7 (II pad)"]
-    assert not switch.isChecked()
-
-
-def test_an_effect_is_removed(bench):
-    bench.chain.rows[0].findChild(LetterButton, "remove_button").click()
-    assert bench.effects == CHAIN[1:]
-    assert bench.titles == ["Fade", "Repeat"]
-
-
 def test_a_field_is_typed_and_steps_of_a_burst_share_a_gesture(bench):
     row = bench.chain.rows[1]
     QTest.mouseClick(row.title, Qt.MouseButton.LeftButton)
@@ -129,22 +109,6 @@ def test_what_does_not_go_together_is_refused_beside_the_field(bench):
     assert bench.panel.findChild(NumberField, "effect_low_hz_field").value_si == 25.0
 
 
-@pytest.mark.parametrize(
-    ("key", "held", "order"),
-    [
-        (Qt.Key.Key_Up, Qt.KeyboardModifier.AltModifier, (1, 0, 2)),
-        (Qt.Key.Key_Down, Qt.KeyboardModifier.AltModifier, (0, 2, 1)),
-    ],
-)
-def test_keys_move_an_effect_which_keeps_the_keyboard(bench, key, held, order):
-    row = bench.chain.rows[1]
-    row.title.setFocus()
-    QTest.keyClick(row.title, key, held)
-    assert bench.effects == tuple(CHAIN[k] for k in order)
-    assert row.title.hasFocus()
-    assert bench.chain.rows[bench.effects.index(CHAIN[1])] is row
-
-
 def test_keys_walk_open_switch_and_remove(bench):
     bench.chain.rows[0].title.setFocus()
     QTest.keyClick(bench.chain.rows[0].title, Qt.Key.Key_End)
@@ -152,6 +116,10 @@ def test_keys_walk_open_switch_and_remove(bench):
     assert last.title.hasFocus()
     QTest.keyClick(last.title, Qt.Key.Key_Return)
     assert last.open
+    QTest.keyClick(last.title, Qt.Key.Key_Up, Qt.KeyboardModifier.AltModifier)
+    assert bench.effects == (CHAIN[0], CHAIN[2], CHAIN[1])
+    QTest.keyClick(last.title, Qt.Key.Key_Down, Qt.KeyboardModifier.AltModifier)
+    assert last.title.hasFocus()
     QTest.keyClick(last.title, Qt.Key.Key_M)
     assert not bench.effects[2].on
     QTest.keyClick(last.title, Qt.Key.Key_Up)
@@ -180,9 +148,11 @@ def drag(bench, index, to_row, *, below, drop=True):
     [(0, 2, True, (1, 2, 0)), (0, 1, True, (1, 0, 2)), (2, 0, False, (2, 0, 1))],
 )
 def test_a_dragged_effect_goes_where_it_is_dropped(bench, index, to_row, below, order):
+    row = bench.chain.rows[index]
     drag(bench, index, to_row, below=below)
     assert bench.effects == tuple(CHAIN[k] for k in order)
     assert bench.labels == ["Reorder effects of clip at 7 (II pad)"]
+    assert bench.chain.rows[bench.effects.index(CHAIN[index])] is row
 
 
 def test_a_drag_that_is_given_up_changes_nothing(bench):
@@ -201,14 +171,12 @@ def test_the_chain_is_that_of_the_selected_clip(bench):
     bench.add("Fade")
     assert bench.track.clips[0].effects == CHAIN
     assert bench.track.clips[1].effects == (Fade(0.02, 0.02),)
-    bench.show(selected_inputs=(2,), selected_clips=())
-    assert not bench.chain.isVisible()
-
-
-def test_an_effect_is_added_to_all_selected_clips(bench):
+    # One that is added goes to all selected clips.
     bench.show(selected_clips=(1, 2))
     bench.add("Reverse")
     assert [clip.effects[-1] for clip in bench.track.clips] == [Reverse(), Reverse()]
+    bench.show(selected_inputs=(2,), selected_clips=())
+    assert not bench.chain.isVisible()
 
 
 def test_an_envelope_is_drawn_in_its_row(bench):
@@ -220,3 +188,18 @@ def test_an_envelope_is_drawn_in_its_row(bench):
     assert bench.labels[-1] == "Change points of clip at 7 (II pad)"
     # What a key adds ends with the clip, as in its editor.
     assert field.end_x == bench.track.clips[0].duration_s
+
+
+def test_what_was_typed_for_an_effect_that_is_removed_goes_to_no_other(qtbot):
+    clip = Clip(id=1, waveform=Tone(), effects=(Fade(0.01, 0.01), Fade(0.02, 0.02)))
+    bench = ChainBench(
+        qtbot, Design(limb="synthetic-1", inputs=(Input(location=7, clips=(clip,)),))
+    )
+    bench.chain.rows[0].set_open(True)
+    field = bench.chain.rows[0].cell("in_s").field
+    field.setFocus()
+    QTest.keyClicks(field, "77")
+    bench.show(edits.remove_effect(bench.design, bench.view, 1, 0).design)
+    QApplication.processEvents()
+    assert bench.effects == (Fade(0.02, 0.02),)
+    assert bench.edits == []

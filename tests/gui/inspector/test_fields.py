@@ -1,3 +1,5 @@
+"""What is typed and chosen in the inspector, and what it says beside its fields."""
+
 from dataclasses import replace
 
 import numpy as np
@@ -6,21 +8,15 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from skinsource.design.design import Design
-from skinsource.design.edits.edit import as_kind
 from skinsource.design.effects.time import Stretch, Trim
-from skinsource.design.waveforms import KINDS
 from skinsource.design.waveforms.pulses import Noise
-from skinsource.design.waveforms.samples import Recording
+from skinsource.design.waveforms.samples import Formula, Recording
 from skinsource.design.waveforms.tones import Tone
 from skinsource.specs.samples import Samples
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
-
-
-def test_the_heading_names_the_place(bench):
-    assert bench.label("inspector_heading").text() == "Digit II, pad"
-    bench.show(selected_inputs=(2,))
-    assert bench.label("inspector_heading").text() == "Digit III, pad"
+from skinsource_gui.fields.text_field import LiveText
+from tests.gui.inspector.bench import Bench, design_of
 
 
 def test_without_a_selected_input_it_says_what_to_do(bench):
@@ -36,7 +32,6 @@ def test_without_a_selected_input_it_says_what_to_do(bench):
     ("name", "text", "value", "label"),
     [
         ("frequency_hz", "240", 240.0, "Change frequency of input at 7 (II pad)"),
-        ("phase_rad", "0.5 rad", 0.5, "Change phase of input at 7 (II pad)"),
         ("duration_s", "1,5 s", 1.5, "Change duration of input at 7 (II pad)"),
     ],
 )
@@ -53,23 +48,6 @@ def test_amplitude_belongs_to_the_input_and_onset_to_its_clip(bench, name, text,
     bench.type(name, text)
     assert getattr(bench.track if name == "amplitude" else bench.track.clips[0], name) == value
     assert bench.labels[0].endswith("of input at 7 (II pad)")
-
-
-def test_the_window_is_chosen_from_its_options(bench):
-    bench.choose("window", "Han")
-    assert bench.track.clips[0].waveform.window == "hanning"
-    assert bench.labels[-1] == "Change window of input at 7 (II pad)"
-
-
-def test_steps_of_a_burst_share_a_gesture(bench):
-    field = bench.number("frequency_hz")
-    field.setFocus()
-    for _ in range(3):
-        QTest.keyClick(field, Qt.Key.Key_Up)
-    assert len(bench.edits) == 3
-    assert len({gesture for _, _, gesture in bench.edits}) == 1
-    assert bench.number("frequency_hz") is field
-    assert field.hasFocus()
 
 
 def test_the_place_can_be_chosen_by_its_number(bench):
@@ -97,16 +75,6 @@ def test_another_kind_of_waveform_keeps_what_both_share(bench):
     assert bench.number("seed").isVisible()
 
 
-def test_a_shared_number_that_is_not_allowed_becomes_the_nearest_that_is():
-    assert as_kind(Tone(duration_s=0.002), Noise, 1300.0).duration_s == 0.01
-
-
-def test_every_kind_can_become_every_other():
-    for kind in KINDS:
-        for other in KINDS:
-            assert type(as_kind(kind(), other, 1300.0)) is other
-
-
 def test_a_whole_number_stays_whole(bench):
     bench.show(selected_inputs=(2,))
     bench.type("seed", "12")
@@ -122,27 +90,6 @@ def test_a_length_that_is_fixed_is_told_in_words(bench, index, text):
     assert bench.label("fixed_length").text() == text
     bench.show(selected_inputs=(1,))
     assert bench.label("fixed_length") is None or not bench.label("fixed_length").isVisible()
-
-
-@pytest.mark.parametrize(
-    ("frequency", "warned"), [("24.9", True), ("25", False), ("600", False), ("601", True)]
-)
-def test_a_frequency_outside_the_measured_band_is_remarked(bench, frequency, warned):
-    bench.type("frequency_hz", frequency)
-    note = bench.label("frequency_hz_note")
-    assert note.isVisible() is warned
-    assert ("outside the measured band (25 to 600 Hz)" in note.text()) is warned
-    assert bench.track.clips[0].waveform.frequency_hz == float(frequency)
-
-
-def test_a_number_that_is_not_allowed_says_why_below_it_and_edits_nothing(bench):
-    bench.type("frequency_hz", "9000")
-    note = bench.label("frequency_hz_note")
-    assert note.isVisible()
-    assert "to 649 Hz" in note.text()
-    assert bench.edits == []
-    QTest.keyClick(bench.number("frequency_hz"), Qt.Key.Key_Escape)
-    assert not note.isVisible()
 
 
 def test_what_was_typed_for_one_input_never_reaches_another(bench):
@@ -192,3 +139,72 @@ def test_a_recording_that_keeps_its_size_has_a_gain_without_a_unit_and_the_peak(
     bench.show(bench.design.with_clip(clip.id, waveform=Recording(normalised)))
     assert strength() == ("Amplitude", "m/s²")
     assert not bench.label("peak").isVisible()
+
+
+def test_a_place_that_is_not_on_this_hand_is_named_and_can_be_left(bench):
+    bench.show(bench.design.with_input(0, location=25))
+    heading = bench.label("inspector_heading")
+    assert heading.toolTip() == "Input place 25: Place 25, not on this hand"
+    box = bench.choice("location")
+    assert (box.value, box.shown_text) == ("25", "25 (not available)")
+    assert bench.edits == []
+    box.choose("3")
+    assert bench.track.location == 3
+    assert "not available" not in box.shown_text
+
+
+def test_frequencies_end_at_half_the_rate_of_the_limb(bench):
+    bench.panel.show_results(bench.results() | {"sample_rate_hz": 4000.0})
+    bench.type("frequency_hz", "1500")
+    assert bench.track.clips[0].waveform.frequency_hz == 1500.0
+    bench.type("frequency_hz", "2000")
+    assert "to 1999 Hz" in bench.label("frequency_hz_note").text()
+    assert bench.track.clips[0].waveform.frequency_hz == 1500.0
+    # What this limb cannot play is shown as it is.
+    bench.show(bench.design.with_clip(1, waveform=Tone(frequency_hz=5000.0)))
+    assert bench.number("frequency_hz").value_si == 5000.0
+
+
+def retype(line, text):
+    line.setFocus()
+    line.selectAll()
+    QTest.keyClicks(line, text)
+
+
+def test_a_formula_that_a_design_refuses_stays_as_it_is_typed_with_the_reason(qtbot):
+    bench = Bench(qtbot, design_of(Formula(text="t")))
+    line = bench.panel.findChild(LiveText, "text_field")
+    cell = next(cell for cell in bench.panel.findChildren(FieldCell) if cell.name == "text")
+    retype(line, "1/t")
+    assert bench.track.clips[0].waveform.text == "1"
+    assert line.text() == "1/t"
+    assert "column 2: / is infinite at 0 s" in cell.note
+    retype(line, "3*t")
+    assert (bench.track.clips[0].waveform.text, cell.note) == ("3*t", "")
+    bench.show(design_of(Formula(text="tanh(t)")))
+    assert line.text() == "tanh(t)"
+
+
+def test_the_gain_curve_of_a_track_is_typed_where_there_is_one(qtbot):
+    def lines():
+        lines = bench.panel.findChildren(LiveText)
+        return [line for line in lines if line.isVisibleTo(bench.panel)]
+
+    design = design_of(Tone())
+    bench = Bench(qtbot, design)
+    assert lines() == []
+    bench.show(design.with_input(0, gain_curve=((0.1, 1.0), (0.4, 0.25))))
+    (line,) = lines()
+    assert line.accessibleName() == "Gain curve"
+    assert line.toPlainText() == "100 1; 400 0.25"
+    retype(line, "100 1; 50 0.125")
+    assert "comes after" in line.problem
+    # What could be read last stays.
+    QTest.keyClick(line, Qt.Key.Key_Escape)
+    assert bench.track.gain_curve == ((0.1, 1.0),)
+    line.selectAll()
+    QTest.keyClick(line, Qt.Key.Key_Delete)
+    assert bench.track.gain_curve == ()
+    assert lines() == [line]
+    QTest.keyClicks(line, "0 0.5")
+    assert bench.track.gain_curve == ((0.0, 0.5),)

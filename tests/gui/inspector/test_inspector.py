@@ -1,3 +1,5 @@
+"""Buttons and preview of the inspector, and the way of the keys through it."""
+
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
@@ -6,9 +8,7 @@ from PySide6.QtWidgets import QApplication, QPushButton
 
 from skinsource.design.waveforms.pulses import Noise
 from skinsource.design.waveforms.samples import Recording
-from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.qt.buttons import LetterButton
-from skinsource_gui.qt.theme import DARK
 
 
 def test_mute_and_solo_are_buttons(bench):
@@ -35,18 +35,11 @@ def test_the_preview_shows_the_selected_input_and_its_length(bench):
     # Nothing has to be computed anew for another one to be shown.
     bench.show(selected_inputs=(1,))
     assert bench.preview.duration_s == pytest.approx(0.2)
-
-
-def test_results_of_another_number_of_inputs_are_not_shown(bench):
+    # Results of another number of inputs are those of another design.
     bench.panel.show_results({"input_waveforms": (np.ones(5),), "sample_rate_hz": 1300.0})
     assert bench.preview.duration_s is None
-
-
-def test_a_problem_stands_in_place_of_the_preview(bench):
-    bench.panel.show_results(bench.results())
     bench.panel.show_problem("No limb of that name")
     assert bench.preview.message == "No limb of that name"
-    assert bench.preview.duration_s is None
 
 
 def test_an_old_preview_turns_pale_only_after_a_while(bench, qtbot):
@@ -97,20 +90,3 @@ def test_tab_leads_through_the_fields_in_reading_order(bench):
         QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)
         visited.append(QApplication.focusWidget().objectName())
     assert visited == [f"{name}_field" for name in names]
-
-
-def test_two_fields_stand_side_by_side_where_there_is_room(bench, qtbot):
-    grid = bench.panel.findChild(FieldGrid)
-    assert grid.pairs == 1
-    bench.panel.resize(620, 300)
-    qtbot.waitUntil(lambda: grid.pairs == 2)
-    bench.panel.resize(320, 300)
-    qtbot.waitUntil(lambda: grid.pairs == 1)
-
-
-def test_the_panel_takes_over_a_theme_and_fits_its_smallest_dock(bench, use_theme):
-    light = bench.panel.grab().toImage()
-    use_theme(DARK)
-    assert bench.panel.grab().toImage() != light
-    assert bench.panel.minimumSizeHint().width() <= 300
-    assert bench.panel.minimumSizeHint().height() <= 260

@@ -17,9 +17,9 @@ def preview(qtbot):
     return widget
 
 
-@pytest.mark.parametrize("width", [300, 333, 420, 501])
-@pytest.mark.parametrize("duration_s", [10.0, 20.0, 60.0])
-@pytest.mark.parametrize("frequency_hz", [50.0, 100.0, 250.0])
+@pytest.mark.parametrize("width", [333, 420])
+@pytest.mark.parametrize("duration_s", [10.0, 60.0])
+@pytest.mark.parametrize("frequency_hz", [50.0, 250.0])
 def test_a_long_tone_is_a_block_without_gaps(preview, width, duration_s, frequency_hz):
     preview.resize(width, 140)
     tone = Tone(frequency_hz=frequency_hz, duration_s=duration_s)
@@ -41,20 +41,6 @@ def test_one_loud_sample_in_a_minute_is_seen(preview):
     inked = [column for column in drawn if picture.pixelColor(column, 20).red() < 120]
     assert inked
     assert all(215 <= column <= 225 for column in inked)
-
-
-@pytest.mark.parametrize("peak", [0.5, 1.0, 1.19, 3.0])
-def test_what_passes_1_stays_above_the_axis(preview, peak):
-    samples = peak * np.sin(np.linspace(0.0, 60.0, 2000))
-    preview.show_samples(samples, 1300.0)
-    picture = preview.grab().toImage()
-    colours = [[picture.pixelColor(x, y) for x in range(420)] for y in range(picture.height())]
-    inked = [
-        y for y, row in enumerate(colours) if any(pixel.blue() > pixel.red() + 60 for pixel in row)
-    ]
-    # The axis takes the lowest 18 px, and the plot ends 2 px above it.
-    assert max(inked) <= 140 - 18 - 2
-    assert (min(inked) <= 4) is (peak >= 1.0)
 
 
 @pytest.mark.parametrize("n_samples", [600, 2600])

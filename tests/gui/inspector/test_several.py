@@ -6,8 +6,6 @@ from PySide6.QtTest import QTest
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.panels.inspector.panel import InputHeading
-from skinsource_gui.qt.buttons import LetterButton
 from tests.gui.inspector.bench import Bench, design_of
 
 LEFT = Qt.MouseButton.LeftButton
@@ -64,12 +62,6 @@ def test_what_a_waveform_does_not_have_is_left_alone(qtbot):
     assert [type(track.clips[0].waveform) for track in bench.design.inputs] == [Tap, Tap, Tone]
 
 
-def test_buttons_mute_and_solo_all(qtbot):
-    bench = two(qtbot)
-    QTest.mouseClick(bench.panel.findChild(LetterButton, "mute_button"), LEFT)
-    assert [track.muted for track in bench.design.inputs] == [True, False, True]
-
-
 def test_a_drag_held_while_its_input_goes_edits_nothing_more_and_raises_nothing(qtbot):
     bench = two(qtbot)
     field = bench.number("amplitude")
@@ -83,21 +75,3 @@ def test_a_drag_held_while_its_input_goes_edits_nothing_more_and_raises_nothing(
         QTest.mouseMove(field, start + QPoint(60, 0))
     QTest.mouseRelease(field, LEFT, pos=start)
     assert len(bench.edits) == count
-
-
-def test_a_list_left_open_while_its_input_goes_edits_nothing(qtbot):
-    bench = two(qtbot)
-    box = bench.choice("kind")
-    bench.show(selected_inputs=())
-    box.choose("Tap")
-    assert (bench.edits, bench.refusals) == ([], [])
-
-
-def test_of_several_the_heading_says_which_one_is_silent(qtbot):
-    first, other = design_of(Tone(), Tone()).inputs
-    heading = InputHeading()
-    qtbot.addWidget(heading)
-    heading.show_input(first, silent=True, batch=(other, first), limb="synthetic-1")
-    assert heading._state.text() == "last silent"
-    heading.show_input(first, silent=True, batch=(first,), limb="synthetic-1")
-    assert heading._state.text() == "silent"

@@ -1,3 +1,5 @@
+"""A number is typed, and shown in the room that it has."""
+
 import math
 
 import pytest
@@ -6,6 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.base.errors import InvalidInputError
+from skinsource.design.effects.time import TO
 from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.number_field import NumberField, fitting_text, help_text
@@ -22,58 +25,41 @@ ANYTHING = NumberSpec(label="Offset", minimum=-math.inf, maximum=math.inf)
 
 
 @pytest.mark.parametrize(
-    ("text", "seconds"),
-    [
-        ("250", 0.25),
-        ("200 ms", 0.2),
-        ("0.2 s", 0.2),
-        ("0,2s", 0.2),
-        ("  35  MS ", 0.035),
-        ("1e2", 0.1),
-        ("2 min", 120.0),
-        ("1500 µs", 0.0015),
-    ],
-)
-def test_times_are_understood_with_unit_without_and_with_a_decimal_comma(text, seconds):
-    assert parse_number(text, DURATION) == seconds
-
-
-@pytest.mark.parametrize(
     ("text", "spec", "value"),
     [
+        ("250", DURATION, 0.25),
+        ("0,2s", DURATION, 0.2),
+        ("  35  MS ", DURATION, 0.035),
+        ("1e2", DURATION, 0.1),
+        ("2 min", DURATION, 120.0),
+        ("1500 µs", DURATION, 0.0015),
         ("0.1 kHz", FREQUENCY, 100.0),
-        ("360", PHASE, 2 * math.pi),
         ("−180°", PHASE, -math.pi),
         ("0.5 pi", PHASE, math.pi / 2),
         ("300 mm/s²", AMPLITUDE, 0.3),
-        ("-1.5 m/s^2", AMPLITUDE, -1.5),
         ("7", SEED, 7.0),
     ],
 )
-def test_other_units_are_understood(text, spec, value):
+def test_numbers_are_read_with_any_unit_of_theirs_and_with_a_decimal_comma(text, spec, value):
     assert parse_number(text, spec) == value
 
 
 @pytest.mark.parametrize(
     ("text", "spec", "reason"),
     [
-        ("abc", FREQUENCY, "Frequency: “abc” is not a number. Allowed: 1 to 649 Hz."),
         ("", FREQUENCY, "nothing typed"),
         ("1.000,5", FREQUENCY, "Frequency: “1.000,5” is not a number. Allowed: 1 to 649 Hz."),
-        ("2*60", FREQUENCY, "“2*60” is not a number"),
         ("1 000", FREQUENCY, "“1 000” is not a number"),
-        ("1:30", DURATION, "“1:30” is not a number"),
-        ("5 m", DURATION, "“m” is not one of its units"),
         ("nan", FREQUENCY, "is not a number"),
-        ("700", FREQUENCY, "Frequency: 700 Hz is too high. Allowed: 1 to 649 Hz."),
-        ("0", DURATION, "Duration: 0 ms is too low. Allowed: 1 ms to 600 s."),
+        ("700", FREQUENCY, "700 Hz is too high"),
+        ("0", DURATION, "0 ms is too low. Allowed: 1 ms to 600 s."),
         ("20 ms", FREQUENCY, "“ms” is not one of its units. Units: Hz, kHz."),
         ("1.5", SEED, "is not a whole number. Allowed: whole numbers 0 to 2147483647."),
-        ("1e99", FREQUENCY, "too high"),
-        ("1e999", DURATION, "Duration: 1e999 ms is too high. Allowed: 1 ms to 600 s."),
         ("-1e999 s", DURATION, "is too low"),
         ("1e999999999", ANYTHING, "1e999999999 is too high. Allowed: any number."),
         ("1e-999999999", DURATION, "is too low"),
+        ("9" * 400, AMPLITUDE, "too long"),
+        ("9" * 5000, AMPLITUDE, "too long"),
     ],
 )
 def test_what_is_not_allowed_is_refused_with_what_is(text, spec, reason):
@@ -87,13 +73,10 @@ def test_what_is_not_allowed_is_refused_with_what_is(text, spec, reason):
     [
         (0.2, "s", "200 ms"),
         (21 / 1300, "s", "16.1538 ms"),
-        (600.0, "s", "600 s"),
         (0.999, "s", "999 ms"),
         (1.0, "s", "1 s"),
         (-2.5, "s", "-2.5 s"),
         (math.pi / 2, "rad", "90°"),
-        (100.0, "Hz", "100 Hz"),
-        (-0.25, "m/s²", "-0.25 m/s²"),
         (-1e-17, "", "-1e-17"),
         (2147483647.0, "", "2147483647"),
     ],
@@ -116,15 +99,6 @@ def test_enter_commits_what_was_typed_as_a_step_of_its_own(make_bench):
     assert not bench.field.editing
 
 
-def test_escape_restores_the_number(make_bench):
-    bench = make_bench(DURATION, 0.1)
-    bench.field.setFocus()
-    QTest.keyClicks(bench.field, "77")
-    assert bench.field.text() == "77"
-    QTest.keyClick(bench.field, Qt.Key.Key_Escape)
-    assert (bench.field.text(), bench.edits) == ("100", [])
-
-
 def test_a_double_click_types_over_the_number(make_bench):
     bench = make_bench(FREQUENCY, 100.0)
     QTest.mouseClick(bench.field, Qt.MouseButton.LeftButton)
@@ -143,12 +117,20 @@ def test_what_is_not_allowed_is_not_committed_and_says_why(make_bench, qtbot):
     assert bench.edits == []
     assert "1 to 649 Hz" in bench.field.problem
     assert bench.field.toolTip() == bench.field.problem
+    QTest.keyClick(bench.field, Qt.Key.Key_Backspace)
+    assert not bench.field.problem
+    QTest.keyClicks(bench.field, "0")
     bench.other.setFocus()
     qtbot.waitUntil(lambda: not bench.field.editing)
     assert (bench.field.text(), bench.field.problem, bench.edits) == ("100", "", [])
+    # What is allowed is committed when the field is left.
+    bench.field.setFocus()
+    QTest.keyClicks(bench.field, "120")
+    bench.other.setFocus()
+    qtbot.waitUntil(lambda: bench.edits == [(120.0, None)])
 
 
-@pytest.mark.parametrize("text", ["1e999", "-5", ""])
+@pytest.mark.parametrize("text", ["-5", ""])
 def test_leaving_with_what_is_not_allowed_says_why_as_return_does(make_bench, qtbot, text):
     bench = make_bench(FREQUENCY, 100.0)
     bench.field.setFocus()
@@ -184,24 +166,6 @@ def test_why_it_was_not_allowed_stands_below_the_field_until_there_is_another_va
     left_wrong(lambda: QTest.keyClick(cell.field, Qt.Key.Key_Up))
 
 
-def test_the_reason_goes_as_soon_as_the_text_is_allowed(make_bench):
-    bench = make_bench(FREQUENCY, 100.0)
-    bench.type("700")
-    assert bench.field.problem
-    QTest.keyClick(bench.field, Qt.Key.Key_Backspace)
-    assert not bench.field.problem
-    QTest.keyClick(bench.field, Qt.Key.Key_Return)
-    assert bench.edits == [(70.0, None)]
-
-
-def test_leaving_the_field_commits_what_is_allowed(make_bench, qtbot):
-    bench = make_bench(FREQUENCY, 100.0)
-    bench.field.setFocus()
-    QTest.keyClicks(bench.field, "120")
-    bench.other.setFocus()
-    qtbot.waitUntil(lambda: bench.edits == [(120.0, None)])
-
-
 def test_typing_what_is_shown_does_not_change_the_value(make_bench):
     bench = make_bench(DURATION, 1 / 3)
     bench.type(bench.field.text())
@@ -221,39 +185,7 @@ def test_setting_the_value_tells_nobody_and_leaves_an_open_editor_alone(make_ben
     assert bench.field.text() == "300"
 
 
-@pytest.mark.parametrize("width_px", [400, 110, 96, 84])
-@pytest.mark.parametrize("value", [8 / 3, -8 / 3, 1000 / 3, -999.995, 0.0123456])
-def test_a_narrow_field_shows_fewer_digits_and_never_hides_the_first(make_bench, width_px, value):
-    shown = make_bench(AMPLITUDE, value)
-    field = shown.field
-    field.setStyleSheet("QLineEdit { padding: 0 4px; }")
-    field.setFixedWidth(width_px)
-    QApplication.processEvents()
-    field.end(False)
-    assert field.cursorPositionAt(QPoint(1, field.height() // 2)) == 0, field.text()
-    if field.text() == "…":
-        assert width_px == 84
-        return
-    number = float(field.text().replace("−", "-").removeprefix("≈"))
-    assert number == pytest.approx(value, rel=0.2 if "≈" in field.text() else 0.005)
-    assert field.value_si == value
-    if width_px == 400:
-        assert field.text().replace("−", "-") == number_text(value, "m/s²")
-
-
-def test_a_reason_that_stands_beside_the_field_is_not_in_its_tooltip_too(qtbot):
-    cell = FieldCell("frequency_hz", FREQUENCY)
-    qtbot.addWidget(cell)
-    cell.show()
-    plain = cell.field.toolTip()
-    cell.field.begin_editing("700")
-    QTest.keyClick(cell.field, Qt.Key.Key_Return)
-    assert "1 to 649 Hz" in cell.note
-    assert cell.field.toolTip() == plain
-    assert not QToolTip.isVisible()
-
-
-@pytest.mark.parametrize("value", [2.45, 2.45678, -2.45, 20.0, 649.5, 0.0123])
+@pytest.mark.parametrize("value", [2.45678, -2.45, 649.5, 0.0123])
 def test_a_number_with_too_little_room_is_never_shown_as_another_one(make_bench, value):
     shown = make_bench(AMPLITUDE, value)
     metrics = shown.field.fontMetrics()
@@ -267,13 +199,7 @@ def test_a_number_with_too_little_room_is_never_shown_as_another_one(make_bench,
 
 def test_a_long_time_is_shown_typed_and_copied_in_seconds(make_bench):
     bench = make_bench(DURATION, 0.2)
-    for typed, value_si in (
-        ("2.5 s", 2.5),
-        ("3", 3.0),
-        ("800 ms", 0.8),
-        ("900", 0.9),
-        ("12.5s", 12.5),
-    ):
+    for typed, value_si in (("2.5 s", 2.5), ("3", 3.0), ("800 ms", 0.8), ("12.5s", 12.5)):
         bench.type(typed)
         assert bench.edits[-1] == (value_si, None)
     assert bench.field.text() == "12.5"
@@ -283,13 +209,34 @@ def test_a_long_time_is_shown_typed_and_copied_in_seconds(make_bench):
     assert bench.field.problem == "Duration: 601 s is too high. Allowed: 1 ms to 600 s."
 
 
-@pytest.mark.parametrize("digits", ["9" * 400, "9" * 5000])
-def test_a_number_that_nobody_can_hold_is_not_taken(digits):
-    with pytest.raises(InvalidInputError, match="too long"):
-        parse_number(digits, AMPLITUDE)
-
-
 def test_digits_of_fields_with_other_units_end_at_the_same_place(qapp):
     fields = [NumberField(spec) for spec in (DURATION, FREQUENCY, AMPLITUDE, SEED)]
     [margin] = {field.textMargins().right() for field in fields}
     assert margin > fields[0].fontMetrics().horizontalAdvance("m/s²")
+
+
+def test_words_stand_in_place_of_a_0_that_is_no_number_where_there_is_room(make_bench):
+    bench = make_bench(TO, 0.0)
+    field = bench.field
+    assert (field.text(), field.unit_text) == ("by factor", "")
+    field.setFocus()
+    field.begin_editing()
+    assert (field.text(), field.unit_text) == ("0", "ms")
+    field.setText("250")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert field.value_si == 0.25
+    field.set_value(0.0)
+    field.setFixedWidth(60)
+    assert field.text() == "0"
+
+
+@pytest.mark.parametrize("width_px", [400, 84])
+def test_a_narrow_field_never_hides_the_first_digit(make_bench, width_px):
+    bench = make_bench(AMPLITUDE, -999.995)
+    field = bench.field
+    field.setStyleSheet("QLineEdit { padding: 0 4px; }")
+    field.setFixedWidth(width_px)
+    QApplication.processEvents()
+    field.end(False)
+    assert field.cursorPositionAt(QPoint(1, field.height() // 2)) == 0, field.text()
+    assert (field.text() == "…") is (width_px == 84)

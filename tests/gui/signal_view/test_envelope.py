@@ -5,18 +5,15 @@ from functools import partial
 
 import numpy as np
 import pytest
-from PySide6.QtGui import QPainter, QPicture
+from PySide6.QtCore import QSize
 
 from skinsource.signals.resampling import EXTREMES_ERROR
-from skinsource_gui.plots import signal_view
 from skinsource_gui.plots.curves import Curves, output_names
-from skinsource_gui.plots.plot import Plot
 from skinsource_gui.plots.ranges import wave_of
-from skinsource_gui.plots.signal_view import draw_signals
+from skinsource_gui.plots.signal_view import copy_of
 from tests.gui.signal_view.bench import TIME, waves
 
 RATE_HZ = 1300.0
-SIZE = 900, 600
 
 
 def tone(at_s, frequency_hz):
@@ -47,34 +44,12 @@ def envelope(plot, rank, n_windows=40):
     )
 
 
-@pytest.fixture
-def pictured(monkeypatch):
-    """What draws the picture of a plot, and gives the plot that it is made of."""
-
-    def draw(plot):
-        made = []
-
-        def made_plot(**how):
-            made.append(Plot(**how))
-            return made[-1]
-
-        with monkeypatch.context() as patched:
-            patched.setattr(signal_view, "Plot", made_plot)
-            # To paint so many lines takes long, and is not what is looked at.
-            noted = QPicture()
-            painter = QPainter(noted)
-            draw_signals(painter, *SIZE, plot=plot)
-            painter.end()
-        return made[-1]
-
-    return draw
-
-
-@pytest.mark.parametrize("frequency_hz", [325.0, 1300 / 3])
-@pytest.mark.parametrize("per_px", [0.6, 1.5, 3.0, 12.0, 60.0])
-@pytest.mark.parametrize("stacked", [False, True])
+@pytest.mark.parametrize(
+    ("frequency_hz", "per_px", "stacked"),
+    [(325.0, 0.6, False), (1300 / 3, 1.5, True), (325.0, 3.0, True), (1300 / 3, 60.0, False)],
+)
 def test_a_tone_reaches_its_peak_everywhere_whatever_its_samples_miss(
-    signals, pictured, frequency_hz, per_px, stacked
+    signals, frequency_hz, per_px, stacked
 ):
     signals.show_curves(waves(), synthetic=False)
     width = signals.plot.places.row(0).width()
@@ -82,18 +57,17 @@ def test_a_tone_reaches_its_peak_everywhere_whatever_its_samples_miss(
     curves = curves_of(partial(tone, frequency_hz=frequency_hz), int(per_px * width), n_curves=2)
     signals.set_view(TIME, None, stacked=stacked)
     signals.show_curves(curves, synthetic=False)
-    paper = pictured(signals.plot)
     for rank in range(2):
         peak = 1.0 / (1 + rank)
         # Blocks end with a whole row of pixels.
         low, high = signals.plot.value_scale.values
         near = EXTREMES_ERROR * peak + (high - low) / signals.plot.places.row(0).height()
-        on_screen, printed = envelope(signals.plot, rank), envelope(paper, rank)
-        for picture in (on_screen, printed):
-            assert picture.min() >= peak - near
-            assert picture.max() <= peak + near
-        np.testing.assert_allclose(on_screen, printed, rtol=0, atol=near)
+        tops = envelope(signals.plot, rank)
+        assert peak - near <= tops.min() <= tops.max() <= peak + near
+    # On paper, where dots are finer, the range is the same.
+    paper = copy_of(signals.plot, QSize(900, 600))
     assert paper.value_scale.values == signals.plot.value_scale.values
+    paper.deleteLater()
 
 
 def test_curves_whose_wave_is_not_known_are_joined_as_they_are(signals):

@@ -6,7 +6,7 @@ import weakref
 import numpy as np
 import pyqtgraph
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
 from PySide6.QtGui import QCursor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QScrollArea, QVBoxLayout, QWidget
@@ -219,83 +219,33 @@ def test_a_closed_view_leaves_no_plot_no_scene_and_no_view_box(qapp):
     assert set(QApplication.allWidgets()) <= widgets
 
 
-PLAIN, CTRL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier
+def test_a_turn_of_the_wheel_that_began_as_scrolling_is_not_taken_until_it_is_meant(qtbot):
+    now_s, zooms = [100.0], []
+    view, inside, area = SignalView("scrolled", "Scrolled"), QWidget(), QScrollArea()
+    qtbot.addWidget(area)
+    view.setMinimumHeight(600)
+    QVBoxLayout(inside).addWidget(view)
+    area.setWidgetResizable(True)
+    area.setWidget(inside)
+    view.plot.scrolling_on = ScrollGesture(view.plot, lambda: now_s[0])
+    area.resize(400, 300)
+    area.show()
+    qtbot.waitExposed(area)
+    view.set_view(TIME, None, stacked=False)
+    view.show_curves(waves(), synthetic=False)
+    view.zoom_requested.connect(zooms.append)
 
+    def scroll_and_turn(held=Qt.KeyboardModifier.NoModifier, moved_px=0, rests_s=PAUSE_S - 0.1):
+        bar = area.verticalScrollBar()
+        bar.setValue(bar.value() + 5)
+        QCursor.setPos(QCursor.pos() + QPoint(moved_px, 0))
+        now_s[0] += rests_s
+        before = len(zooms)
+        turn_wheel(view, 200, held)
+        return len(zooms) - before
 
-class ScrolledPlot:
-    """A plot below a tall text, and a clock that is set by hand."""
-
-    def __init__(self, qtbot):
-        self.now_s, self.zooms = 100.0, []
-        self.view = SignalView("scrolled", "Scrolled")
-        self.view.setMinimumHeight(400)
-        inside, self.area = QWidget(), QScrollArea()
-        column = QVBoxLayout(inside)
-        text = QWidget()
-        text.setFixedHeight(400)
-        column.addWidget(text)
-        column.addWidget(self.view)
-        self.area.setWidgetResizable(True)
-        self.area.setWidget(inside)
-        qtbot.addWidget(self.area)
-        plot = self.view.plot
-        plot.scrolling_on = ScrollGesture(plot, lambda: self.now_s)
-        self.area.resize(400, 300)
-        self.area.show()
-        qtbot.waitExposed(self.area)
-        self.view.set_view(TIME, None, stacked=False)
-        self.view.show_curves(waves(), synthetic=False)
-        self.view.zoom_requested.connect(self.zooms.append)
-        QCursor.setPos(self.area.mapToGlobal(QPoint(200, 150)))
-
-    @property
-    def scrolled(self):
-        return self.area.verticalScrollBar().value()
-
-    def turn(self, held=PLAIN):
-        at = QCursor.pos()
-        QTest.wheelEvent(
-            self.area.windowHandle(),
-            QPointF(self.area.mapFromGlobal(at)),
-            QPoint(0, -120),
-            QPoint(),
-            held,
-        )
-
-    def turn_until_over_the_plot(self):
-        for _ in range(20):
-            self.turn()
-            self.now_s += 0.1
-            if QApplication.widgetAt(QCursor.pos()) is self.view.plot.viewport():
-                return
-        raise AssertionError("the plot never came under the pointer")
-
-
-@pytest.fixture
-def bench(qtbot):
-    return ScrolledPlot(qtbot)
-
-
-def test_a_turn_that_began_as_scrolling_goes_on_to_the_end_and_beyond(bench):
-    bench.turn_until_over_the_plot()
-    before = bench.scrolled
-    bench.turn()
-    assert bench.scrolled > before
-    for _ in range(20):
-        bench.now_s += PAUSE_S - 0.1
-        bench.turn()
-    assert bench.scrolled == bench.area.verticalScrollBar().maximum()
-    assert bench.zooms == []
-
-
-@pytest.mark.parametrize("why", ["moved", "rested", "key"])
-def test_the_plot_takes_the_wheel_when_it_is_meant(bench, why):
-    bench.turn_until_over_the_plot()
-    before = bench.scrolled
-    if why == "moved":
-        QCursor.setPos(QCursor.pos() + QPoint(0, 8))
-    elif why == "rested":
-        bench.now_s += PAUSE_S
-    bench.turn(CTRL if why == "key" else PLAIN)
-    assert len(bench.zooms) == 1
-    assert bench.scrolled == before
+    QCursor.setPos(area.mapToGlobal(QPoint(200, 150)))
+    assert scroll_and_turn() == 0
+    assert scroll_and_turn(moved_px=8) == 1
+    assert scroll_and_turn(rests_s=PAUSE_S) == 1
+    assert scroll_and_turn(held=Qt.KeyboardModifier.ControlModifier) == 1

@@ -34,8 +34,8 @@ def ink(plot, dpi):
 
 def test_the_wave_itself_is_drawn_not_lines_between_samples(signals):
     signals.set_view(TIME, None, stacked=False)
-    signals.show_curves(tone(2000), synthetic=False)
-    pixels = ink(signals.plot, 300)
+    signals.show_curves(tone(1000), synthetic=False)
+    pixels = ink(signals.plot, 200)
     legend = pixels.shape[0] // 4
     columns = pixels[legend:, pixels.shape[1] // 4 : -pixels.shape[1] // 8]
     tops = np.argmax(columns, axis=0)

@@ -95,11 +95,11 @@ def test_an_output_reached_by_arrows_comes_into_sight(window):
     room = QRectF(view.rect())
     view.stage.pan_zoom.show(HAND)
     hidden = {k for k in range(1, 73) if not room.contains(view.stage.place_of(k))}
-    view.picker.keys.cursor_output, visited = 54, set()
+    view.picker.cursor_output, visited = 54, set()
     for _ in range(12):
         QTest.keyClick(view, Qt.Key.Key_Down)
-        assert room.contains(view.stage.place_of(view.picker.keys.cursor_output))
-        visited.add(view.picker.keys.cursor_output)
+        assert room.contains(view.stage.place_of(view.picker.cursor_output))
+        visited.add(view.picker.cursor_output)
     assert visited & hidden
 
 

@@ -1,0 +1,185 @@
+"""Labels, lines and areas that adapt to their room, and pictures that are kept."""
+
+import pytest
+from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QImage, QPainter
+from PySide6.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
+
+from skinsource_gui.qt.fitting import SteadyArea
+from skinsource_gui.qt.frames import CachedPicture
+from skinsource_gui.qt.labels import FittingLabel, NameLine
+from skinsource_gui.qt.overlays import Staleness
+
+
+def test_a_fitting_label_shows_the_longest_phrase_that_fits_or_dots(qtbot):
+    label = FittingLabel()
+    qtbot.addWidget(label)
+    label.show_phrases(("a rather long phrasing of it", "a short one", "short"))
+    label.resize(label.sizeHint().width(), 20)
+    label.show()
+    assert label.text() == "a rather long phrasing of it"
+    label.resize(label.sizeHint().width() - 3, 20)
+    assert label.text() == "a short one"
+    label.resize(label.minimumSizeHint().width(), 20)
+    assert label.text() == "short"
+    label.resize(label.minimumSizeHint().width() - 8, 20)
+    assert label.text().endswith("…")
+    assert label.fontMetrics().horizontalAdvance(label.text()) <= label.width()
+
+
+def test_what_is_typed_after_the_first_click_takes_the_place_of_the_name(qtbot):
+    host, line = QWidget(), NameLine()
+    qtbot.addWidget(host)
+    column = QVBoxLayout(host)
+    column.addWidget(QLineEdit())
+    column.addWidget(line)
+    host.show()
+    host.activateWindow()
+    qtbot.waitUntil(host.isActiveWindow)
+    host.findChild(QLineEdit).setFocus()
+    line.setText("hand")
+    qtbot.mouseClick(line, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(line.hasFocus)
+    assert line.selectedText() == "hand"
+    qtbot.keyClicks(line, "lab")
+    assert line.text() == "lab"
+
+
+def test_only_what_is_stale_for_a_while_is_called_so_and_it_ends_at_once(qapp, qtbot):
+    staleness, other, changes = Staleness(qapp), Staleness(qapp), []
+    staleness.changed.connect(changes.append)
+    staleness.set_stale(True)
+    staleness.set_stale(False)
+    other.set_stale(True)
+    qtbot.waitUntil(lambda: other.is_stale)
+    assert changes == []
+    staleness.set_stale(True)
+    qtbot.waitUntil(lambda: staleness.is_stale)
+    for stale in (True, False, False):
+        staleness.set_stale(stale)
+    assert changes == [True, False]
+    for each in (staleness, other):
+        each.deleteLater()
+
+
+_TURNS = 30
+
+
+class LowerWhereNarrower(QWidget):
+    """As words are that are written smaller where there is less room."""
+
+    def minimumSizeHint(self):
+        return QSize(50, 100 if self.width() >= 200 else 90)
+
+    def resizeEvent(self, event):
+        self.updateGeometry()
+
+
+class Counted(QObject):
+    """How often a widget got another size."""
+
+    times = 0
+
+    def eventFilter(self, watched, event):
+        self.times += event.type() == QEvent.Type.Resize
+        return False
+
+
+@pytest.fixture(params=["inside", "itself"])
+def area(qtbot, request):
+    content, area = LowerWhereNarrower(), SteadyArea()
+    qtbot.addWidget(area)
+    if request.param == "inside":
+        panel = QWidget()
+        around = QVBoxLayout(panel)
+        around.setContentsMargins(0, 0, 0, 0)
+        around.addWidget(content)
+        content = panel
+    area.setFrameShape(SteadyArea.Shape.NoFrame)
+    area.setWidget(content)
+    area.resize(400, 300)
+    area.show()
+    qtbot.waitExposed(area)
+    return area
+
+
+def turn(times=_TURNS):
+    for _ in range(times):
+        QApplication.processEvents()
+
+
+def test_a_bar_beside_which_there_is_room_and_without_it_none_stays_until_another_room(area):
+    area.resize(204, 95)
+    turn()
+    counted = Counted()
+    area.viewport().installEventFilter(counted)
+    area.verticalScrollBar().installEventFilter(counted)
+    turn()
+    assert counted.times == 0
+    assert area.verticalScrollBar().isVisible()
+    area.resize(400, 300)
+    turn()
+    assert not area.verticalScrollBar().isVisible()
+    area.resize(400, 80)
+    turn()
+    assert area.verticalScrollBar().isVisible()
+
+
+ROOM = QRectF(2, 3, 8, 6)
+
+
+def sheet(ratio=1.0):
+    image = QImage(12 * int(ratio), 12 * int(ratio), QImage.Format.Format_RGB32)
+    image.setDevicePixelRatio(ratio)
+    image.fill(QColor("white"))
+    return image
+
+
+class Dot:
+    """Paints a square and counts how often."""
+
+    def __init__(self, colour="red"):
+        self.colour, self.times = colour, 0
+
+    def paint(self, painter):
+        self.times += 1
+        painter.fillRect(QRectF(4, 4, 2, 2), QColor(self.colour))
+
+
+def show(cached, dot, key=(), ground=None, ratio=1.0, room=ROOM):
+    image = sheet(ratio)
+    painter = QPainter(image)
+    cached.paint(painter, room, key, dot.paint, ground)
+    painter.end()
+    return image
+
+
+@pytest.mark.parametrize("ratio", [1.0, 2.0])
+@pytest.mark.parametrize("room", [ROOM, QRectF(0, 0, 12, 12), QRectF(8, 8, 4, 4)])
+def test_a_kept_picture_looks_as_if_it_were_painted_directly(qapp, room, ratio):
+    direct, cached = sheet(ratio), CachedPicture()
+    painter = QPainter(direct)
+    painter.setClipRect(room)
+    Dot().paint(painter)
+    painter.end()
+    for _ in range(2):
+        assert show(cached, Dot(), room=room, ratio=ratio) == direct
+
+
+def test_it_is_painted_once_until_what_it_depends_on_changes(qapp):
+    cached, dot = CachedPicture(), Dot()
+    for _ in range(3):
+        show(cached, dot, ("light", 1.5))
+    assert dot.times == 1
+    show(cached, dot, ("dark", 1.5))
+    assert dot.times == 2
+
+
+@pytest.mark.parametrize("size", [(8, 0.2), (8, -3), (0, 6)])
+@pytest.mark.parametrize("ground", [None, QColor("blue")])
+def test_where_there_is_no_room_nothing_is_painted_and_next_time_all_of_it(qapp, size, ground):
+    cached, dot = CachedPicture(), Dot()
+    show(cached, dot)
+    assert show(cached, dot, ground=ground, room=QRectF(4, 4, *size)) == sheet()
+    assert dot.times == 1
+    assert show(cached, dot) != sheet()
