@@ -179,7 +179,7 @@ class Monkey:
         self._expect(set(view.selected_clips) <= set(clips), "a ghost clip is selected")
         notice = self.window.notice.text
         self._expect("made a mistake" not in notice, f"the studio says: {notice}")
-        gestures = self.window.panel("timeline")._table.lanes.mouse.busy
+        gestures = self.window.panel("timeline").lanes.mouse.busy
         self._expect(not gestures, "no button is down, yet a gesture goes on in the timeline")
 
     def _settle(self) -> None:

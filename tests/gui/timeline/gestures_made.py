@@ -96,7 +96,7 @@ def fade(bench):
 
 
 def place(bench):
-    bench.lanes.mouse.elsewhere = lambda at: (
+    bench.lanes.elsewhere = lambda at: (
         DropPlace(location=13) if at is not None and at.y() > 400 else None
     )
     bench.drag(middle(bench, 3), middle(bench, 3) + QPointF(0, 600))

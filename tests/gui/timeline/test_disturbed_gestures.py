@@ -6,7 +6,6 @@ from PySide6.QtTest import QTest
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design import edits
-from skinsource_gui.panels.timeline import panel
 from tests.gui.timeline.lanes_bench import NONE, LanesBench
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
@@ -42,10 +41,10 @@ def test_a_drag_that_has_not_moved_yet_keeps_what_changes_meanwhile(lanes):
 
 
 def test_what_could_not_be_copied_is_not_cut(lanes, monkeypatch):
-    def refuse(fragment):
+    def refuse(*_):
         raise InvalidInputError("too many bytes")
 
-    monkeypatch.setattr(panel, "copy_fragment", refuse)
+    monkeypatch.setattr(edits, "fragment_text", refuse)
     lanes.click(middle(lanes, 3))
     before = lanes.design
     QTest.keyClick(lanes.lanes, Qt.Key.Key_X, CONTROL)

@@ -204,7 +204,7 @@ def test_insert_adds_a_point_at_the_playhead_and_shows_the_curve(lanes):
 
 
 def menu_of(lanes, place):
-    lanes.lanes.menu_requested.emit(lanes.lanes.mapToGlobal(place).toPoint(), place)
+    lanes.lanes.menu.open(lanes.lanes.mapToGlobal(place).toPoint(), place)
     menu = lanes.panel.findChildren(QMenu, "lanes_menu")[-1]
     return menu, {action.text().split("\t")[0]: action for action in menu.actions()}
 

@@ -23,7 +23,7 @@ def menu_at(lanes):
 
     def open_menu(place):
         close()
-        lanes.lanes.menu_requested.emit(QPoint(0, 0), place)
+        lanes.lanes.menu.open(QPoint(0, 0), place)
         (menu,) = lanes.panel.findChildren(QMenu, "lanes_menu")
         return {action.text().split("\t")[0]: action for action in menu.actions() if action.text()}
 

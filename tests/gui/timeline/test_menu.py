@@ -170,7 +170,7 @@ def test_where_one_types_the_keys_are_about_the_words(active):
 
 
 def test_in_the_timeline_the_keys_are_about_the_clips(active):
-    lanes = active.panel("timeline")._table.lanes
+    lanes = active.panel("timeline").lanes
     lanes.setFocus()
     assert QApplication.focusWidget() is not None
     for key in (Qt.Key.Key_C, Qt.Key.Key_V):

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication, QMenu, QToolTip
 
 from skinsource.design.clips import Clip
 from skinsource.design.waveforms.tones import Tone
-from skinsource_gui.panels.timeline.content import Stretch, overlapping, stretches
+from skinsource_gui.panels.timeline.content import overlapping, overlaps_of
 from tests.gui.timeline.lanes_bench import LEFT, LanesBench
 
 LONG, SHORT = Tone(100.0, 0.0, 0.6), Tone(100.0, 0.0, 0.1)
@@ -28,12 +28,13 @@ def lanes(qtbot):
     return bench
 
 
-def test_stretches_are_where_two_clips_or_more_play():
-    assert stretches(CLIPS) == (Stretch(0.2, pytest.approx(0.3)), Stretch(0.55, 0.6))
-    assert stretches((CLIPS[0], CLIPS[0], CLIPS[1])) == (Stretch(0.0, 0.6),)
+def test_overlaps_are_where_two_clips_or_more_play():
+    spans = [(0.0, 0.6), (0.2, 0.3), (0.55, 0.65), (0.65, 0.75)]
+    assert overlaps_of(spans) == [(0.2, 0.3), (0.55, 0.6)]
+    assert overlaps_of([spans[0], spans[0], spans[1]]) == [(0.0, 0.6)]
     # Clips that follow each other, with the rounding of their lengths, do not overlap.
-    assert stretches((Clip(onset_s=0.1, waveform=SHORT), Clip(onset_s=0.2, waveform=SHORT))) == ()
-    assert stretches(()) == ()
+    assert overlaps_of([(0.1, 0.2 + 1e-12), (0.2, 0.3)]) == []
+    assert overlaps_of([]) == []
 
 
 def test_repeated_clicks_go_through_the_clips_below_the_pointer(lanes):
@@ -65,7 +66,7 @@ def test_a_double_click_opens_the_clip_that_was_on_top(lanes):
     while lanes.view.selected_clips != (small,):
         lanes.click(place)
     opened = []
-    lanes.lanes.mouse.opened.connect(opened.append)
+    lanes.lanes.opened.connect(opened.append)
     # A double click begins with a click, which goes on to the next clip.
     lanes.click(place)
     QTest.mouseDClick(lanes.lanes.viewport(), LEFT, pos=place.toPoint())
@@ -88,7 +89,7 @@ def test_a_key_goes_through_clips_that_overlap(lanes):
 
 def test_the_menu_lists_the_clips_here(lanes):
     place = lanes.at(0.25)
-    lanes.lanes.menu_requested.emit(QPoint(0, 0), place)
+    lanes.lanes.menu.open(QPoint(0, 0), place)
     menu = lanes.panel.findChild(QMenu, "clips_here")
     texts = [action.text() for action in menu.actions()]
     assert texts == ["Tone · 0 ms", "Tone · 200 ms"]

@@ -139,7 +139,7 @@ def test_the_wheel_moves_the_amplitudes_of_all_by_as_much(bench):
 
 
 def in_sight(bench, index):
-    view = bench.panel._list.viewport()
+    view = bench.panel.list.viewport()
     row = bench.row(index)
     top = row.mapTo(view, QPoint(0, 0)).y()
     return top >= 0 and top + row.height() <= view.height()

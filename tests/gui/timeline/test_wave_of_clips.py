@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
 from skinsource.design.waveforms.tones import Tone
-from skinsource_gui.panels.timeline.painting import ClipPictures, ClipSamples, ClipStyle
+from skinsource_gui.panels.timeline.painting import ClipPictures, ClipStyle
 from tests.gui.timeline.bench import results_of
 from tests.gui.timeline.lanes_bench import LanesBench
 
@@ -34,8 +34,8 @@ def tops_of(pixmap):
 @pytest.mark.parametrize("reach", [0.5, -0.5])
 def test_crests_between_samples_are_as_high_as_they_are(reach):
     pictures = ClipPictures()
-    look = ClipStyle(BLUE, reach, part=(0.4, 0.6))
-    tops = tops_of(pictures.picture(ClipSamples(tone(260), RATE_HZ), QSizeF(520, HEIGHT), look))
+    look = ClipStyle(RATE_HZ, BLUE, reach, part=(0.4, 0.6))
+    tops = tops_of(pictures.picture(tone(260), QSizeF(520, HEIGHT), look))
     # Each period, of 30 px, has its crest at half of the upper half.
     crests = tops[10:-10].reshape(-1, 50).min(axis=1)
     assert np.abs(crests - HEIGHT / 4).max() <= 3
@@ -47,7 +47,7 @@ def test_zoomed_out_it_reaches_as_far_as_its_wave_whatever_its_samples_miss(n_sa
     samples = 0.7 * np.sin(0.5 * np.pi * np.arange(n_samples) + np.pi / 4)
     assert samples.max() < 0.5
     picture = ClipPictures().picture(
-        ClipSamples(samples, RATE_HZ), QSizeF(520, HEIGHT), ClipStyle(BLUE, 1.0)
+        samples, QSizeF(520, HEIGHT), ClipStyle(RATE_HZ, BLUE, 1.0)
     )
     # Each four columns hold a crest.
     tops = tops_of(picture)[8:-8].reshape(-1, 4).min(axis=1)
