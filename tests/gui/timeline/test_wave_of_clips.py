@@ -46,9 +46,7 @@ def test_crests_between_samples_are_as_high_as_they_are(reach):
 def test_zoomed_out_it_reaches_as_far_as_its_wave_whatever_its_samples_miss(n_samples):
     samples = 0.7 * np.sin(0.5 * np.pi * np.arange(n_samples) + np.pi / 4)
     assert samples.max() < 0.5
-    picture = ClipPictures().picture(
-        samples, QSizeF(520, HEIGHT), ClipStyle(RATE_HZ, BLUE, 1.0)
-    )
+    picture = ClipPictures().picture(samples, QSizeF(520, HEIGHT), ClipStyle(RATE_HZ, BLUE, 1.0))
     # Each four columns hold a crest.
     tops = tops_of(picture)[8:-8].reshape(-1, 4).min(axis=1)
     assert np.abs(tops - 0.3 * HEIGHT / 2).max() <= 3
