@@ -11,7 +11,7 @@ from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Glide, Tone
 from skinsource.signals.synthesis import curve_of
 from skinsource_gui.panels.clip_editor.tools import of_column
-from tests.gui.clip_editor.bench import LEFT, NONE, RATE_HZ, SHIFT, Bench, whole
+from tests.gui.clip_editor.bench import LEFT, NONE, SHIFT, Bench, whole
 from tests.gui.wheel import NOTCH, turn_wheel
 
 

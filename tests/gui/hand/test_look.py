@@ -13,13 +13,14 @@ from skinsource.engine import evaluation
 from skinsource.limbs.own_limbs import install_limb
 from skinsource.limbs.synthetic import standard_hand
 from skinsource_gui.panels.hand import layout as site_marker
-from skinsource_gui.panels.hand.layout import HandState, Mark, contrast, palmar_drawing, readable_on
+from skinsource_gui.panels.hand.layout import HandState, Mark, palmar_drawing
 from skinsource_gui.panels.hand.panel import HandPanel
 from skinsource_gui.panels.hand.picture import caption_of
+from skinsource_gui.qt.buttons import text_colour_on
 from skinsource_gui.qt.theme import DARK, LIGHT, Theme
 from skinsource_gui.qt.wheel import FREE, WHOLE
 from tests.core.own_limbs.lab_bench import own_limb, response
-from tests.gui.hand.bench import KEY, LEFT, NONE, Studio
+from tests.gui.hand.bench import KEY, LEFT, NONE, Studio, contrast
 from tests.gui.skin.bench import wheel
 
 
@@ -44,7 +45,7 @@ def test_a_silent_input_is_hollow(studio):
 def test_numbers_are_readable_on_every_input_colour(theme: Theme):
     for number in range(len(theme.inputs)):
         colour = theme.input_colour(number)
-        assert contrast(readable_on(colour), colour) >= 4.5
+        assert contrast(text_colour_on(colour), colour) >= 4.5
 
 
 def test_the_tooltip_names_place_contact_and_inputs(studio):
