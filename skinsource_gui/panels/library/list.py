@@ -282,18 +282,15 @@ class PresetList(QListView):
 
     def _tag(self, name: str) -> QPixmap:
         """Return a small label with a name on it."""
-        metrics, ratio = self.fontMetrics(), self.devicePixelRatioF()
-        text = metrics.elidedText(name, Qt.TextElideMode.ElideRight, _WIDEST_TAG_PX)
-        size = QSize(metrics.horizontalAdvance(text) + 2 * UNIT_PX, metrics.height() + UNIT_PX)
-        tag = QPixmap(size * ratio)
-        tag.setDevicePixelRatio(ratio)
-        tag.fill(QColor(current_theme().accent))
-        painter = QPainter(tag)
-        painter.setFont(self.font())
-        painter.setPen(QColor(current_theme().on_accent))
-        painter.drawText(QRect(QPoint(), size), Qt.AlignmentFlag.AlignCenter, text)
-        painter.end()
-        return tag
+        text = self.fontMetrics().elidedText(name, Qt.TextElideMode.ElideRight, _WIDEST_TAG_PX)
+        tag, theme = QLabel(text, self), current_theme()
+        tag.setStyleSheet(
+            f"background: {theme.accent}; color: {theme.on_accent}; padding: {UNIT_PX // 2}px"
+        )
+        tag.adjustSize()
+        picture = tag.grab()
+        tag.deleteLater()
+        return picture
 
     def currentChanged(self, current: _Index, previous: _Index) -> None:
         super().currentChanged(current, previous)
