@@ -221,8 +221,6 @@ class InputRow(QWidget):
         self._rows = rows
         self._state: RowState | None = None
         self.setObjectName("input_row")
-        self._places = row_places(self.width())
-        self.setFixedHeight(ROW_PX)
         self.amplitude = NumberField(AMPLITUDE, self, widest_unit="")
         self.amplitude.setObjectName("amplitude_field")
         # The theme's fields are as high as a line of a form, too high for two lines in a row.
@@ -233,6 +231,7 @@ class InputRow(QWidget):
             remove_button(self),
         )
         self.amplitude.installEventFilter(self)
+        self._lay_out()
 
     @property
     def controls(self) -> tuple[NumberField | LetterButton, ...]:

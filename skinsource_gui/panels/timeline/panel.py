@@ -225,7 +225,8 @@ class TimelinePanel(Panel):
 
     def minimumSizeHint(self) -> QSize:
         # Room for one whole track below the ruler, and for some of its time.
-        height = round(self.lanes.ruler_px) + self._row_px + _BARS_PX
+        row = row_places(self._heads_px, self.fontMetrics().height()).row.height()
+        height = round(self.lanes.ruler_px) + row + _BARS_PX
         least = QSize(self._heads_px + _LEAST_LANES_PX, height)
         return super().minimumSizeHint().expandedTo(least)
 
@@ -311,10 +312,6 @@ class TimelinePanel(Panel):
     def _heads_px(self) -> int:
         return heads_px(self.fontMetrics().height())
 
-    @property
-    def _row_px(self) -> int:
-        return row_places(self._heads_px, self.fontMetrics().height()).row.height()
-
     def _connect(self) -> None:
         lanes, bar = self.lanes, self.list.verticalScrollBar()
         self.list.rows.edited.connect(self.edited)
@@ -329,6 +326,8 @@ class TimelinePanel(Panel):
         self._toolbar.everything.clicked.connect(lanes.show_everything)
         self._time_bar.range_requested.connect(lanes.show_range)
         bar.rangeChanged.connect(self._follow_heads)
+        # Heads have become higher, or lower.
+        bar.rangeChanged.connect(self._place_lanes)
         bar.valueChanged.connect(self._follow_heads)
         bar.valueChanged.connect(self._place_lanes)
         self._bar.valueChanged.connect(bar.setValue)
@@ -338,7 +337,8 @@ class TimelinePanel(Panel):
         self.list.setFixedWidth(self._heads_px)
         self._toolbar.setFixedSize(self._heads_px, int(self.lanes.ruler_px))
         top = int(self.lanes.ruler_px) - self.list.verticalScrollBar().value()
-        lanes = lanes_of(self._design, self._view, self._row_px, top, self._problems)
+        row_px = max((row.height() for row in self.list.rows.rows), default=0)
+        lanes = lanes_of(self._design, self._view, row_px, top, self._problems)
         self.lanes.show_state(self._design, self._view, lanes)
         content = self.lanes.content
         self._time_bar.show_range(content.scale.shown_s, content.whole_s)

@@ -2,9 +2,9 @@
 
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent, QMouseEvent
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
+from PySide6.QtWidgets import QApplication
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
@@ -85,14 +85,7 @@ def test_a_clip_is_dragged_onto_a_place_with_a_track_in_one_step(window, lanes, 
     assert window.document.view.selected_clips == (2,)
 
 
-def test_onto_a_free_place_it_makes_a_track(window, lanes):
-    end = carry(window, lanes, 2, 13)
-    send(lanes, QEvent.Type.MouseButtonRelease, end)
-    assert tracks(window) == [(7, [1]), (3, [3]), (13, [2])]
-    assert window.document.undo_stack.count() == 1
-
-
-def test_ctrl_copies(window, lanes):
+def test_ctrl_copies_and_a_free_place_gets_a_track(window, lanes):
     end = carry(window, lanes, 2, 13, CONTROL)
     send(lanes, QEvent.Type.MouseButtonRelease, end, CONTROL)
     assert tracks(window) == [(7, [1, 2]), (3, [3]), (13, [4])]
@@ -109,8 +102,12 @@ def test_escape_gives_it_up_and_leaves_no_step(window, lanes, stage):
     assert window.document.undo_stack.count() == 0
 
 
-def test_back_over_the_lanes_it_is_moved_there_and_the_place_is_let_go(window, lanes, stage):
+def test_beside_the_places_and_back_over_the_lanes_the_place_is_let_go(window, lanes, stage):
     carry(window, lanes, 2, 3)
+    hand = window.panel("hand")
+    corner = QPointF(lanes.mapFromGlobal(hand.mapToGlobal(hand.rect().topLeft())))
+    send(lanes, QEvent.Type.MouseMove, corner + QPointF(3, 3))
+    assert stage.state.target is None
     there = next(box.rect.center() for box in lanes.content.boxes if box.clip.id == 3)
     send(lanes, QEvent.Type.MouseMove, there)
     assert stage.state.target is None
@@ -118,27 +115,3 @@ def test_back_over_the_lanes_it_is_moved_there_and_the_place_is_let_go(window, l
     assert tracks(window) == [(7, [1]), (3, [3, 2])]
     assert window.document.design.clip(2).onset_s != 0.3
     assert window.document.undo_stack.count() == 1
-
-
-def test_beside_every_place_nothing_is_aimed_at(window, lanes, stage):
-    carry(window, lanes, 2, 3)
-    hand = window.panel("hand")
-    corner = QPointF(lanes.mapFromGlobal(hand.mapToGlobal(hand.rect().topLeft())))
-    send(lanes, QEvent.Type.MouseMove, corner + QPointF(3, 3))
-    assert stage.state.target is None
-    send(lanes, QEvent.Type.MouseButtonRelease, corner + QPointF(3, 3))
-    assert len(window.document.design.inputs) == 2
-
-
-def test_a_menu_of_the_keyboard_moves_a_clip_to_a_place(window, lanes):
-    assert window.document.view.selected_clips == (1,)
-    at = lanes.rect().center()
-    event = QContextMenuEvent(QContextMenuEvent.Reason.Keyboard, at, lanes.mapToGlobal(at))
-    QApplication.sendEvent(lanes, event)
-    menu = lanes.findChild(QMenu, "lanes_menu")
-    places = menu.findChild(QMenu, "lanes_places")
-    entry = next(action for action in places.actions() if action.text().startswith("15 "))
-    assert entry.text().endswith("(new track)")
-    entry.trigger()
-    menu.close()
-    assert tracks(window)[-1] == (15, [1])

@@ -74,11 +74,6 @@ def test_a_pixel_leads_back_to_its_time(start_s, length_s, left_px, width_px, ti
     assert scale.time(scale.x(time_s)) == pytest.approx(time_s, abs=1e-9 * (600 + length_s))
 
 
-def test_the_ends_of_what_is_shown_lie_at_the_ends_of_the_width():
-    scale = TimeScale(shown_s=(1.0, 3.0), left_px=8, width_px=100)
-    assert (scale.x(1.0), scale.x(3.0), scale.right_px) == (8, 108, 108)
-
-
 @given(st.floats(0, 1), st.floats(0.2, 5))
 def test_what_lies_under_the_pointer_stays_there_when_zooming(share, factor):
     shown = (2.0, 4.0)
