@@ -103,14 +103,9 @@ def test_keys_move_it_by_steps_and_from_stop_to_stop(window, lanes, plot, where)
     place = lanes if where == "lanes" else plot
     place.setFocus()
     playheads_s = []
-    for key, held in (
-        (Qt.Key.Key_Right, ALT),
-        (Qt.Key.Key_Left, ALT | SHIFT),
-        (Qt.Key.Key_PageDown, NONE),
-        (Qt.Key.Key_PageDown, NONE),
-        (Qt.Key.Key_PageUp, NONE),
-        (Qt.Key.Key_PageUp, NONE),
-    ):
+    down, up = Qt.Key.Key_PageDown, Qt.Key.Key_PageUp
+    steps = [(Qt.Key.Key_Right, ALT), (Qt.Key.Key_Left, ALT | SHIFT)]
+    for key, held in (*steps, (down, NONE), (down, NONE), (up, NONE), (up, NONE)):
         QTest.keyClick(place, key, held)
         playheads_s.append(window.document.view.playhead_s)
     assert playheads_s == pytest.approx([0.251, 0.241, 0.3, 0.45, 0.3, 0.1], abs=1e-12)

@@ -102,7 +102,9 @@ def place(lanes):
 
 
 def select(lanes):
-    lanes.click(lanes.middle(4))
+    # A shaky click is no drag.
+    lanes.drag(lanes.middle(4), lanes.middle(4) + QPointF(2, 1))
+    assert (lanes.view.selected_clips, lanes.edits) == ((4,), [])
     lanes.click(lanes.middle(2), CONTROL)
     assert set(lanes.view.selected_clips) == {2, 4}
     lanes.click(lanes.middle(2), CONTROL)

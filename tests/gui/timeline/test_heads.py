@@ -307,6 +307,10 @@ def test_the_list_follows_the_selection_from_elsewhere(qtbot):
     for index in (29, 0, 17):
         bench.look(View(selected_inputs=(index + 1,)))
         qtbot.waitUntil(lambda index=index: in_sight(index))
+    # Lanes scroll with it.
+    bench.panel.lanes.scroll_requested.emit(30.0)
+    assert in_sight(0)
+    assert not in_sight(17)
 
 
 def test_the_way_back_of_a_drag_leads_where_it_began_also_from_a_limit():

@@ -83,6 +83,12 @@ def test_a_drag_of_a_clip_repaints_its_lane_at_each_move(four_lanes):
         assert settled(four_lanes) == 1
 
 
+def select_what_the_inspector_shows(lanes):
+    lanes.look(replace(lanes.view, selected_inputs=(2,)))
+    settled(lanes)
+    lanes.look(replace(lanes.view, selected_clips=(3,)))
+
+
 EDITS = {
     "clip moved over another": lambda bench: changed(bench, 1, onset_s=0.4),
     "clip stronger than all": lambda bench: changed(bench, 2, gain=3.0),
@@ -95,6 +101,7 @@ EDITS = {
     "no clips": lambda bench: bench.show(bench.design.with_input(0, clips=())),
     "loop": lambda bench: bench.show(replace(bench.design, loop_s=(0.2, 0.7))),
     "clip selected": lambda bench: bench.look(replace(bench.view, selected_clips=(3,))),
+    "shown clip selected": select_what_the_inspector_shows,
     "track selected": lambda bench: bench.look(replace(bench.view, selected_inputs=(2,))),
     "other times": lambda bench: bench.look(replace(bench.view, time_range_s=(0.0, 0.9))),
     "hovered": lambda bench: bench.lanes.item.show_hovered(3),
@@ -102,7 +109,13 @@ EDITS = {
     "theme": lambda bench: apply_theme(QApplication.instance(), DARK),
 }
 #: What changes one lane alone.
-OF_ONE_LANE = (*list(EDITS)[:5], "another colour", "clip selected", "hovered")
+OF_ONE_LANE = (
+    *list(EDITS)[:5],
+    "another colour",
+    "clip selected",
+    "shown clip selected",
+    "hovered",
+)
 
 
 @pytest.mark.parametrize("name", EDITS)
