@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -74,15 +74,6 @@ def test_it_is_dragged_in_the_traces_and_stands_there_in_the_timeline(window, pl
     assert not window.document.undo_stack.count()
     # What was dragged is the playhead: nothing was zoomed.
     assert window.document.view.time_range_s is None
-
-
-def test_it_is_put_by_a_click_on_the_ruler_and_stands_there_in_the_traces(window, plot, lanes):
-    lanes.set_snaps(False)
-    at = QPoint(round(lanes.content.scale.x(0.8)), 5)
-    QTest.mouseClick(lanes.viewport(), LEFT, pos=at)
-    assert plot.playhead.time_s == pytest.approx(0.8, abs=0.005)
-    lines = [line.value() for line in plot.playhead._lines]
-    assert lines == [window.document.view.playhead_s]
 
 
 def test_escape_gives_up_a_drag_in_the_traces(window, plot, lanes):

@@ -164,11 +164,15 @@ _TOOLS = (
 
 
 class EditorToolbar(QWidget):
-    """Buttons of the tools, of the band and of the zoom, and a text about the clip."""
+    """Buttons of the tools, of the band and of the zoom, and a text about the clip.
+
+    Attributes
+    ----------
+    bound, fit
+        The buttons that bound the clip to the band, and show all of it.
+    """
 
     tool_requested = Signal(str)
-    bound_requested = Signal()
-    everything_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -185,12 +189,10 @@ class EditorToolbar(QWidget):
             row.addWidget(button)
         self._tools["look"].setChecked(True)
         row.addSpacing(8)
-        self._bound, self._band_known = self._button("Bound to band", ""), False
-        self._bound.clicked.connect(lambda: self.bound_requested.emit())
-        row.addWidget(self._bound)
-        self._fit = self._button("Fit", f"See all of the clip ({key_text(_PLACE, 'whole')})")
-        self._fit.clicked.connect(lambda: self.everything_requested.emit())
-        row.addWidget(self._fit)
+        self.bound, self._band_known = self._button("Bound to band", ""), False
+        row.addWidget(self.bound)
+        self.fit = self._button("Fit", f"See all of the clip ({key_text(_PLACE, 'whole')})")
+        row.addWidget(self.fit)
         self._description = FittingLabel()
         self._description.setObjectName("clip_words")
         set_tone(self._description, "dim")
@@ -207,9 +209,9 @@ class EditorToolbar(QWidget):
         whole = f"{text} · {hint}" if hint else text
         self._description.show_phrases((whole, hint or text, text))
         show_tooltip(self._description, whole)
-        for button in (*self._tools.values(), self._fit):
+        for button in (*self._tools.values(), self.fit):
             button.setEnabled(enabled)
-        self._bound.setEnabled(enabled and self._band_known)
+        self.bound.setEnabled(enabled and self._band_known)
 
     def show_band(self, band_hz: tuple[float, float] | None) -> None:
         """Take over the band in which the limb was measured; None: it is not known.
@@ -222,7 +224,7 @@ class EditorToolbar(QWidget):
                 f"Take away what lies outside {band_hz[0]:g} to {band_hz[1]:g} Hz, where nothing "
                 "was measured; the waveform becomes samples"
             )
-        show_tooltip(self._bound, text)
+        show_tooltip(self.bound, text)
         self._band_known = band_hz is not None
 
     def offer_glide(self, offered: bool) -> None:
@@ -388,7 +390,6 @@ class ClipEditorPanel(Panel):
         self.rate_hz = facts_of("").sample_rate_hz
         self._waveforms: Mapping[int, Floats] = {}
         self._raw: tuple[Any, float, Floats | None] = (None, 0.0, None)
-        self._described: tuple[Clip | None, Design | None, str] = (None, None, "")
         self._unplayable: frozenset[int] = frozenset()
         self._view_tool = ViewTool(self)
         self._pen, self._envelope = PenEdits(self), EnvelopeEdits(self)
@@ -474,8 +475,8 @@ class ClipEditorPanel(Panel):
 
     def _connect(self) -> None:
         self._toolbar.tool_requested.connect(self.use)
-        self._toolbar.bound_requested.connect(self._pen.bound)
-        self._toolbar.everything_requested.connect(self._canvas.show_everything)
+        self._toolbar.bound.clicked.connect(self._pen.bound)
+        self._toolbar.fit.clicked.connect(self._canvas.show_everything)
         self._canvas.key_pressed.connect(self._press)
         self._view_tool.pan_requested.connect(self._canvas.pan)
 
@@ -507,10 +508,7 @@ class ClipEditorPanel(Panel):
         self._show_text(clip)
 
     def _show_text(self, clip: Clip) -> None:
-        described, design, text = self._described
-        if described is not clip or design is not self.design:
-            text = _description(clip, self.design)
-            self._described = clip, self.design, text
+        text = _description(clip, self.design)
         if self.view.selected_input in self._unplayable and not clip.muted:
             text = f"{text} · cannot be played"
         self._toolbar.show_text(text, enabled=True, hint=self._canvas.tool.hint)

@@ -31,7 +31,7 @@ class Bench:
     @property
     def names(self):
         model = self.panel.model
-        return [model.index(k).data() for k in range(model.rowCount())]
+        return [model.index(k, 0).data() for k in range(model.rowCount())]
 
     def go_to(self, name):
         self.panel.rows.go_to(self.names.index(name))

@@ -46,7 +46,7 @@ def test_every_shipped_preset_is_listed_and_drawn_once_it_is_shown(bench):
         panel.rows.go_to(row)
         assert panel.preview.strip.message == ""
         assert panel.preview.preset.name in panel.preview.text.text()
-        assert panel.preview.preset.name == panel.model.index(row).data()
+        assert panel.preview.preset.name == panel.model.index(row, 0).data()
 
 
 def test_words_and_tags_narrow_the_list(bench):
@@ -66,7 +66,7 @@ def test_words_and_tags_narrow_the_list(bench):
 def test_the_pointer_shows_what_it_is_over_and_leaving_shows_the_chosen_one(bench):
     panel = bench.panel
     panel.rows.go_to(0)
-    other = panel.model.index(2)
+    other = panel.model.index(2, 0)
     at, port = QPointF(panel.rows.visualRect(other).center()), panel.rows.viewport()
     no_button = Qt.MouseButton.NoButton
     over = QMouseEvent(QEvent.Type.MouseMove, at, port.mapToGlobal(at), no_button, no_button, NONE)
@@ -74,7 +74,7 @@ def test_the_pointer_shows_what_it_is_over_and_leaving_shows_the_chosen_one(benc
     assert panel.preview.preset.name == other.data()
     assert panel.rows.currentIndex().row() == 0
     QApplication.sendEvent(panel.rows, QEvent(QEvent.Type.Leave))
-    assert panel.preview.preset.name == panel.model.index(0).data()
+    assert panel.preview.preset.name == panel.model.index(0, 0).data()
 
 
 @pytest.fixture
@@ -87,8 +87,8 @@ def drop(window, qtbot):
 
     def let_go(name, at):
         model = panel.model
-        row = next(k for k in range(model.rowCount()) if model.index(k).data() == name)
-        copy, data = Qt.DropAction.CopyAction, model.mimeData([model.index(row)])
+        row = next(k for k in range(model.rowCount()) if model.index(k, 0).data() == name)
+        copy, data = Qt.DropAction.CopyAction, model.mimeData([model.index(row, 0)])
         QApplication.sendEvent(window, QDragEnterEvent(at, copy, data, LEFT, NONE))
         event = QDropEvent(QPointF(at), copy, data, LEFT, NONE)
         QApplication.sendEvent(window, event)

@@ -88,7 +88,7 @@ def test_own_presets_are_there_as_soon_as_their_files_are_and_bad_ones_are_named
     panel = bench.panel
     path = presets.save_preset(presets.users_folder(), MINE)
     qtbot.waitUntil(lambda: bench.names[0] == "My tap")
-    assert panel.model.index(0).data(OWN)
+    assert panel.model.index(0, 0).data(OWN)
     path.write_text(presets.preset_text(replace(MINE, name="My other tap")))
     qtbot.waitUntil(lambda: bench.names[0] == "My other tap")
     bad = presets.users_folder() / "bad.skinpreset"
@@ -108,13 +108,13 @@ def test_own_presets_are_there_as_soon_as_their_files_are_and_bad_ones_are_named
 def test_own_presets_are_renamed_in_place_and_shipped_ones_are_not(bench, qtbot):
     panel = bench.panel
     bench.save(MINE)
-    index = panel.model.index(0)
+    index = panel.model.index(0, 0)
     assert index.flags() & Qt.ItemFlag.ItemIsEditable
     panel.model.setData(index, "Ready", Qt.ItemDataRole.EditRole)
     assert bench.names[0] == panel.rows.currentIndex().data() == "Ready"
     assert [path.name for path in presets.users_folder().iterdir()] == ["ready.skinpreset"]
     with qtbot.waitSignal(panel.failed) as failure:
-        panel.model.setData(panel.model.index(0), " ", Qt.ItemDataRole.EditRole)
+        panel.model.setData(panel.model.index(0, 0), " ", Qt.ItemDataRole.EditRole)
     assert "name" in failure.args[0]
     assert bench.names[0] == "Ready"
     bench.go_to("Tap")

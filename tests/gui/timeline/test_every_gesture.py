@@ -97,7 +97,14 @@ def place(lanes):
     lanes.lanes.elsewhere = lambda at: (
         DropPlace(location=13) if at is not None and at.y() > 400 else None
     )
-    lanes.drag(lanes.middle(3), lanes.middle(3) + QPointF(0, 600))
+    start, end, before = lanes.middle(3), lanes.middle(3) + QPointF(0, 600), lanes.design
+    lanes.drag(start, end, release=False)
+    lanes.key(Qt.Key.Key_Escape)
+    QTest.mouseRelease(lanes.lanes.viewport(), LEFT)
+    assert lanes.design == before
+    lanes.drag(start, end, CONTROL)
+    assert len(lanes.design.clips) == 5
+    lanes.drag(start, end)
     assert lanes.design.track_of(3).location == 13
 
 

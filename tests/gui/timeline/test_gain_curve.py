@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
@@ -45,38 +44,17 @@ def px(bench, seconds=0.0, gain=0.0):
     )
 
 
-def test_it_is_shown_and_hidden_by_a_key_on_lane_and_head(lanes):
+def test_it_is_shown_and_hidden_by_a_key_on_lane_and_head_and_caught_only_where_it_is_shown(lanes):
+    with_curve(lanes, (0.1, 1.0), (0.5, 0.4))
     lanes.key(_Key.Key_G)
     assert shown_gain_curves(lanes.view) == frozenset()
-    assert lanes.content.strips == []
+    (hint,) = lanes.content.strips
+    assert not hint.shown
+    lanes.drag(on_line(lanes, 0.4), on_line(lanes, 0.4) + px(lanes, gain=0.3))
+    assert curve(lanes) == ((0.1, 1.0), (0.5, 0.4))
     lanes.rows.setFocus()
     lanes.key(_Key.Key_G)
     assert shown_gain_curves(lanes.view) == {1}
-    assert lanes.edits == []
-
-
-def test_the_menu_of_a_head_shows_it_too(lanes):
-    row = lanes.row(1)
-    at = row.rect().center()
-    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, row.mapToGlobal(at))
-    QApplication.sendEvent(row, event)
-    menu = lanes.panel.findChild(QMenu, "inputs_menu")
-    line = next(action for action in menu.actions() if action.text().startswith("Gain curve"))
-    assert not line.isChecked()
-    line.trigger()
-    menu.close()
-    assert shown_gain_curves(lanes.view) == {1, 2}
-
-
-def test_a_point_is_dragged_and_others_give_it_no_more_than_room(lanes):
-    with_curve(lanes, (0.1, 1.0), (0.3, 0.5), (0.5, 1.0))
-    start = on_line(lanes, 0.3)
-    lanes.drag(start, start + px(lanes, 0.05, 0.25))
-    assert curve(lanes)[1] == pytest.approx((0.35, 0.75), abs=0.06)
-    start = on_line(lanes, curve(lanes)[1][0])
-    lanes.drag(start, start + px(lanes, 0.6))
-    assert curve(lanes)[1][0] == 0.5
-    assert lanes.edits[-1][0] == "Change gain curve of input at 7 (II pad)"
 
 
 def test_shift_keeps_to_one_direction_and_ctrl_is_fine(lanes):
@@ -88,6 +66,11 @@ def test_shift_keeps_to_one_direction_and_ctrl_is_fine(lanes):
     start = on_line(lanes, curve(lanes)[1][0])
     lanes.drag(start, start + px(lanes, 0.2), CONTROL)
     assert curve(lanes)[1][0] == pytest.approx(0.52, abs=0.002)
+    start = on_line(lanes, curve(lanes)[1][0])
+    lanes.drag(start, start + px(lanes, 0.6))
+    # Others give it no more than room.
+    assert curve(lanes)[1][0] == 0.9
+    assert lanes.edits[-1][0] == "Change gain curve of input at 7 (II pad)"
 
 
 def test_a_point_rests_on_a_gain_of_one_and_on_ends_of_clips_unless_alt_is_held(lanes):
@@ -153,15 +136,6 @@ def test_the_menu_on_a_point_removes_it_or_the_curve(lanes):
     lines["Remove gain curve"].trigger()
     menu.close()
     assert curve(lanes) == ()
-
-
-def test_a_curve_that_is_not_shown_is_hinted_at_and_not_caught(lanes):
-    with_curve(lanes, (0.1, 1.0), (0.5, 0.4))
-    lanes.key(_Key.Key_G)
-    (strip,) = lanes.content.strips
-    assert not strip.shown
-    lanes.drag(on_line(lanes, 0.4), on_line(lanes, 0.4) + px(lanes, gain=0.3))
-    assert curve(lanes) == ((0.1, 1.0), (0.5, 0.4))
 
 
 def test_a_lane_gives_higher_gains_room_only_once_the_button_is_up(lanes):

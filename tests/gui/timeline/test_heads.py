@@ -16,6 +16,7 @@ from skinsource.design.waveforms.samples import Recording
 from skinsource.design.waveforms.tones import Tone
 from skinsource.specs.samples import Samples
 from skinsource_gui.fields.inputs import FieldChanges
+from skinsource_gui.panels.timeline.content import shown_gain_curves
 from skinsource_gui.panels.timeline.head_row import row_places
 from skinsource_gui.qt.keys import key_text
 from tests.gui.timeline.bench import (
@@ -384,6 +385,8 @@ def test_on_one_of_several_the_menu_is_about_all_of_them(bench, menu_of):
     lines = menu_of(1)
     assert set(bench.view.selected_inputs) == {1, 2, 3}
     assert "Move 3 inputs up" in lines
+    lines["Gain curve"].trigger()
+    assert shown_gain_curves(bench.view) == {1, 2, 3}
     lines["Mute 3 inputs"].trigger()
     assert all(track.muted for track in bench.design.inputs)
     menu_of(1)["Remove 3 inputs"].trigger()

@@ -13,7 +13,6 @@ from skinsource.design.design import Design, Input
 from skinsource.design.effects.level import Fade
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.waveforms.pulses import Tap
-from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.timeline.painting import ClipPictures, ClipStyle
 from skinsource_gui.qt.theme import DARK, apply_theme
 from tests.gui.timeline.bench import ALT, TONE, LanesBench, results_of
@@ -131,45 +130,15 @@ def test_what_was_not_repainted_looks_as_if_everything_were(four_lanes, name):
     assert after == picture(four_lanes)
 
 
-RATE_HZ, TONE_HZ = 1300.0, 433.0
-BLUE = QColor("blue").rgba()
-HEIGHT = 201
-
-
-def tops_of(pixmap):
-    """The highest row of each column that has ink."""
-    image = pixmap.toImage()
+@pytest.mark.parametrize(("reach", "part"), [(0.5, (0.4, 0.6)), (-0.5, (0.4, 0.6)), (0.5, (0, 1))])
+def test_crests_between_samples_are_as_high_as_they_are(reach, part):
+    tone = np.sin(2 * np.pi * 433.0 * np.arange(260) / 1300.0)
+    look = ClipStyle(1300.0, QColor("blue").rgba(), reach, part)
+    pictures = ClipPictures()
+    image = pictures.picture(tone, QSizeF(520, 201), look).toImage()
     pixels = np.frombuffer(image.constBits(), np.uint32).reshape(image.height(), -1)
-    return np.argmax(pixels >> 24 > 100, axis=0)
-
-
-@pytest.mark.parametrize("reach", [0.5, -0.5])
-def test_crests_between_samples_are_as_high_as_they_are(reach):
-    tone = np.sin(2 * np.pi * TONE_HZ * np.arange(260) / RATE_HZ)
-    look = ClipStyle(RATE_HZ, BLUE, reach, part=(0.4, 0.6))
-    tops = tops_of(ClipPictures().picture(tone, QSizeF(520, HEIGHT), look))
-    # Each period, of 30 px, has its crest at half of the upper half.
+    tops = np.argmax(pixels >> 24 > 100, axis=0)
+    # Each stretch of 50 px has a crest at half of the upper half.
     crests = tops[10:-10].reshape(-1, 50).min(axis=1)
-    assert np.abs(crests - HEIGHT / 4).max() <= 3
-
-
-@pytest.mark.parametrize("n_samples", [600, 13_000])
-def test_zoomed_out_it_reaches_as_far_as_its_wave_whatever_its_samples_miss(n_samples):
-    samples = 0.7 * np.sin(0.5 * np.pi * np.arange(n_samples) + np.pi / 4)
-    assert samples.max() < 0.5
-    picture = ClipPictures().picture(samples, QSizeF(520, HEIGHT), ClipStyle(RATE_HZ, BLUE, 1.0))
-    # Each four columns hold a crest.
-    tops = tops_of(picture)[8:-8].reshape(-1, 4).min(axis=1)
-    assert np.abs(tops - 0.3 * HEIGHT / 2).max() <= 3
-
-
-@pytest.mark.parametrize("seen_s", [(0.0, 2.0), (0.1, 0.2)])
-def test_the_timeline_draws_the_wave_of_what_is_seen(lanes, seen_s):
-    clip = Clip(waveform=Tone(TONE_HZ, 0.0, 0.5))
-    lanes.view = replace(lanes.view, time_range_s=seen_s)
-    lanes.show(Design(limb="synthetic-1", inputs=(Input(location=7, clips=(clip,)),)))
-    lanes.panel.show_results(results_of(lanes.design))
-    before = lanes.lanes.item.pictures.waves, lanes.lanes.item.pictures.painted
-    settled(lanes)
-    waves, painted = lanes.lanes.item.pictures.waves, lanes.lanes.item.pictures.painted
-    assert waves - before[0] == painted - before[1] > 0
+    assert np.abs(crests - 201 / 4).max() <= 3
+    assert pictures.waves == pictures.painted == 1
