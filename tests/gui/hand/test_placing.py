@@ -172,11 +172,12 @@ def test_a_drag_that_is_given_up_restores_the_design(studio, end):
     assert len({gesture for _, _, gesture in studio.edits}) == 1
 
 
-def test_a_drag_ends_when_its_input_is_taken_away(studio):
+@pytest.mark.parametrize("tracks", [(), (track(location=3),)])
+def test_a_drag_ends_when_its_input_is_taken_away_or_moved(studio, tracks):
     studio.show(track(location=18), selected=0)
     studio.press(18)
     studio.drag_to(studio.diagram.site_centre(13))
-    studio.show()
+    studio.show(*tracks)
     edits = len(studio.edits)
     studio.drag_to(studio.diagram.site_centre(8))
     studio.release(studio.diagram.site_centre(8))
