@@ -104,7 +104,7 @@ def dragged(window: MainWindow, lanes: LanesView) -> Frames:
     box = next(box for box in lanes.content.boxes if box.clip.id == 3)
     at = box.rect.center()
     held = Qt.KeyboardModifier.AltModifier
-    lanes.mouse.press(at, Qt.MouseButton.LeftButton, held, lanes.sample_rate_hz)
+    lanes.mouse.press(at, Qt.MouseButton.LeftButton, held)
     began, ended = [], []
     for step in range(STEPS):
         began.append(now())

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource.design import edits
 from skinsource.design.waveforms import kinds
-from skinsource_gui.panels.timeline.panel import TimelineEdits
+from skinsource_gui.panels.timeline.clipboard import copy_clips, cut_clips, paste_clips
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.panel import Panel, PanelRegistry
@@ -60,24 +60,21 @@ class ClipsAndClipboard(QObject):
 
     def __init__(self, document: Document, parent: QObject) -> None:
         super().__init__(parent)
-        self._document, self._edits = document, TimelineEdits(self)
-        self._edits.edited.connect(document.apply)
+        self._document = document
 
     def cut(self) -> None:
         """Move the selected clips to the clipboard."""
-        self._present().cut()
+        self._document.apply(cut_clips(self._document.design, self._document.view))
 
     def copy(self) -> None:
         """Put the selected clips on the clipboard."""
-        self._present().copy()
+        refusal = copy_clips(self._document.design, self._document.view)
+        if refusal is not None:
+            self._document.apply(refusal)
 
     def paste(self) -> None:
         """Put the clips of the clipboard at the playhead."""
-        self._present().paste()
-
-    def _present(self) -> TimelineEdits:
-        self._edits.show_state(self._document.design, self._document.view)
-        return self._edits
+        self._document.apply(paste_clips(self._document.design, self._document.view))
 
 
 def kind_choices(document: Document) -> list[QAction]:

@@ -12,19 +12,9 @@ from skinsource_gui.panels.clip_editor.tools import Pen
 
 
 @pytest.fixture
-def open_window(make_window):
-    """Each test has a window of its own."""
-    return make_window
-
-
-@pytest.fixture
-def studio(open_window, qtbot):
-    def make(*waveforms):
-        tracks = tuple(track(7 + k, waveform) for k, waveform in enumerate(waveforms))
-        window = open_window(Design(limb="synthetic-1", inputs=tracks))
-        window.activateWindow()
-        qtbot.waitUntil(window.isActiveWindow)
-        return window
+def studio(open_window):
+    def make(waveform):
+        return open_window(Design(limb="synthetic-1", inputs=(track(7, waveform),)))
 
     return make
 
@@ -38,22 +28,18 @@ def pen_buttons(window):
     return [button for button in draw_buttons if button.isVisible()]
 
 
-def test_the_inspector_of_a_drawn_waveform_leads_to_the_pen(studio):
+def test_the_inspector_of_a_drawn_waveform_leads_to_the_pen_and_so_does_the_action(studio, qtbot):
     window = studio(Drawn())
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
     (button,) = pen_buttons(window)
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
     editor = window.panel("clip_editor")
     assert editor.isVisible()
     assert pen_is_taken(window)
     assert editor.isAncestorOf(QApplication.focusWidget())
-
-
-def test_the_pen_is_taken_again_where_the_clip_is_large_already(studio):
-    window = studio(Drawn())
-    window.do("show_clip_editor")
-    assert not pen_is_taken(window)
+    editor.use("look")
     window.do("draw_clip")
-    assert window.panel("clip_editor").isVisible()
     assert pen_is_taken(window)
 
 

@@ -18,8 +18,8 @@ from PySide6.QtWidgets import (
 
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
-from skinsource_gui.panels.hand.layout import contrast
 from skinsource_gui.qt.theme import THEMES, current_theme
+from tests.gui.hand.bench import contrast
 
 SPEC = ChoiceSpec(label="Size", options=(("s", "Small"), ("m", "Medium"), ("l", "Large")))
 READABLE = 4.5

@@ -3,12 +3,9 @@
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
 
-from skinsource.design.design import MAX_INPUTS, Design, track
 from skinsource.design.view import View
 from skinsource_gui.fields.number_field import NumberField
-from skinsource_gui.panels.timeline.heads import InputRows
 from skinsource_gui.plots.plot import Plot
 from skinsource_gui.state.engine import Purpose
 
@@ -56,34 +53,6 @@ def test_escape_on_the_map_is_taken_back_by_ctrl_z_and_no_input_goes(window, set
     QTest.keyClick(window.panel("skin").map, KEY.Key_Z, CONTROL)
     assert window.document.view.outputs == View().outputs
     assert len(window.document.design.inputs) == 2
-
-
-def test_a_full_design_refuses_ctrl_d_with_a_sentence(open_window):
-    inputs = tuple(track(location=1, colour=k) for k in range(MAX_INPUTS))
-    window = open_window(Design(limb="synthetic-1", inputs=inputs))
-    window.do("duplicate_input")
-    QApplication.processEvents()
-    assert f"at most {MAX_INPUTS} inputs" in window.notice.text
-    assert len(window.document.design.inputs) == MAX_INPUTS
-
-
-def in_sight(window, id):
-    rows = window.panel("timeline").findChild(InputRows, "input_rows")
-    row = next(row for row in rows.rows if row.id == id)
-    return row.visibleRegion().boundingRect() == row.rect()
-
-
-def test_the_list_follows_what_is_selected_on_the_hand_and_duplicated_anywhere(open_window, qtbot):
-    inputs = tuple(track(location=1 + k % 20, colour=k) for k in range(20))
-    window = open_window(Design(limb="synthetic-1", inputs=inputs))
-    window.panel("hand").diagram.select_requested.emit(17)
-    assert window.document.view.selected_inputs == (18,)
-    qtbot.waitUntil(lambda: in_sight(window, 18))
-    window.panel("hand").diagram.select_requested.emit(1)
-    qtbot.waitUntil(lambda: in_sight(window, 2))
-    window.do("duplicate_input")
-    assert window.document.view.selected_inputs == (21,)
-    qtbot.waitUntil(lambda: in_sight(window, 21))
 
 
 def test_undo_while_a_number_is_dragged_takes_its_input_away_and_nothing_raises(window, settle):

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QAbstractButton, QTextBrowser, QWidget
 from skinsource_gui.fields.number_field import begins_typing, makes_step
 from skinsource_gui.panels.skin.scale import key_step_db
 from skinsource_gui.panels.skin.time import ScrubBar
-from skinsource_gui.panels.timeline.heads import ListKeys
 from skinsource_gui.qt.keys import KEYS, MOUSE, SHORTCUTS, key_text, meaning_of
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.playing import Transport
@@ -40,9 +39,6 @@ HELD = [
 
 def claims(place, parent):
     """What says of an event whether the widget takes it."""
-    if place == "inputs":
-        parent.kept = ListKeys(parent)
-        return parent.kept.claims
     if place == "number":
         return lambda event: makes_step(event) or begins_typing(event)
     if place == "colour_bar":

@@ -179,7 +179,7 @@ def test_a_late_clip_has_no_curve_that_it_does_not_play_and_one_that_was_moved_k
     panel = studio.look_at("timeline")
     studio.settled()
     clip = studio.document.design.inputs[0].clips[0].id
-    lanes = panel._table.lanes
+    lanes = panel.lanes
     assert clip in lanes.content.waveforms
     with held(studio):
         design = studio.document.design

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -76,15 +76,6 @@ def test_it_is_dragged_in_the_traces_and_stands_there_in_the_timeline(window, pl
     assert window.document.view.time_range_s is None
 
 
-def test_it_is_put_by_a_click_on_the_ruler_and_stands_there_in_the_traces(window, plot, lanes):
-    lanes.set_snaps(False)
-    at = QPoint(round(lanes.content.scale.x(0.8)), 5)
-    QTest.mouseClick(lanes.viewport(), LEFT, pos=at)
-    assert plot.playhead.time_s == pytest.approx(0.8, abs=0.005)
-    lines = [line.value() for line in plot.playhead._lines]
-    assert lines == [window.document.view.playhead_s]
-
-
 def test_escape_gives_up_a_drag_in_the_traces(window, plot, lanes):
     plot.setFocus()
     drag(plot, x_of(plot, 0.25), x_of(plot, 0.5), release=False)
@@ -103,14 +94,9 @@ def test_keys_move_it_by_steps_and_from_stop_to_stop(window, lanes, plot, where)
     place = lanes if where == "lanes" else plot
     place.setFocus()
     playheads_s = []
-    for key, held in (
-        (Qt.Key.Key_Right, ALT),
-        (Qt.Key.Key_Left, ALT | SHIFT),
-        (Qt.Key.Key_PageDown, NONE),
-        (Qt.Key.Key_PageDown, NONE),
-        (Qt.Key.Key_PageUp, NONE),
-        (Qt.Key.Key_PageUp, NONE),
-    ):
+    down, up = Qt.Key.Key_PageDown, Qt.Key.Key_PageUp
+    steps = [(Qt.Key.Key_Right, ALT), (Qt.Key.Key_Left, ALT | SHIFT)]
+    for key, held in (*steps, (down, NONE), (down, NONE), (up, NONE), (up, NONE)):
         QTest.keyClick(place, key, held)
         playheads_s.append(window.document.view.playhead_s)
     assert playheads_s == pytest.approx([0.251, 0.241, 0.3, 0.45, 0.3, 0.1], abs=1e-12)

@@ -48,7 +48,7 @@ def settle(window, qtbot):
 
 
 def content(window):
-    return window.panel("timeline")._table.lanes.content
+    return window.panel("timeline").lanes.content
 
 
 def test_the_others_are_shown_as_if_it_were_muted(window, design, settle):

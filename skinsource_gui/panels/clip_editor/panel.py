@@ -1,9 +1,9 @@
 """The panel of the selected clip, large, with its tools and its spectrum."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
@@ -69,69 +69,51 @@ class EditorBody(QWidget):
         self._layout.activate()
 
 
-class DragStart:
-    """Remembers the design and the view before a drag, so that it can be given up."""
-
-    def __init__(self) -> None:
-        self._gesture: int | None = None
-        self._before: Edit | None = None
-
-    def note(self, gesture: int | None, design: Design, view: View) -> None:
-        """Remember these, if they are edited first by the drag with this number; None: no drag."""
-        if gesture is not None and gesture != self._gesture:
-            self._gesture, self._before = gesture, Edit(label="", design=design, view=view)
-
-    def undo(self, gesture: int) -> Edit | None:
-        """Return the edit that gives up a drag; None where it has changed nothing."""
-        return self._before if gesture == self._gesture else None
-
-
-class ToolEdits(QObject):
+class ToolEdits:
     """Turns what a tool does into edits of the clip in the editor.
 
     Parameters
     ----------
     tool
         The tool, which emits ``cancelled`` with the number of a drag.
-    parent
-        The panel.
     """
 
-    edited = Signal(object, object)
-
-    def __init__(self, tool: Pen | EnvelopeTool | GlideTool, parent: QWidget) -> None:
-        super().__init__(parent)
-        self._design, self._view = Design(limb=""), View()
-        self._clip: Clip | None = None
-        self._rate_hz = facts_of("").sample_rate_hz
-        self._start = DragStart()
+    def __init__(self, tool: Pen | EnvelopeTool | GlideTool, panel: "ClipEditorPanel") -> None:
+        self._panel = panel
+        # The first edit of a drag was made of these.
+        self._gesture: int | None = None
+        self._before: Edit | None = None
         tool.cancelled.connect(self._give_up)
 
-    def show_state(self, design: Design, view: View, clip: Clip | None, rate_hz: float) -> None:
-        """Take over the clip in the editor, and the sample rate of what it plays."""
-        self._design, self._view, self._clip, self._rate_hz = design, view, clip, rate_hz
+    def forget(self) -> None:
+        """Forget what belongs to another clip."""
 
-    def _is_other(self, clip: Clip | None) -> bool:
-        """Return whether this is another clip than the one in the editor."""
-        return clip is None or self._clip is None or clip.id != self._clip.id
+    def _edit(self, gesture: int | None, edit: Callable[..., Edit | Refusal], *more: Any) -> None:
+        """Emit what an edit makes of the clip; remember what there was before a drag."""
+        design, view, clip = self._panel.design, self._panel.view, self._panel.clip
+        if clip is None:
+            return
+        if gesture is not None and gesture != self._gesture:
+            self._gesture, self._before = gesture, Edit(label="", design=design, view=view)
+        self._panel.edited.emit(edit(design, view, clip.id, *more), gesture)
 
     def _give_up(self, gesture: int) -> None:
-        before = self._start.undo(gesture)
-        if before is not None:
-            self.edited.emit(before, gesture)
+        if gesture == self._gesture:
+            self._panel.edited.emit(self._before, gesture)
 
 
 class PenEdits(ToolEdits):
     """Turns strokes into edits; asks once before a clip of another kind becomes samples."""
 
-    def __init__(self, parent: QWidget) -> None:
-        self.pen = Pen(parent)
-        super().__init__(self.pen, parent)
-        self._panel = parent
+    def __init__(self, panel: "ClipEditorPanel") -> None:
+        self.tool = Pen(panel)
+        super().__init__(self.tool, panel)
         # By identity: another design has clips of the same numbers.
         self._allowed: Waveform | None = None
-        self.pen.drawn.connect(self._draw)
-        self.pen.refused.connect(self._show_refusal)
+        self.tool.drawn.connect(self._draw)
+        self.tool.refused.connect(
+            lambda why: panel.edited.emit(Refusal(sentence=sentence(why)), None)
+        )
 
     def may_draw(self, clip: Clip) -> bool:
         """Return whether a clip can be drawn on without a question."""
@@ -154,20 +136,10 @@ class PenEdits(ToolEdits):
 
     def bound(self) -> None:
         """Remove what lies outside the measured band."""
-        if self._clip is not None:
-            outcome = edits.bound_clip(self._design, self._view, self._clip.id, self._rate_hz)
-            self.edited.emit(outcome, None)
+        self._edit(None, edits.bound_clip, self._panel.rate_hz)
 
     def _draw(self, samples: Floats, stroke: int) -> None:
-        if self._clip is None:
-            return
-        self._start.note(stroke, self._design, self._view)
-        id = self._clip.id
-        outcome = edits.draw_clip(self._design, self._view, id, samples, self._rate_hz)
-        self.edited.emit(outcome, stroke)
-
-    def _show_refusal(self, why: str) -> None:
-        self.edited.emit(Refusal(sentence=sentence(why)), None)
+        self._edit(stroke, edits.draw_clip, samples, self._panel.rate_hz)
 
 
 _PLACE = "clip_editor"
@@ -192,11 +164,15 @@ _TOOLS = (
 
 
 class EditorToolbar(QWidget):
-    """Buttons of the tools, of the band and of the zoom, and a text about the clip."""
+    """Buttons of the tools, of the band and of the zoom, and a text about the clip.
+
+    Attributes
+    ----------
+    bound, fit
+        The buttons that bound the clip to the band, and show all of it.
+    """
 
     tool_requested = Signal(str)
-    bound_requested = Signal()
-    everything_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -213,12 +189,10 @@ class EditorToolbar(QWidget):
             row.addWidget(button)
         self._tools["look"].setChecked(True)
         row.addSpacing(8)
-        self._bound, self._band_known = self._button("Bound to band", ""), False
-        self._bound.clicked.connect(lambda: self.bound_requested.emit())
-        row.addWidget(self._bound)
-        self._fit = self._button("Fit", f"See all of the clip ({key_text(_PLACE, 'whole')})")
-        self._fit.clicked.connect(lambda: self.everything_requested.emit())
-        row.addWidget(self._fit)
+        self.bound, self._band_known = self._button("Bound to band", ""), False
+        row.addWidget(self.bound)
+        self.fit = self._button("Fit", f"See all of the clip ({key_text(_PLACE, 'whole')})")
+        row.addWidget(self.fit)
         self._description = FittingLabel()
         self._description.setObjectName("clip_words")
         set_tone(self._description, "dim")
@@ -235,9 +209,9 @@ class EditorToolbar(QWidget):
         whole = f"{text} · {hint}" if hint else text
         self._description.show_phrases((whole, hint or text, text))
         show_tooltip(self._description, whole)
-        for button in (*self._tools.values(), self._fit):
+        for button in (*self._tools.values(), self.fit):
             button.setEnabled(enabled)
-        self._bound.setEnabled(enabled and self._band_known)
+        self.bound.setEnabled(enabled and self._band_known)
 
     def show_band(self, band_hz: tuple[float, float] | None) -> None:
         """Take over the band in which the limb was measured; None: it is not known.
@@ -250,7 +224,7 @@ class EditorToolbar(QWidget):
                 f"Take away what lies outside {band_hz[0]:g} to {band_hz[1]:g} Hz, where nothing "
                 "was measured; the waveform becomes samples"
             )
-        show_tooltip(self._bound, text)
+        show_tooltip(self.bound, text)
         self._band_known = band_hz is not None
 
     def offer_glide(self, offered: bool) -> None:
@@ -280,9 +254,9 @@ STEPS: dict[Column, float] = {"frequency": 1.0, "amplitude": 0.01}
 class PointEdits(ToolEdits):
     """Turns what a tool and keys do to points of a curve into edits of the clip."""
 
-    def __init__(self, tool: EnvelopeTool | GlideTool, parent: QWidget) -> None:
-        super().__init__(tool, parent)
-        self._burst = Burst(self)
+    def __init__(self, tool: EnvelopeTool | GlideTool, panel: "ClipEditorPanel") -> None:
+        super().__init__(tool, panel)
+        self._burst = Burst(panel)
 
     def _press(
         self,
@@ -314,18 +288,16 @@ class PointEdits(ToolEdits):
 class GlideEdits(PointEdits):
     """Turns changes of the two curves into edits of the glide that a clip plays."""
 
-    def __init__(self, parent: QWidget) -> None:
-        self.tool = GlideTool(self._points, parent)
-        super().__init__(self.tool, parent)
+    def __init__(self, panel: "ClipEditorPanel") -> None:
+        self.tool = GlideTool(self._points, panel)
+        super().__init__(self.tool, panel)
         # What was drawn: points that bend nothing yet are not part of a glide.
         self._drawn: dict[Column, Points] = {}
         self.tool.changed.connect(self._change)
 
-    def show_state(self, design: Design, view: View, clip: Clip | None, rate_hz: float) -> None:
-        if self._is_other(clip):
-            self.tool.forget()
-            self._drawn = {}
-        super().show_state(design, view, clip, rate_hz)
+    def forget(self) -> None:
+        self.tool.forget()
+        self._drawn = {}
 
     def can_edit(self, clip: Clip | None) -> bool:
         """Return whether a clip plays a glide."""
@@ -336,13 +308,14 @@ class GlideEdits(PointEdits):
         active = self.tool.active
         if command == "flip":
             self.tool.flip()
-        elif self._clip is not None:
-            end_s = self._clip.waveform.duration_s
+        elif self._panel.clip is not None:
+            end_s = self._panel.clip.waveform.duration_s
             tool, points = self.tool.tools[active], self._points(active)
             self._press(tool, command, event, points, end_s, STEPS[active])
 
     def _points(self, column: Column) -> Points:
-        waveform = None if self._clip is None else self._clip.waveform
+        clip = self._panel.clip
+        waveform = None if clip is None else clip.waveform
         if not isinstance(waveform, Glide):
             return ((0.0, 0.0, "straight"),)
         curve, drawn = curve_of(waveform.points, column), self._drawn.get(column, ())
@@ -351,23 +324,16 @@ class GlideEdits(PointEdits):
         return tuple((x, y, "straight") for x, y in curve)
 
     def _change(self, column: Column, points: Points, gesture: int | None) -> None:
-        if self._clip is None:
-            return
-        self._start.note(gesture, self._design, self._view)
         # Half the sample rate itself cannot be played.
-        most = 1.0 if column == "amplitude" else 0.4999 * self._rate_hz
+        most = 1.0 if column == "amplitude" else 0.4999 * self._panel.rate_hz
         rounded: Points = tuple(
             (round(x, 12), round(min(y, most), 12), kind) for x, y, kind in points
         )
         self._drawn[column] = rounded
-        outcome = edits.set_glide_curve(
-            self._design, self._view, self._clip.id, column, _curve(rounded)
-        )
-        self.edited.emit(outcome, gesture)
+        self._edit(gesture, edits.set_glide_curve, column, _curve(rounded))
 
     def _give_up(self, gesture: int) -> None:
-        if self._start.undo(gesture) is not None:
-            self._drawn = {}
+        self._drawn = {}
         super()._give_up(gesture)
 
 
@@ -378,32 +344,26 @@ def _curve(points: Points) -> Curve:
 class EnvelopeEdits(PointEdits):
     """Turns changes of the points into edits of the clip's envelope."""
 
-    def __init__(self, parent: QWidget) -> None:
-        self.tool = EnvelopeTool(self._points, parent)
-        super().__init__(self.tool, parent)
-        self.tool.changed.connect(self._change)
+    def __init__(self, panel: "ClipEditorPanel") -> None:
+        self.tool = EnvelopeTool(self._points, panel)
+        super().__init__(self.tool, panel)
+        self.tool.changed.connect(
+            lambda points, gesture: self._edit(gesture, edits.set_envelope, points)
+        )
 
-    def show_state(self, design: Design, view: View, clip: Clip | None, rate_hz: float) -> None:
-        if self._is_other(clip):
-            self.tool.chosen = ()
-        super().show_state(design, view, clip, rate_hz)
+    def forget(self) -> None:
+        self.tool.chosen = ()
 
     def press(self, command: str, event: QKeyEvent) -> None:
         """Do what a command does to the points."""
-        if self._clip is not None:
-            end_s = self._clip.duration_s
+        if self._panel.clip is not None:
+            end_s = self._panel.clip.duration_s
             self._press(self.tool, command, event, self._points(), end_s, STEPS["amplitude"])
 
     def _points(self) -> Points:
-        effects = () if self._clip is None else self._clip.effects
+        effects = () if self._panel.clip is None else self._panel.clip.effects
         envelopes = [effect for effect in effects if isinstance(effect, Envelope)]
         return envelopes[-1].points if envelopes else UNCHANGED
-
-    def _change(self, points: Points, gesture: int | None) -> None:
-        if self._clip is not None:
-            self._start.note(gesture, self._design, self._view)
-            outcome = edits.set_envelope(self._design, self._view, self._clip.id, points)
-            self.edited.emit(outcome, gesture)
 
 
 _NO_GLIDE = Refusal(sentence="The clip does not play a glide; choose that waveform first.")
@@ -411,25 +371,32 @@ _ZOOM = 1.5
 
 
 class ClipEditorPanel(Panel):
-    """The waveform of the selected clip, large, with tools, and its spectrum."""
+    """The waveform of the selected clip, large, with tools, and its spectrum.
+
+    Attributes
+    ----------
+    design, view
+        What there is now.
+    rate_hz
+        Sample rate of what clips play.
+    """
 
     title = "Clip"
     name = "clip_editor"
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._design, self._view = Design(limb=""), View()
-        self._rate_hz = facts_of("").sample_rate_hz
+        self.design, self.view = Design(limb=""), View()
+        self.rate_hz = facts_of("").sample_rate_hz
         self._waveforms: Mapping[int, Floats] = {}
         self._raw: tuple[Any, float, Floats | None] = (None, 0.0, None)
-        self._described: tuple[Clip | None, Design | None, str] = (None, None, "")
         self._unplayable: frozenset[int] = frozenset()
-        self._pen_edits, self._envelope = PenEdits(self), EnvelopeEdits(self)
-        self._view_tool, self._pen = ViewTool(self), self._pen_edits.pen
+        self._view_tool = ViewTool(self)
+        self._pen, self._envelope = PenEdits(self), EnvelopeEdits(self)
         self._glide = GlideEdits(self)
         self._tools: dict[str, Tool] = {
             "look": self._view_tool,
-            "pen": self._pen,
+            "pen": self._pen.tool,
             "envelope": self._envelope.tool,
             "glide": self._glide.tool,
         }
@@ -457,10 +424,10 @@ class ClipEditorPanel(Panel):
     @property
     def clip(self) -> Clip | None:
         """The clip that was selected last, or the first one of the selected track."""
-        return leading_clip(self._design, self._view)
+        return leading_clip(self.design, self.view)
 
     def show_state(self, design: Design, view: View) -> None:
-        self._design, self._view = design, view
+        self.design, self.view = design, view
         self._show()
 
     def show_in_sight(self, names: frozenset[str]) -> None:
@@ -469,7 +436,7 @@ class ClipEditorPanel(Panel):
             self._show()
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        self._rate_hz = results["sample_rate_hz"]
+        self.rate_hz = results["sample_rate_hz"]
         self._waveforms = waveforms_of(results)
         self._show()
 
@@ -489,10 +456,10 @@ class ClipEditorPanel(Panel):
     def use(self, tool: str) -> None:
         """Use a tool; ask once whether a clip of another kind may become samples."""
         clip = self.clip
-        if tool == "pen" and clip is not None and not self._pen_edits.may_draw(clip):
+        if tool == "pen" and clip is not None and not self._pen.may_draw(clip):
             # During the question no other tool is active.
             self._switch_to("look")
-            tool = "pen" if self._pen_edits.is_allowed(clip) else "look"
+            tool = "pen" if self._pen.is_allowed(clip) else "look"
         if tool == "glide" and not self._glide.can_edit(clip):
             self.edited.emit(_NO_GLIDE, None)
             tool = "look"
@@ -508,25 +475,25 @@ class ClipEditorPanel(Panel):
 
     def _connect(self) -> None:
         self._toolbar.tool_requested.connect(self.use)
-        self._toolbar.bound_requested.connect(self._pen_edits.bound)
-        self._toolbar.everything_requested.connect(self._canvas.visible_clip.show_everything)
+        self._toolbar.bound.clicked.connect(self._pen.bound)
+        self._toolbar.fit.clicked.connect(self._canvas.show_everything)
         self._canvas.key_pressed.connect(self._press)
-        self._view_tool.pan_requested.connect(self._canvas.visible_clip.pan)
-        for tool_edits in (self._pen_edits, self._envelope, self._glide):
-            tool_edits.edited.connect(self.edited)
+        self._view_tool.pan_requested.connect(self._canvas.pan)
 
     def _show(self) -> None:
         clip = self.clip
-        for tool_edits in (self._pen_edits, self._envelope, self._glide):
-            tool_edits.show_state(self._design, self._view, clip, self._rate_hz)
+        shown = self._canvas.content
+        if clip is None or shown is None or clip.id != shown.clip.id:
+            self._envelope.forget()
+            self._glide.forget()
         self._stack.setCurrentIndex(0 if clip is None else 1)
         if clip is None:
-            inputs = bool(self._design and self._design.inputs)
+            inputs = bool(self.design and self.design.inputs)
             self._empty.setText(how_to_select_clip(self.in_sight, inputs=inputs))
-            self._canvas.show_clip(None, None, None, self._rate_hz)
+            self._canvas.show_clip(None, None, None, self.rate_hz)
             return
         lost_glide = self._canvas.tool is self._glide.tool and not self._glide.can_edit(clip)
-        if lost_glide or (self._canvas.tool is self._pen and not self._pen_edits.may_draw(clip)):
+        if lost_glide or (self._canvas.tool is self._pen.tool and not self._pen.may_draw(clip)):
             # The question was about another clip, or another waveform.
             self.use("look")
         self._toolbar.offer_glide(self._glide.can_edit(clip))
@@ -534,31 +501,28 @@ class ClipEditorPanel(Panel):
         played = self._waveforms.get(clip.id)
         if not clip.effects and raw is not None:
             played = raw
-        self._canvas.show_clip(clip, raw, played, self._rate_hz)
-        band_hz = facts_of(self._design.limb).band_hz
-        self._spectrum.show_samples(played, self._rate_hz, band_hz)
+        self._canvas.show_clip(clip, raw, played, self.rate_hz)
+        band_hz = facts_of(self.design.limb).band_hz
+        self._spectrum.show_samples(played, self.rate_hz, band_hz)
         self._toolbar.show_band(band_hz)
         self._show_text(clip)
 
     def _show_text(self, clip: Clip) -> None:
-        described, design, text = self._described
-        if described is not clip or design is not self._design:
-            text = _description(clip, self._design)
-            self._described = clip, self._design, text
-        if self._view.selected_input in self._unplayable and not clip.muted:
+        text = _description(clip, self.design)
+        if self.view.selected_input in self._unplayable and not clip.muted:
             text = f"{text} · cannot be played"
         self._toolbar.show_text(text, enabled=True, hint=self._canvas.tool.hint)
 
     def _sampled(self, clip: Clip) -> Floats | None:
         """Return what the clip plays before its effects; it is sampled once for each waveform."""
         waveform, rate_hz, samples = self._raw
-        if waveform is not clip.waveform or rate_hz != self._rate_hz:
+        if waveform is not clip.waveform or rate_hz != self.rate_hz:
             try:
-                samples = clip.waveform.samples(self._rate_hz)
+                samples = clip.waveform.samples(self.rate_hz)
             except InvalidInputError:
                 # Other panels show the reason.
                 samples = None
-            self._raw = (clip.waveform, self._rate_hz, samples)
+            self._raw = (clip.waveform, self.rate_hz, samples)
         return samples
 
     def _press(self, event: QKeyEvent) -> None:
@@ -566,9 +530,9 @@ class ClipEditorPanel(Panel):
         if command in self._tools:
             self.use(command)
         elif command in ("zoom_in", "zoom_out"):
-            self._canvas.visible_clip.zoom(_ZOOM if command == "zoom_in" else 1 / _ZOOM)
+            self._canvas.zoom(_ZOOM if command == "zoom_in" else 1 / _ZOOM)
         elif command == "whole":
-            self._canvas.visible_clip.show_everything()
+            self._canvas.show_everything()
         elif command == "give_up":
             self.use("look")
         else:

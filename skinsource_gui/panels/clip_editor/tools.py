@@ -1,7 +1,7 @@
 """The tools of the clip editor: a pointer that reads values, a pen, and curves of breakpoints."""
 
 from collections.abc import Callable, Collection
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, replace
 from functools import lru_cache, partial
 from itertools import product
 from math import hypot
@@ -385,7 +385,7 @@ class Pen(Tool):
     def _place(self, content: EditorContent, at: QPointF) -> tuple[float, float]:
         time_s, value = content.place(at)
         # Up to 1, or up to the largest visible value of a louder clip.
-        full = max(_FULL, content.reach) if content.reach > REACH else _FULL
+        full = max(_FULL, content.high) if content.high > REACH else _FULL
         return max(time_s, 0.0), min(max(value, -full), full)
 
 
@@ -632,25 +632,6 @@ STYLES: dict[Column, CurveStyle] = {
 _ROW_PX = 34.0
 
 
-class FrequencyContent(EditorContent):
-    """A clip with frequency as vertical axis: 0 at the foot, half the sample rate at the top."""
-
-    def y(self, value: float) -> float:
-        return self.area.bottom() - value / self.top_hz * self.area.height()
-
-    def curve(self, times_s: Floats, values: Floats) -> tuple[Floats, Floats]:
-        x, _ = super().curve(times_s, values)
-        return x, self.area.bottom() - values / self.top_hz * self.area.height()
-
-    def value(self, y_px: float) -> float:
-        return (self.area.bottom() - y_px) / self.area.height() * self.top_hz
-
-    @property
-    def top_hz(self) -> float:
-        """The frequency at the upper edge."""
-        return self.sample_rate_hz / 2.0
-
-
 class GlideTool(Tool):
     """Edits both curves of a glide; keys go to the one that was touched last.
 
@@ -759,9 +740,7 @@ class GlideTool(Tool):
 
 
 def of_column(content: EditorContent, column: Column) -> EditorContent:
-    """Return the content whose vertical axis is that of a curve."""
+    """Return the content whose vertical axis is that of a curve: 0 to half the sample rate, Hz."""
     if column == "amplitude":
         return content
-    return FrequencyContent(
-        **{field.name: getattr(content, field.name) for field in fields(content)}
-    )
+    return replace(content, low=0.0, high=content.sample_rate_hz / 2.0)

@@ -1,7 +1,6 @@
 """The canvas of the clip editor: one clip with its axes, and the spectrum below it."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -16,7 +15,6 @@ from PySide6.QtGui import (
     QKeyEvent,
     QMouseEvent,
     QPainter,
-    QPaintEvent,
     QPen,
     QWheelEvent,
 )
@@ -25,21 +23,24 @@ from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import Band
 from skinsource.design.clips import Clip
-from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.spectra import share_outside_band
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.plots.curves import visible_course
 from skinsource_gui.plots.plot import Canvas
-from skinsource_gui.plots.ranges import Points, columns_of, linear_ticks, visible_points, wave_of
+from skinsource_gui.plots.preview import SpectrumPreview
+from skinsource_gui.plots.ranges import Points, columns_of, linear_ticks, wave_of
 from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_wheel, within, zoomed
 from skinsource_gui.qt.buttons import passing_menu
 from skinsource_gui.qt.frames import CachedPicture, Same
+from skinsource_gui.qt.labels import FittingLabel
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import (
     Theme,
     current_theme,
     dots_in_px,
     is_on_paper,
     scaled,
+    set_tone,
     tabular,
     thin_pen,
 )
@@ -65,25 +66,31 @@ class EditorContent:
         From the clip's own time to pixels.
     area
         Where the curve is, px.
-    reach
-        The largest visible value.
+    low, high
+        The values at its lower and its upper edge.
     """
 
     clip: Clip
     drawn: Floats | None
     played: Floats | None
     sample_rate_hz: float
-    scale: TimeScale
-    area: QRectF
-    reach: float = REACH
+    scale: TimeScale = field(default_factory=lambda: TimeScale(shown_s=(0.0, 1.0)))
+    area: QRectF = field(default_factory=QRectF)
+    low: float = -REACH
+    high: float = REACH
+
+    @property
+    def px_per_value(self) -> float:
+        """Height of a value of 1, px."""
+        return self.area.height() / (self.high - self.low)
 
     def y(self, value: float) -> float:
         """Return the height of a value, px."""
-        return self.area.center().y() - value / self.reach * self.area.height() / 2
+        return self.area.bottom() - (value - self.low) * self.px_per_value
 
     def value(self, y_px: float) -> float:
         """Return the value at a height."""
-        return (self.area.center().y() - y_px) * 2 / self.area.height() * self.reach
+        return self.low + (self.area.bottom() - y_px) / self.px_per_value
 
     def at(self, time_s: float, value: float) -> QPointF:
         """Return the place of a value at a time, px."""
@@ -91,9 +98,8 @@ class EditorContent:
 
     def curve(self, times_s: Floats, values: Floats) -> tuple[Floats, Floats]:
         """Return the places of values at times, (n,) each, px."""
-        scale, area = self.scale, self.area
-        x = scale.left_px + (times_s - scale.shown_s[0]) * scale.px_per_s
-        return x, area.center().y() - values / self.reach * (area.height() / 2)
+        x = self.scale.left_px + (times_s - self.scale.shown_s[0]) * self.scale.px_per_s
+        return x, self.area.bottom() - (values - self.low) * self.px_per_value
 
     def place(self, at: QPointF) -> tuple[float, float]:
         """Return time and value at a place."""
@@ -219,7 +225,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
         played, ground = content.played, QColor(current_theme().base)
         drawn = content.drawn
         n_played = None if played is None else played.size
-        place = (current_theme().name, content.scale, content.area, content.reach)
+        place = (current_theme().name, content.scale, content.area, content.high)
         # Samples are compared by identity: an array is never changed in place.
         background_key = (*place, content.sample_rate_hz, n_played, Same(content.drawn))
         is_other = content.drawn is not None and content.drawn is not played
@@ -253,7 +259,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
     def _paint_axes(self, painter: QPainter, content: EditorContent) -> None:
         area, metrics = content.area, QFontMetricsF(self._font)
         grid, text_colour = QPen(QColor(current_theme().grid), 1), QColor(current_theme().dim)
-        values = linear_ticks(-content.reach, content.reach, max(area.height() / _ROW_PX, 2))
+        values = linear_ticks(content.low, content.high, max(area.height() / _ROW_PX, 2))
         for tick in values:
             y = content.y(tick.value)
             painter.setPen(grid)
@@ -309,7 +315,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
         wave, across = wave_of(time_s, samples[np.newaxis]), max(round(width_px * ratio), 1)
         columns = columns_of(time_s, content.scale.shown_s, across)
         curve = visible_course(columns, samples[np.newaxis], wave, width_px, ratio)
-        x, y = _places(content, curve.line)
+        x, y = content.curve(curve.line.x, curve.line.y[0])
         painter.setOpacity(opacity)
         sharp = curve.line.strokes and not is_on_paper()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, not sharp)
@@ -319,130 +325,20 @@ class EditorItem(pyqtgraph.GraphicsObject):
         else:
             painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
         if not curve.line.strokes and content.scale.px_per_s / content.sample_rate_hz >= _DOTS_PX:
-            self._paint_samples(painter, *_places(content, columns.points(samples[np.newaxis])))
+            self._paint_samples(painter, content, columns.points(samples[np.newaxis]))
         painter.setOpacity(1.0)
 
-    def _paint_samples(self, painter: QPainter, x: Floats, y: Floats) -> None:
+    def _paint_samples(self, painter: QPainter, content: EditorContent, points: Points) -> None:
         """Mark each sample."""
         painter.setBrush(painter.pen().color())
-        for place in zip(x, y, strict=True):
+        for place in zip(*content.curve(points.x, points.y[0]), strict=True):
             painter.drawEllipse(QPointF(*place), 2, 2)
         painter.setBrush(Qt.BrushStyle.NoBrush)
-
-
-def _places(content: EditorContent, points: Points) -> tuple[Floats, Floats]:
-    """Return the places of points of the curve, px."""
-    scale, area = content.scale, content.area
-    x = scale.left_px + (points.x - scale.shown_s[0]) * scale.px_per_s
-    return x, area.center().y() - points.y[0] / content.reach * area.height() / 2
 
 
 # Behind the end there is room to draw on.
 _BEHIND = 0.06
 _LEAST_S = 0.01
-
-
-class VisibleClip(QObject):
-    """A clip, and which part of its time and of its values is visible.
-
-    Parameters
-    ----------
-    content
-        Returns what the editor shows now.
-    """
-
-    #: Another part is visible.
-    changed = Signal()
-
-    def __init__(self, content: Callable[[], EditorContent | None], parent: QObject) -> None:
-        super().__init__(parent)
-        self._content = content
-        self._clip: Clip | None = None
-        self._drawn: Floats | None = None
-        self._played: Floats | None = None
-        self._rate_hz = facts_of("").sample_rate_hz
-        self._shown_s: Range | None = None
-        self._held: tuple[Range, float] | None = None
-
-    def show(
-        self, clip: Clip | None, drawn: Floats | None, played: Floats | None, rate_hz: float
-    ) -> None:
-        """Take over a clip, all of which is seen if it is another one."""
-        if clip is None or self._clip is None or clip.id != self._clip.id:
-            self._shown_s = None
-        self._clip, self._drawn, self._played, self._rate_hz = clip, drawn, played, rate_hz
-
-    @property
-    def is_held(self) -> bool:
-        """Whether it stays."""
-        return self._held is not None
-
-    def hold(self, content: EditorContent) -> None:
-        """Keep the visible part during a drag, however long or loud the clip becomes."""
-        self._held = (content.scale.shown_s, content.reach)
-
-    def release(self) -> None:
-        """End what `hold` began."""
-        self._held = None
-
-    def pan(self, by_s: float) -> None:
-        """See what lies so much later; what is held, too, goes along with what drags it."""
-        content = self._content()
-        if content is None:
-            return
-        shown_s = panned(content.scale.shown_s, by_s, self._whole_s)
-        if self._held is not None:
-            self._held = (shown_s or self._whole_s, content.reach)
-        self._show_part(shown_s)
-
-    def zoom(self, factor: float) -> None:
-        """See so many times less, around the middle."""
-        content = self._content()
-        if content is not None:
-            shown = content.scale.shown_s
-            self._show_part(zoomed(shown, sum(shown) / 2, factor, self._whole_s))
-
-    def follow_wheel(self, event: QWheelEvent) -> None:
-        """Follow the wheel."""
-        content = self._content()
-        if content is not None:
-            self._show_part(range_by_wheel(event, content.scale, self._whole_s))
-
-    def show_everything(self) -> None:
-        """See all of the clip."""
-        self._show_part(None)
-
-    def content_in(self, area: QRectF) -> EditorContent | None:
-        """Return what the editor shows, with the curve in that area; None: there is no clip."""
-        if self._clip is None:
-            return None
-        shown_s = self._whole_s
-        if self._shown_s is not None:
-            shown_s = within(self._shown_s, shown_s) or shown_s
-        if self._held is not None:
-            shown_s, reach = self._held
-        else:
-            reach = reach_of(self._drawn, self._played)
-        width = max(area.width(), 1.0)
-        return EditorContent(
-            clip=self._clip,
-            drawn=self._drawn,
-            played=self._played,
-            sample_rate_hz=self._rate_hz,
-            scale=TimeScale(shown_s=shown_s, left_px=area.left(), width_px=width),
-            area=area,
-            reach=reach,
-        )
-
-    @property
-    def _whole_s(self) -> Range:
-        counts = [samples.size for samples in (self._drawn, self._played) if samples is not None]
-        length = max(max(counts, default=0) / self._rate_hz, _LEAST_S)
-        return (0.0, length * (1 + _BEHIND))
-
-    def _show_part(self, shown_s: Range | None) -> None:
-        self._shown_s = shown_s
-        self.changed.emit()
 
 
 _TEXT = 0.9
@@ -456,8 +352,6 @@ class EditorView(Canvas):
     ----------
     item
         The layer that is painted.
-    visible_clip
-        The clip, and which part of it is shown.
     content
         What is shown; None where there is no clip.
     tool
@@ -479,15 +373,29 @@ class EditorView(Canvas):
         self.addItem(self.item)
         self.tool = tool
         self.content: EditorContent | None = None
-        self.visible_clip = VisibleClip(lambda: self.content, self)
-        self.visible_clip.changed.connect(self.lay_out)
+        # The visible part of the time; None: all of the clip.
+        self._shown_s: Range | None = None
+        # Whether it stays during a drag, with the height of the values.
+        self._held = False
         self.update_style()
 
     def show_clip(
         self, clip: Clip | None, drawn: Floats | None, played: Floats | None, rate_hz: float
     ) -> None:
         """Show a clip: its samples before its effects, and after them, (n_times,)."""
-        self.visible_clip.show(clip, drawn, played, rate_hz)
+        before = self.content
+        if clip is None or before is None or clip.id != before.clip.id:
+            self._shown_s = None
+        if clip is None:
+            self.content = None
+        elif before is None:
+            self.content = EditorContent(
+                clip=clip, drawn=drawn, played=played, sample_rate_hz=rate_hz
+            )
+        else:
+            self.content = replace(
+                before, clip=clip, drawn=drawn, played=played, sample_rate_hz=rate_hz
+            )
         self.lay_out()
 
     def use(self, tool: Tool) -> None:
@@ -497,6 +405,28 @@ class EditorView(Canvas):
         self.viewport().setCursor(tool.cursor)
         self.lay_out()
 
+    def pan(self, by_s: float) -> None:
+        """See what lies so much later; what is held, too, goes along with what drags it."""
+        content = self.content
+        if content is not None:
+            whole_s = self._whole_s(content)
+            shown_s = panned(content.scale.shown_s, by_s, whole_s)
+            self.content = replace(
+                content, scale=replace(content.scale, shown_s=shown_s or whole_s)
+            )
+            self._show_part(shown_s)
+
+    def zoom(self, factor: float) -> None:
+        """See so many times less, around the middle."""
+        if self.content is not None:
+            shown = self.content.scale.shown_s
+            whole_s = self._whole_s(self.content)
+            self._show_part(zoomed(shown, sum(shown) / 2, factor, whole_s))
+
+    def show_everything(self) -> None:
+        """See all of the clip."""
+        self._show_part(None)
+
     def update_style(self) -> None:
         super().update_style()
         self.item.show_font(scaled(tabular(self.font()), _TEXT))
@@ -504,20 +434,17 @@ class EditorView(Canvas):
     def cancel(self) -> bool:
         """Cancel what the tool has begun; return whether anything had."""
         cancelled = self.tool.cancel()
-        self.visible_clip.release()
-        self.lay_out()
+        self._release()
         return cancelled
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
-        content = self.content
         event.accept()
-        if content is None:
-            return
-        # Nothing moves under the pen, however long or loud the clip becomes.
-        self.visible_clip.hold(content)
-        self.tool.press(content, event.position(), event.button(), event.modifiers())
-        self.lay_out()
+        if self.content is not None:
+            # Nothing moves under the pen, however long or loud the clip becomes.
+            self._held = True
+            self.tool.press(self.content, event.position(), event.button(), event.modifiers())
+            self.lay_out()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         event.accept()
@@ -529,8 +456,7 @@ class EditorView(Canvas):
         event.accept()
         if self.content is not None:
             self.tool.release(self.content)
-        self.visible_clip.release()
-        self.lay_out()
+        self._release()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         event.accept()
@@ -550,13 +476,14 @@ class EditorView(Canvas):
             menu.deleteLater()
             return
         # The menu takes the release of the button.
-        self.visible_clip.release()
-        self.lay_out()
+        self._release()
         menu.popup(event.globalPos())
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.accept()
-        self.visible_clip.follow_wheel(event)
+        if self.content is not None:
+            whole_s = self._whole_s(self.content)
+            self._show_part(range_by_wheel(event, self.content.scale, whole_s))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self.cancel():
@@ -566,61 +493,62 @@ class EditorView(Canvas):
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
-        if self.content is not None and not self.visible_clip.is_held:
+        if self.content is not None and not self._held:
             self.tool.move(self.content, QPointF(-1, -1), Qt.KeyboardModifier.NoModifier)
             self.item.update()
 
     def lay_out(self) -> None:
-        whole = QRectF(self.rect())
-        self.content = self.visible_clip.content_in(
-            whole.adjusted(_LEFT_PX, _TOP_PX, -_RIGHT_PX, -_BOTTOM_PX)
-        )
-        self.item.show_content(self.content, self.tool, whole)
+        room, content = QRectF(self.rect()), self.content
+        if content is not None:
+            area = room.adjusted(_LEFT_PX, _TOP_PX, -_RIGHT_PX, -_BOTTOM_PX)
+            shown_s, high = content.scale.shown_s, content.high
+            if not self._held:
+                shown_s, high = self._whole_s(content), reach_of(content.drawn, content.played)
+                if self._shown_s is not None:
+                    shown_s = within(self._shown_s, shown_s) or shown_s
+            scale = TimeScale(shown_s=shown_s, left_px=area.left(), width_px=max(area.width(), 1.0))
+            self.content = replace(content, area=area, scale=scale, low=-high, high=high)
+        self.item.show_content(self.content, self.tool, room)
+
+    def _whole_s(self, content: EditorContent) -> Range:
+        signals = (content.drawn, content.played)
+        counts = [samples.size for samples in signals if samples is not None]
+        length = max(max(counts, default=0) / content.sample_rate_hz, _LEAST_S)
+        return (0.0, length * (1 + _BEHIND))
+
+    def _show_part(self, shown_s: Range | None) -> None:
+        self._shown_s = shown_s
+        self.lay_out()
+
+    def _release(self) -> None:
+        """Let the visible part follow the clip again."""
+        self._held = False
+        self.lay_out()
 
 
-_STRIP_LEFT_PX, _STRIP_RIGHT_PX, _STRIP_BOTTOM_PX = 40, 10, 18
-_SPAN_DB = 60.0
-_STRIP_TICK_PX = 64.0
 # Above this share a designer has to know: the actuator, or the skin model, sees it.
 _NOTEWORTHY = 0.01
 
 
-def spectrum_db(samples: Floats, sample_rate_hz: float) -> tuple[Floats, Floats]:
-    """Return frequencies in Hz, and magnitude in dB below the largest, (n_frequencies,) each."""
-    # Of numpy, which is imported before the window is painted.
-    n = 1 << (max(2 * samples.size, 512) - 1).bit_length()
-    peak = float(np.abs(samples).max(initial=0.0))
-    spectrum = np.abs(np.fft.rfft(samples / peak if peak > 0 else samples, n))
-    largest = float(spectrum.max(initial=0.0))
-    floor = largest * 1e-10
-    levels = 20 * np.log10(np.maximum(spectrum, floor) / largest) if largest > 0 else spectrum - 1e3
-    return np.arange(spectrum.size) * sample_rate_hz / n, levels
-
-
 class SpectrumStrip(QWidget):
-    """Magnitude over frequency, and how much of the energy lies outside the band.
+    """The spectrum of a clip, and how much of its energy lies outside the measured band.
 
     Attributes
     ----------
     outside
-        Share of the energy outside the measured band, from 0 to 1.
+        Share of the energy outside the band, from 0 to 1.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("clip_spectrum")
-        self.setAccessibleName("Spectrum of the clip")
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self._preview, self._label = SpectrumPreview(), FittingLabel()
+        self._preview.setAccessibleName("Spectrum of the clip")
         self.setMinimumHeight(78)
-        # All of it is painted: nothing behind needs to be.
-        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
-        self._axes = CachedPicture()
-        self._frequency_hz: Floats | None = None
-        self._levels_db: Floats | None = None
+        self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        in_column(self._label, (self._preview, 1), of=self, margins=0, gap_px=0)
         self.outside = 0.0
-        self._samples: Floats | None = None
-        self._rate_hz = 0.0
-        self._band_hz: Band | None = None
+        self._shown: tuple[object, ...] = ()
 
     def sizeHint(self) -> QSize:
         return QSize(200, 106)
@@ -632,101 +560,20 @@ class SpectrumStrip(QWidget):
 
         Where the band of the limb is not known, ``band_hz`` is None and there is no share.
         """
-        shown = sample_rate_hz, band_hz
-        if samples is self._samples and shown == (self._rate_hz, self._band_hz):
+        shown = Same(samples), sample_rate_hz, band_hz
+        if shown == self._shown:
             return
-        self._samples, self._rate_hz, self.outside = samples, sample_rate_hz, 0.0
-        self._band_hz = band_hz
-        if samples is None or not samples.size:
-            self._frequency_hz = self._levels_db = None
-        else:
-            if band_hz is not None:
+        self._shown, self.outside = shown, 0.0
+        text = "In which band this limb was measured is not known"
+        if samples is not None and not samples.size:
+            samples = None
+        if band_hz is not None:
+            if samples is not None:
                 self.outside = share_outside_band(samples, sample_rate_hz, band_hz)
-            self._frequency_hz, self._levels_db = spectrum_db(samples, sample_rate_hz)
-        show_tooltip(self, self.text)
-        self.update()
-
-    @property
-    def text(self) -> str:
-        """Text on how much of the energy lies outside the band."""
-        if self._band_hz is None:
-            return "In which band this limb was measured is not known"
-        low, high = self._band_hz
-        share = 100 * self.outside
-        number = "0" if share == 0 else "< 0.1" if share < 0.1 else f"{share:.3g}"
-        return f"{number} % of the energy outside {low:g} to {high:g} Hz"
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setFont(scaled(tabular(self.font()), _TEXT))
-        # The text is above the curve, where both can be read.
-        top = painter.fontMetrics().height() + 3
-        area = QRectF(self.rect()).adjusted(
-            _STRIP_LEFT_PX, top, -_STRIP_RIGHT_PX, -_STRIP_BOTTOM_PX
-        )
-        ground = QColor(current_theme().window)
-        if self._frequency_hz is None or self._levels_db is None:
-            painter.fillRect(self.rect(), ground)
-            painter.fillRect(area, QColor(current_theme().base))
-            return
-        highest = float(self._frequency_hz[-1])
-
-        def paint_axes(on_image: QPainter) -> None:
-            on_image.fillRect(area, QColor(current_theme().base))
-            self._paint_band(on_image, area, highest)
-            self._paint_axes(on_image, area, highest)
-
-        key = (current_theme().name, highest, self._band_hz)
-        self._axes.paint(painter, QRectF(self.rect()), key, paint_axes, ground)
-        columns = max(int(area.width() * dots_in_px(painter)), 1)
-        points = visible_points(
-            self._frequency_hz, self._levels_db[np.newaxis], (0.0, highest), columns
-        )
-        x = area.left() + points.x / highest * area.width()
-        y = area.top() - np.maximum(points.y[0], -_SPAN_DB) / _SPAN_DB * area.height()
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(thin_pen(QColor(current_theme().accent)))
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
-        painter.setPen(QPen(QColor(current_theme().border), 1))
-        painter.drawRect(area)
-        self._write_text(painter, area)
-
-    def _paint_band(self, painter: QPainter, area: QRectF, highest: float) -> None:
-        if self._band_hz is None:
-            return
-        low, high = (
-            area.left() + min(edge_hz / highest, 1.0) * area.width() for edge_hz in self._band_hz
-        )
-        for left, right in ((area.left(), low), (high, area.right())):
-            outside = QRectF(left, area.top(), right - left, area.height())
-            painter.fillRect(outside, QColor(current_theme().window))
-
-    def _paint_axes(self, painter: QPainter, area: QRectF, highest: float) -> None:
-        metrics = QFontMetricsF(painter.font())
-        right = area.right() - metrics.horizontalAdvance("Hz") - 4
-        for tick in linear_ticks(0.0, highest, max(area.width() / _STRIP_TICK_PX, 2)):
-            x = area.left() + tick.value / highest * area.width()
-            painter.setPen(QPen(QColor(current_theme().grid), 1))
-            painter.drawLine(QLineF(x, area.top(), x, area.bottom()))
-            width = metrics.horizontalAdvance(tick.label)
-            if x + width / 2 < right:
-                painter.setPen(QColor(current_theme().dim))
-                at = QPointF(x - width / 2, area.bottom() + metrics.ascent() + 2)
-                painter.drawText(at, tick.label)
-        painter.setPen(QColor(current_theme().dim))
-        painter.drawText(QPointF(right + 4, area.bottom() + metrics.ascent() + 2), "Hz")
-        for level, text in ((0.0, "0 dB"), (-_SPAN_DB, f"\u2212{_SPAN_DB:g}")):
-            y = area.top() - level / _SPAN_DB * area.height()
-            room = QRectF(0, y - metrics.height() / 2, area.left() - 4, metrics.height())
-            room.moveTop(min(max(room.top(), 0.0), self.height() - metrics.height()))
-            flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-            painter.drawText(room, flags, text)
-
-    def _write_text(self, painter: QPainter, area: QRectF) -> None:
-        metrics = QFontMetricsF(painter.font())
-        noteworthy = self.outside > _NOTEWORTHY
-        painter.setPen(QColor(current_theme().warning if noteworthy else current_theme().dim))
-        flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        text = metrics.elidedText(self.text, Qt.TextElideMode.ElideRight, area.width())
-        painter.drawText(QRectF(area.left(), 0.0, area.width(), area.top() - 2), flags, text)
+            share = 100 * self.outside
+            number = "0" if share == 0 else "< 0.1" if share < 0.1 else f"{share:.3g}"
+            text = f"{number} % of the energy outside {band_hz[0]:g} to {band_hz[1]:g} Hz"
+        self._preview.show_samples(samples, sample_rate_hz, band_hz)
+        self._label.show_phrases((text,))
+        set_tone(self._label, "warning" if self.outside > _NOTEWORTHY else "dim")
+        show_tooltip(self, text)

@@ -25,6 +25,7 @@ from PySide6.QtGui import (
 
 from skinsource.limbs.hand import HandShape
 from skinsource.limbs.locations import DIGITS
+from skinsource_gui.qt.buttons import text_colour_on
 from skinsource_gui.qt.frames import Frame
 from skinsource_gui.qt.theme import Theme, tabular
 
@@ -87,34 +88,32 @@ def has_room(place: Marker) -> bool:
 
 def paint_empty(painter: QPainter, place: Marker, theme: Theme, *, inviting: bool) -> None:
     """Paint an unused site; ``inviting`` while something is dragged over the hand."""
-    fill = QColor(theme.base)
-    fill.setAlphaF(0.85 if inviting else 0.55)
-    line = QColor(theme.accent if inviting else theme.skin_line)
-    pen = QPen(line, 1.25)
+    pen = QPen(QColor(theme.accent if inviting else theme.skin_line), 1.25)
     if inviting:
         pen.setDashPattern([3.0, 3.0])
-    painter.setPen(pen)
-    painter.setBrush(fill)
-    painter.drawPath(place.path())
+    _paint_free(painter, place, theme, pen, 0.85 if inviting else 0.55)
     _paint_number(painter, place, QColor(theme.text), bold=False)
 
 
 def paint_dot(painter: QPainter, place: Marker, theme: Theme) -> None:
     """Paint an unused site without its number, which would only hide the hand."""
-    fill = QColor(theme.base)
-    fill.setAlphaF(0.7)
-    painter.setPen(QPen(QColor(theme.skin_line), 1.25))
-    painter.setBrush(fill)
     radius = max(_DOT_RADII * place.radius_px, min(place.radius_px, _DOT_PX))
-    painter.drawPath(replace(place, radius_px=radius).path())
+    dot = replace(place, radius_px=radius)
+    _paint_free(painter, dot, theme, QPen(QColor(theme.skin_line), 1.25), 0.7)
 
 
 def paint_hovered(painter: QPainter, place: Marker, theme: Theme) -> None:
     """Paint an empty site under the mouse, or a site that takes what is dropped."""
-    painter.setPen(QPen(QColor(theme.accent), 2.0))
-    painter.setBrush(QColor(theme.base))
-    painter.drawPath(place.path())
+    _paint_free(painter, place, theme, QPen(QColor(theme.accent), 2.0), 1.0)
     _paint_number(painter, place, QColor(theme.text), bold=True)
+
+
+def _paint_free(painter: QPainter, place: Marker, theme: Theme, pen: QPen, opacity: float) -> None:
+    fill = QColor(theme.base)
+    fill.setAlphaF(opacity)
+    painter.setPen(pen)
+    painter.setBrush(fill)
+    painter.drawPath(place.path())
 
 
 def paint_occupied(
@@ -139,9 +138,9 @@ def paint_occupied(
         painter.drawPath(path)
     front = colours[0]
     painter.setPen(QPen(front, 3.0) if silent else halo)
-    painter.setBrush(_mixed(front, QColor(theme.base), 0.25) if silent else front)
+    painter.setBrush(QColor(theme.base) if silent else front)
     painter.drawPath(place.path(-1.0 if silent else 0.0))
-    text_colour = QColor(theme.text) if silent else readable_on(front)
+    text_colour = QColor(theme.text) if silent else text_colour_on(front)
     _paint_number(painter, place, text_colour, bold=True)
     if len(colours) > 1:
         corner = place.centre + QPointF(1.0, 1.0) * place.radius_px * 0.95
@@ -167,38 +166,6 @@ def paint_cursor(painter: QPainter, place: Marker, theme: Theme) -> None:
     pen.setDashPattern([3.0, 2.0])
     painter.setPen(pen)
     painter.drawEllipse(place.centre, radius, radius)
-
-
-def readable_on(ground: QColor) -> QColor:
-    """Return black or white, whichever is read better on ``ground``."""
-    choice = (QColor(Qt.GlobalColor.white), QColor(Qt.GlobalColor.black))
-    return max(choice, key=lambda colour: contrast(colour, ground))
-
-
-def contrast(colour: QColor, other: QColor) -> float:
-    """Return contrast ratio of two colours, 1 to 21 (WCAG 2.1)."""
-    darker, lighter = sorted((_luminance(colour), _luminance(other)))
-    return (lighter + 0.05) / (darker + 0.05)
-
-
-def _luminance(colour: QColor) -> float:
-    def linear(share: float) -> float:
-        return share / 12.92 if share <= 0.03928 else ((share + 0.055) / 1.055) ** 2.4
-
-    red, green, blue = (linear(s) for s in (colour.redF(), colour.greenF(), colour.blueF()))
-    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
-
-
-def _mixed(colour: QColor, other: QColor, share: float) -> QColor:
-    red, green, blue = (
-        share * a + (1 - share) * b
-        for a, b in (
-            (colour.redF(), other.redF()),
-            (colour.greenF(), other.greenF()),
-            (colour.blueF(), other.blueF()),
-        )
-    )
-    return QColor.fromRgbF(red, green, blue)
 
 
 def _rounded(corners: list[QPointF]) -> QPainterPath:

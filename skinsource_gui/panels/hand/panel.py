@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import ClassVar
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QContextMenuEvent,
     QFocusEvent,
@@ -51,7 +51,7 @@ _STEPS = {
 _DIGITS = {_Key(_Key.Key_0 + digit): digit for digit in range(10)}
 
 
-class SiteCursor(QObject):
+class SiteCursor:
     """The keyboard's cursor: it goes from site to site of a hand, and acts there.
 
     A number of several digits may be typed; all Shift+arrow presses until Shift is let go are one
@@ -63,16 +63,12 @@ class SiteCursor(QObject):
         Where it is, whether or not it is shown.
     """
 
-    #: The cursor or what is at its site has changed.
-    moved = Signal(int)
-
     def __init__(self, hand: "HandDiagram") -> None:
-        super().__init__(hand)
         self._hand, self._stage = hand, hand.stage
         self.site = 1
         self._typed = 0
         self._gesture: int | None = None
-        self._pause = QTimer(self, singleShot=True, interval=TYPING_MS)
+        self._pause = QTimer(hand, singleShot=True, interval=TYPING_MS)
         self._pause.setObjectName("typing")
         self._pause.timeout.connect(self._forget_digits)
 
@@ -81,7 +77,7 @@ class SiteCursor(QObject):
         self._forget_digits()
         if not self._stage.layout.has(self.site):
             self.site = 1
-        self.moved.emit(self.site)
+        self._hand.describe(self.site)
 
     def keep_up(self, before: HandState, *, anew: bool, focused: bool) -> None:
         """Follow a change of the inputs ``before``; see `HandDiagram.show_inputs`."""
@@ -93,14 +89,14 @@ class SiteCursor(QObject):
             # It is another design: the cursor would name a place of the old one.
             (self.follow if before.cursor is None else self.go_to)(site)
         else:
-            self.moved.emit(self.site)
+            self._hand.describe(self.site)
 
     def follow(self, site: int) -> None:
         """Go to a site that the mouse used, without showing the cursor."""
         if not self._stage.layout.has(site):
             return
         self.site = site
-        self.moved.emit(site)
+        self._hand.describe(site)
 
     def go_to(self, site: int) -> None:
         """Go to a site and show the cursor there."""
@@ -194,7 +190,7 @@ class _Press:
     gesture: int | None = None
 
 
-class SiteMouse(QObject):
+class SiteMouse:
     """Translates mouse presses, moves and releases on a hand into actions.
 
     A press selects an input, or at release places one; with Ctrl or Shift it adds an input, a new
@@ -208,11 +204,7 @@ class SiteMouse(QObject):
         The hand; its mouse cursor, hover, ghost and target are changed here.
     """
 
-    #: Site on which the button went down.
-    pressed = Signal(int)
-
     def __init__(self, hand: "HandDiagram") -> None:
-        super().__init__(hand)
         self._hand, self._stage = hand, hand.stage
         self._press: _Press | None = None
 
@@ -240,7 +232,7 @@ class SiteMouse(QObject):
             target=site,
         )
         self._press = press
-        self.pressed.emit(site)
+        self._hand.site_cursor.follow(site)
         if front is not None and not press.was_selected and not held:
             self._hand.select_requested.emit(front)
 
@@ -308,7 +300,7 @@ class SiteMouse(QObject):
     def _send(self, press: _Press, site: int) -> None:
         if site != press.target and press.index is not None and press.gesture is not None:
             press.target = site
-            self.pressed.emit(site)
+            self._hand.site_cursor.follow(site)
             self._hand.move_requested.emit(press.index, site, press.gesture)
 
     def _click(self, press: _Press) -> None:
@@ -366,14 +358,12 @@ class HandDiagram(QWidget):
         super().__init__(parent)
         self.stage = HandStage(drawing, self)
         self.stage.changed.connect(self.update)
-        self._mouse, self._cursor = SiteMouse(self), SiteCursor(self)
-        self._mouse.pressed.connect(self._cursor.follow)
-        self._cursor.moved.connect(self._describe)
+        self._mouse, self.site_cursor = SiteMouse(self), SiteCursor(self)
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setObjectName("hand_diagram")
         self.setAccessibleName("Hand, palm side")
-        self._describe(self._cursor.site)
+        self.describe(self.site_cursor.site)
 
     @property
     def state(self) -> HandState:
@@ -383,7 +373,7 @@ class HandDiagram(QWidget):
     @property
     def cursor_site(self) -> int:
         """Site of the keyboard's cursor, whether or not it is shown."""
-        return self._cursor.site
+        return self.site_cursor.site
 
     def site_centre(self, site: int) -> QPoint:
         """Return the middle of a site's marker, in pixels of this widget."""
@@ -394,7 +384,7 @@ class HandDiagram(QWidget):
         if drawing is not self.stage.drawing:
             self._mouse.cancel()
             self.stage.show_drawing(drawing, self)
-            self._cursor.show_hand()
+            self.site_cursor.show_hand()
 
     def show_inputs(
         self, marks: tuple[Mark, ...], selected: int | None, *, anew: bool = False
@@ -406,7 +396,7 @@ class HandDiagram(QWidget):
         before = self.state
         self._mouse.check(marks)
         self.stage.change(marks=marks, selected=selected, note="")
-        self._cursor.keep_up(before, anew=anew, focused=self.hasFocus())
+        self.site_cursor.keep_up(before, anew=anew, focused=self.hasFocus())
 
     def show_note(self, text: str) -> None:
         """Show a note below the hand until the design or the selection changes."""
@@ -476,7 +466,7 @@ class HandDiagram(QWidget):
             at = event.globalPos()
         if site is None or self._mouse.busy:
             return
-        self._cursor.site = site
+        self.site_cursor.site = site
         front = self.state.front_at(site)
         if front is not None and not self.state.marks[front].chosen:
             self.select_requested.emit(front)
@@ -485,23 +475,23 @@ class HandDiagram(QWidget):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self._mouse.busy:
             self._mouse.cancel()
-        elif self._mouse.busy or not self._cursor.press(event):
+        elif self._mouse.busy or not self.site_cursor.press(event):
             super().keyPressEvent(event)
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        self._cursor.release(event)
+        self.site_cursor.release(event)
         super().keyReleaseEvent(event)
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
         self.update()
         if event.reason() not in _BY_MOUSE:
-            self._cursor.go_to(self._cursor.site)
+            self.site_cursor.go_to(self.site_cursor.site)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         self.update()
-        self._cursor.end_gesture()
+        self.site_cursor.end_gesture()
         if event.reason() != Qt.FocusReason.PopupFocusReason:
             self.stage.change(cursor=None)
 
@@ -528,55 +518,11 @@ class HandDiagram(QWidget):
             area = self.stage.layout.marker_area(site).toAlignedRect()
             QToolTip.showText(event.globalPos(), self.stage.text(site), self, area)
 
-    def _describe(self, site: int) -> None:
+    def describe(self, site: int) -> None:
+        """Say what is at a site to assistive technology."""
         text = self.stage.description(site)
         if text != self.accessibleDescription():
             self.setAccessibleDescription(text)
-
-
-class Pointing(QObject):
-    """Follows which input the mouse points at on a hand.
-
-    Attributes
-    ----------
-    design
-        Its inputs are pointed at.
-    """
-
-    #: Id of the input that is pointed at, or None.
-    pointed_at = Signal(object)
-
-    def __init__(self, stage: HandStage) -> None:
-        super().__init__(stage)
-        self._stage = stage
-        self._pointed_at: int | None = None
-        # Id of the input that is pointed at elsewhere, or None.
-        self._elsewhere: int | None = None
-        self.design: Design | None = None
-        stage.changed.connect(self._follow)
-
-    def show(self, input_id: int | None) -> None:
-        """Mark the site of an input that is pointed at in another panel."""
-        self._elsewhere = input_id
-        tracks = () if self.design is None else self.design.inputs
-        site = next((track.location for track in tracks if track.id == input_id), None)
-        self._stage.change(target=site)
-
-    def show_design(self, design: Design) -> None:
-        """Take over another design, where the input pointed at elsewhere may have moved."""
-        self.design = design
-        if self._elsewhere is not None and self._stage.state.moving is None:
-            self.show(self._elsewhere)
-
-    def _follow(self) -> None:
-        state = self._stage.state
-        index = None if state.hovered is None else state.front_at(state.hovered)
-        ids = () if self.design is None else self.design.ids
-        # The design may have lost the input, by an undo perhaps.
-        pointed_id = ids[index] if index is not None and index < len(ids) else None
-        if pointed_id != self._pointed_at:
-            self._pointed_at = pointed_id
-            self.pointed_at.emit(pointed_id)
 
 
 class HandPanel(Panel):
@@ -589,7 +535,9 @@ class HandPanel(Panel):
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
-        self._texts: dict[int, tuple[Input, str]] = {}
+        # Ids of the inputs that are pointed at here, and in another panel.
+        self._pointed_at: int | None = None
+        self._elsewhere: int | None = None
         self.diagram = HandDiagram(drawing_of(""), self)
         self.diagram.add_requested.connect(self._add)
         self.diagram.add_besides_requested.connect(partial(self._add, besides=True))
@@ -599,8 +547,7 @@ class HandPanel(Panel):
         self.diagram.all_requested.connect(partial(self._edit, edits.select_all_inputs))
         self.diagram.remove_requested.connect(self._remove)
         self.diagram.menu_requested.connect(self._open_menu)
-        self._pointing = Pointing(self.diagram.stage)
-        self._pointing.pointed_at.connect(self.input_pointed_at)
+        self.diagram.stage.changed.connect(self._follow_pointer)
         # The hand of a missing limb is unknown, and another hand has other places.
         self._missing = page_label("hand_missing", tone="dim", centred=True)
         self._stack = QStackedLayout(self)
@@ -609,18 +556,24 @@ class HandPanel(Panel):
         self.setFocusProxy(self.diagram)
 
     def show_state(self, design: Design, view: View) -> None:
+        before = {id(track) for track in self._design.inputs} if self._design else set()
         self._design, self._view = design, view
-        self._pointing.show_design(design)
+        if self._elsewhere is not None and self.diagram.state.moving is None:
+            # The input may have moved.
+            self.show_pointed_input(self._elsewhere)
         missing = facts_of(design.limb).missing
         if missing:
             self._missing.setText(f"The limb {quoted(design.limb)} is missing")
         else:
             self.diagram.show_drawing(drawing_of(design.limb))
         self._stack.setCurrentWidget(self._missing if missing else self.diagram)
-        self._show_inputs()
+        self._show_inputs(anew=before.isdisjoint(map(id, design.inputs)))
 
     def show_pointed_input(self, input_id: int | None) -> None:
-        self._pointing.show(input_id)
+        self._elsewhere = input_id
+        tracks = () if self._design is None else self._design.inputs
+        site = next((track.location for track in tracks if track.id == input_id), None)
+        self.diagram.stage.change(target=site)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -637,29 +590,32 @@ class HandPanel(Panel):
         place = None if at is None else self.drop_place(at)
         self.diagram.stage.change(target=None if place is None else place.location)
 
-    def _show_inputs(self) -> None:
+    def _follow_pointer(self) -> None:
+        """Tell other panels which input the mouse points at."""
+        state = self.diagram.state
+        index = None if state.hovered is None else state.front_at(state.hovered)
+        ids = () if index is None else self._ids_at(index)
+        pointed_at = ids[0] if ids else None
+        if pointed_at != self._pointed_at:
+            self._pointed_at = pointed_at
+            self.input_pointed_at.emit(pointed_at)
+
+    def _show_inputs(self, *, anew: bool = False) -> None:
+        """Show the inputs; ``anew``: none of them is as one was before."""
         if self._design is None:
             return
         audible = {id(track) for track in audible_inputs(self._design.inputs)}
-        # Texts of inputs that did not change are not made again.
-        tracks, texts = self._design.inputs, self._texts
-        unchanged = {track.id for track in tracks if texts.get(track.id, (None, ""))[0] is track}
-        self._texts = {
-            track.id: texts[track.id] if track.id in unchanged else (track, _text(track))
-            for track in tracks
-        }
-        theme = current_theme()
         marks = tuple(
             Mark(
                 site=track.location,
-                colour=theme.input_colour(track.colour),
+                colour=current_theme().input_colour(track.colour),
                 silent=id(track) not in audible,
-                text=self._texts[track.id][1],
+                text=_text(track),
                 chosen=track.id in self._view.selected_inputs,
             )
             for track in self._design.inputs
         )
-        self.diagram.show_inputs(marks, self._selected(), anew=not unchanged)
+        self.diagram.show_inputs(marks, self._selected(), anew=anew)
 
     def _selected(self) -> int | None:
         """Return the index of the input that was selected last, if the design still has it."""

@@ -184,50 +184,91 @@ _PAPER_RATIO = 6.25
 _LEGEND = (("perpendicular", None), ("in-axis", QPointF(0.0, 1.0)))
 
 
-class HandPicture:
-    """Paints the hand.
+_CONTACTS = {
+    "perpendicular": "perpendicular: pushes into the skin",
+    "in-axis": "in-axis: pushes along the digit",
+}
+
+
+class HandStage(QObject):
+    """The hand with its inputs, in a widget: what it shows, and which part of it is visible.
 
     Parameters
     ----------
     drawing
         The hand.
+    widget
+        Where it is painted.
 
     Attributes
     ----------
+    state
+        What is shown.
     area
         Where the hand is seen.
-    drawing
-        The hand.
+    layout
+        Where the sites are, in pixels of the widget.
+    pan_zoom
+        Which part of the hand is visible.
     """
 
-    def __init__(self, drawing: HandDrawing) -> None:
-        self.area = QRectF(0.0, 0.0, 260.0, 330.0)
+    #: State, layout or drawing changed.
+    changed = Signal()
+
+    def __init__(self, drawing: HandDrawing, widget: QWidget) -> None:
+        super().__init__(widget)
         self.drawing = drawing
+        self.state = HandState()
+        self.area = QRectF(0.0, 0.0, 260.0, 330.0)
+        self.layout: HandLayout = hand_layout(drawing, fitted_hand(drawing, self.area))
         self._size = QSize()
         self._line_px = 0.0
         self._lines = 2
         # Smallest radius at which empty sites have numbers.
         self._readable_px = 0.0
-        # Of the picture that is being painted.
-        self._layout: HandLayout
+        self.pan_zoom = PanZoom(widget)
+        self.pan_zoom.changed.connect(self._lay_out)
 
-    def resize(self, size: QSize, metrics: QFontMetricsF) -> None:
-        """Take over the size of a widget; text has room below the hand."""
-        self._size = size
+    def show_drawing(self, drawing: HandDrawing, widget: QWidget) -> None:
+        """Take over another hand, which has other sites."""
+        if drawing is not self.drawing:
+            self.drawing = drawing
+            self.state = replace(self.state, hovered=None, cursor=None, target=None)
+            self.layout = hand_layout(drawing, fitted_hand(drawing, self.area))
+            self.fit(widget)
+            self.pan_zoom.show(WHOLE)
+            self.changed.emit()
+
+    def change(self, **changes: Any) -> None:
+        """Replace fields of the state; emit `changed` where that makes a difference."""
+        changed = replace(self.state, **changes)
+        if changed != self.state:
+            self.state = changed
+            self.changed.emit()
+
+    def fit(self, widget: QWidget) -> None:
+        """Fit the hand into the widget, which has another size or font; text lies below it."""
+        self._size, metrics = widget.size(), QFontMetricsF(widget.font())
         self._line_px = metrics.height() + 2.0
         general = QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont)
         enlarged = metrics.height() > _ENLARGED * QFontMetricsF(general).height()
         self._readable_px = _FROM_AFAR * metrics.height() if enlarged else 0.0
         # Where there is little room, the hand needs it more than the legend.
+        width, height = self._size.width(), self._size.height()
         legend = sum(_widths(metrics)) + 2 * UNIT_PX
-        roomy = size.height() >= _ROOMY_PX and (not enlarged or legend <= size.width())
-        self._lines = 2 if roomy else 1
-        height = size.height() - self._lines * self._line_px - UNIT_PX
-        self.area = QRectF(0.0, 2.0, size.width(), height)
+        self._lines = 2 if height >= _ROOMY_PX and (not enlarged or legend <= width) else 1
+        self.area = QRectF(0.0, 2.0, width, height - self._lines * self._line_px - UNIT_PX)
+        outline = self.drawing.outline.toFillPolygon().toList()
+        points = np.array([(point.x(), point.y()) for point in outline])
+        fits = {WHOLE: fitted_hand(self.drawing, self.area)}
+        self.pan_zoom.arrange(fits, points, self.area)
 
-    def paint(self, painter: QPainter, layout: HandLayout, state: HandState, ratio: float) -> None:
+    def paint(self, painter: QPainter, ratio: float) -> None:
         """Paint all; ``ratio`` is device pixels per widget pixel."""
-        self._layout = layout
+        state = self.state
+        if is_on_paper():
+            # On paper there is neither mouse nor cursor.
+            state = replace(state, hovered=None, cursor=None, target=None)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         font = painter.font()
         painter.save()
@@ -247,8 +288,32 @@ class HandPicture:
         if self._lines > 1 and self.drawing.contacts:
             self._paint_legend(painter)
 
+    def site_at(self, position: QPointF) -> int | None:
+        """Return the site under the mouse; a site outside of the picture cannot be hit."""
+        inside = self.area.adjusted(0, -2, 0, float(self.layout.radii_px.max()))
+        return self.layout.site_at(position) if inside.contains(position) else None
+
+    def text(self, site: int) -> str:
+        """Return the text about a site, in lines."""
+        place = input_name(site, self.drawing.limb)
+        lines = [f"{site} · {place.name}", *filter(None, [_CONTACTS.get(place.kind, "")])]
+        for index in self.state.at(site):
+            chosen = ", selected" if index == self.state.selected else ""
+            lines.append(f"Input {index + 1}: {self.state.marks[index].text}{chosen}")
+        return "\n".join(lines)
+
+    def description(self, site: int) -> str:
+        """Return the text about a site as a sentence for assistive technology."""
+        text = "Place " + self.text(site).replace("\n", ". ")
+        return text if self.state.marks else f"{HINT}. {text}"
+
+    def _lay_out(self) -> None:
+        if self.pan_zoom.frame is not None:
+            self.layout = hand_layout(self.drawing, self.pan_zoom.frame)
+            self.changed.emit()
+
     def _hand(self, ratio: float) -> QPixmap:
-        about = self.drawing, self._layout.transform, self._size
+        about = self.drawing, self.layout.transform, self._size
         if is_on_paper():
             return hand_pixmap(*about, _PAPER_RATIO, current_theme())
         return cached_hand_pixmap(*about, ratio, current_theme())
@@ -258,17 +323,17 @@ class HandPicture:
         above = [*sorted({mark.site for mark in state.marks}), state.selected_site, state.cursor]
         above += [state.hovered, state.target]
         # Each once, where it comes last.
-        last = dict.fromkeys(site for site in reversed(above) if site and self._layout.has(site))
-        quiet = [site for site in range(1, self._layout.n_sites + 1) if site not in last]
+        last = dict.fromkeys(site for site in reversed(above) if site and self.layout.has(site))
+        quiet = [site for site in range(1, self.layout.n_sites + 1) if site not in last]
         return [*quiet, *reversed(last)]
 
     def _place(self, site: int, *, in_use: bool) -> Marker:
-        radius_px = self._layout.radius_in_use_px if in_use else self._layout.radius_px
+        radius_px = self.layout.radius_in_use_px if in_use else self.layout.radius_px
         return Marker(
             site=site,
-            centre=self._layout.centre(site),
+            centre=self.layout.centre(site),
             radius_px=radius_px(site),
-            push=self._layout.push(site),
+            push=self.layout.push(site),
         )
 
     def _paint_site(self, painter: QPainter, site: int, state: HandState) -> None:
@@ -352,108 +417,3 @@ def _widths(metrics: QFontMetricsF) -> list[float]:
     """Return the widths of the parts of the legend, sign and text."""
     advance = 2 * 0.36 * metrics.height() + UNIT_PX
     return [advance + metrics.horizontalAdvance(text) for text, _ in _LEGEND]
-
-
-_CONTACTS = {
-    "perpendicular": "perpendicular: pushes into the skin",
-    "in-axis": "in-axis: pushes along the digit",
-}
-
-
-class HandStage(QObject):
-    """The hand with its inputs, in a widget: what it shows and which part of it is visible.
-
-    Parameters
-    ----------
-    drawing
-        The hand.
-    widget
-        Where it is painted.
-
-    Attributes
-    ----------
-    state
-        What is shown.
-    layout
-        Where the sites are, in pixels of the widget.
-    pan_zoom
-        Which part of the hand is visible.
-    """
-
-    #: State, layout or drawing changed.
-    changed = Signal()
-
-    def __init__(self, drawing: HandDrawing, widget: QWidget) -> None:
-        super().__init__(widget)
-        self._outline = _points_of(drawing)
-        self._picture = HandPicture(drawing)
-        self.state = HandState()
-        self.layout: HandLayout = hand_layout(drawing, fitted_hand(drawing, self._picture.area))
-        self.pan_zoom = PanZoom(widget)
-        self.pan_zoom.changed.connect(self._lay_out)
-
-    @property
-    def drawing(self) -> HandDrawing:
-        """The hand."""
-        return self._picture.drawing
-
-    def show_drawing(self, drawing: HandDrawing, widget: QWidget) -> None:
-        """Take over another hand, which has other sites."""
-        if drawing is not self.drawing:
-            self._picture.drawing, self._outline = drawing, _points_of(drawing)
-            self.state = replace(self.state, hovered=None, cursor=None, target=None)
-            self.layout = hand_layout(drawing, fitted_hand(drawing, self._picture.area))
-            self.fit(widget)
-            self.pan_zoom.show(WHOLE)
-            self.changed.emit()
-
-    def change(self, **changes: Any) -> None:
-        """Replace fields of the state; emit `changed` where that makes a difference."""
-        changed = replace(self.state, **changes)
-        if changed != self.state:
-            self.state = changed
-            self.changed.emit()
-
-    def fit(self, widget: QWidget) -> None:
-        """Fit the hand into the widget, which has another size or font."""
-        self._picture.resize(widget.size(), QFontMetricsF(widget.font()))
-        area = self._picture.area
-        fits = {WHOLE: fitted_hand(self.drawing, area)}
-        self.pan_zoom.arrange(fits, self._outline, area)
-
-    def paint(self, painter: QPainter, ratio: float) -> None:
-        """Paint all; ``ratio`` is device pixels per widget pixel."""
-        state = self.state
-        if is_on_paper():
-            # On paper there is neither mouse nor cursor.
-            state = replace(state, hovered=None, cursor=None, target=None)
-        self._picture.paint(painter, self.layout, state, ratio)
-
-    def site_at(self, position: QPointF) -> int | None:
-        """Return the site under the mouse; a site outside of the picture cannot be hit."""
-        inside = self._picture.area.adjusted(0, -2, 0, float(self.layout.radii_px.max()))
-        return self.layout.site_at(position) if inside.contains(position) else None
-
-    def text(self, site: int) -> str:
-        """Return the text about a site, in lines."""
-        place = input_name(site, self.drawing.limb)
-        lines = [f"{site} · {place.name}", *filter(None, [_CONTACTS.get(place.kind, "")])]
-        for index in self.state.at(site):
-            chosen = ", selected" if index == self.state.selected else ""
-            lines.append(f"Input {index + 1}: {self.state.marks[index].text}{chosen}")
-        return "\n".join(lines)
-
-    def description(self, site: int) -> str:
-        """Return the text about a site as a sentence for assistive technology."""
-        text = "Place " + self.text(site).replace("\n", ". ")
-        return text if self.state.marks else f"{HINT}. {text}"
-
-    def _lay_out(self) -> None:
-        if self.pan_zoom.frame is not None:
-            self.layout = hand_layout(self.drawing, self.pan_zoom.frame)
-            self.changed.emit()
-
-
-def _points_of(drawing: HandDrawing) -> np.ndarray:
-    points = drawing.outline.toFillPolygon().toList()
-    return np.array([(point.x(), point.y()) for point in points])

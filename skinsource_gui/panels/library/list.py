@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
 from PySide6.QtCore import (
-    QAbstractListModel,
     QEvent,
     QMimeData,
     QModelIndex,
@@ -30,6 +29,8 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPen,
     QPixmap,
+    QStandardItem,
+    QStandardItemModel,
 )
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -60,7 +61,7 @@ ENTRY, OWN, TAGS = (_Role.UserRole + k for k in range(1, 4))
 _Index = QModelIndex | QPersistentModelIndex
 
 
-class PresetsModel(QAbstractListModel):
+class PresetsModel(QStandardItemModel):
     """A model with a row for each preset; the user's own presets can be renamed."""
 
     #: An `Entry`, and its new name.
@@ -72,29 +73,19 @@ class PresetsModel(QAbstractListModel):
 
     def show_entries(self, entries: tuple[tuple[Entry, bool], ...]) -> None:
         """List other entries."""
-        if entries != self._entries:
-            self.beginResetModel()
-            self._entries = entries
-            self.endResetModel()
-
-    def rowCount(self, parent: _Index | None = None) -> int:
-        return 0 if parent is not None and parent.isValid() else len(self._entries)
-
-    def data(self, index: _Index, role: int = _Role.DisplayRole) -> Any:
-        if not 0 <= index.row() < len(self._entries):
-            return None
-        entry, own = self._entries[index.row()]
-        preset = entry.preset
-        by_role = {
-            _Role.DisplayRole: preset.name,
-            _Role.EditRole: preset.name,
-            ENTRY: entry,
-            OWN: own,
-            TAGS: ", ".join(preset.tags),
-        }
-        if role == _Role.AccessibleTextRole:
-            return f"{preset.name}{', your own' if own else ''}, {by_role[TAGS]}"
-        return by_role.get(role)
+        if entries == self._entries:
+            return
+        self._entries = entries
+        self.clear()
+        for entry, own in entries:
+            preset, tags = entry.preset, ", ".join(entry.preset.tags)
+            item = QStandardItem(preset.name)
+            item.setEditable(own)
+            item.setData(entry, ENTRY)
+            item.setData(own, OWN)
+            item.setData(tags, TAGS)
+            item.setAccessibleText(f"{preset.name}{', your own' if own else ''}, {tags}")
+            self.appendRow(item)
 
     def setData(self, index: _Index, value: Any, role: int = _Role.EditRole) -> bool:
         entry = index.data(ENTRY)
@@ -103,14 +94,6 @@ class PresetsModel(QAbstractListModel):
         # The list follows from the files, so that nothing is changed here.
         self.rename_requested.emit(entry, str(value))
         return False
-
-    def flags(self, index: _Index) -> Qt.ItemFlag:
-        flags = super().flags(index)
-        if index.isValid():
-            flags |= Qt.ItemFlag.ItemIsDragEnabled
-            if index.data(OWN):
-                flags |= Qt.ItemFlag.ItemIsEditable
-        return flags
 
     def supportedDragActions(self) -> Qt.DropAction:
         return Qt.DropAction.CopyAction
@@ -282,18 +265,15 @@ class PresetList(QListView):
 
     def _tag(self, name: str) -> QPixmap:
         """Return a small label with a name on it."""
-        metrics, ratio = self.fontMetrics(), self.devicePixelRatioF()
-        text = metrics.elidedText(name, Qt.TextElideMode.ElideRight, _WIDEST_TAG_PX)
-        size = QSize(metrics.horizontalAdvance(text) + 2 * UNIT_PX, metrics.height() + UNIT_PX)
-        tag = QPixmap(size * ratio)
-        tag.setDevicePixelRatio(ratio)
-        tag.fill(QColor(current_theme().accent))
-        painter = QPainter(tag)
-        painter.setFont(self.font())
-        painter.setPen(QColor(current_theme().on_accent))
-        painter.drawText(QRect(QPoint(), size), Qt.AlignmentFlag.AlignCenter, text)
-        painter.end()
-        return tag
+        text = self.fontMetrics().elidedText(name, Qt.TextElideMode.ElideRight, _WIDEST_TAG_PX)
+        tag, theme = QLabel(text, self), current_theme()
+        tag.setStyleSheet(
+            f"background: {theme.accent}; color: {theme.on_accent}; padding: {UNIT_PX // 2}px"
+        )
+        tag.adjustSize()
+        picture = tag.grab()
+        tag.deleteLater()
+        return picture
 
     def currentChanged(self, current: _Index, previous: _Index) -> None:
         super().currentChanged(current, previous)

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QMenu,
     QMessageBox,
-    QPushButton,
     QVBoxLayout,
     QWidget,
 )
@@ -41,20 +40,19 @@ class LibraryButtons(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.place = self._button(
-            "Place",
-            "preset_place",
+        place_hint = (
             f"Place it at the playhead, on the selected track ({key_text(_PLACE, 'place')}); or "
-            "drag it onto a place of the hand or a track",
+            "drag it onto a place of the hand or a track"
         )
-        self.save = self._button(
-            "Save…", "preset_save", "Keep clips, or the whole design, in the library"
+        self.place = page_button("preset_place", "Place", place_hint)
+        save_hint = "Keep clips, or the whole design, in the library"
+        self.save = page_button("preset_save", "Save…", save_hint)
+        own = "Only your own"
+        self.rename = page_button(
+            "preset_rename", "Rename", f"{own} ({key_text(_PLACE, 'rename')})"
         )
-        self.rename = self._button(
-            "Rename", "preset_rename", f"Only your own ({key_text(_PLACE, 'rename')})"
-        )
-        self.delete = self._button(
-            "Delete", "preset_delete", f"Only your own ({key_text(_PLACE, 'remove')})"
+        self.delete = page_button(
+            "preset_delete", "Delete", f"{own} ({key_text(_PLACE, 'remove')})"
         )
         row = FoldingRow((self.place, self.save, self.rename, self.delete), 4)
         in_column(row, of=self, margins=0)
@@ -73,9 +71,6 @@ class LibraryButtons(QWidget):
             entry.setEnabled(button.isEnabled())
         menu.addSeparator()
         menu.addAction(self.save.text(), self.save.click)
-
-    def _button(self, text: str, name: str, hint: str) -> QPushButton:
-        return page_button(name, text, hint)
 
 
 _ALL = "All tags"
@@ -146,50 +141,11 @@ class SearchRow(QWidget):
 _BATCH_MS = 150
 
 
-class FolderWatch(QObject):
-    """Watches a folder and its files, also a folder that does not exist yet.
-
-    Parameters
-    ----------
-    suffix
-        Files with this ending are watched.
-    """
-
-    #: Something has changed; emitted once for many changes.
-    changed = Signal()
-
-    def __init__(self, suffix: str, parent: QObject) -> None:
-        super().__init__(parent)
-        self._suffix = suffix
-        self._watcher: QFileSystemWatcher | None = None
-        self._pause = QTimer(self, singleShot=True, interval=_BATCH_MS)
-        self._pause.timeout.connect(self.changed)
-
-    def watch(self, folder: Path) -> None:
-        """Watch ``folder`` and its present files, and nothing else."""
-        self.rest()
-        self._watcher = QFileSystemWatcher(self)
-        self._watcher.directoryChanged.connect(self._pause.start)
-        self._watcher.fileChanged.connect(self._pause.start)
-        try:
-            files = [str(path) for path in folder.iterdir() if path.suffix == self._suffix]
-            self._watcher.addPaths([str(folder), *files])
-        except OSError:
-            # The nearest folder that exists is watched instead.
-            ancestor = next((parent for parent in folder.parents if parent.is_dir()), None)
-            if ancestor is not None:
-                self._watcher.addPath(str(ancestor))
-
-    def rest(self) -> None:
-        """Watch nothing."""
-        self._pause.stop()
-        if self._watcher is not None:
-            self._watcher.deleteLater()
-            self._watcher = None
-
-
 class PresetFolders(QObject):
-    """Reads the folders of presets, the user's again when it changes; renames and deletes in it."""
+    """Reads the folders of presets, the user's again when it changes; renames and deletes in it.
+
+    The user's folder is watched with its files, also while it does not exist yet.
+    """
 
     changed = Signal()
     #: Why something was not done.
@@ -199,8 +155,9 @@ class PresetFolders(QObject):
         super().__init__(parent)
         self._shipped: PresetFolder | None = None
         self._own = PresetFolder()
-        self._watch = FolderWatch(presets.SUFFIX, self)
-        self._watch.changed.connect(self.read)
+        self._watcher: QFileSystemWatcher | None = None
+        self._pause = QTimer(self, singleShot=True, interval=_BATCH_MS)
+        self._pause.timeout.connect(self.read)
 
     @property
     def folder(self) -> Path:
@@ -224,13 +181,16 @@ class PresetFolders(QObject):
         if self._shipped is None:
             self._shipped = presets.read_preset_folder(presets.shipped_folder())
         # It is watched before it is read, so that no change is missed.
-        self._watch.watch(self.folder)
+        self._watch()
         self._own = presets.read_preset_folder(self.folder)
         self.changed.emit()
 
     def rest(self) -> None:
         """Stop watching."""
-        self._watch.rest()
+        self._pause.stop()
+        if self._watcher is not None:
+            self._watcher.deleteLater()
+            self._watcher = None
 
     def rename(self, entry: Entry, name: str) -> Path:
         """Rename a preset of the user; return its file."""
@@ -249,6 +209,22 @@ class PresetFolders(QObject):
         except SkinSourceError as error:
             self.failed.emit(str(error))
         self.read()
+
+    def _watch(self) -> None:
+        """Watch the user's folder and its present files, and nothing else."""
+        self.rest()
+        self._watcher = QFileSystemWatcher(self)
+        self._watcher.directoryChanged.connect(self._pause.start)
+        self._watcher.fileChanged.connect(self._pause.start)
+        folder = self.folder
+        try:
+            files = [str(path) for path in folder.iterdir() if path.suffix == presets.SUFFIX]
+            self._watcher.addPaths([str(folder), *files])
+        except OSError:
+            # The nearest folder that exists is watched instead.
+            ancestor = next((parent for parent in folder.parents if parent.is_dir()), None)
+            if ancestor is not None:
+                self._watcher.addPath(str(ancestor))
 
 
 _WIDE_PX, _HIGH_PX = 340, 440

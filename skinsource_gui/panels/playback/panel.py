@@ -30,7 +30,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.rig_field import RigField
-from skinsource_gui.qt.buttons import page_label
+from skinsource_gui.qt.buttons import page_label, tool_button
 from skinsource_gui.qt.fitting import LetterWidth, SteadyArea
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.labels import FittingLabel, LevelMeter
@@ -76,23 +76,20 @@ class DeviceFields(QObject):
         self._played: tuple[object, ...] = ()
         self.device = ChoiceField(ChoiceSpec(label="Device", options=(("", _SYSTEM),)))
         self.device.edited.connect(self._choose_device)
-        self.rescan = QToolButton()
-        self.rescan.setText("Look again")
-        self.rescan.setObjectName("look_for_devices")
-        self.rescan.setToolTip("Look for devices that were connected since; ends what is played")
+        rescan_hint = "Look for devices that were connected since; ends what is played"
+        self.rescan = tool_button(None, "look_for_devices", "Look again", rescan_hint)
         self.rescan.clicked.connect(self.devices_requested)
         self.rate = ChoiceField(ChoiceSpec(label="Sample rate", options=()))
         self.rate.edited.connect(lambda rate, _: self._want(sample_rate_hz=int(rate)))
         self.latency = NumberField(_LATENCY)
         self.latency.setToolTip(_LATENCY.hint)
         self.latency.edited.connect(lambda latency_s, _: self._want(latency_s=latency_s))
-        self.stand_in = QToolButton()
-        self.stand_in.setText("Stand-in for the ears")
-        self.stand_in.setCheckable(True)
-        self.stand_in.setObjectName("stand_in")
-        self.stand_in.setToolTip(
+        stand_in_hint = (
             "For people without actuators: all channels, from left to right in their order, with "
             "all frequencies shifted up by as many hertz"
+        )
+        self.stand_in = tool_button(
+            None, "stand_in", "Stand-in for the ears", stand_in_hint, checkable=True
         )
         self.stand_in.clicked.connect(lambda on: self._want(stand_in=on))
         self.shift = NumberField(_SHIFT)
@@ -218,9 +215,7 @@ class OutputRow(QObject):
         self.level.setObjectName(f"level_of_{place}")
         self.level.hide()
         self.loudness = _Loudness(self.meter, self.level)
-        self.tone = QToolButton()
-        self.tone.setText("Test tone")
-        self.tone.setObjectName(f"tone_of_{place}")
+        self.tone = tool_button(None, f"tone_of_{place}", "Test tone")
         self.tone.clicked.connect(self._request_tone)
         for column, widget in enumerate(self.widgets):
             grid.addWidget(widget, row, column)

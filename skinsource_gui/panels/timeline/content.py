@@ -1,18 +1,17 @@
 """What the timeline shows: lanes, clips and gain curves in pixels, and which part of the time."""
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
 
 import numpy as np
-from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QPainter, QWheelEvent
+from PySide6.QtCore import QPointF, QRectF, Qt
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ
-from skinsource.design.clips import Clip
+from skinsource.design.clips import Clip, Marker
 from skinsource.design.design import MAX_INPUTS, Design, Input
 from skinsource.design.edits.cutting import fades_of
 from skinsource.design.edits.edit import Edit, leading_clip
@@ -24,16 +23,8 @@ from skinsource.specs.numbers import ListSpec, NumberSpec
 from skinsource_gui.fields.units import value_text
 from skinsource_gui.plots.ranges import number_text
 from skinsource_gui.plots.time_scale import REACH_PX as SNAPPING_REACH_PX
-from skinsource_gui.plots.time_scale import (
-    Range,
-    TimeScale,
-    grid_step_s,
-    range_by_wheel,
-    within,
-    zoomed,
-)
+from skinsource_gui.plots.time_scale import Range, TimeScale, grid_step_s
 from skinsource_gui.qt.keys import MOUSE, key_text
-from skinsource_gui.qt.theme import Theme
 from skinsource_gui.qt.tooltips import tooltip
 
 #: Free space above and below a clip, px.
@@ -42,6 +33,8 @@ MARGIN_PX = 3.0
 NARROWEST_PX = 3.0
 #: Distance outside a clip within which its ends can be dragged, px.
 REACH_PX = 4.0
+# Distance at which the pointer catches a marker or an end of the loop, px.
+_CATCH_PX = 6.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -79,33 +72,6 @@ class Box:
     lane: Lane
     rect: QRectF
     fades_px: tuple[float, float] = (0.0, 0.0)
-
-
-def boxes_of(
-    lanes: Sequence[Lane], scale: TimeScale, durations_s: Mapping[int, float]
-) -> list[Box]:
-    """Return the clips that are visible between the ends of ``scale``, lane by lane.
-
-    Parameters
-    ----------
-    lanes
-        The visible lanes.
-    durations_s
-        Length of each clip, by its id.
-    """
-    boxes = []
-    first, last = scale.left_px, scale.right_px
-    for lane in lanes:
-        top, height = lane.top_px + MARGIN_PX, lane.height_px - 2 * MARGIN_PX
-        for clip in lane.track.clips:
-            left = scale.x(clip.onset_s)
-            width = max(durations_s[clip.id] * scale.px_per_s, NARROWEST_PX)
-            if left < last and left + width > first:
-                rect = QRectF(left, top, width, height)
-                in_s, out_s = fades_of(clip) if clip.effects else (0.0, 0.0)
-                fades_px = (in_s * scale.px_per_s, out_s * scale.px_per_s)
-                boxes.append(Box(clip=clip, lane=lane, rect=rect, fades_px=fades_px))
-    return boxes
 
 
 Curve = tuple[tuple[float, float], ...]
@@ -218,88 +184,43 @@ class ClipLengths:
         Length of each clip, by its id.
     whole_s
         From 0 to a little behind the last clip.
-    n_computed
-        How many lengths were computed, not taken over.
     """
 
     def __init__(self, design: Design, before: "ClipLengths | None" = None) -> None:
-        self.design, self.n_computed = design, 0
-        known: Mapping[int, tuple[Clip, float]] = {} if before is None else before._known
-        self._known: Mapping[int, tuple[Clip, float]] = {
-            clip.id: self._known_or_computed(clip, known) for clip in design.clips
-        }
-        self.durations_s = {id: duration_s for id, (_, duration_s) in self._known.items()}
-        ends = [clip.onset_s + duration_s for clip, duration_s in self._known.values()]
+        self.design = design
+        known: dict[int, Clip] = {} if before is None else before._clips
+        self._clips: dict[int, Clip] = {clip.id: clip for clip in design.clips}
+        self.durations_s: dict[int, float] = {}
+        for clip in design.clips:
+            if before is not None and known.get(clip.id) is clip:
+                self.durations_s[clip.id] = before.durations_s[clip.id]
+            else:
+                self.durations_s[clip.id] = clip.duration_s
+        ends = [clip.onset_s + self.durations_s[clip.id] for clip in design.clips]
         self.whole_s: Range = (0.0, max(max(ends, default=0.0) + AFTER_S, LEAST_S))
 
     def of(self, design: Design) -> "ClipLengths":
         """Return the lengths for a design, most of whose clips are the same."""
         return self if design is self.design else ClipLengths(design, self)
 
-    def _known_or_computed(
-        self, clip: Clip, known: Mapping[int, tuple[Clip, float]]
-    ) -> tuple[Clip, float]:
-        entry = known.get(clip.id)
-        if entry is not None and entry[0] is clip:
-            return entry
-        self.n_computed += 1
-        return clip, clip.duration_s
 
-
-_MARK_PX = 4.0
-_ALPHA = 190
 # Shorter overlaps are rounding errors of clips that follow each other, s.
 _LEAST_S = 1e-9
 
 
-@dataclass(frozen=True, slots=True)
-class Stretch:
-    """A stretch of time in which clips overlap, s."""
-
-    start_s: float
-    end_s: float
-
-
-class Overlaps:
-    """Finds where clips of a track overlap; a track that stays the same is searched once."""
-
-    def __init__(self) -> None:
-        self._known: dict[int, tuple[Input, tuple[Stretch, ...]]] = {}
-
-    def of(self, track: Input) -> tuple[Stretch, ...]:
-        """Return the stretches of time with two clips or more, in order."""
-        known = self._known.get(track.id)
-        if known is None or known[0] is not track:
-            known = self._known[track.id] = (track, stretches(track.clips))
-        return known[1]
-
-
-def stretches(clips: Iterable[Clip]) -> tuple[Stretch, ...]:
-    """Return the stretches of time in which two of these clips or more play."""
-    overlaps: list[Stretch] = []
+def overlaps_of(spans_s: Iterable[Range]) -> list[Range]:
+    """Return the stretches of time that two of these spans or more share, in order, s."""
+    overlaps: list[Range] = []
     last_s = float("-inf")
-    for start_s, end_s in sorted((clip.onset_s, clip.end_s) for clip in clips):
-        if min(last_s, end_s) - start_s > _LEAST_S:
-            both = Stretch(start_s, min(last_s, end_s))
-            if overlaps and both.start_s <= overlaps[-1].end_s:
-                both = Stretch(overlaps[-1].start_s, max(overlaps[-1].end_s, both.end_s))
-                overlaps.pop()
-            overlaps.append(both)
+    for start_s, end_s in sorted(spans_s):
+        shared_s = min(last_s, end_s)
+        if shared_s - start_s > _LEAST_S:
+            if overlaps and start_s <= overlaps[-1][1]:
+                start_s, before_s = overlaps.pop()
+                shared_s = max(before_s, shared_s)
+            overlaps.append((start_s, shared_s))
         last_s = max(last_s, end_s)
-    return tuple(overlaps)
-
-
-def paint_overlaps(
-    painter: QPainter, lane: Lane, overlaps: Sequence[Stretch], scale: TimeScale, theme: Theme
-) -> None:
-    """Mark at the foot of a lane where its clips overlap."""
-    colour = QColor(theme.text)
-    colour.setAlpha(_ALPHA)
-    top = lane.bottom_px - MARGIN_PX - _MARK_PX
-    for stretch in overlaps:
-        left, right = max(scale.x(stretch.start_s), -10.0), min(scale.x(stretch.end_s), 1e5)
-        if right > left:
-            painter.fillRect(QRectF(left, top, max(right - left, 2.0), _MARK_PX), colour)
+    return overlaps
 
 
 def next_id(ids: Sequence[int], current: int | None) -> int | None:
@@ -342,8 +263,6 @@ class TimelineContent:
         What clips play, (n_times,) each, by their ids, as far as it is known, and its rate.
     awaited
         Ids of the clips whose waveform is being computed.
-    gain_shown
-        Ids of the tracks whose gain curve is edited.
     gain_tops
         The largest gain on a lane, by the id of its track, while a drag lasts.
     chosen_point
@@ -352,19 +271,17 @@ class TimelineContent:
 
     design: Design
     view: View
-    lanes: tuple[Lane, ...]
-    scale: TimeScale
-    height_px: float
     lengths: ClipLengths
+    lanes: tuple[Lane, ...] = ()
+    scale: TimeScale = field(default_factory=lambda: TimeScale(shown_s=(0.0, LEAST_S)))
+    height_px: float = 0.0
     waveforms: Mapping[int, Floats] = field(default_factory=dict)
     awaited: frozenset[int] = frozenset()
     snaps: bool = True
     ruler_px: float = RULER_PX
     sample_rate_hz: float = SAMPLE_RATE_HZ
-    gain_shown: frozenset[int] = frozenset()
     gain_tops: Mapping[int, float] = field(default_factory=dict)
     chosen_point: tuple[int, int] | None = None
-    overlaps: Overlaps = field(default_factory=Overlaps)
 
     @property
     def durations_s(self) -> Mapping[int, float]:
@@ -375,6 +292,11 @@ class TimelineContent:
     def selected(self) -> frozenset[int]:
         """Ids of the selected clips."""
         return frozenset(self.view.selected_clips)
+
+    @cached_property
+    def gain_shown(self) -> frozenset[int]:
+        """Ids of the tracks whose gain curve is edited."""
+        return shown_gain_curves(self.view)
 
     @cached_property
     def boxes(self) -> list[Box]:
@@ -408,8 +330,25 @@ class TimelineContent:
         """Return the visible clips of a lane, in painting order."""
         if lane.bottom_px <= self.ruler_px or lane.top_px >= self.height_px:
             return []
-        boxes = boxes_of([lane], self.scale, self.durations_s)
+        boxes, scale = [], self.scale
+        top, height = lane.top_px + MARGIN_PX, lane.height_px - 2 * MARGIN_PX
+        for clip in lane.track.clips:
+            left = scale.x(clip.onset_s)
+            width = max(self.durations_s[clip.id] * scale.px_per_s, NARROWEST_PX)
+            if left < scale.right_px and left + width > scale.left_px:
+                rect = QRectF(left, top, width, height)
+                in_s, out_s = fades_of(clip) if clip.effects else (0.0, 0.0)
+                fades_px = (in_s * scale.px_per_s, out_s * scale.px_per_s)
+                boxes.append(Box(clip=clip, lane=lane, rect=rect, fades_px=fades_px))
         return sorted(boxes, key=lambda box: box.clip.id in self.selected)
+
+    def overlaps_on(self, lane: Lane) -> list[Range]:
+        """Return the stretches of time in which clips of a lane overlap, s."""
+        clips = lane.track.clips
+        return overlaps_of((clip.onset_s, self._end_s(clip)) for clip in clips)
+
+    def _end_s(self, clip: Clip) -> float:
+        return clip.onset_s + self.durations_s[clip.id]
 
     @property
     def whole_s(self) -> Range:
@@ -428,7 +367,7 @@ class TimelineContent:
         """Return the same content with the playhead of ``view``, which differs in nothing else."""
         content = replace(self, view=view)
         # Nothing of what is known already depends on where the playhead is.
-        for name in ("selected", "boxes", "strips", "chosen"):
+        for name in ("selected", "gain_shown", "boxes", "strips", "chosen"):
             if name in self.__dict__:
                 content.__dict__[name] = self.__dict__[name]
         return content
@@ -477,6 +416,25 @@ class TimelineContent:
             return None
         return next((lane for lane in self.lanes if lane.top_px <= y_px < lane.bottom_px), None)
 
+    def marker_at(self, at: QPointF) -> Marker | None:
+        """Return the marker whose flag is here."""
+        distances = (
+            (abs(self.scale.x(marker.time_s) - at.x()), index)
+            for index, marker in enumerate(self.design.markers)
+        )
+        nearest = min(distances, default=None)
+        if nearest is None or nearest[0] > _CATCH_PX or at.y() > self.ruler_px / 2:
+            return None
+        return self.design.markers[nearest[1]]
+
+    def other_loop_end_at(self, at: QPointF) -> float | None:
+        """Return the other end of the loop region, if one end is here, s."""
+        start_s, end_s = self.design.loop_s or (0.0, 0.0)
+        for here, other in ((start_s, end_s), (end_s, start_s)):
+            if here != other and abs(self.scale.x(here) - at.x()) <= _CATCH_PX:
+                return other
+        return None
+
     def neighbours_s(self, without: frozenset[int] = frozenset()) -> list[float]:
         """Return the times to which edges of clips snap, in order, but for clips ``without``."""
         times_s = {0.0, self.view.playhead_s, *(marker.time_s for marker in self.design.markers)}
@@ -485,7 +443,7 @@ class TimelineContent:
         for lane in self.lanes:
             for clip in lane.track.clips:
                 if clip.id not in without:
-                    times_s.update((clip.onset_s, clip.onset_s + self.durations_s[clip.id]))
+                    times_s.update((clip.onset_s, self._end_s(clip)))
         return sorted(times_s)
 
 
@@ -585,64 +543,6 @@ def part_at(rect: QRectF, at: QPointF, fades_px: tuple[float, float] = (0.0, 0.0
     if from_start < _EDGE_PX:
         return Part.START
     return Part.END if from_end < _EDGE_PX else Part.BODY
-
-
-class TimeZoom(QObject):
-    """Zooms and pans by emitting another view.
-
-    Parameters
-    ----------
-    content
-        Returns what the lanes show now.
-    """
-
-    #: Another view.
-    view_changed = Signal(object)
-
-    def __init__(self, content: Callable[[], TimelineContent], parent: QObject) -> None:
-        super().__init__(parent)
-        self._content = content
-        self._held_s: Range | None = None
-
-    def range_s(self, view: View, whole_s: Range) -> Range:
-        """Return the part of the time to show."""
-        return view.time_range_s or self._held_s or whole_s
-
-    def hold(self) -> None:
-        """Keep the shown part during a drag, even if the design becomes longer."""
-        self._held_s = self._content().scale.shown_s
-
-    def release(self) -> None:
-        """End what `hold` began."""
-        self._held_s = None
-
-    def zoom(self, factor: float, anchor_s: float | None = None) -> None:
-        """See a part so many times narrower: around a time, the playhead, or the middle."""
-        content = self._content()
-        shown, playhead_s = content.scale.shown_s, content.view.playhead_s
-        if anchor_s is None:
-            inside = shown[0] <= playhead_s <= shown[1]
-            anchor_s = playhead_s if inside else sum(shown) / 2
-        self._emit_range(zoomed(shown, anchor_s, factor, content.whole_s))
-
-    def follow_wheel(self, event: QWheelEvent) -> None:
-        """Follow the wheel."""
-        content = self._content()
-        self._emit_range(range_by_wheel(event, content.scale, content.whole_s))
-
-    def show_range(self, part_s: Range) -> None:
-        """See this part."""
-        self._emit_range(within(part_s, self._content().whole_s))
-
-    def show_everything(self) -> None:
-        """See all of it."""
-        self._emit_range(None)
-
-    def _emit_range(self, shown_s: Range | None) -> None:
-        self._held_s = None
-        view = self._content().view
-        if shown_s != view.time_range_s:
-            self.view_changed.emit(replace(view, time_range_s=shown_s))
 
 
 _NEXT = key_text("timeline", "below")

@@ -1,23 +1,27 @@
 """Gain curves over the clips: how they are painted, and what mouse and keys do to them."""
 
-from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import QLineF, QObject, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QKeyEvent, QPainter, QPen, QPolygonF
 
 from skinsource.design import edits
 from skinsource.design.effects.breakpoints import Points, moved, with_point
 from skinsource_gui.fields.editor import Burst
+from skinsource_gui.panels.timeline.canvas import LanesCanvas
 from skinsource_gui.panels.timeline.content import (
     GainStrip,
     TimelineContent,
     curve_of,
     gain_point_text,
     show_gain_curves,
-    toggle_gain_curves,
 )
-from skinsource_gui.panels.timeline.gestures import Gesture, GestureContext, Modifier, MoveGain
+from skinsource_gui.panels.timeline.gestures import (
+    Gesture,
+    GestureContext,
+    Modifier,
+    MoveGain,
+)
 from skinsource_gui.panels.timeline.painting import LaneLayer
 from skinsource_gui.qt.keys import meaning_of
 from skinsource_gui.qt.theme import current_theme
@@ -26,11 +30,6 @@ _DOT_PX, _CHOSEN_PX = 3.5, 5.0
 _HALO_ALPHA, _HINT_ALPHA = 190, 110
 #: How a curve begins.
 HINT = "Gain: double click on the line adds a point"
-
-
-def has_hint(strip: GainStrip) -> bool:
-    """Return whether to show how a curve begins: on a selected track that has none."""
-    return strip.shown and strip.lane.selected and not strip.points
 
 
 class GainItem(LaneLayer):
@@ -108,7 +107,7 @@ class GainItem(LaneLayer):
         text = "Gain" if chosen is None else gain_point_text(*strip.points[chosen][:2])
         metrics = QFontMetricsF(self._font)
         height, top = metrics.height() + 1, room.top() + 2
-        if has_hint(strip):
+        if strip.lane.selected and not strip.points:
             # At the foot of the lane, as names of clips are at its top.
             text, top = HINT, room.bottom() - height - 2
         width = metrics.horizontalAdvance(text) + 8
@@ -128,34 +127,21 @@ _TIME_STEPS = {_Key.Key_Left: -1, _Key.Key_Right: 1}
 _GAIN_STEPS = {_Key.Key_Down: -1, _Key.Key_Up: 1}
 
 
-class GainPoints(QObject):
-    """Adds, moves and removes points of gain curves, and shows and hides the curves.
+class GainPoints:
+    """Adds, moves and removes points of gain curves, and shows and hides the curves."""
 
-    Parameters
-    ----------
-    content
-        Returns what the lanes show now.
+    def __init__(self, lanes: LanesCanvas) -> None:
+        self._lanes = lanes
+        self._burst = Burst(lanes)
 
-    Attributes
-    ----------
-    chosen
-        Id of a track and number of the point on its curve that keys change, or None.
-    """
-
-    edited = Signal(object, object)
-    view_changed = Signal(object)
-    #: Another point is chosen, or none.
-    choice_changed = Signal()
-
-    def __init__(self, content: Callable[[], TimelineContent], parent: QObject) -> None:
-        super().__init__(parent)
-        self._content = content
-        self._burst = Burst(self)
-        self.chosen: tuple[int, int] | None = None
+    @property
+    def chosen(self) -> tuple[int, int] | None:
+        """Id of a track and number of the point on its curve that keys change."""
+        return self._lanes.content.chosen_point
 
     def strip_at(self, at: QPointF) -> GainStrip | None:
         """Return the edited curve that passes here."""
-        content = self._content()
+        content = self._lanes.content
         if at.y() < content.ruler_px:
             return None
         for strip in content.strips:
@@ -200,23 +186,21 @@ class GainPoints(QObject):
         """Do what a key does to a curve; return whether it does anything."""
         command, key = meaning_of(_PLACE, event), Qt.Key(event.key())
         if command == "gain_curve":
-            content = self._content()
-            ids = content.view.selected_inputs
-            self.view_changed.emit(toggle_gain_curves(content.design, content.view, ids).view)
+            self._lanes.toggle_gain(*self._lanes.content.view.selected_inputs)
             self.choose(None)
         elif command == "gain_point":
             self._walk(-1 if key == _Key.Key_PageUp else 1)
         elif command == "gain_add":
             strip = self._selected_strip()
             if strip is not None:
-                self._add(strip, self._content().view.playhead_s)
+                self._add(strip, self._lanes.content.view.playhead_s)
         else:
             return self._key_of_point(command, key, event.modifiers())
         return True
 
     def remove(self, track: int, numbers: tuple[int, ...]) -> None:
         """Remove points of a track's curve."""
-        design = self._content().design
+        design = self._lanes.content.design
         if track not in design.ids:
             return
         curve = design.input(track).gain_curve
@@ -227,8 +211,7 @@ class GainPoints(QObject):
     def choose(self, chosen: tuple[int, int] | None) -> None:
         """Choose another point for the keys, or none."""
         if chosen != self.chosen:
-            self.chosen = chosen
-            self.choice_changed.emit()
+            self._lanes.change(chosen_point=chosen)
 
     def description(self) -> str:
         """Return the text of the chosen point, or "" where there is none."""
@@ -275,27 +258,28 @@ class GainPoints(QObject):
         self.choose((track, number))
 
     def _emit(self, track: int, points: Points, gesture: int | None) -> None:
-        content = self._content()
+        content = self._lanes.content
         curve = curve_of(points)
-        self.edited.emit(edits.set_gain_curve(content.design, content.view, track, curve), gesture)
+        outcome = edits.set_gain_curve(content.design, content.view, track, curve)
+        self._lanes.edited.emit(outcome, gesture)
 
     def _selected_strip(self) -> GainStrip | None:
         """Return the curve of the track that was selected last, and show it."""
-        content = self._content()
+        content = self._lanes.content
         track = content.view.selected_input
         if track is None:
             return None
         shown = {strip.lane.track.id for strip in content.strips if strip.shown}
         if track not in shown:
-            self.view_changed.emit(show_gain_curves(content.view, shown | {track}))
-        strips = self._content().strips
+            self._lanes.view_changed.emit(show_gain_curves(content.view, shown | {track}))
+        strips = self._lanes.content.strips
         return next(
             (strip for strip in strips if strip.lane.track.id == track and strip.shown), None
         )
 
     def _chosen_strip(self) -> tuple[GainStrip | None, int]:
         track, number = self.chosen or (0, 0)
-        for strip in self._content().strips:
+        for strip in self._lanes.content.strips:
             if strip.lane.track.id == track and strip.shown and number < len(strip.points):
                 return strip, number
         return None, 0

@@ -14,6 +14,7 @@ from skinsource.design.effects.breakpoints import Points, moved
 from skinsource.design.view import View
 from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.units import value_text
+from skinsource_gui.panels.timeline.canvas import LanesCanvas
 from skinsource_gui.panels.timeline.content import (
     Box,
     GainStrip,
@@ -53,34 +54,33 @@ class GestureContext:
 
     Attributes
     ----------
-    content
-        Returns what the lanes show now.
-    apply
-        Applies an edit, or shows a refusal, under the number of the gesture.
-    number
-        Number of this gesture: all its edits are one step of the history.
-    elsewhere
-        Returns where in another panel something would be dropped that is held over a place, px;
-        None ends that.
     before
         What the lanes showed when the button went down.
+    number
+        Number of this gesture: all its edits are one step of the history.
     applied
         The design after the last edit; None before there is any.
     """
 
-    content: Callable[[], TimelineContent]
-    apply: Callable[[Edit | Refusal, int], None]
-    show_view: Callable[[View], None]
-    put_playhead: Callable[[float], None]
-    elsewhere: Callable[[QPointF | None], DropPlace | None]
+    lanes: LanesCanvas
     before: TimelineContent
     number: int = field(default_factory=new_gesture)
     applied: Design | None = None
 
     @property
+    def now(self) -> TimelineContent:
+        """What the lanes show now."""
+        return self.lanes.content
+
+    @property
+    def view(self) -> View:
+        """The present view."""
+        return self.lanes.content.view
+
+    @property
     def disturbed(self) -> bool:
         """Whether something else has changed the design since the button went down."""
-        now, expected = self.content().design, self.applied or self.before.design
+        now, expected = self.now.design, self.applied or self.before.design
         return now is not expected and now != expected
 
     def edit(self, outcome: Edit | Refusal) -> None:
@@ -89,11 +89,11 @@ class GestureContext:
             return
         if isinstance(outcome, Edit):
             self.applied = outcome.design
-        self.apply(outcome, self.number)
+        self.lanes.edited.emit(outcome, self.number)
 
     def rest(self, edges_s: Sequence[float], by_s: float, neighbours_s: Sequence[float]) -> Snap:
         """Return how far edges move that are dragged ``by_s``: they snap, if that is on."""
-        content = self.content()
+        content = self.now
         if not content.snaps:
             return Snap(by_s=by_s)
         grid_s, reach_s = content.grid_s, content.reach_s
@@ -103,7 +103,8 @@ class GestureContext:
         """Put the design back as if the gesture had not begun."""
         if self.applied is not None and not self.disturbed:
             before = self.before
-            self.apply(Edit(label="", design=before.design, view=before.view), self.number)
+            back = Edit(label="", design=before.design, view=before.view)
+            self.lanes.edited.emit(back, self.number)
             # It may go on from there.
             self.applied = None
 
@@ -141,7 +142,7 @@ class _EndDrag(Gesture):
         self._neighbours = context.before.neighbours_s(frozenset({box.clip.id}))
 
     def _rest(self, at: QPointF, edge_s: float) -> Snap:
-        by_s = (at.x() - self._at.x()) / self._context.content().scale.px_per_s
+        by_s = (at.x() - self._at.x()) / self._context.now.scale.px_per_s
         return self._context.rest((edge_s,), by_s, self._neighbours)
 
 
@@ -161,7 +162,7 @@ class MoveEnd(_EndDrag):
             end_s = max(end_s + rest.by_s, start_s + _SHORTEST_S)
         stretches = held & (Modifier.AltModifier | Modifier.ShiftModifier)
         act = edits.stretch_clip if stretches else edits.trim_clip
-        design, view = self._context.before.design, self._context.content().view
+        design, view = self._context.before.design, self._context.view
         self._context.edit(act(design, view, self._clip.id, start_s, end_s))
         length = value_text(end_s - start_s, "s", digits=5)
         text = f"Stretched to {length}" if stretches else f"{length} · Shift: stretch"
@@ -172,7 +173,7 @@ class FadeEnd(_EndDrag):
     """Drag of an upper corner of a clip: sets how long it fades in, or out."""
 
     def move(self, at: QPointF, held: Modifier) -> GesturePreview:
-        content = self._context.content()
+        content = self._context.now
         by_s = (at.x() - self._at.x()) / content.scale.px_per_s
         in_s, out_s = fades_of(self._clip)
         length_s = self._end_s - self._start_s
@@ -195,7 +196,7 @@ class Marquee(Gesture):
         self._from = (scale.time(at.x()), at.y())
 
     def move(self, at: QPointF, held: Modifier) -> GesturePreview:
-        content = self._context.content()
+        content = self._context.now
         down = QPointF(content.scale.x(self._from[0]), self._from[1])
         covered = QRectF(down, at).normalized()
         # One that is drawn straight along a lane has no height, and would touch nothing.
@@ -205,14 +206,14 @@ class Marquee(Gesture):
             self._context.before.view.selected_clips if held & Modifier.ControlModifier else ()
         )
         chosen = (*(clip_id for clip_id in added_to if clip_id not in touched), *touched)
-        self._context.show_view(edits.select_clips(content.design, content.view, chosen).view)
+        self._context.lanes.select(*chosen)
         return GesturePreview(covered=covered)
 
     def cancel(self) -> None:
         view = self._context.before.view
-        self._context.show_view(
+        self._context.lanes.view_changed.emit(
             replace(
-                self._context.content().view,
+                self._context.view,
                 selected_clips=view.selected_clips,
                 selected_inputs=view.selected_inputs,
             )
@@ -227,12 +228,10 @@ class MoveClips(Gesture):
     in another panel, on the hand, the design is as before; they go there when they are dropped.
     """
 
-    def __init__(
-        self, context: GestureContext, box: Box, at: QPointF, sample_rate_hz: float
-    ) -> None:
+    def __init__(self, context: GestureContext, box: Box, at: QPointF) -> None:
         super().__init__(context)
         self._box, self._at = box, at
-        self._sample_s = 1.0 / sample_rate_hz
+        self._sample_s = 1.0 / context.before.sample_rate_hz
         # Where in another panel they would go, and whether as copies.
         self._place: DropPlace | None = None
         self._copies = False
@@ -250,7 +249,7 @@ class MoveClips(Gesture):
 
     def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         copies = self._copies = bool(held & Modifier.ControlModifier)
-        place = self._context.elsewhere(at)
+        place = self._context.lanes.elsewhere(at)
         if place is not None and place.location is not None:
             if self._place is None:
                 self._context.undo()
@@ -259,7 +258,7 @@ class MoveClips(Gesture):
         self._place = None
         rest = self._rest(at, copies=copies, free=bool(held & Modifier.AltModifier))
         by_tracks = 0 if held & Modifier.ShiftModifier else self._lanes_to(at)
-        before, view = self._context.before, self._context.content().view
+        before, view = self._context.before, self._context.view
         act = edits.copy_clips if copies else edits.move_clips
         self._context.edit(act(before.design, view, self._ids, rest.by_s, by_tracks))
         onset_s = self._edges[0] + rest.by_s
@@ -267,20 +266,20 @@ class MoveClips(Gesture):
 
     def finish(self) -> None:
         """Drop the clips on the place in another panel over which they are held, if any."""
-        self._context.elsewhere(None)
+        self._context.lanes.elsewhere(None)
         if self._place is not None and self._place.location is not None:
-            design, view = self._context.before.design, self._context.content().view
+            design, view = self._context.before.design, self._context.view
             place = self._place.location
             self._context.edit(
                 edits.move_clips_to_place(design, view, self._ids, place, self._copies)
             )
 
     def cancel(self) -> None:
-        self._context.elsewhere(None)
+        self._context.lanes.elsewhere(None)
         self._context.undo()
 
     def _rest(self, at: QPointF, *, copies: bool, free: bool) -> Snap:
-        by_s = (at.x() - self._at.x()) / self._context.content().scale.px_per_s
+        by_s = (at.x() - self._at.x()) / self._context.now.scale.px_per_s
         by_s = max(round(by_s / self._sample_s) * self._sample_s, -self._first_s)
         if free:
             return Snap(by_s=by_s)
@@ -288,7 +287,7 @@ class MoveClips(Gesture):
         return rest if self._first_s + rest.by_s >= 0.0 else Snap(by_s=-self._first_s)
 
     def _lanes_to(self, at: QPointF) -> int:
-        lanes = self._context.content().lanes
+        lanes = self._context.now.lanes
         # Its lane when the button went down: the track may have been removed since.
         here = self._context.before.design.index_of(self._box.lane.track.id)
         target = next(
@@ -334,7 +333,7 @@ class MoveGain(Gesture):
         self.vertical, self._fine = vertical, fine
 
     def move(self, at: QPointF, held: Modifier) -> GesturePreview:
-        strip, scale = self._strip, self._context.content().scale
+        strip, scale = self._strip, self._context.now.scale
         moved_px = at - self._at
         by_s, by_gain = moved_px.x() / scale.px_per_s, -moved_px.y() * strip.top / strip.height_px
         if self._fine and held & Modifier.ControlModifier:
@@ -360,7 +359,7 @@ class MoveGain(Gesture):
 
     def put(self, points: Points) -> None:
         """Set the points of the track's curve."""
-        before, view = self._context.before, self._context.content().view
+        before, view = self._context.before, self._context.view
         track = self._strip.lane.track.id
         self._context.edit(edits.set_gain_curve(before.design, view, track, curve_of(points)))
 
@@ -369,7 +368,7 @@ def snapped_time(
     context: GestureContext, at: QPointF, without: float | None = None
 ) -> tuple[float, float | None]:
     """Return the time at a place, from 0 on, and what it snapped to, never to ``without``."""
-    time_s = max(context.content().scale.time(at.x()), 0.0)
+    time_s = max(context.now.scale.time(at.x()), 0.0)
     others_s = [other_s for other_s in context.before.neighbours_s() if other_s != without]
     rest = context.rest((0.0,), time_s, others_s)
     return max(rest.by_s, 0.0), rest.guide_s
@@ -380,11 +379,11 @@ class MovePlayhead(Gesture):
 
     def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         time_s, guide_s = snapped_time(self._context, at, self._context.before.view.playhead_s)
-        self._context.put_playhead(time_s)
+        self._context.lanes.playhead_requested.emit(time_s)
         return GesturePreview(guide_s=guide_s, label=value_text(time_s, "s", digits=5))
 
     def cancel(self) -> None:
-        self._context.put_playhead(self._context.before.view.playhead_s)
+        self._context.lanes.playhead_requested.emit(self._context.before.view.playhead_s)
 
 
 class MoveLoop(Gesture):
@@ -397,7 +396,7 @@ class MoveLoop(Gesture):
     def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         time_s, guide_s = snapped_time(self._context, at)
         ends = (min(time_s, self._fixed_s), max(time_s, self._fixed_s))
-        design, view = self._context.before.design, self._context.content().view
+        design, view = self._context.before.design, self._context.view
         self._context.edit(edits.set_loop(design, view, ends if ends[0] < ends[1] else None))
         return GesturePreview(guide_s=guide_s, label=value_text(ends[1] - ends[0], "s", digits=4))
 
@@ -411,7 +410,7 @@ class MoveMarker(Gesture):
 
     def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         time_s, guide_s = snapped_time(self._context, at, self._marker.time_s)
-        design, view = self._context.before.design, self._context.content().view
+        design, view = self._context.before.design, self._context.view
         index = self._context.before.design.markers.index(self._marker)
         self._context.edit(edits.move_marker(design, view, index, time_s))
         return GesturePreview(guide_s=guide_s, label=value_text(time_s, "s", digits=5))
@@ -428,12 +427,13 @@ class Pan(Gesture):
         before = self._context.before
         by_s = (self._at.x() - at.x()) / before.scale.px_per_s
         shown = panned(before.scale.shown_s, by_s, before.whole_s)
-        self._context.show_view(replace(self._context.content().view, time_range_s=shown))
+        self._context.lanes.view_changed.emit(replace(self._context.view, time_range_s=shown))
         return GesturePreview()
 
     def cancel(self) -> None:
-        view = self._context.content().view
-        self._context.show_view(replace(view, time_range_s=self._context.before.view.time_range_s))
+        view = self._context.view
+        range_s = self._context.before.view.time_range_s
+        self._context.lanes.view_changed.emit(replace(view, time_range_s=range_s))
 
 
 class EitherGesture(Gesture):

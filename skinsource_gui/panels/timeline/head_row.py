@@ -44,8 +44,6 @@ class RowPlaces:
         Number of the place and its name, which are painted.
     peak
         The peak that results from a gain, painted beside it.
-    text
-        What is painted again when the text changes.
     """
 
     row: QRect
@@ -56,7 +54,6 @@ class RowPlaces:
     solo: QRect
     remove: QRect
     peak: QRect
-    text: QRect
 
 
 def heads_px(line_px: int) -> int:
@@ -100,7 +97,6 @@ def row_places(width: int, line_px: int = USUAL_LINE_PX, *, peak: bool = False) 
         solo=solo,
         remove=remove,
         peak=QRect(peak_left, second, remove.x() - peak_left, line + 1),
-        text=QRect(0, 0, remove.x() if peak else mute.x(), height),
     )
 
 
@@ -114,8 +110,6 @@ class RowState:
         Whether the track is muted, or another one is solo.
     last
         Whether the track was selected last.
-    list_focused
-        Whether keys go to the list.
     amplitude
         What an amplitude is, and its unit.
     peak
@@ -130,7 +124,6 @@ class RowState:
     silent: bool
     selected: bool
     last: bool
-    list_focused: bool
     amplitude: NumberSpec
     clip: Clip | None
     limb: str = ""
@@ -151,14 +144,10 @@ class RowState:
         return EMPTY if self.clip is None else clip_text(self.clip)
 
     @property
-    def text(self) -> tuple[int, int, bool, str, str]:
-        """What the painted text depends on."""
-        return self.track.location, self.track.colour, self.silent, self.limb, self.peak
-
-    @property
-    def frame(self) -> tuple[bool, bool, bool]:
-        """What the painted ground depends on."""
-        return self.selected, self.last, self.list_focused
+    def painted(self) -> tuple[object, ...]:
+        """What the painted parts depend on."""
+        marks = self.selected, self.last, self.silent, self.peak
+        return self.track.location, self.track.colour, self.limb, *marks
 
 
 _MARK_PX = 3
@@ -166,9 +155,11 @@ _TINT_ALPHA = 28
 _SMALLER = 0.8
 
 
-def paint_row(painter: QPainter, state: RowState, places: RowPlaces, theme: Theme) -> None:
+def paint_row(
+    painter: QPainter, state: RowState, places: RowPlaces, theme: Theme, *, focused: bool
+) -> None:
     """Paint ground, place and name of a track, and the peak that results from a gain."""
-    _paint_ground(painter, state, places.row, theme)
+    _paint_ground(painter, state, places.row, theme, focused=focused)
     track, silent = state.track, state.silent
     paint_swatch(
         painter,
@@ -197,7 +188,9 @@ def paint_row(painter: QPainter, state: RowState, places: RowPlaces, theme: Them
         painter.setFont(usual)
 
 
-def _paint_ground(painter: QPainter, state: RowState, row: QRect, theme: Theme) -> None:
+def _paint_ground(
+    painter: QPainter, state: RowState, row: QRect, theme: Theme, *, focused: bool
+) -> None:
     painter.setPen(QPen(QColor(theme.border), 1))
     painter.drawLine(UNIT_PX, row.bottom(), row.width() - UNIT_PX, row.bottom())
     if not state.selected:
@@ -205,7 +198,7 @@ def _paint_ground(painter: QPainter, state: RowState, row: QRect, theme: Theme) 
     tint = QColor(theme.accent)
     if state.last:
         painter.fillRect(0, 0, _MARK_PX, row.height(), tint)
-    if state.last and state.list_focused:
+    if state.last and focused:
         painter.setPen(QPen(tint, 2))
         painter.drawRect(QRectF(row).adjusted(1, 1, -1, -1))
     tint.setAlpha(_TINT_ALPHA)
@@ -217,27 +210,17 @@ def _write(painter: QPainter, place: QRect, text: str) -> None:
     painter.drawText(place, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, track)
 
 
-class RowSignals(QObject):
-    """Signals of the controls of all heads; each begins with the id of a track."""
+class InputRow(QWidget):
+    """The head of a track: what is painted, and the controls; keys go to the list around it."""
 
     #: The keyboard went to its number.
-    entered = Signal(int)
-    amplitude_edited = Signal(int, float, object)
-    mute_toggled = Signal(int)
-    solo_toggled = Signal(int)
-    removed = Signal(int)
+    entered = Signal()
 
-
-class InputRow(QWidget):
-    """The head of a track; it emits by ``signals`` what its controls do."""
-
-    def __init__(self, signals: RowSignals, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._signals = signals
+    def __init__(self, rows: QWidget) -> None:
+        super().__init__(rows)
+        self._rows = rows
         self._state: RowState | None = None
         self.setObjectName("input_row")
-        self._places = row_places(self.width())
-        self.setFixedHeight(ROW_PX)
         self.amplitude = NumberField(AMPLITUDE, self, widest_unit="")
         self.amplitude.setObjectName("amplitude_field")
         # The theme's fields are as high as a line of a form, too high for two lines in a row.
@@ -247,11 +230,8 @@ class InputRow(QWidget):
             solo_button(self),
             remove_button(self),
         )
-        self.amplitude.edited.connect(self._edit_amplitude)
         self.amplitude.installEventFilter(self)
-        self.mute.clicked.connect(self._toggle_mute)
-        self.solo.clicked.connect(self._toggle_solo)
-        self.remove.clicked.connect(self._remove)
+        self._lay_out()
 
     @property
     def controls(self) -> tuple[NumberField | LetterButton, ...]:
@@ -291,15 +271,13 @@ class InputRow(QWidget):
         show_tooltip(self, f"{place.number} · {place.name}\n{state.figure}{peak}")
         if bool(state.peak) != bool(old and old.peak):
             self._lay_out()
-        if old is None or old.frame != state.frame:
+        # The controls paint themselves.
+        if old is None or old.painted != state.painted:
             self.update()
-        elif old.text != state.text:
-            # The controls paint themselves.
-            self.update(self._places.text)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.amplitude and event.type() == QEvent.Type.FocusIn:
-            self._signals.entered.emit(self.id)
+            self.entered.emit()
         return super().eventFilter(watched, event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -323,7 +301,8 @@ class InputRow(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         if self._state is not None:
             painter = QPainter(self)
-            paint_row(painter, self._state, self._places, current_theme())
+            focused = self._rows.hasFocus()
+            paint_row(painter, self._state, self._places, current_theme(), focused=focused)
 
     def _set_focus_policies(self, selected: bool) -> None:
         # One row at a time: twenty rows of four stops each would be a long way.
@@ -332,15 +311,3 @@ class InputRow(QWidget):
         self.amplitude.setFocusPolicy(number)
         for control in (self.mute, self.solo, self.remove):
             control.setFocusPolicy(button)
-
-    def _edit_amplitude(self, value: float, gesture: int | None) -> None:
-        self._signals.amplitude_edited.emit(self.id, value, gesture)
-
-    def _toggle_mute(self) -> None:
-        self._signals.mute_toggled.emit(self.id)
-
-    def _toggle_solo(self) -> None:
-        self._signals.solo_toggled.emit(self.id)
-
-    def _remove(self) -> None:
-        self._signals.removed.emit(self.id)

@@ -6,9 +6,6 @@ Lanes are kept as a picture, into which only lanes that look different are paint
 from collections import OrderedDict
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
-from math import ceil, floor
-from operator import is_
 from typing import Any
 
 import numpy as np
@@ -24,13 +21,12 @@ from skinsource_gui.panels.timeline.content import (
     Box,
     Lane,
     TimelineContent,
-    paint_overlaps,
 )
 from skinsource_gui.panels.timeline.gestures import GesturePreview
 from skinsource_gui.plots.curves import visible_course
 from skinsource_gui.plots.ranges import CachedColumns, Tick, linear_ticks, wave_of
 from skinsource_gui.plots.time_scale import Range, TimeScale
-from skinsource_gui.qt.frames import CachedPicture
+from skinsource_gui.qt.frames import Same
 from skinsource_gui.qt.theme import Theme, current_theme, dots_in_px, is_on_paper, thin_pen
 
 _BUDGET_BYTES = 48 * 2**20
@@ -39,26 +35,14 @@ _BYTES_PER_PIXEL = 4
 _BLOCK = 0.8
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class ClipSamples:
-    """What a clip plays.
-
-    Attributes
-    ----------
-    samples : (n_times,)
-        What the clip plays.
-    """
-
-    samples: Floats
-    sample_rate_hz: float
-
-
 @dataclass(frozen=True, slots=True)
 class ClipStyle:
     """How the curve of a clip is drawn.
 
     Attributes
     ----------
+    sample_rate_hz
+        Of what the clip plays.
     colour
         Colour of the curve, as a number.
     reach
@@ -69,6 +53,7 @@ class ClipStyle:
         Dots in a px.
     """
 
+    sample_rate_hz: float
     colour: int
     reach: float
     part: tuple[float, float] = (0.0, 1.0)
@@ -80,8 +65,6 @@ class ClipPictures:
 
     Attributes
     ----------
-    mark
-        The frame of the clip that the inspector shows.
     columns
         Columns of the samples that were painted last.
     painted, waves
@@ -93,23 +76,22 @@ class ClipPictures:
         self._pictures: OrderedDict[Hashable, tuple[Floats, QPixmap]] = OrderedDict()
         self._budget, self._bytes = budget_bytes, 0
         self.painted = self.waves = 0
-        self.mark, self.columns = CachedPicture(), CachedColumns()
+        self.columns = CachedColumns()
 
-    def paint(self, painter: QPainter, played: ClipSamples, area: QRectF, style: ClipStyle) -> None:
+    def paint(self, painter: QPainter, samples: Floats, area: QRectF, style: ClipStyle) -> None:
         """Paint what a clip plays; on paper as lines."""
         if is_on_paper():
             painter.save()
             painter.translate(area.topLeft())
-            self._draw(painter, played, area.size(), style)
+            self._draw(painter, samples, area.size(), style)
             painter.restore()
             return
-        painter.drawPixmap(area.topLeft(), self.picture(played, area.size(), style))
+        painter.drawPixmap(area.topLeft(), self.picture(samples, area.size(), style))
 
-    def picture(self, played: ClipSamples, size: QSizeF, style: ClipStyle) -> QPixmap:
+    def picture(self, samples: Floats, size: QSizeF, style: ClipStyle) -> QPixmap:
         """Return the picture of what a clip plays; size in px."""
-        samples = played.samples
         # The samples are stored with the picture, so that no other array gets their id.
-        key = (id(samples), played.sample_rate_hz, size.width(), size.height(), style)
+        key = (id(samples), size.width(), size.height(), style)
         cached = self._pictures.get(key)
         if cached is not None and cached[0] is samples:
             self._pictures.move_to_end(key)
@@ -118,7 +100,7 @@ class ClipPictures:
         made.setDevicePixelRatio(style.ratio)
         made.fill(Qt.GlobalColor.transparent)
         on_picture = QPainter(made)
-        self._draw(on_picture, played, size, style)
+        self._draw(on_picture, samples, size, style)
         on_picture.end()
         self.painted += 1
         self._store(key, samples, made)
@@ -137,12 +119,12 @@ class ClipPictures:
             _, (_, removed) = self._pictures.popitem(last=False)
             self._bytes -= _size(removed)
 
-    def _draw(self, painter: QPainter, played: ClipSamples, size: QSizeF, style: ClipStyle) -> None:
-        samples, width, height = played.samples, size.width(), size.height()
+    def _draw(self, painter: QPainter, samples: Floats, size: QSizeF, style: ClipStyle) -> None:
+        width, height = size.width(), size.height()
         if not samples.size:
             return
-        time_s = np.arange(samples.size) / played.sample_rate_hz
-        first_s, end_s = (share * samples.size / played.sample_rate_hz for share in style.part)
+        time_s = np.arange(samples.size) / style.sample_rate_hz
+        first_s, end_s = (share * samples.size / style.sample_rate_hz for share in style.part)
         across = max(round(width * style.ratio), 1)
         wave = wave_of(time_s, samples[np.newaxis])
         columns = self.columns.of(time_s, (first_s, end_s), across)
@@ -210,8 +192,8 @@ def paint_clip(
     _paint_body(painter, box.rect, shown, colour, selected=selected, pale=pale)
     if samples is not None and shown.width() >= 1:
         painter.setOpacity(_PALE if pale else 1.0)
-        played = ClipSamples(samples, content.sample_rate_hz)
-        _paint_samples(painter, box, shown, played, pictures, colour, loudest)
+        rate_hz = content.sample_rate_hz
+        _paint_samples(painter, box, shown, samples, rate_hz, pictures, colour, loudest)
         painter.setOpacity(1.0)
     if any(box.fades_px):
         _paint_fades(painter, box, QColor(theme.text))
@@ -225,7 +207,8 @@ def paint_clip(
         _paint_frame(painter, box.rect, shown, theme, QColor(theme.error), selected=False)
     if clip.id in content.chosen and not selected:
         # The inspector shows it.
-        mark_clip(painter, box.rect, shown, pictures.mark, QColor(theme.accent))
+        painter.setPen(QPen(QColor(theme.accent), 0, Qt.PenStyle.DashLine))
+        painter.drawRect(_frame(box.rect, shown).adjusted(1, 1, -2, -2))
     if handles:
         _paint_handles(painter, box, QColor(theme.text))
 
@@ -246,30 +229,23 @@ def _paint_samples(
     painter: QPainter,
     box: Box,
     shown: QRectF,
-    played: ClipSamples,
+    samples: Floats,
+    sample_rate_hz: float,
     pictures: ClipPictures,
     colour: QColor,
     loudest: float,
 ) -> None:
-    rect = box.rect
-    whole = shown.width() >= rect.width() - 1
-    part = (
-        (0.0, 1.0)
-        if whole
-        else (
-            (shown.left() - rect.left()) / rect.width(),
-            (shown.right() - rect.left()) / rect.width(),
-        )
-    )
-    left, width = (rect.left(), rect.width()) if whole else (shown.left(), shown.width())
-    peak = max(abs(box.clip.gain) * _peak(played.samples), 1e-12)
+    rect, part, area = box.rect, (0.0, 1.0), box.rect
+    if shown.width() < rect.width() - 1:
+        area = shown
+        ends_px = shown.left() - rect.left(), shown.right() - rect.left()
+        part = (ends_px[0] / rect.width(), ends_px[1] / rect.width())
+    peak = max(abs(box.clip.gain) * _peak(samples), 1e-12)
     reach = box.clip.gain / max(loudest, peak)
-    pictures.paint(
-        painter,
-        played,
-        QRectF(left, rect.top() + 1, max(round(width), 1), max(round(rect.height()) - 2, 1)),
-        ClipStyle(colour.rgba(), reach, part, dots_in_px(painter)),
-    )
+    width, height = max(round(area.width()), 1), max(round(rect.height()) - 2, 1)
+    room = QRectF(area.left(), rect.top() + 1, width, height)
+    style = ClipStyle(sample_rate_hz, colour.rgba(), reach, part, dots_in_px(painter))
+    pictures.paint(painter, samples, room, style)
 
 
 def _peak(samples: Floats) -> float:
@@ -300,36 +276,13 @@ def _paint_frame(
         edge.setAlpha(130)
         painter.setPen(QPen(edge, 1))
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    left = max(rect.left(), shown.left() - 2)
-    right = min(rect.right(), shown.right() + 2)
-    frame = QRectF(left, rect.top(), right - left, rect.height())
-    painter.drawRoundedRect(frame.adjusted(0.5, 0.5, -0.5, -0.5), _ROUNDING_PX, _ROUNDING_PX)
+    frame = _frame(rect, shown).adjusted(0.5, 0.5, -0.5, -0.5)
+    painter.drawRoundedRect(frame, _ROUNDING_PX, _ROUNDING_PX)
 
 
-def mark_clip(
-    painter: QPainter, rect: QRectF, shown: QRectF, mark: CachedPicture, colour: QColor
-) -> None:
-    """Frame a clip with dots, which take Qt longer than the clip: painted once for each size."""
-    # Where pixels of the screen begin, so that the picture is what would be painted here.
-    on_screen = painter.deviceTransform()
-    first = on_screen.map(QPointF(shown.left() - 1, rect.top() - 1))
-    from_screen, _ = on_screen.inverted()
-    corner = from_screen.map(QPointF(floor(first.x()), floor(first.y())))
-    end = shown.bottomRight() - corner + QPointF(1, 1)
-    frame = rect.adjusted(1, 1, -1, -1).translated(-corner)
-
-    def paint_dots(painter: QPainter) -> None:
-        painter.setPen(QPen(colour, 2, Qt.PenStyle.DotLine))
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawRoundedRect(frame, _ROUNDING_PX, _ROUNDING_PX)
-
-    painter.translate(corner)
-    room = QRectF(0, 0, ceil(end.x()), ceil(end.y()))
-    # The same place among the pixels, but for rounding.
-    edges = frame.left(), frame.top(), frame.right(), frame.bottom()
-    place = tuple(round(edge, 4) for edge in edges)
-    mark.paint(painter, room, (colour.rgba(), place), paint_dots)
-    painter.translate(-corner)
+def _frame(rect: QRectF, shown: QRectF) -> QRectF:
+    """Return the frame of a clip, cut a little outside of what is shown of it."""
+    return rect.intersected(shown.adjusted(-2, 0, 2, 0))
 
 
 def _paint_fades(painter: QPainter, box: Box, colour: QColor) -> None:
@@ -373,33 +326,13 @@ def ground_of(lane: Lane) -> Hashable:
     return lane.selected, lane.silent, lane.problem
 
 
-def same_clips(before: TimelineContent, then: Lane, after: TimelineContent, now: Lane) -> bool:
-    """Return whether the clips of a lane are the very same ones, with the same samples.
-
-    It does not compare which of them are selected.
-    """
-    mine, theirs = now.track, then.track
-    if before.awaited != after.awaited:
-        return False
-    if mine is not theirs and not (
-        mine.colour == theirs.colour
-        and len(mine.clips) == len(theirs.clips)
-        and all(map(is_, mine.clips, theirs.clips))
-    ):
-        return False
-    then_played, now_played = before.waveforms, after.waveforms
-    return then_played is now_played or all(
-        then_played.get(clip.id) is now_played.get(clip.id) for clip in mine.clips
-    )
-
-
-def same_choice(before: TimelineContent, after: TimelineContent, lane: Lane) -> bool:
-    """Return whether the same clips of a lane are selected, and shown by the inspector."""
-    ids = frozenset(clip.id for clip in lane.track.clips)
-    return all(
-        ids.intersection(old) == ids.intersection(new)
-        for old, new in ((before.selected, after.selected), (before.chosen, after.chosen))
-    )
+def clips_look_of(content: TimelineContent, lane: Lane) -> tuple[object, ...]:
+    """Return what the look of the clips of a lane depends on."""
+    clips = lane.track.clips
+    ids = [clip.id for clip in clips]
+    marked = [content.selected.intersection(ids), content.awaited.intersection(ids)]
+    played = [Same(content.waveforms.get(clip_id)) for clip_id in ids]
+    return lane.track.colour, clips, marked, set(content.chosen).intersection(ids), played
 
 
 _TICK_PX = 64.0
@@ -413,17 +346,11 @@ def ticks_of(scale: TimeScale) -> tuple[str, tuple[Tick, ...]]:
     return unit, linear_ticks(*scale.shown_s, max(scale.width_px / _TICK_PX, 2), factor)
 
 
-@lru_cache(maxsize=4)
-def _ticks_px(scale: TimeScale) -> tuple[float, ...]:
-    return tuple(scale.x(tick.value) for tick in ticks_of(scale)[1])
-
-
 def grid_lines(scale: TimeScale, room: QRectF) -> list[QLineF]:
     """Return the vertical lines below the ticks."""
+    places = (scale.x(tick.value) for tick in ticks_of(scale)[1])
     return [
-        QLineF(x, room.top(), x, room.bottom())
-        for x in _ticks_px(scale)
-        if room.left() <= x <= room.right()
+        QLineF(x, room.top(), x, room.bottom()) for x in places if room.left() <= x <= room.right()
     ]
 
 
@@ -507,6 +434,7 @@ _AROUND_PX = 3.0
 # Clips lie farther inside their lanes. Qt paints one px more than is updated: this does not reach
 # the next lane.
 _INSIDE_PX = MARGIN_PX - 1.0
+_OVERLAP_PX, _OVERLAP_ALPHA = 4.0, 190
 
 
 class LaneLayer(pyqtgraph.GraphicsObject):
@@ -597,8 +525,7 @@ class LanesItem(LaneLayer):
         for lane in shown:
             self._paint_silence_reason(painter, lane)
             self._paint_clips(painter, content, lane, lanes)
-            overlaps = content.overlaps.of(lane.track)
-            paint_overlaps(painter, lane, overlaps, content.scale, theme)
+            self._paint_overlaps(painter, content, lane)
         self.painted_lanes += len(shown)
         painter.restore()
         ruler = QRectF(rect.left(), 0, rect.width(), content.ruler_px)
@@ -612,13 +539,10 @@ class LanesItem(LaneLayer):
 
     def _update_lanes(self, before: TimelineContent, after: TimelineContent) -> None:
         """Update the lanes that look different now."""
-        same_selection = (before.selected, before.chosen) == (after.selected, after.chosen)
         for then, now in zip(before.lanes, after.lanes, strict=True):
             if ground_of(then) != ground_of(now):
                 self.update(self._strip(now))
-            elif not same_clips(before, then, after, now) or not (
-                same_selection or same_choice(before, after, now)
-            ):
+            elif clips_look_of(before, then) != clips_look_of(after, now):
                 self.update(self._strip(now).adjusted(0, _INSIDE_PX, 0, -_INSIDE_PX))
 
     @property
@@ -685,6 +609,16 @@ class LanesItem(LaneLayer):
                 handles=box.clip.id == self._hovered and box.rect.width() > 40,
                 view=lanes,
             )
+
+    def _paint_overlaps(self, painter: QPainter, content: TimelineContent, lane: Lane) -> None:
+        """Mark at the foot of a lane where its clips overlap."""
+        colour = QColor(current_theme().text)
+        colour.setAlpha(_OVERLAP_ALPHA)
+        top = lane.bottom_px - MARGIN_PX - _OVERLAP_PX
+        for start_s, end_s in content.overlaps_on(lane):
+            left, right = max(content.scale.x(start_s), -10.0), min(content.scale.x(end_s), 1e5)
+            if right > left:
+                painter.fillRect(QRectF(left, top, max(right - left, 2.0), _OVERLAP_PX), colour)
 
 
 _LABEL_GAP_PX = 8.0

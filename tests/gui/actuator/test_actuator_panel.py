@@ -1,6 +1,7 @@
 """The panel of the actuator: curves, figures and fields, live, and nothing while it is hidden."""
 
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 import pytest
@@ -34,9 +35,9 @@ TAP = track(3, Tap(), colour=1)
 
 
 @pytest.fixture
-def window(make_window):
+def window(open_window):
     design = design_of(TONE, TAP)
-    return make_window(design, View(selected_inputs=(design.ids[0],)))
+    return open_window(design, View(selected_inputs=(design.ids[0],)))
 
 
 @pytest.fixture
@@ -57,34 +58,26 @@ def test_the_figures_are_those_of_the_selected_input_through_the_equaliser(panel
     assert "Warming" not in figures(panel)
 
 
-def test_the_curves_show_actuator_filter_and_both(panel):
-    curves = panel.plot.plot.curves
-    assert [name.short for name in curves.names] == ["Actuator", "Filter", "Equalised"]
-    place = int(np.abs(frequencies_of(BAND_HZ) - 100.0).argmin())
-    assert curves.y[0, place] + curves.y[1, place] == pytest.approx(curves.y[2, place], abs=1e-6)
-    assert curves.y[2, place] == pytest.approx(0.0, abs=0.2)
-    assert curves.columns == ("actuator_db", "filter_db", "equalised_db")
-
-
-def test_a_drag_of_the_amplitude_is_followed_at_once(window, panel, qtbot):
+def test_figures_follow_edits_and_settings_and_are_red_beyond_a_limit(window, panel, qtbot):
     before = number(panel, "Peak voltage")
+    assert not figures(panel)["Peak velocity"].exceeded
     design, view = window.document.design, window.document.view
     window.document.apply(edits.change_field(design, view, view.selected_inputs, "amplitude", 20.0))
     settle(window, qtbot)
     assert number(panel, "Peak voltage") == pytest.approx(2.0 * before, rel=0.02)
-
-
-def test_a_velocity_beyond_what_was_measured_is_red(window, panel, qtbot):
-    assert not figures(panel)["Peak velocity"].exceeded
     choose(panel, "strength_m_per_s2", 10.0)
     settle(window, qtbot)
     assert figures(panel)["Peak velocity"].exceeded
     assert "beyond its limit" in panel.figures.table.accessibleDescription()
 
 
-def test_another_parameter_changes_curves_and_is_listed_beside_the_published_one(
-    window, panel, qtbot
-):
+def test_curves_show_actuator_filter_and_both_and_the_published_one(window, panel, qtbot):
+    curves = panel.plot.plot.curves
+    assert [name.short for name in curves.names] == ["Actuator", "Filter", "Equalised"]
+    place = int(np.abs(frequencies_of(BAND_HZ) - 100.0).argmin())
+    assert curves.y[0, place] + curves.y[1, place] == pytest.approx(curves.y[2, place], abs=1e-6)
+    assert curves.y[2, place] == pytest.approx(0.0, abs=0.2)
+    assert curves.columns == ("actuator_db", "filter_db", "equalised_db")
     assert not panel.choices.reset.isVisibleTo(panel)
     choose(panel, "parameter resistance_ohm", 8.0)
     settle(window, qtbot)
@@ -95,14 +88,10 @@ def test_another_parameter_changes_curves_and_is_listed_beside_the_published_one
     settle(window, qtbot)
     assert settings(window).parameters == ()
     assert len(panel.plot.plot.curves.names) == 3
-
-
-def test_the_step_is_that_of_the_model(window, panel, qtbot):
     panel._step.click()
     settle(window, qtbot)
     curves = panel.plot.plot.curves
-    coil = ss.actuators.load("example-voice-coil")
-    exact = coil.simulate(np.ones(500), 13_000.0).acceleration
+    exact = ss.actuators.load("example-voice-coil").simulate(np.ones(500), 13_000.0).acceleration
     assert curves.y[0, 130:630] == pytest.approx(exact, abs=1e-9)
     assert not curves.y[0, :130].any()
 
@@ -117,11 +106,10 @@ def test_without_an_equaliser_an_amplitude_is_volts(window, panel, qtbot):
         panel.choices.cell("boost_db")
 
 
-@pytest.mark.parametrize("equaliser", ["inverse", "pole_pair", "none"])
 @pytest.mark.parametrize("actuator", [*ss.actuators.names(), *ss.actuators.shape_names()])
-def test_every_actuator_can_be_looked_at(actuator, equaliser):
-    chosen = ActuatorSettings(actuator=actuator, equaliser=equaliser)
-    for band_hz in (BAND_HZ, (5.0, 9000.0)):
+def test_every_actuator_can_be_looked_at(actuator):
+    for equaliser, band_hz in product(("inverse", "pole_pair", "none"), (BAND_HZ, (5.0, 9000.0))):
+        chosen = ActuatorSettings(actuator=actuator, equaliser=equaliser)
         drawn = response_curves(chosen, band_hz)
         assert np.isfinite(drawn.y).all()
         low, high = frequency_axis(band_hz).extent
@@ -165,7 +153,9 @@ def test_a_tap_that_leaves_a_velocity_is_refused_and_another_is_offered(window, 
     assert not panel.figures.centred.isVisibleTo(panel)
 
 
-def test_while_it_is_hidden_it_costs_nothing(window, panel, qtbot):
+def test_figures_are_computed_beside_the_window_and_not_while_the_panel_is_hidden(
+    window, panel, qtbot
+):
     def edit(amplitude):
         design, view = window.document.design, window.document.view
         ids = view.selected_inputs
@@ -176,7 +166,6 @@ def test_while_it_is_hidden_it_costs_nothing(window, panel, qtbot):
     window.engine.finished.connect(lambda outcome: moved.append(outcome.work.samples_moved))
     with counting() as in_the_way:
         edit(3.0)
-    # The figures are computed, and not in the thread of the window.
     assert sum(moved) > 0
     assert in_the_way.samples_moved == 0
     window.docks["actuator"].hide()
@@ -184,16 +173,14 @@ def test_while_it_is_hidden_it_costs_nothing(window, panel, qtbot):
     moved.clear()
     with counting() as hidden:
         edit(4.0)
-        # Other settings, and another selection, cost nothing either.
         choose(panel, "parameter resistance_ohm", 5.0)
         ids = window.document.design.ids
-        window.document.look(replace(window.document.view, selected_inputs=(ids[1],)))
-        settle(window, qtbot)
-        window.document.look(replace(window.document.view, selected_inputs=(ids[0],)))
-        settle(window, qtbot)
+        for chosen in (ids[1], ids[0]):
+            window.document.look(replace(window.document.view, selected_inputs=(chosen,)))
+            settle(window, qtbot)
     assert sum(moved) + hidden.samples_moved == 0
     window.docks["actuator"].bring_forward()
-    qtbot.waitUntil(lambda: panel.isVisible())
+    qtbot.waitUntil(panel.isVisible)
     settle(window, qtbot)
     assert number(panel, "Peak acceleration") == pytest.approx(4.0, rel=0.03)
 

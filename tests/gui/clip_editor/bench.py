@@ -59,8 +59,10 @@ class Bench:
     def at(self, time_s, value):
         return self.canvas.content.at(time_s, value)
 
-    def drag(self, *places, button=LEFT, held=NONE, release=True):
-        points = [self.at(*place) for place in places]
+    def drag(self, *places, **more):
+        self.drag_px(*(self.at(*place) for place in places), **more)
+
+    def drag_px(self, *points, button=LEFT, held=NONE, release=True):
         self.press(points[0], button, held)
         for point in points[1:]:
             self.canvas.tool.move(self.canvas.content, point, held)

@@ -12,41 +12,42 @@ from skinsource_gui.panels.clip_editor import tools
 from tests.gui.clip_editor.bench import ALT, LEFT, NONE, RIGHT, SHIFT, whole
 
 
+def shaped(bench, *places):
+    """Give the clip an envelope with these points."""
+    bench.design = bench.design.with_clip(1, effects=(Envelope(places),))
+    bench.show()
+
+
 def points(bench):
     (envelope,) = bench.clip.effects
     return envelope.points
 
 
-def test_a_click_on_the_curve_adds_a_point_without_changing_it(tone):
+def test_a_click_on_the_curve_adds_a_point_that_is_dragged_alone(tone):
     tone.press(tone.at(0.1, 1.0))
     QTest.mouseRelease(tone.canvas.viewport(), LEFT, NONE, whole(tone.at(0.1, 1.0)))
     assert len(points(tone)) == 2
-    times = np.linspace(0, 0.2, 50)
-    assert (Envelope(points(tone)).values_at(times) == 1.0).all()
+    assert (Envelope(points(tone)).values_at(np.linspace(0, 0.2, 50)) == 1.0).all()
     assert tone.panel._envelope.tool.chosen == (1,)
-
-
-def test_a_point_is_dragged_and_moves_alone(tone):
-    tone.press(tone.at(0.1, 1.0))
-    QTest.mouseRelease(tone.canvas.viewport(), LEFT, NONE, whole(tone.at(0.1, 1.0)))
     tone.drag(points(tone)[1][:2], (0.12, 0.4))
     first, second = points(tone)
     assert first[:2] == (0.0, 1.0)
     assert second[0] == pytest.approx(0.12, abs=0.002)
     assert second[1] == pytest.approx(0.4, abs=0.02)
+    # A double click puts a point anywhere.
+    QTest.mouseDClick(tone.canvas.viewport(), LEFT, NONE, whole(tone.at(0.05, 0.2)))
+    assert points(tone)[1][:2] == pytest.approx((0.05, 0.2), abs=0.02)
 
 
 def test_a_segment_goes_up_and_down_as_a_whole(tone):
-    tone.design = tone.design.with_clip(1, effects=(Envelope(((0.0, 0.5), (0.2, 0.5))),))
-    tone.show()
+    shaped(tone, (0.0, 0.5), (0.2, 0.5))
     tone.drag((0.1, 0.5), (0.13, 0.8))
     assert [time for time, *_ in points(tone)] == [0.0, 0.2]
     assert [value for _, value, _ in points(tone)] == pytest.approx([0.8, 0.8], abs=0.02)
 
 
 def test_alt_and_a_click_on_a_segment_bends_it(tone):
-    tone.design = tone.design.with_clip(1, effects=(Envelope(((0.0, 0.2), (0.2, 0.8))),))
-    tone.show()
+    shaped(tone, (0.0, 0.2), (0.2, 0.8))
     kinds = []
     for _ in range(3):
         value = float(Envelope(points(tone)).values_at(np.array([0.1]))[0])
@@ -57,8 +58,7 @@ def test_alt_and_a_click_on_a_segment_bends_it(tone):
 
 
 def test_keys_move_the_chosen_point_by_one_step_or_ten_and_remove_it(tone):
-    tone.design = tone.design.with_clip(1, effects=(Envelope(((0.0, 0.5), (0.1, 0.5))),))
-    tone.show()
+    shaped(tone, (0.0, 0.5), (0.1, 0.5))
     tone.panel._envelope.tool.chosen = (1,)
     tone.key(Qt.Key.Key_Right)
     tone.key(Qt.Key.Key_Up, SHIFT)
@@ -69,21 +69,8 @@ def test_keys_move_the_chosen_point_by_one_step_or_ten_and_remove_it(tone):
     assert tone.panel._envelope.tool.chosen == (0,)  # the next Delete is for it
 
 
-def test_escape_gives_a_drag_of_a_point_up(tone):
-    tone.design = tone.design.with_clip(1, effects=(Envelope(((0.0, 0.5), (0.1, 0.5))),))
-    tone.show()
-    before = points(tone)
-    tone.drag((0.1, 0.5), (0.15, 0.9), release=False)
-    assert points(tone) != before
-    tone.key(Qt.Key.Key_Escape)
-    assert points(tone) == before
-
-
 def test_a_rectangle_chooses_points(tone):
-    tone.design = tone.design.with_clip(
-        1, effects=(Envelope(((0.02, 0.5), (0.1, 0.5), (0.18, 0.5))),)
-    )
-    tone.show()
+    shaped(tone, (0.02, 0.5), (0.1, 0.5), (0.18, 0.5))
     tone.drag((0.05, 0.9), (0.19, 0.1))
     assert tone.panel._envelope.tool.chosen == (1, 2)
     assert tone.steps == []
@@ -126,12 +113,6 @@ def test_the_handles_of_the_box_around_chosen_points_scale_them(tone):
     assert points(tone) == there
 
 
-def test_a_double_click_puts_a_point_anywhere(tone):
-    QTest.mouseDClick(tone.canvas.viewport(), LEFT, NONE, whole(tone.at(0.1, 0.5)))
-    assert len(points(tone)) == 2
-    assert points(tone)[1][:2] == pytest.approx((0.1, 0.5), abs=0.02)
-
-
 def test_a_drag_of_the_level_end_pulls_a_new_point_and_not_all(tone):
     tone.drag((0.1, 1.0), (0.1, 0.4))
     assert points(tone)[0][:2] == (0.0, 1.0)
@@ -144,10 +125,7 @@ def test_insert_adds_a_point_that_changes_nothing_and_arrows_move_it(tone):
     tone.key(Qt.Key.Key_Insert)
     assert points(tone) == ((0.0, 1.0, "straight"), (0.1, 1.0, "straight"))
     tone.key(Qt.Key.Key_Down)
-    assert points(tone)[1] == pytest.approx((0.1, 0.99), abs=1e-12) or points(tone)[1][:2] == (
-        0.1,
-        0.99,
-    )
+    assert points(tone)[1][:2] == (0.1, 0.99)
     # The next one stands between that and the end, one after the first between both.
     tone.key(Qt.Key.Key_Insert)
     tone.key(Qt.Key.Key_PageUp)
@@ -173,8 +151,7 @@ def menu_at(tone, time_s, value):
 
 
 def test_the_right_button_opens_the_menu_of_a_small_curve(tone):
-    tone.design = tone.design.with_clip(1, effects=(Envelope(((0.0, 0.5), (0.1, 0.9))),))
-    tone.show()
+    shaped(tone, (0.0, 0.5), (0.1, 0.9))
     menu, lines = menu_at(tone, 0.1, 0.9)
     assert len(points(tone)) == 2  # nothing is done before a line is chosen
     lines["After this point: held"].trigger()

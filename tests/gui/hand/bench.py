@@ -94,3 +94,17 @@ class Studio:
 
 def short(site: int) -> str:
     return input_place(site).short_name
+
+
+def contrast(colour, other):
+    """Contrast ratio of two colours, 1 to 21 (WCAG 2.1)."""
+    darker, lighter = sorted((_luminance(colour), _luminance(other)))
+    return (lighter + 0.05) / (darker + 0.05)
+
+
+def _luminance(colour):
+    def linear(share):
+        return share / 12.92 if share <= 0.03928 else ((share + 0.055) / 1.055) ** 2.4
+
+    red, green, blue = (linear(s) for s in (colour.redF(), colour.greenF(), colour.blueF()))
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue

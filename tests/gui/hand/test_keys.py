@@ -49,20 +49,29 @@ def test_arrow_keys_reach_every_site_from_every_site(studio):
         assert reached == set(range(1, 21)), f"from {start}"
 
 
-def test_arrow_keys_go_the_way_they_point(studio):
-    studio.keys(KEY.Key_8)
-    for key, expected in (
-        (KEY.Key_Up, 3),
-        (KEY.Key_Right, 2),
-        (KEY.Key_Down, 7),
-        (KEY.Key_Left, 8),
-        (KEY.Key_Down, 13),
-        (KEY.Key_Down, 16),
-    ):
+@pytest.mark.parametrize(
+    ("keys", "sites"),
+    [
+        ((KEY.Key_8, KEY.Key_Up, KEY.Key_Right, KEY.Key_Down), (8, 3, 2, 7)),
+        ((KEY.Key_7, KEY.Key_Left, KEY.Key_Down, KEY.Key_Down), (7, 8, 13, 16)),
+        ((KEY.Key_End, KEY.Key_Home), (20, 1)),
+        ((KEY.Key_1, KEY.Key_7, KEY.Key_4), (1, 17, 4)),
+    ],
+)
+def test_keys_go_where_they_point(studio, keys, sites):
+    for key, site in zip(keys, sites, strict=True):
         studio.keys(key)
-        assert studio.diagram.cursor_site == expected
-    assert studio.diagram.state.cursor == 16
+        assert studio.diagram.cursor_site == studio.diagram.state.cursor == site
     assert studio.edits == []
+
+
+def test_a_number_is_typed_within_a_pause(studio):
+    pause = studio.diagram.findChild(QTimer, "typing")
+    assert pause.interval() == 800
+    studio.keys(KEY.Key_1)
+    pause.timeout.emit()
+    studio.keys(KEY.Key_5)
+    assert studio.diagram.cursor_site == 5
 
 
 def test_the_cursor_follows_what_is_selected_elsewhere_unless_keys_are_used_here(studio, qtbot):
@@ -79,23 +88,6 @@ def test_the_cursor_follows_what_is_selected_elsewhere_unless_keys_are_used_here
     studio.diagram.clearFocus()
     studio.panel.show_state(studio.design, View(selected_inputs=(1,)))
     assert studio.diagram.cursor_site == 7
-
-
-def test_home_end_and_typed_numbers_move_the_cursor(studio):
-    studio.keys(KEY.Key_End)
-    assert studio.diagram.cursor_site == 20
-    studio.keys(KEY.Key_Home)
-    assert studio.diagram.cursor_site == 1
-    studio.keys(KEY.Key_1, KEY.Key_7)
-    assert studio.diagram.cursor_site == 17
-    studio.keys(KEY.Key_4)
-    assert studio.diagram.cursor_site == 4
-    pause = studio.diagram.findChild(QTimer, "typing")
-    assert pause.interval() == 800
-    studio.keys(KEY.Key_1)
-    pause.timeout.emit()
-    studio.keys(KEY.Key_5)
-    assert studio.diagram.cursor_site == 5
 
 
 @pytest.mark.parametrize("key", [KEY.Key_Return, KEY.Key_Enter, KEY.Key_Space])
@@ -158,29 +150,15 @@ def test_space_is_left_to_the_window_until_keys_are_used_here(studio, qtbot):
     assert studio.sites == [18, 8]
 
 
-def test_an_input_that_is_not_on_this_hand_is_named_and_not_drawn(studio):
+def test_an_input_that_is_not_on_this_hand_is_named_and_keys_bring_it_there_or_remove_it(studio):
     studio.show(track(location=7), selected=0)
     on_hand = studio.diagram.grab().toImage()
     studio.show(track(location=7), track(location=25), selected=1)
-    assert studio.diagram.state.selected == 1
     assert studio.diagram.grab().toImage() != on_hand, "the caption names it"
     assert studio.diagram.stage.layout.has(studio.diagram.cursor_site)
-
-
-def test_keys_bring_it_to_the_hand_or_remove_it(studio):
+    studio.keys(KEY.Key_3)
+    studio.keys(KEY.Key_Right, modifier=SHIFT)
+    assert studio.sites == [7, 3]
     studio.show(track(location=10_000), selected=0)
-    studio.diagram.setFocus()
-    QTest.keyClick(studio.diagram, KEY.Key_7)
-    QTest.keyClick(studio.diagram, KEY.Key_Right, SHIFT)
-    assert studio.sites == [7]
-    studio.show(track(location=10_000), selected=0)
-    QTest.keyClick(studio.diagram, KEY.Key_Delete)
+    studio.keys(KEY.Key_Delete)
     assert studio.sites == []
-
-
-def test_end_goes_to_the_last_site_that_is_drawn(studio):
-    studio.diagram.setFocus()
-    QTest.keyClick(studio.diagram, KEY.Key_End)
-    assert studio.diagram.cursor_site == len(studio.diagram.stage.layout.centres)
-    QTest.keyClick(studio.diagram, KEY.Key_Home)
-    assert studio.diagram.cursor_site == 1

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF
 from PySide6.QtGui import QColor, QHelpEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
@@ -13,13 +13,14 @@ from skinsource.engine import evaluation
 from skinsource.limbs.hand import drawn_hand
 from skinsource.limbs.own_limbs import install_limb
 from skinsource_gui.panels.hand import layout as site_marker
-from skinsource_gui.panels.hand.layout import HandState, Mark, contrast, palmar_drawing, readable_on
+from skinsource_gui.panels.hand.layout import HandState, Mark, palmar_drawing
 from skinsource_gui.panels.hand.panel import HandPanel
 from skinsource_gui.panels.hand.picture import caption_of
+from skinsource_gui.qt.buttons import text_colour_on
 from skinsource_gui.qt.theme import DARK, LIGHT, Theme
 from skinsource_gui.qt.wheel import FREE, WHOLE
 from tests.core.own_limbs.lab_bench import own_limb, response
-from tests.gui.hand.bench import KEY, LEFT, NONE, Studio
+from tests.gui.hand.bench import KEY, LEFT, NONE, Studio, contrast
 from tests.gui.skin.bench import wheel
 
 
@@ -31,20 +32,19 @@ def test_an_input_has_its_own_colour_on_the_hand_in_both_themes(studio, use_them
         for index, site in enumerate((20, 16)):
             point = studio.diagram.site_centre(site) + QPoint(0, 8)
             assert image.pixelColor(point).name() == theme.inputs[index]
-
-
-def test_a_silent_input_is_hollow(studio):
-    studio.show(track(location=20, muted=True))
-    image = studio.diagram.grab().toImage()
-    point = studio.diagram.site_centre(20)
-    assert image.pixelColor(point + QPoint(0, 7)).name() != LIGHT.inputs[0]
+        # A silent input is hollow.
+        studio.show(track(location=20, muted=True), track(location=16), selected=1)
+        image = studio.diagram.grab().toImage()
+        point = studio.diagram.site_centre(20) + QPoint(0, 7)
+        assert image.pixelColor(point).name() != theme.inputs[0]
+        studio.show(track(location=20), track(location=16), selected=1)
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK], ids=lambda theme: theme.name)
 def test_numbers_are_readable_on_every_input_colour(theme: Theme):
     for number in range(len(theme.inputs)):
         colour = theme.input_colour(number)
-        assert contrast(readable_on(colour), colour) >= 4.5
+        assert contrast(text_colour_on(colour), colour) >= 4.5
 
 
 def test_the_tooltip_names_place_contact_and_inputs(studio):
@@ -56,10 +56,9 @@ def test_the_tooltip_names_place_contact_and_inputs(studio):
     for expected in ("2 ·", "Digit II, tip", "in-axis", "Tone, muted, selected"):
         assert expected in text
     QToolTip.hideText()
-
-
-def test_the_cursor_is_announced(studio):
-    studio.show(track(location=7))
+    # What the cursor reaches is announced.
+    studio.show(track(location=7), selected=4)
+    assert studio.diagram.state.selected is None
     studio.keys(KEY.Key_7)
     text = studio.diagram.accessibleDescription()
     assert text.startswith("Place 7 · Digit II, pad. perpendicular")
@@ -67,12 +66,7 @@ def test_the_cursor_is_announced(studio):
     assert studio.diagram.accessibleName()
 
 
-def test_a_selection_that_the_design_has_lost_is_not_shown(studio):
-    studio.show(track(location=7), selected=4)
-    assert studio.diagram.state.selected is None
-
-
-@pytest.mark.parametrize("size", [(260, 330), (260, 900), (900, 330), (700, 1200)])
+@pytest.mark.parametrize("size", [(260, 330), (260, 900), (900, 330)])
 def test_all_sites_stay_inside_at_every_size(studio, size):
     studio.panel.resize(*size)
     radius = round(studio.diagram.stage.layout.radius_px(20))
@@ -146,7 +140,7 @@ def crowd(n):
     return np.random.default_rng(2).uniform((-35, -50), (35, 50), (n, 2))
 
 
-@pytest.mark.parametrize("n", [64, 128, 256])
+@pytest.mark.parametrize("n", [64, 256])
 def test_no_marker_covers_another_however_many_there_are(with_places, n):
     hand = with_places(crowd(n)).diagram.stage.layout
     distances_px = np.linalg.norm(hand.centres[:, None] - hand.centres[None], axis=-1)
@@ -215,48 +209,41 @@ def test_a_place_that_lies_nowhere_stands_beside_the_hand(with_places):
 
 
 def test_the_wheel_zooms_at_the_pointer_and_back_to_the_whole_hand(studio):
-    before = studio.diagram.stage.layout.transform.m11()
-    at = studio.diagram.site_centre(18)
-    wheel(studio.diagram, at, 3)
-    assert studio.diagram.stage.layout.transform.m11() > 1.5 * before
-    assert (studio.diagram.site_centre(18) - at).manhattanLength() <= 2
-    wheel(studio.diagram, at, -9)
-    assert studio.diagram.stage.layout.transform.m11() == before
-
-
-def test_what_is_magnified_beyond_the_picture_is_not_hit(studio):
-    diagram = studio.diagram
+    diagram, stage = studio.diagram, studio.diagram.stage
+    before = stage.layout.transform.m11()
+    at = diagram.site_centre(18)
+    wheel(diagram, at, 3)
+    assert stage.layout.transform.m11() > 1.5 * before
+    assert (diagram.site_centre(18) - at).manhattanLength() <= 2
+    wheel(diagram, at, -9)
+    assert stage.layout.transform.m11() == before
     wheel(diagram, diagram.site_centre(3), 8)
+    # What is magnified beyond the picture is not hit.
     below = [k for k in range(1, 21) if diagram.site_centre(k).y() > diagram.height()]
-    assert below
-    assert diagram.stage.site_at(QPointF(diagram.site_centre(below[0]))) is None
+    assert stage.site_at(QPointF(diagram.site_centre(below[0]))) is None
     QTest.mouseClick(diagram, LEFT, pos=QPoint(diagram.width() // 2, diagram.height() - 3))
     assert studio.edits == []
 
 
 def test_a_double_click_beside_the_places_shows_the_whole_hand(studio):
-    wheel(studio.diagram, studio.diagram.site_centre(3), 4)
-    assert studio.diagram.stage.pan_zoom.fit == FREE
+    diagram, stage = studio.diagram, studio.diagram.stage
+    wheel(diagram, QPoint(2, 2), 4)
+    assert stage.pan_zoom.fit == FREE
+    for _ in range(60):
+        stage.pan_zoom.pan(80, 80)
+    # It cannot be moved out of sight.
+    outline = stage.layout.transform.map(palmar_drawing(drawn_hand(1)).outline)
+    middle, reach = QPointF(diagram.rect().center()), 0.25 * diagram.width()
+    steps = (-1, -0.5, 0, 0.5, 1)
+    assert any(
+        outline.contains(middle + QPointF(dx * reach, dy * reach)) for dx in steps for dy in steps
+    )
     empty = next(
         QPoint(x, y)
-        for y in range(10, studio.diagram.height(), 7)
-        for x in range(10, studio.diagram.width(), 7)
-        if studio.diagram.stage.layout.site_at(QPointF(x, y)) is None
+        for y in range(10, diagram.height(), 7)
+        for x in range(10, diagram.width(), 7)
+        if stage.layout.site_at(QPointF(x, y)) is None
     )
-    QTest.mouseDClick(studio.diagram, Qt.MouseButton.LeftButton, pos=empty)
-    assert studio.diagram.stage.pan_zoom.fit == WHOLE
+    QTest.mouseDClick(diagram, LEFT, pos=empty)
+    assert stage.pan_zoom.fit == WHOLE
     assert studio.edits == []
-
-
-def test_the_hand_cannot_be_moved_out_of_sight(studio):
-    diagram = studio.diagram
-    wheel(diagram, QPoint(2, 2), 4)
-    for _ in range(60):
-        diagram.stage.pan_zoom.pan(80, 80)
-    outline = diagram.stage.layout.transform.map(palmar_drawing(drawn_hand(1)).outline)
-    middle, reach = QPointF(diagram.rect().center()), 0.25 * diagram.width()
-    assert any(
-        outline.contains(middle + QPointF(dx * reach, dy * reach))
-        for dx in (-1, -0.5, 0, 0.5, 1)
-        for dy in (-1, -0.5, 0, 0.5, 1)
-    )

@@ -10,13 +10,12 @@ from PySide6.QtWidgets import QDialogButtonBox, QMessageBox
 from skinsource.design.clips import Clip, Fragment, Lane
 from skinsource.design.design import Design, track
 from skinsource.design.presets import presets
-from skinsource.design.presets.presets import Preset
+from skinsource.design.presets.presets import Preset, read_preset_folder, shipped_folder
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.pages.library import fragments_to_save
 from skinsource_gui.panels.library.list import OWN
-from tests.gui.library.bench import KEY, go_to, labels, names
 
 SEVERAL = Design(
     limb="synthetic-1",
@@ -42,7 +41,7 @@ def test_what_can_be_kept_is_what_is_selected_the_track_and_all():
     assert fragments_to_save(Design(limb="synthetic-1"), View()) == ()
 
 
-def test_a_clip_is_kept_under_a_name_and_found_again(window, panel, qtbot):
+def test_a_clip_is_kept_under_a_name(window):
     page = window.library.ask_and_save()
     button = page.buttons.button(QDialogButtonBox.StandardButton.Save)
     page.name.setText("  ")
@@ -51,13 +50,12 @@ def test_a_clip_is_kept_under_a_name_and_found_again(window, panel, qtbot):
     page.tags.setText("mine, low, mine")
     page.description.setText("For the start.")
     button.click()
-    qtbot.waitUntil(lambda: "Good tone" in names(panel))
     (entry,) = presets.read_preset_folder(presets.users_folder()).entries
-    assert entry.preset.tags == ("mine", "low")
+    assert (entry.preset.name, entry.preset.tags) == ("Good tone", ("mine", "low"))
     assert entry.preset.description == "For the start."
     (clip,) = entry.preset.fragment.lanes[0].clips
     assert clip.waveform == window.document.design.clips[0].waveform
-    assert labels(window) == []
+    assert window.document.undo_stack.count() == 0
 
 
 def test_what_cannot_be_kept_says_why_and_the_page_stays(window, user_data):
@@ -85,80 +83,55 @@ MINE = Preset(
 )
 
 
-def save(preset=MINE):
-    return presets.save_preset(presets.users_folder(), preset)
-
-
-def test_own_presets_are_there_as_soon_as_their_files_are(window, panel, qtbot):
-    n_shipped = len(names(panel))
-    path = save()
-    qtbot.waitUntil(lambda: "My tap" in names(panel))
-    assert names(panel)[0] == "My tap"
-    assert panel.model.index(0).data(OWN)
+def test_own_presets_are_there_as_soon_as_their_files_are_and_bad_ones_are_named(bench, qtbot):
+    panel = bench.panel
+    path = presets.save_preset(presets.users_folder(), MINE)
+    qtbot.waitUntil(lambda: bench.names[0] == "My tap")
+    assert panel.model.index(0, 0).data(OWN)
     path.write_text(presets.preset_text(replace(MINE, name="My other tap")))
-    qtbot.waitUntil(lambda: names(panel)[0] == "My other tap")
-    path.unlink()
-    qtbot.waitUntil(lambda: len(names(panel)) == n_shipped)
-
-
-def test_one_bad_file_is_named_and_left_out_until_it_is_mended(window, panel, qtbot):
-    save()
+    qtbot.waitUntil(lambda: bench.names[0] == "My other tap")
     bad = presets.users_folder() / "bad.skinpreset"
     bad.write_text("{")
     qtbot.waitUntil(panel.faults.isVisible)
     assert "bad.skinpreset" in panel.faults.text()
-    assert "My tap" in names(panel)
+    assert bench.names[0] == "My other tap"
+    # What changes while it is hidden is there when it is shown.
+    panel.hide()
     bad.unlink()
-    qtbot.waitUntil(panel.faults.isHidden)
+    path.unlink()
+    panel.show()
+    assert panel.faults.isHidden()
+    assert len(bench.names) == len(read_preset_folder(shipped_folder()).entries)
 
 
-def test_what_changed_while_it_was_hidden_is_there_when_it_is_shown(window, panel, qtbot):
-    window.docks["library"].hide()
-    save()
-    window.docks["library"].bring_forward()
-    qtbot.waitUntil(lambda: "My tap" in names(panel))
-
-
-def test_own_presets_are_renamed_in_place_and_shipped_ones_are_not(window, panel, qtbot):
-    save()
-    panel.folders.read()
-    index = panel.model.index(0)
+def test_own_presets_are_renamed_in_place_and_shipped_ones_are_not(bench, qtbot):
+    panel = bench.panel
+    bench.save(MINE)
+    index = panel.model.index(0, 0)
     assert index.flags() & Qt.ItemFlag.ItemIsEditable
     panel.model.setData(index, "Ready", Qt.ItemDataRole.EditRole)
-    assert names(panel)[0] == "Ready"
-    assert panel.rows.currentIndex().data() == "Ready"
+    assert bench.names[0] == panel.rows.currentIndex().data() == "Ready"
     assert [path.name for path in presets.users_folder().iterdir()] == ["ready.skinpreset"]
-    go_to(panel, "Tap")
+    with qtbot.waitSignal(panel.failed) as failure:
+        panel.model.setData(panel.model.index(0, 0), " ", Qt.ItemDataRole.EditRole)
+    assert "name" in failure.args[0]
+    assert bench.names[0] == "Ready"
+    bench.go_to("Tap")
     assert not panel.rows.currentIndex().flags() & Qt.ItemFlag.ItemIsEditable
     assert not panel.buttons.rename.isEnabled()
     assert not panel.buttons.delete.isEnabled()
 
 
-def test_a_name_that_is_none_is_refused_in_a_sentence(window, panel, qtbot):
-    save()
-    panel.folders.read()
-    with qtbot.waitSignal(panel.failed) as failure:
-        panel.model.setData(panel.model.index(0), " ", Qt.ItemDataRole.EditRole)
-    assert "name" in failure.args[0]
-    assert names(panel)[0] == "My tap"
-
-
 @pytest.mark.parametrize("yes", [True, False])
-def test_own_presets_are_deleted_after_a_question(window, panel, monkeypatch, yes):
+def test_own_presets_are_deleted_after_a_question_and_shipped_ones_never(bench, monkeypatch, yes):
     answer = QMessageBox.StandardButton.Yes if yes else QMessageBox.StandardButton.No
-    monkeypatch.setattr(QMessageBox, "question", lambda *_: answer)
-    path = save()
-    panel.folders.read()
-    go_to(panel, "My tap")
-    panel.rows.setFocus()
-    QTest.keyClick(panel.rows, KEY.Key_Delete)
+    asked = []
+    monkeypatch.setattr(QMessageBox, "question", lambda *args: asked.append(args[2]) or answer)
+    path = bench.save(MINE)
+    for name in ("My tap", "Tap"):
+        bench.go_to(name)
+        QTest.keyClick(bench.panel.rows, Qt.Key.Key_Delete)
     assert path.exists() is not yes
-    assert ("My tap" in names(panel)) is not yes
-
-
-def test_delete_leaves_shipped_ones_alone(window, panel, monkeypatch):
-    monkeypatch.setattr(QMessageBox, "question", lambda *_: pytest.fail("asked"))
-    go_to(panel, "Tap")
-    panel.rows.setFocus()
-    QTest.keyClick(panel.rows, KEY.Key_Delete)
-    assert "Tap" in names(panel)
+    assert ("My tap" in bench.names) is not yes
+    assert "Tap" in bench.names
+    assert len(asked) == 1

@@ -36,9 +36,13 @@ _TEXTS = (
 
 
 def of_menus(hands):
-    name = hands.one_of(_OFTEN if hands.chance(0.4) else _ENTRIES)
+    do(hands, hands.one_of(_OFTEN if hands.chance(0.4) else _ENTRIES))
+
+
+def do(hands, name):
+    """Do what an entry of the menus does."""
+    hands.done.append(("do", name))
     hands.window.do(name)
-    return (name,)
 
 
 def press_keys(hands):
@@ -47,26 +51,21 @@ def press_keys(hands):
         name = hands.one_of(("traces", "spectra", "history", "library"))
     panel = shown_panel(hands, name)
     panel.setFocus(Qt.FocusReason.TabFocusReason)
-    pressed = []
     for _ in range(int(hands.random.integers(1, 4))):
-        key, held = hands.one_of(_KEYS), hands.one_of(_HELD)
-        hands.key(key, held)
-        pressed.append((key.name, held.name))
-    return name, pressed
+        hands.key(hands.one_of(_KEYS), hands.one_of(_HELD))
 
 
 def in_numbers(hands):
     panel = shown_panel(hands, hands.one_of(("inspector", "inspector", "timeline")))
     fields = [field for field in panel.findChildren(NumberField) if field.isVisible()]
     if not fields:
-        return ()
+        return
     field, way = hands.one_of(fields), hands.one_of(("type", "type", "keys", "wheel", "drag"))
-    middle, typed = field.rect().center(), ""
+    middle = field.rect().center()
     if way == "type":
-        typed = hands.one_of(_TEXTS)
         hands.double_click(field, middle)
         hands.key(_Key.Key_A, CONTROL)
-        hands.type(typed)
+        hands.type(hands.one_of(_TEXTS))
         hands.key(hands.one_of((_Key.Key_Return, _Key.Key_Tab, _Key.Key_Escape)))
     elif way == "keys":
         field.setFocus(Qt.FocusReason.TabFocusReason)
@@ -76,7 +75,6 @@ def in_numbers(hands):
         hands.wheel(field, middle, hands.one_of((-2, -1, 1, 2)))
     else:
         hands.drag(field, middle, middle + QPoint(int(hands.number(-60, 60)), 0))
-    return field.objectName(), way, typed
 
 
 def in_lists(hands):
@@ -91,13 +89,10 @@ def in_lists(hands):
         and combo_box.isEnabled()
         and (combo_box.objectName() != "limb" or hands.chance(0.3))
     ]
-    if not fields:
-        return ()
-    field = hands.one_of(fields)
-    field.setFocus(Qt.FocusReason.TabFocusReason)
-    key = hands.one_of((_Key.Key_Up, _Key.Key_Down, _Key.Key_Down, _Key.Key_Home, _Key.Key_End))
-    hands.key(key)
-    return field.objectName(), key.name
+    if fields:
+        hands.one_of(fields).setFocus(Qt.FocusReason.TabFocusReason)
+        keys = (_Key.Key_Up, _Key.Key_Down, _Key.Key_Down, _Key.Key_Home, _Key.Key_End)
+        hands.key(hands.one_of(keys))
 
 
 def on_buttons(hands):
@@ -110,12 +105,9 @@ def on_buttons(hands):
         for button in panel.findChildren(QAbstractButton)
         if button.isVisible() and button.isEnabled()
     ]
-    if not buttons:
-        return ()
-    button = hands.one_of(buttons)
-    hands.click(button)
-    chosen = hands.choose_of_popup()
-    return button.objectName(), button.text(), chosen
+    if buttons:
+        hands.click(hands.one_of(buttons))
+        hands.choose_of_popup()
 
 
 def in_rows(hands):
@@ -126,7 +118,7 @@ def in_rows(hands):
     )
     count = rows.model().rowCount()
     if not count:
-        return (name,)
+        return
     index = rows.model().index(int(hands.random.integers(count)), 0)
     rows.scrollTo(index)
     at = rows.visualRect(index).center()
@@ -134,7 +126,6 @@ def in_rows(hands):
         hands.double_click(rows, at)
     else:
         hands.click(rows, at)
-    return name, index.row()
 
 
 def on_docks(hands):
@@ -144,32 +135,29 @@ def on_docks(hands):
         dock.setVisible(way == "show")
     else:
         dock.setFloating(way == "float")
-    return dock.objectName(), way
+    hands.done.append((way, dock.objectName()))
 
 
 def on_window(hands):
-    size = hands.one_of(((1366, 728), (1024, 700), (1000, 640), (900, 600)))
-    hands.window.resize(*size)
-    return size
+    hands.window.resize(*hands.one_of(((1366, 728), (1024, 700), (1000, 640), (900, 600))))
 
 
 def in_pages(hands):
     """Open a page, type and press something there, and close it or agree to it."""
     name = hands.one_of(("find_action", "make_motion", "make_motion", "save_to_library"))
-    hands.window.do(name)
+    do(hands, name)
     page = next(
         (dialog for dialog in hands.window.findChildren(QDialog) if dialog.isVisible()), None
     )
     if page is None:
-        return (name, "nothing")
+        return
     if name == "make_motion":
-        return name, *_make_motion(hands, page)
+        _make_motion(hands, page)
+        return
     if (line := page.findChild(QLineEdit)) is not None:
         line.setFocus(Qt.FocusReason.TabFocusReason)
         hands.type(hands.one_of(("mute", "axes", "dark", "tap", "kept", "x", "soft, short")))
-    end = hands.one_of((_Key.Key_Return, _Key.Key_Escape))
-    hands.key(end)
-    return name, end.name
+    hands.key(hands.one_of((_Key.Key_Return, _Key.Key_Escape)))
 
 
 def _make_motion(hands, page):
@@ -187,7 +175,6 @@ def _make_motion(hands, page):
         hands.key(_Key.Key_Return)
     button = hands.one_of(("add_motion", "add_motion", "cancel_motion"))
     hands.click(page.findChild(QAbstractButton, button))
-    return (button,)
 
 
 def import_recording(hands):
@@ -200,4 +187,3 @@ def import_recording(hands):
         else:
             page.reject()
     QApplication.processEvents()
-    return ()

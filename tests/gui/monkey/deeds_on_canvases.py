@@ -3,7 +3,6 @@
 from PySide6.QtCore import QPoint, Qt
 
 from skinsource_gui.panels.clip_editor.view import EditorView
-from skinsource_gui.panels.timeline.lanes import LanesView
 from tests.gui.monkey.hands import ALT, CONTROL, MIDDLE, NONE, RIGHT, SHIFT
 
 _HELD = (NONE, NONE, NONE, SHIFT, CONTROL, ALT)
@@ -28,15 +27,13 @@ def on_hand(hands):
         occupied = [diagram.site_centre(track.location) for track in hands.document.design.inputs]
         hands.drag(diagram, hands.one_of(occupied or [here]), there, held)
     else:
-        way = hands.menu_of(diagram, here)
-    return way, here.toTuple(), there.toTuple(), held.name
+        hands.menu_of(diagram, here)
 
 
 def on_lanes(hands):
-    lanes = shown_panel(hands, "timeline").findChild(LanesView)
+    lanes = shown_panel(hands, "timeline").lanes
     ways = (*(_drag_clip, _drag_clip, _drag_clip), _on_ground, _on_ruler, _turn, _menu, _open)
-    way = hands.one_of(ways)
-    return way.__name__, way(hands, lanes)
+    hands.one_of(ways)(hands, lanes)
 
 
 def _on_clip(hands, lanes) -> QPoint:
@@ -58,7 +55,6 @@ def _drag_clip(hands, lanes):
     if hands.chance(0.2):
         hands.click(lanes, start, held)
     hands.drag(lanes, start, start + way, held)
-    return start.toTuple(), way.toTuple(), held.name
 
 
 def _on_ground(hands, lanes):
@@ -67,81 +63,67 @@ def _on_ground(hands, lanes):
         hands.drag(lanes, start, end, hands.one_of(_HELD))
     else:
         hands.double_click(lanes, start)
-    return start.toTuple(), end.toTuple()
 
 
 def _on_ruler(hands, lanes):
     start, end = (QPoint(hands.place_in(lanes).x(), int(hands.number(2, 20))) for _ in range(2))
-    held = hands.one_of((NONE, SHIFT))
     if hands.chance(0.2):
         hands.double_click(lanes, start)
     else:
-        hands.drag(lanes, start, end, held)
-    return start.toTuple(), end.toTuple(), held.name
+        hands.drag(lanes, start, end, hands.one_of((NONE, SHIFT)))
 
 
 def _turn(hands, lanes):
-    at, held = hands.place_in(lanes.viewport()), hands.one_of((NONE, SHIFT, CONTROL))
+    at = hands.place_in(lanes.viewport())
     if hands.chance(0.2):
         hands.drag(lanes, at, hands.place_in(lanes.viewport()), button=MIDDLE)
     else:
-        hands.wheel(lanes, at, hands.one_of((-3, -1, 1, 3)), held)
-    return at.toTuple(), held.name
+        hands.wheel(lanes, at, hands.one_of((-3, -1, 1, 3)), hands.one_of((NONE, SHIFT, CONTROL)))
 
 
 def _menu(hands, lanes):
-    at = hands.one_of((_on_clip(hands, lanes), hands.place_in(lanes.viewport())))
-    return at.toTuple(), hands.menu_of(lanes, at)
+    hands.menu_of(lanes, hands.one_of((_on_clip(hands, lanes), hands.place_in(lanes.viewport()))))
 
 
 def _open(hands, lanes):
-    at = _on_clip(hands, lanes)
-    hands.double_click(lanes, at)
-    return at.toTuple()
+    hands.double_click(lanes, _on_clip(hands, lanes))
 
 
 def in_editor(hands):
     view = shown_panel(hands, "clip_editor").findChild(EditorView)
     tools = (Qt.Key.Key_P, Qt.Key.Key_E, Qt.Key.Key_E, Qt.Key.Key_V)
     view.setFocus(Qt.FocusReason.MouseFocusReason)
-    tool = hands.one_of(tools)
     if hands.chance(0.4):
-        hands.key(tool)
-    start, end = hands.place_in(view.viewport()), hands.place_in(view.viewport())
+        hands.key(hands.one_of(tools))
+    start = hands.place_in(view.viewport())
     if view.content is not None and hands.chance(0.5):
         # Where the level envelope lies.
         start = QPoint(start.x(), round(view.content.y(1.0)))
-    way = hands.one_of(("drag", "drag", "click", "double", "wheel", "right", "bound"))
-    held = hands.one_of(_HELD)
-    if way in ("drag", "right"):
-        hands.drag(view, start, end, held, *((RIGHT,) if way == "right" else ()))
-    elif way == "click":
-        hands.click(view, start, held)
-    elif way == "double":
-        hands.double_click(view, start)
-    elif way == "wheel":
-        hands.wheel(view, start, hands.one_of((-2, 2)), held)
-    elif hands.chance(0.3):
-        panel = hands.window.panel("clip_editor")
-        hands.click(panel.findChild(object, "clip_bound to band"))
-    return tool.name, way, start.toTuple(), end.toTuple(), held.name
+    if hands.chance(0.05):
+        hands.click(hands.window.panel("clip_editor").findChild(object, "clip_bound to band"))
+    else:
+        _anything(hands, view, start, (RIGHT,))
 
 
 def on_plots(hands):
     name = hands.one_of(("traces", "spectra", "skin"))
     panel = shown_panel(hands, name)
     surface = panel.map if name == "skin" else panel.findChild(object, f"{name}-plot")
-    start, end = hands.place_in(surface), hands.place_in(surface)
-    held = hands.one_of(_HELD)
-    way = hands.one_of(("click", "drag", "wheel", "double", "menu"))
-    if way == "click":
+    _anything(hands, surface, hands.place_in(surface))
+
+
+def _anything(hands, surface, start, other_buttons=()):
+    """Do anything that a mouse can do on a surface."""
+    end, held = hands.place_in(surface), hands.one_of(_HELD)
+    way = hands.one_of(("drag", "drag", "click", "double", "wheel", "menu"))
+    if way == "drag":
+        buttons = hands.one_of(((), (), other_buttons))
+        hands.drag(surface, start, end, held, *buttons)
+    elif way == "click":
         hands.click(surface, start, held)
-    elif way == "drag":
-        hands.drag(surface, start, end, held)
-    elif way == "wheel":
-        hands.wheel(surface, start, hands.one_of((-3, 3)), held)
     elif way == "double":
         hands.double_click(surface, start)
+    elif way == "wheel":
+        hands.wheel(surface, start, hands.one_of((-3, 3)), held)
     else:
-        way = hands.menu_of(surface, start)
-    return name, way, start.toTuple(), end.toTuple(), held.name
+        hands.menu_of(surface, start)

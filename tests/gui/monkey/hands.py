@@ -29,7 +29,7 @@ CONTROL, ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModif
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 MIDDLE = Qt.MouseButton.MiddleButton
 #: Most deeds that are remembered, to be told of when something is wrong.
-_REMEMBERED = 25
+_REMEMBERED = 60
 _GIVE_UP_MS, _PATIENCE_S = 60, 60.0
 
 
@@ -71,22 +71,27 @@ class Hands:
 
     def key(self, key: Qt.Key, held=NONE) -> None:
         """Press a key wherever the keyboard is."""
+        self._remember("key", key.name, held.name)
         QTest.keyClick(QApplication.focusWidget() or self.window, key, held)
 
     def type(self, text: str) -> None:
         """Type wherever the keyboard is."""
+        self._remember("type", text)
         QTest.keyClicks(QApplication.focusWidget() or self.window, text)
 
     def click(self, widget, at: QPoint | None = None, held=NONE, button=LEFT) -> None:
+        self._remember("click", widget.objectName(), at, held.name)
         QTest.mouseClick(_surface(widget), button, held, at or widget.rect().center())
 
     def double_click(self, widget, at: QPoint) -> None:
+        self._remember("double click", widget.objectName(), at)
         surface = _surface(widget)
         QTest.mouseClick(surface, LEFT, NONE, at)
         QTest.mouseDClick(surface, LEFT, NONE, at)
 
     def drag(self, widget, start: QPoint, end: QPoint, held=NONE, button=LEFT) -> None:
         """Press, move in a few steps, and let go; now and then give up by Esc, half way."""
+        self._remember("drag", widget.objectName(), start, end, held.name, button.name)
         surface = _surface(widget)
         QTest.mousePress(surface, button, held, start)
         steps = int(self.random.integers(2, 5))
@@ -106,21 +111,23 @@ class Hands:
         QTest.mouseRelease(surface, button, held, end)
 
     def wheel(self, widget, at: QPoint, notches: int, held=NONE) -> None:
+        self._remember("wheel", widget.objectName(), at, notches, held.name)
         turn_wheel(_surface(widget), at, (0, NOTCH * notches), held)
 
-    def menu_of(self, widget, at: QPoint) -> str:
+    def menu_of(self, widget, at: QPoint) -> None:
         """Press the right button, and choose a line of the menu that opens, or none."""
+        self._remember("menu", widget.objectName(), at)
         surface = _surface(widget)
         QTest.mouseClick(surface, RIGHT, NONE, at)
         place = QContextMenuEvent.Reason.Mouse
         QApplication.sendEvent(surface, QContextMenuEvent(place, at, surface.mapToGlobal(at)))
-        return self.choose_of_popup()
+        self.choose_of_popup()
 
-    def choose_of_popup(self) -> str:
+    def choose_of_popup(self) -> None:
         """Choose a line of the open menu by key."""
         menu = QApplication.activePopupWidget()
         if not isinstance(menu, QMenu):
-            return ""
+            return
         lines = [
             action
             for action in menu.actions()
@@ -131,12 +138,14 @@ class Hands:
         ]
         if not lines or self.chance(0.1):
             menu.close()
-            return ""
+            return
         chosen = self.one_of(lines)
         menu.setActiveAction(chosen)
-        text = chosen.text()
+        self._remember("choose", chosen.text())
         QTest.keyClick(menu, Qt.Key.Key_Return)
-        return text
+
+    def _remember(self, *what: object) -> None:
+        self.done.append(what)
 
     def wait(self, holds: Callable[[], bool]) -> None:
         """Let the window live until something holds; a minute at most."""

@@ -14,7 +14,6 @@ import skinsource as ss
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource_gui.panels.skin.settings import LEVELS, SkinSettings
-from skinsource_gui.panels.timeline.lanes import LanesView
 from skinsource_gui.state.history import MOST_STEPS
 from skinsource_gui.state.preferences import start_design
 from tests.gui.monkey import deeds_in_fields as fields
@@ -130,8 +129,7 @@ class Monkey:
         hands = self.hands
         deed = fields.import_recording if k % _IMPORTED_EVERY == 0 else hands.one_of(DEEDS)
         hands.done.append((k, deed.__name__))
-        detail = deed(hands)
-        hands.done[-1] = (k, deed.__name__, detail)
+        deed(hands)
         self.tally.deeds[deed.__name__] += 1
         if k % _PAINTED_EVERY == 0:
             QApplication.processEvents()
@@ -179,7 +177,7 @@ class Monkey:
         self._expect(set(view.selected_clips) <= set(clips), "a ghost clip is selected")
         notice = self.window.notice.text
         self._expect("made a mistake" not in notice, f"the studio says: {notice}")
-        gestures = self.window.panel("timeline")._table.lanes.mouse.busy
+        gestures = self.window.panel("timeline").lanes.mouse.busy
         self._expect(not gestures, "no button is down, yet a gesture goes on in the timeline")
 
     def _settle(self) -> None:
@@ -195,7 +193,7 @@ class Monkey:
             mute()
 
     def _mute_clip(self) -> None:
-        canvases.shown_panel(self.hands, "timeline").findChild(LanesView).setFocus()
+        canvases.shown_panel(self.hands, "timeline").lanes.setFocus()
         self.hands.key(Qt.Key.Key_M)
 
     def _mute_track(self) -> None:

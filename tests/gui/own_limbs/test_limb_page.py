@@ -404,7 +404,7 @@ def rested(window, qtbot):
 
 def test_clips_have_their_waveforms_and_follow_edits(large_window, qtbot):
     window = large_window
-    lanes = window.panel("timeline")._table.lanes
+    lanes = window.panel("timeline").lanes
     tone, noise = (track.clips[0].id for track in window.document.design.inputs)
     assert set(lanes.content.waveforms) == {tone, noise}
     before = lanes.content.waveforms[tone]

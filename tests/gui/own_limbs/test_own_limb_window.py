@@ -37,7 +37,7 @@ def lab_window(lab, open_window):
 
 def lane(window):
     """What the timeline shows of the first input."""
-    return window.panel("timeline")._table.lanes.content.lanes[0]
+    return window.panel("timeline").lanes.content.lanes[0]
 
 
 def rested(window, qtbot):

@@ -1,17 +1,27 @@
-"""What the tests of this folder share."""
+"""A timeline without a studio, and what mouse and keys do on it."""
 
 from dataclasses import replace
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design.design import Design, track
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input, track
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.view import View
+from skinsource.design.waveforms.pulses import Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.timeline.heads import InputRows
 from skinsource_gui.panels.timeline.panel import TimelinePanel
 
+LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+CONTROL, SHIFT, ALT = (
+    Qt.KeyboardModifier.ControlModifier,
+    Qt.KeyboardModifier.ShiftModifier,
+    Qt.KeyboardModifier.AltModifier,
+)
+TONE = Tone(100.0, 0.0, 0.2)
 PLACES = (7, 2, 15)
 
 
@@ -21,15 +31,11 @@ class Bench:
     def __init__(self, qtbot, design, selected=0):
         self.panel = TimelinePanel()
         qtbot.addWidget(self.panel)
-        self.design, self.view = (
-            design,
-            View(selected_inputs=() if selected < 0 else (selected + 1,)),
-        )
-        self.edits = []
-        self.refusals = []
-        self.requests = []
+        self.design = design
+        self.view = View(selected_inputs=() if selected < 0 else (selected + 1,))
+        self.edits, self.refusals, self.requests = [], [], []
         self.panel.edited.connect(self._edit)
-        self.panel.view_changed.connect(self._look)
+        self.panel.view_changed.connect(self.look)
         self.panel.playhead_requested.connect(self._put_playhead)
         self.panel.resize(760, 300)
         self.panel.show_state(self.design, self.view)
@@ -58,7 +64,12 @@ class Bench:
         self.design = design
         self.panel.show_state(self.design, self.view)
 
-    def key(self, key, modifiers=Qt.KeyboardModifier.NoModifier):
+    def look(self, view):
+        self.requests.append("view")
+        self.view = view
+        self.panel.show_state(self.design, self.view)
+
+    def key(self, key, modifiers=NONE):
         QTest.keyClick(QApplication.focusWidget(), key, modifiers)
 
     def _edit(self, outcome, gesture):
@@ -66,7 +77,7 @@ class Bench:
             self.refusals.append(outcome.sentence)
             return
         if outcome.design is self.design:
-            self._look(outcome.view)
+            self.look(outcome.view)
             return
         self.edits.append((outcome.label, outcome.design, gesture))
         self.requests.append("edit")
@@ -77,11 +88,6 @@ class Bench:
         self.view = replace(self.view, playhead_s=time_s)
         self.panel.show_playhead(self.view)
 
-    def _look(self, view):
-        self.requests.append("view")
-        self.view = view
-        self.panel.show_state(self.design, self.view)
-
 
 def design_of(*places, **changes):
     design = Design(limb="synthetic-1")
@@ -91,7 +97,7 @@ def design_of(*places, **changes):
 
 
 def click(widget, at=None):
-    QTest.mouseClick(widget, Qt.MouseButton.LeftButton, pos=at or widget.rect().center())
+    QTest.mouseClick(widget, LEFT, pos=at or widget.rect().center())
 
 
 def results_of(design):
@@ -100,3 +106,77 @@ def results_of(design):
         tuple(clip.waveform.samples(1300.0) for clip in track.clips) for track in design.inputs
     )
     return {"clip_waveforms": waveforms, "inputs": design.inputs, "sample_rate_hz": 1300.0}
+
+
+CLIPS = (
+    Clip(onset_s=0.0, waveform=TONE),
+    Clip(onset_s=0.3, waveform=TONE),
+    Clip(onset_s=0.7, waveform=Tap()),
+)
+#: Clips 1 to 3 on the first track, 4 on the second.
+TWO_TRACKS = Design(
+    limb="synthetic-1",
+    inputs=(
+        Input(location=7, clips=CLIPS),
+        Input(location=3, clips=(Clip(onset_s=0.1, waveform=TONE),)),
+    ),
+)
+
+
+class LanesBench(Bench):
+    """A panel of two tracks with clips; edges snap only where a test lets them."""
+
+    def __init__(self, qtbot):
+        super().__init__(qtbot, TWO_TRACKS)
+        self.panel.resize(1000, 260)
+        self.panel.show_results(results_of(self.design))
+        self.lanes.setFocus()
+        self.lanes.set_snaps(False)
+
+    @property
+    def lanes(self):
+        return self.panel.lanes
+
+    @property
+    def content(self):
+        return self.lanes.content
+
+    def box(self, clip):
+        return next(box.rect for box in self.content.boxes if box.clip.id == clip)
+
+    def middle(self, clip):
+        return self.box(clip).center()
+
+    def onset(self, clip):
+        return self.design.clip(clip).onset_s
+
+    def px(self, seconds):
+        return QPointF(self.content.scale.px_per_s * seconds, 0)
+
+    def at(self, time_s, lane=0):
+        """A place in the middle of a lane."""
+        lane_box = self.content.lanes[lane]
+        return QPointF(self.content.scale.x(time_s), (lane_box.top_px + lane_box.bottom_px) / 2)
+
+    def on_ruler(self, time_s):
+        return QPointF(self.content.scale.x(time_s), 4)
+
+    def drag(self, start, end, held=NONE, *, release=True, steps=3):
+        """Press, move in some steps, and let go."""
+        view = self.lanes.viewport()
+        QTest.mousePress(view, LEFT, held, _point(start))
+        for step in range(1, steps + 1):
+            between = start + (end - start) * (step / steps)
+            self.lanes.mouse.move(QPointF(_point(between)), held)
+        if release:
+            QTest.mouseRelease(view, LEFT, held, _point(end))
+
+    def click(self, at, held=NONE):
+        QTest.mouseClick(self.lanes.viewport(), LEFT, held, _point(at))
+
+    def double_click(self, at):
+        QTest.mouseDClick(self.lanes.viewport(), LEFT, pos=_point(at))
+
+
+def _point(at):
+    return QPoint(round(at.x()), round(at.y()))

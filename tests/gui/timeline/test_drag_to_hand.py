@@ -2,36 +2,23 @@
 
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent, QMouseEvent
-from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QApplication
 
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design, Input
 from skinsource.design.view import View
-from skinsource.design.waveforms.tones import Tone
-from skinsource_gui.panels.timeline.lanes import LanesView
+from tests.gui.timeline.bench import LEFT, NONE, TWO_TRACKS
 
-LEFT, NO_BUTTON = Qt.MouseButton.LeftButton, Qt.MouseButton.NoButton
-NONE, CONTROL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier
-TONE = Tone(100.0, 0.0, 0.2)
-DESIGN = Design(
-    limb="synthetic-1",
-    inputs=(
-        Input(location=7, clips=(Clip(waveform=TONE), Clip(onset_s=0.3, waveform=TONE))),
-        Input(location=3, clips=(Clip(onset_s=0.1, waveform=TONE),)),
-    ),
-)
+NO_BUTTON = Qt.MouseButton.NoButton
 
 
 @pytest.fixture
 def window(open_window):
-    return open_window(DESIGN, View(selected_inputs=(1,), selected_clips=(1,)))
+    return open_window(TWO_TRACKS, View(selected_inputs=(1,), selected_clips=(1,)))
 
 
 @pytest.fixture
 def lanes(window):
-    return window.findChild(LanesView, "lanes")
+    return window.panel("timeline").lanes
 
 
 @pytest.fixture
@@ -39,27 +26,22 @@ def stage(window):
     return window.panel("hand").diagram.stage
 
 
-def send(lanes, kind, at, held=NONE):
+def send(lanes, kind, at):
     """A real event of the mouse, which the lanes hold wherever it goes."""
     button = NO_BUTTON if kind == QEvent.Type.MouseMove else LEFT
     buttons = NO_BUTTON if kind == QEvent.Type.MouseButtonRelease else LEFT
-    event = QMouseEvent(kind, at, QPointF(lanes.mapToGlobal(at)), button, buttons, held)
+    event = QMouseEvent(kind, at, QPointF(lanes.mapToGlobal(at)), button, buttons, NONE)
     QApplication.sendEvent(lanes.viewport(), event)
 
 
-def site_in_lanes(window, lanes, site):
-    """Where a place of the hand is, px of the lanes."""
-    diagram = window.panel("hand").diagram
-    return QPointF(lanes.mapFromGlobal(diagram.mapToGlobal(diagram.site_centre(site))))
-
-
-def carry(window, lanes, clip, site, held=NONE):
+def carry(window, lanes, clip, site):
     """Press on a clip and go to a place, and on to it again as hands tremble."""
     start = next(box.rect.center() for box in lanes.content.boxes if box.clip.id == clip)
-    end = site_in_lanes(window, lanes, site)
-    send(lanes, QEvent.Type.MouseButtonPress, start, held)
+    diagram = window.panel("hand").diagram
+    end = QPointF(lanes.mapFromGlobal(diagram.mapToGlobal(diagram.site_centre(site))))
+    send(lanes, QEvent.Type.MouseButtonPress, start)
     for part in (0.02, 0.3, 0.7, 1.0, 1.0):
-        send(lanes, QEvent.Type.MouseMove, start + part * (end - start), held)
+        send(lanes, QEvent.Type.MouseMove, start + part * (end - start))
     return end
 
 
@@ -71,74 +53,30 @@ def tracks(window):
 
 
 def test_a_clip_is_dragged_onto_a_place_with_a_track_in_one_step(window, lanes, stage):
+    document = window.document
     end = carry(window, lanes, 2, 3)
     assert stage.state.target == 3
     # Until it is dropped everything is as it was.
-    assert window.document.design == DESIGN
+    assert document.design == TWO_TRACKS
     send(lanes, QEvent.Type.MouseButtonRelease, end)
-    assert tracks(window) == [(7, [1]), (3, [3, 2])]
-    assert window.document.design.clip(2).onset_s == 0.3
+    assert tracks(window) == [(7, [1, 3]), (3, [4, 2])]
+    assert document.design.clip(2).onset_s == 0.3
     assert stage.state.target is None
-    assert window.document.undo_stack.count() == 1
-    window.document.undo_stack.undo()
-    assert window.document.design == DESIGN
-    assert window.document.view.selected_clips == (2,)
+    assert document.undo_stack.count() == 1
+    document.undo_stack.undo()
+    assert document.design == TWO_TRACKS
+    assert document.view.selected_clips == (2,)
 
 
-def test_onto_a_free_place_it_makes_a_track(window, lanes):
-    end = carry(window, lanes, 2, 13)
-    send(lanes, QEvent.Type.MouseButtonRelease, end)
-    assert tracks(window) == [(7, [1]), (3, [3]), (13, [2])]
-    assert window.document.undo_stack.count() == 1
-
-
-def test_ctrl_copies(window, lanes):
-    end = carry(window, lanes, 2, 13, CONTROL)
-    send(lanes, QEvent.Type.MouseButtonRelease, end, CONTROL)
-    assert tracks(window) == [(7, [1, 2]), (3, [3]), (13, [4])]
-    assert window.document.view.selected_clips == (4,)
-
-
-def test_escape_gives_it_up_and_leaves_no_step(window, lanes, stage):
-    lanes.setFocus()
-    end = carry(window, lanes, 2, 3)
-    QTest.keyClick(lanes, Qt.Key.Key_Escape)
-    assert stage.state.target is None
-    send(lanes, QEvent.Type.MouseButtonRelease, end)
-    assert window.document.design == DESIGN
-    assert window.document.undo_stack.count() == 0
-
-
-def test_back_over_the_lanes_it_is_moved_there_and_the_place_is_let_go(window, lanes, stage):
-    carry(window, lanes, 2, 3)
-    there = next(box.rect.center() for box in lanes.content.boxes if box.clip.id == 3)
-    send(lanes, QEvent.Type.MouseMove, there)
-    assert stage.state.target is None
-    send(lanes, QEvent.Type.MouseButtonRelease, there)
-    assert tracks(window) == [(7, [1]), (3, [3, 2])]
-    assert window.document.design.clip(2).onset_s != 0.3
-    assert window.document.undo_stack.count() == 1
-
-
-def test_beside_every_place_nothing_is_aimed_at(window, lanes, stage):
+def test_beside_the_places_and_back_over_the_lanes_the_place_is_let_go(window, lanes, stage):
     carry(window, lanes, 2, 3)
     hand = window.panel("hand")
     corner = QPointF(lanes.mapFromGlobal(hand.mapToGlobal(hand.rect().topLeft())))
     send(lanes, QEvent.Type.MouseMove, corner + QPointF(3, 3))
     assert stage.state.target is None
-    send(lanes, QEvent.Type.MouseButtonRelease, corner + QPointF(3, 3))
-    assert len(window.document.design.inputs) == 2
-
-
-def test_a_menu_of_the_keyboard_moves_a_clip_to_a_place(window, lanes):
-    assert window.document.view.selected_clips == (1,)
-    at = lanes.rect().center()
-    event = QContextMenuEvent(QContextMenuEvent.Reason.Keyboard, at, lanes.mapToGlobal(at))
-    QApplication.sendEvent(lanes, event)
-    menu = lanes.findChild(QMenu, "lanes_menu")
-    places = menu.findChild(QMenu, "lanes_places")
-    entry = next(action for action in places.actions() if action.text().startswith("15 "))
-    assert entry.text().endswith("(new track)")
-    entry.trigger()
-    menu.close()
-    assert tracks(window)[-1] == (15, [1])
+    there = next(box.rect.center() for box in lanes.content.boxes if box.clip.id == 4)
+    send(lanes, QEvent.Type.MouseMove, there)
+    send(lanes, QEvent.Type.MouseButtonRelease, there)
+    assert tracks(window) == [(7, [1, 3]), (3, [4, 2])]
+    assert window.document.design.clip(2).onset_s != 0.3
+    assert window.document.undo_stack.count() == 1

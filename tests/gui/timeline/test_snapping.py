@@ -15,32 +15,21 @@ from skinsource_gui.plots.time_scale import (
 )
 
 
-def test_an_edge_near_another_clip_rests_on_its_end_and_shows_where():
-    rest = snap_of((0.1, 0.3), 0.198, neighbours_s=[0.5], grid_s=None, reach_s=0.01)
-    assert rest.by_s == pytest.approx(0.2)
-    assert rest.guide_s == 0.5
-
-
-def test_of_two_edges_the_nearer_one_decides():
-    rest = snap_of((0.0, 1.0), 0.5, neighbours_s=[0.505, 1.503], grid_s=None, reach_s=0.01)
-    assert rest.by_s == pytest.approx(0.503)
-    assert rest.guide_s == 1.503
-
-
-def test_what_is_out_of_reach_leaves_the_edge_free():
-    rest = snap_of((0.1,), 0.2, neighbours_s=[0.35], grid_s=None, reach_s=0.01)
-    assert (rest.by_s, rest.guide_s) == (0.2, None)
-
-
-def test_a_clip_goes_before_the_grid():
-    rest = snap_of((0.0,), 0.104, neighbours_s=[0.107], grid_s=0.1, reach_s=0.01)
-    assert rest.guide_s == 0.107
-
-
-def test_the_first_edge_follows_the_grid_without_a_guide():
-    rest = snap_of((0.013, 0.2), 0.084, neighbours_s=[], grid_s=0.05, reach_s=0.01)
-    assert rest.by_s == pytest.approx(0.087)
-    assert rest.guide_s is None
+@pytest.mark.parametrize(
+    ("edges_s", "by_s", "neighbours_s", "grid_s", "rest"),
+    [
+        # Near another clip, with a guide; of two edges the nearer one decides.
+        ((0.1, 0.3), 0.198, [0.5], None, (0.2, 0.5)),
+        ((0.0, 1.0), 0.5, [0.505, 1.503], None, (0.503, 1.503)),
+        ((0.1,), 0.2, [0.35], None, (0.2, None)),
+        # A clip goes before the grid, which the first edge follows without a guide.
+        ((0.0,), 0.104, [0.107], 0.1, (0.107, 0.107)),
+        ((0.013, 0.2), 0.084, [], 0.05, (0.087, None)),
+    ],
+)
+def test_where_edges_come_to_rest(edges_s, by_s, neighbours_s, grid_s, rest):
+    snap = snap_of(edges_s, by_s, neighbours_s=neighbours_s, grid_s=grid_s, reach_s=0.01)
+    assert (snap.by_s, snap.guide_s) == (pytest.approx(rest[0]), rest[1])
 
 
 @given(
@@ -72,11 +61,6 @@ TIMES = st.floats(0, 600)
 def test_a_pixel_leads_back_to_its_time(start_s, length_s, left_px, width_px, time_s):
     scale = TimeScale(shown_s=(start_s, start_s + length_s), left_px=left_px, width_px=width_px)
     assert scale.time(scale.x(time_s)) == pytest.approx(time_s, abs=1e-9 * (600 + length_s))
-
-
-def test_the_ends_of_what_is_shown_lie_at_the_ends_of_the_width():
-    scale = TimeScale(shown_s=(1.0, 3.0), left_px=8, width_px=100)
-    assert (scale.x(1.0), scale.x(3.0), scale.right_px) == (8, 108, 108)
 
 
 @given(st.floats(0, 1), st.floats(0.2, 5))

@@ -1,0 +1,65 @@
+"""Selected clips on the clipboard: copied, cut and pasted."""
+
+from PySide6.QtCore import QMimeData
+from PySide6.QtWidgets import QApplication
+
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.quoting import sentence
+from skinsource.design import edits
+from skinsource.design.clips import Fragment
+from skinsource.design.design import Design
+from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.view import View
+from skinsource_gui.panels.timeline.content import chosen_clips
+from skinsource_gui.qt.keys import key_text
+
+_MIME = "application/x-skinsource-clips"
+# A text with clips has this sign within so many characters.
+_SIGN, _BEGINNING = "skinsource clips", 2000
+_NO_CLIPS = Refusal(sentence="No clip is selected; click one in the timeline.")
+_NOTHING_TO_PASTE = Refusal(
+    sentence=f"The clipboard holds no clips; copy some first, with {key_text('timeline', 'copy')}."
+)
+
+
+def copy_clips(design: Design, view: View) -> Refusal | None:
+    """Put the selected clips on the clipboard; return why they are not there, if they are not."""
+    fragment = edits.fragment_of(design, chosen_clips(design, view))
+    if fragment is None:
+        return _NO_CLIPS
+    try:
+        text = edits.fragment_text(fragment)
+    except SkinSourceError as error:
+        return Refusal(sentence=sentence(str(error)))
+    data = QMimeData()
+    data.setData(_MIME, text.encode())
+    data.setText(text)
+    QApplication.clipboard().setMimeData(data)
+    return None
+
+
+def cut_clips(design: Design, view: View) -> Edit | Refusal:
+    """Move the selected clips to the clipboard; what cannot be there stays."""
+    return copy_clips(design, view) or edits.cut_clips(design, view, chosen_clips(design, view))
+
+
+def paste_clips(design: Design, view: View) -> Edit | Refusal:
+    """Put the clips of the clipboard at the playhead."""
+    try:
+        fragment = _pasted_fragment()
+    except SkinSourceError as error:
+        return Refusal(sentence=sentence(str(error)))
+    if fragment is None:
+        return _NOTHING_TO_PASTE
+    return edits.paste_fragment(design, view, fragment, view.playhead_s)
+
+
+def _pasted_fragment() -> Fragment | None:
+    """Return the clips on the clipboard, also those that came as text; None: there are none."""
+    data = QApplication.clipboard().mimeData()
+    if data is None:
+        return None
+    if data.hasFormat(_MIME):
+        return edits.fragment_from(bytes(data.data(_MIME).data()).decode(errors="replace"))
+    text = data.text() if data.hasText() else ""
+    return edits.fragment_from(text) if _SIGN in text[:_BEGINNING] else None

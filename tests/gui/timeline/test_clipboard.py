@@ -1,0 +1,76 @@
+"""Selected clips are copied, cut and pasted from the menu, wherever the keyboard is."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu
+
+from skinsource_gui.fields.number_field import NumberField
+from tests.gui.timeline.bench import CONTROL
+
+
+@pytest.fixture
+def active(window):
+    """The window, with an empty clipboard and a clip that is selected."""
+    QGuiApplication.clipboard().clear()
+    (clip,) = window.document.design.clips
+    window.document.look(replace(window.document.view, selected_clips=(clip.id,)))
+    return window
+
+
+def waveforms(window):
+    return [clip.waveform for clip in window.document.design.clips]
+
+
+def test_keys_are_about_words_where_one_types_and_about_clips_in_the_timeline(active, qtbot):
+    active.activateWindow()
+    qtbot.waitUntil(active.isActiveWindow)
+    fields = active.panel("inspector").findChildren(NumberField)
+    field = next(field for field in fields if field.isVisible())
+    field.setFocus()
+    QTest.keyClick(field, Qt.Key.Key_C, CONTROL)
+    assert QGuiApplication.clipboard().text() == "100 Hz"
+    QTest.keyClick(field, Qt.Key.Key_V, CONTROL)
+    assert len(waveforms(active)) == 1
+    active.panel("timeline").lanes.setFocus()
+    for key in (Qt.Key.Key_C, Qt.Key.Key_V):
+        QTest.keyClick(QApplication.focusWidget(), key, CONTROL)
+    assert len(waveforms(active)) == 2
+
+
+def test_they_stand_in_the_menu_and_say_the_keys_of_the_timeline(active):
+    menus = [menu for menu in active.findChildren(QMenu) if menu.title().replace("&", "") == "Edit"]
+    hints = {action.text(): action.statusTip() for menu in menus for action in menu.actions()}
+    for text, key in (
+        ("Cut clips", "Ctrl+X"),
+        ("Copy clips", "Ctrl+C"),
+        ("Paste clips at playhead", "Ctrl+V"),
+    ):
+        # After a tab: the menu shows it in its column of keys.
+        assert f"({key}, in the timeline)" in hints[f"{text}\t{key}"]
+    assert not active.actions_by_name["copy_clips"].shortcuts()
+
+
+def test_they_work_with_the_timeline_hidden_and_say_what_was_pasted_where(active):
+    active.docks["timeline"].hide()
+    active.panel("hand").setFocus()
+    (waveform,) = waveforms(active)
+    messages = []
+    active.document.refused.connect(messages.append)
+    active.do("paste_clips")
+    assert "holds no clips" in messages[-1]
+    active.do("copy_clips")
+    active.do("paste_clips")
+    message = active.statusBar().currentMessage()
+    assert message == "1 clip pasted at 0 ms, on top of what was copied"
+    assert waveforms(active) == [waveform, waveform]
+    active.do("cut_clips")
+    assert waveforms(active) == [waveform]
+    active.do("undo")
+    assert waveforms(active) == [waveform, waveform]
+    active.document.edit("Empty", replace(active.document.design, inputs=()))
+    assert not active.actions_by_name["copy_clips"].isEnabled()
+    assert not active.actions_by_name["cut_clips"].isEnabled()

@@ -1,0 +1,180 @@
+"""Keys and menus of the lanes, and clips that lie over each other."""
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QHelpEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QInputDialog, QMenu, QToolTip
+
+from skinsource.base.errors import InvalidInputError
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.panels.timeline.content import overlapping, overlaps_of
+from tests.gui.timeline.bench import CONTROL, LEFT, SHIFT
+
+_Key = Qt.Key
+
+
+def test_shift_and_down_selects_besides_the_nearest_clip_below_and_up_goes_back(lanes):
+    lanes.click(lanes.middle(2))
+    lanes.key(_Key.Key_Down, SHIFT)
+    assert lanes.view.selected_clips == (2, 4)
+    # From the last one, which starts at 0.1 s: the first clip is the nearest.
+    for _ in range(2):
+        lanes.key(_Key.Key_Up, SHIFT)
+        assert lanes.view.selected_clips == (2, 4, 1)
+    assert lanes.edits == []
+
+
+def test_keys_act_on_the_clip_that_the_inspector_shows_where_none_is_selected(lanes):
+    lanes.click(lanes.at(0.62))
+    assert lanes.view.selected_clips == ()
+    lanes.key(_Key.Key_M)
+    assert [clip.muted for clip in lanes.design.inputs[0].clips] == [True, False, False]
+
+
+def test_what_could_not_be_copied_is_not_cut(lanes, monkeypatch):
+    def refuse(*_):
+        raise InvalidInputError("too many bytes")
+
+    monkeypatch.setattr(edits, "fragment_text", refuse)
+    lanes.click(lanes.middle(3))
+    before = lanes.design
+    QTest.keyClick(lanes.lanes, _Key.Key_X, CONTROL)
+    assert lanes.design == before
+    assert lanes.refusals == ["too many bytes."]
+
+
+@pytest.fixture
+def menu_at(lanes):
+    """Open the menu of a place; its lines by their words."""
+
+    def close():
+        for menu in lanes.panel.findChildren(QMenu, "lanes_menu"):
+            menu.close()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+    def open_menu(place):
+        close()
+        lanes.lanes.menu.open(QPoint(0, 0), place)
+        (menu,) = lanes.panel.findChildren(QMenu, "lanes_menu")
+        return {action.text().split("\t")[0]: action for action in menu.actions() if action.text()}
+
+    yield open_menu
+    close()
+
+
+def test_on_clips_the_menu_is_about_one_or_all_that_are_selected(lanes, menu_at):
+    lines = menu_at(lanes.middle(2))
+    assert lanes.view.selected_clips == (2,)
+    lines["Mute clip"].trigger()
+    assert lanes.design.clip(2).muted
+    lanes.drag(lanes.at(0.62), lanes.at(0.25, lane=1))
+    menu_at(lanes.middle(4))["Duplicate 2 clips"].trigger()
+    assert len(lanes.design.clips) == 6
+    lanes.click(lanes.middle(1))
+    menu_at(lanes.middle(1))["Remove clip"].trigger()
+    assert 1 not in [clip.id for clip in lanes.design.clips]
+
+
+def test_a_clip_is_moved_to_a_place_added_copied_and_pasted_at_the_playhead(lanes, menu_at):
+    menu_at(lanes.middle(3))
+    places = lanes.panel.findChild(QMenu, "lanes_places")
+    entry = next(action for action in places.actions() if action.text().startswith("15 "))
+    assert entry.text().endswith("(new track)")
+    entry.trigger()
+    assert lanes.design.track_of(3).location == 15
+    menu_at(lanes.at(0.62, lane=1))["Add clip here"].trigger()
+    assert lanes.design.inputs[1].clips[-1].onset_s == pytest.approx(0.62, abs=1e-3)
+    menu_at(lanes.middle(1))["Copy"].trigger()
+    lanes.click(lanes.at(0.6))
+    menu_at(lanes.at(0.62))["Paste at playhead"].trigger()
+    pasted = lanes.design.clip(lanes.view.selected_clips[-1])
+    assert pasted.waveform == lanes.design.clip(1).waveform
+    assert pasted.onset_s == pytest.approx(lanes.view.playhead_s)
+    assert "skinsource clips" in QApplication.clipboard().text()
+
+
+def test_markers_are_added_renamed_and_removed_on_the_ruler(lanes, menu_at, monkeypatch):
+    place = QPointF(lanes.content.scale.x(0.5), 5)
+    menu_at(place)["Add marker here"].trigger()
+    assert lanes.design.markers[0].time_s == pytest.approx(0.5)
+    monkeypatch.setattr(QInputDialog, "getText", lambda *args, **kwargs: ("touch", True))
+    menu_at(place)["Rename marker…"].trigger()
+    assert lanes.design.markers[0].name == "touch"
+    menu_at(place)["Remove marker"].trigger()
+    assert lanes.design.markers == ()
+
+
+def test_a_loop_goes_round_the_selected_clips_and_its_time_can_be_taken_out(lanes, menu_at):
+    lanes.click(lanes.middle(2))
+    place = QPointF(lanes.content.scale.x(0.9), 5)
+    menu_at(place)["Loop the selected clips"].trigger()
+    assert lanes.design.loop_s == pytest.approx((0.3, 0.5))
+    menu_at(place)["Remove the loop's time"].trigger()
+    assert lanes.design.clip(3).onset_s == pytest.approx(0.5)
+    assert 2 not in [clip.id for clip in lanes.design.clips]
+
+
+LONG, SHORT = Tone(100.0, 0.0, 0.6), Tone(100.0, 0.0, 0.1)
+
+
+@pytest.fixture
+def over(lanes):
+    """Of the clips of a track, the second lies below the first; the third over its end."""
+    onsets = ((0.0, LONG), (0.2, SHORT), (0.55, SHORT), (0.65, SHORT))
+    clips = tuple(Clip(onset_s=onset_s, waveform=waveform) for onset_s, waveform in onsets)
+    lanes.show(lanes.design.with_input(0, clips=clips))
+    return lanes
+
+
+def test_overlaps_are_where_two_clips_or_more_play():
+    spans = [(0.0, 0.6), (0.2, 0.3), (0.55, 0.65), (0.65, 0.75)]
+    assert overlaps_of(spans) == [(0.2, 0.3), (0.55, 0.6)]
+    assert overlaps_of([spans[0], spans[0], spans[1]]) == [(0.0, 0.6)]
+    # Clips that follow each other, with the rounding of their lengths, do not overlap.
+    assert overlaps_of([(0.1, 0.2 + 1e-12), (0.2, 0.3)]) == []
+    assert overlaps_of([]) == []
+
+
+def test_a_clip_below_is_dragged_and_opened_once_it_is_selected(over):
+    first, small = (clip.id for clip in over.design.inputs[0].clips[:2])
+    place, opened = over.at(0.25), []
+    over.lanes.opened.connect(opened.append)
+    while over.view.selected_clips != (small,):
+        over.click(place)
+    # A double click begins with a click, which goes on to the next clip.
+    over.click(place)
+    QTest.mouseDClick(over.lanes.viewport(), LEFT, pos=place.toPoint())
+    assert opened == [small]
+    assert over.view.selected_clips == (small,)
+    over.drag(place, place + over.px(0.1))
+    assert over.onset(small) == pytest.approx(0.3, abs=0.003)
+    assert over.onset(first) == 0.0
+
+
+def test_a_key_and_the_menu_reach_clips_that_overlap(over, menu_at):
+    ids = [clip.id for clip in over.design.inputs[0].clips]
+    over.click(over.at(0.05))
+    selected = []
+    for _ in range(3):
+        over.key(_Key.Key_O)
+        selected.append(over.view.selected_clips[0])
+    assert selected == [ids[1], ids[0], ids[1]]
+    track = over.design.inputs[0]
+    assert overlapping(track, track.clips[0]) == tuple(ids[:3])
+    assert overlapping(track, track.clips[3]) == (ids[3],)
+    menu_at(over.at(0.25))
+    lines = over.panel.findChild(QMenu, "clips_here").actions()
+    assert [line.text() for line in lines] == ["Tone · 0 ms", "Tone · 200 ms"]
+    lines[0].trigger()
+    assert over.view.selected_clips == (ids[0],)
+
+
+def test_the_pointer_is_told_how_many_clips_are_here(over):
+    at = over.at(0.25).toPoint()
+    view = over.lanes.viewport()
+    event = QHelpEvent(QEvent.Type.ToolTip, at, view.mapToGlobal(at))
+    QApplication.sendEvent(view, event)
+    assert QToolTip.text() == "2 clips here: click again, or O, for the next"

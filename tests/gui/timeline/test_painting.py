@@ -1,0 +1,144 @@
+"""What the lanes paint: only lanes that look different, and the wave through the samples."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPointF, QSizeF
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QApplication
+
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.effects.level import Fade
+from skinsource.design.signal_path import UnplayableInput
+from skinsource.design.waveforms.pulses import Tap
+from skinsource_gui.panels.timeline.painting import ClipPictures, ClipStyle
+from skinsource_gui.qt.theme import DARK, apply_theme
+from tests.gui.timeline.bench import ALT, TONE, LanesBench, results_of
+
+
+@pytest.fixture
+def four_lanes(qtbot):
+    made = LanesBench(qtbot)
+    made.panel.resize(1000, 400)
+    clips = (Clip(onset_s=0.1, waveform=TONE), Clip(onset_s=0.5, waveform=Tap()))
+    tracks = tuple(Input(location=1 + k, clips=clips) for k in range(4))
+    made.view = replace(made.view, time_range_s=(0.0, 1.2), selected_inputs=())
+    made.show(Design(limb="synthetic-1", inputs=tracks))
+    made.panel.show_results(results_of(made.design))
+    settled(made)
+    return made
+
+
+def settled(lanes):
+    """Have everything painted that is to be painted; how many lanes that were."""
+    before = lanes.lanes.item.painted_lanes
+    QApplication.processEvents()
+    lanes.lanes.viewport().repaint()
+    return lanes.lanes.item.painted_lanes - before
+
+
+def picture(lanes):
+    return lanes.lanes.viewport().grab().toImage()
+
+
+def changed(lanes, index, **changes):
+    """Show a design in which the first clip of a track is something else."""
+    clip = lanes.design.inputs[index].clips[0]
+    lanes.show(lanes.design.with_clip(clip.id, **changes))
+
+
+def test_a_lane_that_cannot_be_played_is_framed_and_no_other(four_lanes):
+    before = picture(four_lanes)
+    (unplayable, *_) = four_lanes.design.inputs
+    four_lanes.panel.show_unplayable((UnplayableInput(unplayable.id, "Too low. Choose another."),))
+    after = picture(four_lanes)
+    tops = [
+        (round(box.rect.center().x()), round(box.rect.top())) for box in four_lanes.content.boxes
+    ]
+    reddened = [QColor(after.pixel(*at)).red() > QColor(before.pixel(*at)).red() for at in tops]
+    assert reddened == [True, True] + [False] * (len(tops) - 2)
+
+
+def test_results_repaint_the_lane_whose_samples_are_new(four_lanes):
+    results = results_of(four_lanes.design)
+    four_lanes.panel.show_results(results)
+    assert settled(four_lanes) == 4
+    four_lanes.panel.show_results(dict(results))
+    assert settled(four_lanes) == 0
+    first, *others = results["clip_waveforms"]
+    results["clip_waveforms"] = ((first[0] * 0.5, first[1]), *others)
+    four_lanes.panel.show_results(results)
+    assert settled(four_lanes) == 1
+
+
+def test_a_drag_of_a_clip_repaints_its_lane_at_each_move(four_lanes):
+    start = four_lanes.middle(3)
+    four_lanes.drag(start, start + QPointF(10, 0), ALT, release=False, steps=1)
+    settled(four_lanes)
+    for way in (40, 80):
+        four_lanes.lanes.mouse.move(start + QPointF(way, 0), ALT)
+        assert settled(four_lanes) == 1
+
+
+def select_what_the_inspector_shows(lanes):
+    lanes.look(replace(lanes.view, selected_inputs=(2,)))
+    settled(lanes)
+    lanes.look(replace(lanes.view, selected_clips=(3,)))
+
+
+EDITS = {
+    "clip moved over another": lambda bench: changed(bench, 1, onset_s=0.4),
+    "clip stronger than all": lambda bench: changed(bench, 2, gain=3.0),
+    "clip muted": lambda bench: changed(bench, 0, muted=True),
+    "clip renamed": lambda bench: changed(bench, 0, label="knock"),
+    "clip faded": lambda bench: changed(bench, 3, effects=(Fade(),)),
+    "track muted": lambda bench: bench.show(bench.design.with_input(2, muted=True)),
+    "track alone": lambda bench: bench.show(bench.design.with_input(1, solo=True)),
+    "another colour": lambda bench: bench.show(bench.design.with_input(1, colour=7)),
+    "no clips": lambda bench: bench.show(bench.design.with_input(0, clips=())),
+    "loop": lambda bench: bench.show(replace(bench.design, loop_s=(0.2, 0.7))),
+    "clip selected": lambda bench: bench.look(replace(bench.view, selected_clips=(3,))),
+    "shown clip selected": select_what_the_inspector_shows,
+    "track selected": lambda bench: bench.look(replace(bench.view, selected_inputs=(2,))),
+    "other times": lambda bench: bench.look(replace(bench.view, time_range_s=(0.0, 0.9))),
+    "hovered": lambda bench: bench.lanes.item.show_hovered(3),
+    "no samples": lambda bench: bench.panel.show_problem("No limb."),
+    "theme": lambda bench: apply_theme(QApplication.instance(), DARK),
+}
+#: What changes one lane alone.
+OF_ONE_LANE = (
+    *list(EDITS)[:5],
+    "another colour",
+    "clip selected",
+    "shown clip selected",
+    "hovered",
+)
+
+
+@pytest.mark.parametrize("name", EDITS)
+def test_what_was_not_repainted_looks_as_if_everything_were(four_lanes, name):
+    before = picture(four_lanes)
+    EDITS[name](four_lanes)
+    n_painted = settled(four_lanes)
+    assert name not in OF_ONE_LANE or n_painted == 1
+    after = picture(four_lanes)
+    assert after != before
+    four_lanes.lanes.item.update()
+    settled(four_lanes)
+    assert after == picture(four_lanes)
+
+
+@pytest.mark.parametrize(("reach", "part"), [(0.5, (0.4, 0.6)), (-0.5, (0.4, 0.6)), (0.5, (0, 1))])
+def test_crests_between_samples_are_as_high_as_they_are(reach, part):
+    tone = np.sin(2 * np.pi * 433.0 * np.arange(260) / 1300.0)
+    look = ClipStyle(1300.0, QColor("blue").rgba(), reach, part)
+    pictures = ClipPictures()
+    image = pictures.picture(tone, QSizeF(520, 201), look).toImage()
+    pixels = np.frombuffer(image.constBits(), np.uint32).reshape(image.height(), -1)
+    tops = np.argmax(pixels >> 24 > 100, axis=0)
+    # Each stretch of 50 px has a crest at half of the upper half.
+    crests = tops[10:-10].reshape(-1, 50).min(axis=1)
+    assert np.abs(crests - 201 / 4).max() <= 3
+    assert pictures.waves == pictures.painted == 1
