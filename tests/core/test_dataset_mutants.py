@@ -1,0 +1,232 @@
+"""Downloads with flipped bits: refused, or read as they were.
+
+The attempts run in a process of their own, because a damaged file can end HDF5 or keep it busy.
+"""
+
+import json
+import shutil
+import struct
+import subprocess
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+from skinsource.base.errors import DatasetError
+from skinsource.limbs.dataset.install import install
+from skinsource.limbs.dataset.matlab_files import check_contiguous
+
+SEED = 20263
+#: A node of an index, and that it is one of pieces, not of names.
+NODE = b"TREE\x01"
+ATTEMPTS = """
+import collections
+import hashlib
+import json
+import sys
+from pathlib import Path
+
+import h5py
+
+from skinsource.limbs.dataset.matlab_files import check_contiguous
+
+path, flips = Path(sys.argv[1]), json.loads(sys.stdin.read())
+
+
+def large_of(file):
+    arrays = []
+    file.visititems(lambda _, part: arrays.append(part) if getattr(part, "ndim", 0) == 3 else None)
+    return arrays
+
+
+def everything():
+    check_contiguous(path)
+    with h5py.File(path) as file:
+        arrays = [file[cell] for cell in file["cells"][()]] if "cells" in file else large_of(file)
+        digests = [hashlib.sha256(array[()].tobytes()).hexdigest() for array in arrays]
+        assert len(set(digests)) == len(digests)
+        return [(array.shape, str(array.dtype)) for array in arrays], digests
+
+
+expected = everything()
+outcome = collections.Counter()
+with path.open("r+b", buffering=0) as opened:
+    for place, bit in flips:
+        opened.seek(place)
+        old = opened.read(1)
+        opened.seek(place)
+        opened.write(bytes([old[0] ^ 1 << bit]))
+        try:
+            content = everything()
+        except Exception:  # HDF5 has many, and the installation explains each
+            outcome["refused"] += 1
+        else:
+            outcome["the same" if content == expected else f"another: {place}, {bit}"] += 1
+        opened.seek(place)
+        opened.write(old)
+print(json.dumps(outcome))
+"""
+
+
+def outcome_of(path: Path, flips: list[tuple[int, int]]) -> dict[str, int]:
+    result = subprocess.run(
+        [sys.executable, "-c", ATTEMPTS, str(path)],
+        input=json.dumps(flips),
+        check=False,
+        capture_output=True,
+        text=True,
+        timeout=110,
+    )
+    assert result.returncode == 0, f"{SEED=}: {result.stderr[-2000:]}"
+    return json.loads(result.stdout)
+
+
+def places_of_nodes(content: bytes, length: int) -> list[int]:
+    """Bytes of all index nodes, ``length`` from the beginning of each."""
+    places: list[int] = []
+    place = content.find(NODE)
+    while place >= 0:
+        places += range(place, min(place + length, len(content)))
+        place = content.find(NODE, place + 1)
+    return places
+
+
+@pytest.fixture
+def packed(tmp_path) -> Path:
+    """Write a small file as MATLAB does: cells of packed arrays, in the oldest format of HDF5."""
+    path = tmp_path / "packed.mat"
+    random = np.random.default_rng(SEED)
+    with h5py.File(path, "w", libver="earliest", userblock_size=512) as file:
+        group = file.create_group("#refs#")
+        for k in range(3):
+            values = random.standard_normal((3, 12, 30))
+            group.create_dataset(f"c{k}", data=values, chunks=(1, 4, 16), compression="gzip")
+        cells = np.array([dataset.ref for dataset in group.values()], dtype=h5py.ref_dtype)
+        file.create_dataset("cells", data=cells, dtype=h5py.ref_dtype)
+    return path
+
+
+def test_flips_anywhere_but_in_values_are_refused_or_make_no_difference(packed):
+    with h5py.File(packed) as file:
+        ranges = [
+            file["#refs#"][name].id.get_chunk_info(k) for name in file["#refs#"] for k in range(18)
+        ]
+    free = np.ones(packed.stat().st_size, bool)
+    free[:512] = False
+    for piece in ranges:
+        free[512 + piece.byte_offset : 512 + piece.byte_offset + piece.size] = False
+    content = np.fromfile(packed, np.uint8)
+    used = np.flatnonzero(free & (content != 0))
+    random = np.random.default_rng(SEED)
+    flips = [(int(random.choice(used)), int(random.integers(8))) for _ in range(500)]
+    outcome = outcome_of(packed, flips)
+    assert set(outcome) <= {"refused", "the same"}, outcome
+    assert outcome["refused"] > 100
+
+
+def test_flips_in_an_index_of_pieces_are_refused_or_make_no_difference(packed):
+    # Of a node: its head, then size, mask and four offsets of each piece, and where it lies.
+    places = places_of_nodes(packed.read_bytes(), 24 + 18 * 48)
+    random = np.random.default_rng(SEED)
+    flips = [(int(random.choice(places)), int(random.integers(8))) for _ in range(800)]
+    outcome = outcome_of(packed, flips)
+    assert set(outcome) <= {"refused", "the same"}, outcome
+    assert outcome["refused"] > 400
+
+
+def test_flips_in_the_measured_dataset_are_refused_or_make_no_difference(dataset_folder, tmp_path):
+    path = tmp_path / "mutant.mat"
+    shutil.copyfile(dataset_folder / "impulseResponses.mat", path)
+    path.chmod(0o600)
+    try:
+        places = places_of_nodes(path.read_bytes(), 24 + 48 * 48)
+        random = np.random.default_rng(SEED)
+        flips = [(int(random.choice(places)), int(random.integers(8))) for _ in range(10)]
+        outcome = outcome_of(path, flips)
+    finally:
+        path.unlink()
+    assert set(outcome) <= {"refused", "the same"}, outcome
+    assert outcome["refused"] >= 5
+
+
+def test_a_misplaced_piece_is_refused_by_the_installation(synthetic_download, tmp_path):
+    folder = tmp_path / "download"
+    shutil.copytree(synthetic_download, folder)
+    path = folder / "visualization" / "adjacencyMatrix.mat"
+    matio = pytest.importorskip("matio")
+    values = matio.load_from_mat(str(path))["adjacencyMatrix"]
+    matio.save_to_mat(str(path), {"adjacencyMatrix": values}, version="v7.3")
+    with h5py.File(path, "r+", libver="earliest") as file:
+        attributes = dict(file["adjacencyMatrix"].attrs)
+        del file["adjacencyMatrix"]
+        pieces = file.create_dataset(
+            "adjacencyMatrix", data=values.T, chunks=(8, 500), compression="gzip"
+        )
+        pieces.attrs.update(attributes)
+    install(folder, unpublished=True)
+
+    content = bytearray(path.read_bytes())
+    place = content.index(NODE) + 24 + 8 + 7  # the highest byte of the first piece's row
+    content[place] ^= 2
+    path.write_bytes(content)
+    with h5py.File(path) as file:
+        assert (file["adjacencyMatrix"][:8, :500] == 0).all()  # not a word from HDF5
+    with pytest.raises(DatasetError, match=r"adjacencyMatrix\.mat: is damaged: .* piece"):
+        install(folder, unpublished=True)
+
+
+def test_an_array_that_was_never_written_is_refused(tmp_path):
+    path = tmp_path / "empty.mat"
+    with h5py.File(path, "w", libver="earliest") as file:
+        file.create_dataset("mask", (3, 4), "<f8")
+    with pytest.raises(DatasetError, match="mask is not there"):
+        check_contiguous(path)
+
+
+def test_an_array_of_which_a_piece_was_never_written_is_refused(tmp_path):
+    path = tmp_path / "holes.mat"
+    with h5py.File(path, "w", libver="earliest") as file:
+        pieces = file.create_dataset("mask", (4, 4), "<f8", chunks=(2, 4))
+        pieces[:2] = 1.0
+    with pytest.raises(DatasetError, match="mask has 1 pieces, expected 2"):
+        check_contiguous(path)
+
+
+def test_two_arrays_in_one_place_are_refused(tmp_path):
+    path = tmp_path / "twice.mat"
+    with h5py.File(path, "w", libver="earliest") as file:
+        for name in ("one", "other"):
+            file[name] = np.arange(1000.0)
+        places = [file[name].id.get_offset() for name in ("one", "other")]
+    check_contiguous(path)
+    first, second = (struct.pack("<Q", place) for place in places)
+    content = path.read_bytes()
+    assert content.count(second) == 1
+    path.write_bytes(content.replace(second, first))
+    with h5py.File(path) as file:
+        assert file["other"].id.get_offset() == places[0]
+    with pytest.raises(DatasetError, match="/one and /other lie in the same place"):
+        check_contiguous(path)
+
+
+def test_an_array_in_another_file_is_refused(tmp_path):
+    path = tmp_path / "elsewhere.mat"
+    (tmp_path / "raw").write_bytes(bytes(96))
+    with h5py.File(path, "w", libver="earliest") as file:
+        external = [(str(tmp_path / "raw"), 0, 96)]
+        file.create_dataset("mask", (3, 4), "<f8", external=external)
+    with pytest.raises(DatasetError, match="mask lies in other files"):
+        check_contiguous(path)
+
+
+def test_numbers_of_another_kind_are_refused(tmp_path):
+    path = tmp_path / "odd.mat"
+    odd = h5py.h5t.IEEE_F64LE.copy()
+    odd.set_ebias(1022)
+    with h5py.File(path, "w", libver="earliest") as file:
+        space = h5py.h5s.create_simple((4,))
+        h5py.h5d.create(file.id, b"mask", odd, space).write(h5py.h5s.ALL, h5py.h5s.ALL, np.ones(4))
+    with pytest.raises(DatasetError, match="mask holds numbers of an unknown kind"):
+        check_contiguous(path)
