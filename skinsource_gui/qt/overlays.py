@@ -19,14 +19,14 @@ class Staleness(QObject):
         Whether that is so.
     """
 
-    #: `late` has changed.
+    #: `is_stale` has changed.
     changed = Signal(bool)
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.is_stale = False
         self._timer = QTimer(self, interval=_STALE_MS, singleShot=True)
-        self._timer.timeout.connect(self._set_late)
+        self._timer.timeout.connect(self._become_stale)
 
     def set_stale(self, stale: bool, *, at_once: bool = False) -> None:
         """Say whether the picture is out of date.
@@ -43,7 +43,7 @@ class Staleness(QObject):
             return
         elif at_once:
             self._timer.stop()
-            self._set_late()
+            self._become_stale()
         elif not self._timer.isActive():
             self._timer.start()
 
@@ -52,7 +52,7 @@ class Staleness(QObject):
         if self._timer.isActive():
             self._timer.start()
 
-    def _set_late(self) -> None:
+    def _become_stale(self) -> None:
         self.is_stale = True
         self.changed.emit(True)
 
