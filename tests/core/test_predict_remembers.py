@@ -10,7 +10,7 @@ from scipy.signal import fftconvolve
 import skinsource as ss
 from skinsource.base.work import counting
 from skinsource.engine import prediction
-from skinsource.engine.prediction import SpectraOfLimbs
+from skinsource.engine.spectra import ResponseSpectra as SpectraOfLimbs
 
 DRIVES = np.random.default_rng(3).standard_normal((20, 325))
 PLACES = range(1, 21)

@@ -76,9 +76,9 @@ def test_spectra_of_lengths_not_in_use_go_before_the_budget_is_exceeded():
     one_place = N_OUTPUTS * N_AXES * (1152 // 2 + 1) * 16
     spectra = ResponseSpectra(budget_bytes=3 * one_place)
     for n_fft in (768, 960, 1152):
-        spectra.of(limb, 7, "relative", n_fft)
+        spectra.of(limb, [7], "relative", n_fft)
         assert spectra.held_bytes <= 3 * one_place
-    spectra.of(limb, 8, "relative", 1152)
+    spectra.of(limb, [8], "relative", 1152)
     spectra.stack(limb, (7, 8), "relative", 768)
     assert 0 < spectra.held_bytes <= 3 * one_place
 
@@ -86,9 +86,9 @@ def test_spectra_of_lengths_not_in_use_go_before_the_budget_is_exceeded():
 def test_spectra_are_kept_while_they_fit_and_read_once():
     limb = load_synthetic_limb(1)
     spectra = ResponseSpectra()
-    first = spectra.of(limb, 7, "relative", 1152)
-    assert spectra.of(limb, 7, "upstream", 1152) is first
-    assert spectra.of(limb, 7, "probe", 1152) is not first
+    (first,) = spectra.of(limb, [7], "relative", 1152)
+    assert spectra.of(limb, [7], "upstream", 1152)[0] is first
+    assert spectra.of(limb, [7], "probe", 1152)[0] is not first
     stack = spectra.stack(limb, (3, 7), "relative", 1152)
     assert spectra.stack(limb, (3, 7), "relative", 1152) is stack
     assert (stack.responses[7].values == first.values).all()
@@ -113,7 +113,7 @@ def resident():
 before = resident()
 spectra = ResponseSpectra()
 for n_fft in (3072, 3840, 4608, 6144):
-    spectra.of(limb, 7, "relative", n_fft)
+    spectra.of(limb, [7], "relative", n_fft)
 held = spectra.held_bytes
 assert held < 60e6, held
 # Each length ends within a large page.

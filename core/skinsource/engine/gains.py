@@ -571,8 +571,9 @@ class Responses:
             return (
                 [stack.responses[location] for location in locations] if stack is not None else []
             )
-        spectra = self.remembered.responses
-        return [spectra.of(self.limb, location, self.scaling, self.n_fft) for location in locations]
+        if not locations:
+            return []
+        return self.remembered.responses.of(self.limb, locations, self.scaling, self.n_fft)
 
     def stack(self, locations: Iterable[int]) -> Stack | None:
         """Return the responses to some locations for products over blocks; None for none."""

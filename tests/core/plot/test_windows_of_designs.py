@@ -9,7 +9,7 @@ import pytest
 import skinsource as ss
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.transforms import Blocks
-from skinsource.engine.window_rules import WindowEnergy
+from skinsource.engine.window_rules import rms_within
 from skinsource.export.tables import export_windows
 from skinsource.signals.analysis.windows import Windows
 
@@ -78,11 +78,11 @@ def test_a_long_design_is_cut_block_by_block_into_the_same_windows(monkeypatch):
 def test_pieces_of_any_length_give_the_windows_of_the_whole(step):
     signals = np.random.default_rng(step).standard_normal((3, 333))
     windows = Windows(first_sample=11, window_samples=40, count=7)
-    energy = WindowEnergy(3, windows)
-    for first in range(0, 333, step):
-        energy.add(np.arange(3), first, signals[:, first : first + step])
+    pieces = [
+        (np.arange(3), first, signals[:, first : first + step]) for first in range(0, 333, step)
+    ]
     expected = ss.windowed_rms(signals, 40, first_sample=11)[:7]
-    np.testing.assert_allclose(energy.rms(), expected, rtol=1e-12)
+    np.testing.assert_allclose(rms_within(windows, pieces, 3), expected, rtol=1e-12)
 
 
 def test_extents_are_those_from_the_inputs_that_are_heard():
