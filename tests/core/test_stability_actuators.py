@@ -9,27 +9,6 @@ import pytest
 import skinsource as ss
 from skinsource.actuators.simulation import OUTPUTS
 
-PROMISES = {
-    "j coils": ("Eight coils at 1300 Hz, 1 V, uneven steps and ramps: error of each output", 1e-12),
-    "j kinds": (
-        "On the skin, as recoil coil, as piezo; without force, stiffness or damping: error",
-        1e-12,
-    ),
-    "j shipped": ("Actuators that are shipped, at 1300, 8000 and 48 000 Hz: error", 1e-12),
-    "j rates": ("Coils, recoil coils and a piezo at 200 Hz and 192 kHz: error", 1e-12),
-    "j stiff": (
-        "Coils of 1e-7 to 1e-120 s, a piezo of 1e-15 s, a mass of 1e-15 kg, at 1300 Hz: error",
-        1e-12,
-    ),
-    "j fast": (
-        "A mass of 1e-9 kg, a force of 1e4 N/A, a spring of 1e9 N/m, at 1300 Hz: error over "
-        "30 eps ‖A‖ T, T the length of the run",
-        1,
-    ),
-    "j minute": ("A minute of an uneven voltage at 1300 Hz, all of the damped: error", 1e-12),
-    "j million": ("Up to a million samples after 1 V came on, two coils: error", 1e-12),
-    "j undamped": ("Without damping, a minute and a million samples: error", 1e-9),
-}
 REFERENCES = Path(__file__).parents[1] / "references"
 KNOWN = json.loads((REFERENCES / "actuators.json").read_text(encoding="utf-8"))
 CASES = KNOWN["cases"]

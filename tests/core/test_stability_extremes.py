@@ -9,33 +9,6 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.design.design import track
 from skinsource.engine.transforms import BLOCK_FFT, transform_length
 
-PROMISES = {
-    "a4 silence": (
-        "Samples before, between and after drives, both ways, short and streamed: not exactly 0",
-        0,
-    ),
-    "a4 still": ("Outputs without a response, and scenes without a sound: not exactly 0", 0),
-    "a4 muted": ("Bits changed by inputs of amplitude 0 or silent ones, both ways", 0),
-    "a5 drive": ("NaN, ±inf, ±1e31 in a drive: not refused by input and sample", 0),
-    "a5 engine": (
-        "The same in what an input of a design plays: not refused by place and sample",
-        0,
-    ),
-    "a5 response": (
-        "The same in a response, both ways: not refused by place, output, axis and tap",
-        0,
-    ),
-    "a5 number": ("NaN, ±inf as amplitude or onset: not refused by name", 0),
-    "a6 error": ("Drives and responses with peaks 1e-30 … 1e30, both ways: error", 1e-14),
-    "a6 levels": ("The same: RMS of each output, by every method, relative to itself", 1e-14),
-    "a7 tails": ("Drives and responses that fade into subnormal numbers: error", 1e-14),
-    "a7 peaks": ("Drives that are all subnormal, peak 1e-310: error of predict", 1e-12),
-    "a8 offset": (
-        "1e8 under a sine of 1, responses without offset, both ways: error of the steady part",
-        1e-6,
-    ),
-    "a8 ratio": ("The same: ratio", 0.1),
-}
 SEED = 1300
 BAD = (np.nan, np.inf, -np.inf, 1e31, -1e31)
 # Twelve channels are as good as 216, and quicker.

@@ -5,17 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-PROMISES = {
-    "a9 impulse": ("A single sample gives the response: error", 1e-14),
-    "a9 shift": ("A later onset gives the same later: error", 1e-14),
-    "a9 powers": (
-        "Drives, responses and amplitudes times powers of two, both ways, short and streamed: "
-        "samples and levels that are not exactly scaled",
-        0,
-    ),
-    "a9 sum": ("a x + b y against a times x and b times y, short and streamed: error", 1e-14),
-    "a9 order": ("Inputs in another order, or another one selected: difference", 1e-14),
-}
 SEED = 1300
 OUTPUTS = (1, 20, 40, 72)
 LENGTHS = [900, 16_000]

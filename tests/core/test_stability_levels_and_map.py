@@ -14,28 +14,6 @@ from skinsource.limbs.surface.natural_neighbour import scattered_sites, triangul
 from skinsource.limbs.surface.surface import surface_operator
 from skinsource.limbs.synthetic import load_synthetic_limb
 
-PROMISES = {
-    "g accuracy": (
-        "Levels of 5e-324 … 1.8e308 against 50 digits: relative, or in dB below 1",
-        1e-14,
-    ),
-    "g back": ("Amplitudes of levels -190 … 600 dB, and back: dB", 1e-12),
-    "g floor": ("Zeros and what lies below -200 dB: not exactly the floor", 0),
-    "g bad": ("NaN, ±inf, negative amplitudes and references: not refused by index", 0),
-    "g silence": ("Levels of a silent design: outputs not at -200 dB, pixels 1e-9 dB off it", 0),
-    "h exact": ("Weights against rational arithmetic, 20 cases: error", 1e-12),
-    "h sites": ("Weights at a site: differing from 1 and 0", 0),
-    "h linear": ("10 000 random points: a linear function, relative to the extent", 1e-12),
-    "h sum": ("The same: sum of weights less 1", 1e-12),
-    "h negative": ("The same: weights that are negative, NaN or by the way out", 0),
-    "h step": (
-        "Across circumcircles and edges, 1e-12 of the smaller extent apart: change of weights",
-        1e-9,
-    ),
-    "h moved": ("Turned; shifted by 1e8; scaled by 1e-3, 1e6: change of weights", 1e-10),
-    "h map": ("Synthetic maps: sum of a pixel's weights less 1", 1e-12),
-    "h map negative": ("The same: negative weights and pixels by the way out", 0),
-}
 SEED = 20240607
 GRID = np.stack(np.meshgrid(np.arange(6.0), np.arange(12.0)), axis=-1).reshape(-1, 2) * 64
 SITES = {

@@ -18,22 +18,6 @@ from skinsource.signals.generators import sinusoid
 from skinsource.signals.projection import project_axes
 from skinsource.signals.spectra import rms
 
-PROMISES = {
-    "i onset": (
-        "Loudest 100 ms of tones of 100, 250 and 600 Hz at every place, all outputs: "
-        "change with the onset, magnitude and z, dB",
-        1e-9,
-    ),
-    "i onset axis": ("The same along the main axis, down to 60 dB below the loudest: dB", 1e-6),
-    "i length": (
-        "The same tones with ramps of 25 ms, down to 60 dB below the loudest: "
-        "change from 0.2 to 3 s of length, magnitude and z, dB",
-        0.5,
-    ),
-    "i length axis": ("The same along the main axis, down to 40 dB below the loudest: dB", 0.5),
-    "i tapered": ("The same tones with a Tukey window, down to 5 dB below the loudest: dB", 0.5),
-    "i tapered far": ("The same down to 20 dB below the loudest: dB", 1.0),
-}
 FREQUENCIES_HZ = (100.0, 250.0, 600.0)
 LENGTHS_S = (0.2, 0.5, 3.0)
 PLACES = range(1, 21)

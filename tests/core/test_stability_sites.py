@@ -12,16 +12,6 @@ from skinsource.limbs.surface.natural_neighbour import scattered_sites
 from skinsource.limbs.surface.surface import surface_operator_from_map
 from skinsource.limbs.synthetic import load_synthetic_limb
 
-PROMISES = {
-    "h collinear": ("1 to 30 sites on a line, against rational arithmetic: error", 1e-12),
-    "h nearly": ("Sites 0 … 1e-3 of their extent off a line: a linear function, relative", 1e-9),
-    "h sound": ("The same: weights that are negative or NaN, sums that are not 1", 0),
-    "h thin": ("Outlines hardly off a line: not sound; without area: not refused", 0),
-    "h outside": ("Points outside the hull: weights of the nearest place on it: error", 1e-12),
-    "h flagged": ("Points outside the hull that are not flagged, others that are", 0),
-    "h twice": ("Outputs within 1e-9 of the size: two values not refused by name, one not met", 0),
-    "h close": ("Farther apart, nearer than can be told: value that is not their mean", 1e-12),
-}
 SEED = 20240607
 SITES = {
     "random": np.random.default_rng(SEED).uniform(0, 1000, (72, 2)),
