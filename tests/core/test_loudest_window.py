@@ -102,12 +102,6 @@ def test_the_window_is_a_tenth_of_a_second_at_any_rate():
         assert rms(signal, "loudest", rate_hz) == pytest.approx(n_window**-0.5, rel=1e-13)
 
 
-def test_the_record_is_the_default():
-    x = np.random.default_rng(SEED).standard_normal((4, 600))
-    np.testing.assert_array_equal(rms(x), rms(x, "record"))
-    assert (rms(x, "loudest") > rms(x)).all()
-
-
 def test_a_span_or_rate_that_is_none_is_refused():
     with pytest.raises(InvalidInputError, match="span 'loud' is not known; choose from record"):
         rms([1.0], "loud")

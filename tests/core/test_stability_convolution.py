@@ -163,15 +163,6 @@ def test_vectors_of_fifty_digits_are_met(scene, ringing, noted, number):
             noted("a3 mpmath", window_error(field, exact))
 
 
-def test_the_stored_vectors_are_those_of_rational_arithmetic(scene, ringing):
-    random = np.random.default_rng(SEED)
-    for number, fields in enumerate(ringing["fields"]):
-        shown = scene(limb=ringing["limb"], drives=(ringing["drives"][number],), places=(3,))
-        for time in random.integers(0, fields.shape[-1], 20):
-            axis = int(random.integers(2))
-            assert float(shown.exact_sample(1, axis, int(time))) == fields[axis, time], f"{SEED=}"
-
-
 @pytest.mark.parametrize("streamed", [False, True])
 def test_the_synthetic_limb_s_own_scenes_are_met(scene, noted, streamed):
     limb = load_synthetic_limb(1)

@@ -10,8 +10,6 @@ from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
-from skinsource.engine.quantities import new_graph, sources
-from skinsource.signals.spectra import rms
 from tests.core.own_limbs.lab_bench import installed
 
 PLAYED = Design(
@@ -61,13 +59,6 @@ def test_they_are_those_of_the_axis_chosen_alone(design, view):
     same_for_each_axis(design, view, "xyz")
 
 
-def test_they_are_the_rms_of_the_traces():
-    view = View(axes="xyz", outputs=tuple(range(1, 73)))
-    values = evaluate(PLAYED, "axis_levels_db", "axis_traces", view=view)
-    expected = 20 * np.log10(rms(values["axis_traces"]).T)
-    np.testing.assert_allclose(values["axis_levels_db"], expected, rtol=0, atol=1e-9)
-
-
 def test_a_limb_of_a_lab_has_the_axes_it_was_measured_along_and_their_noise(user_data):
     installed(pre_trigger_delay_s=0.005)
     on_lab = Design(limb="lab-1", inputs=(track(3, Tap()), track(6, Tone(frequency_hz=300.0))))
@@ -83,17 +74,3 @@ def test_one_axis_alone_has_one_map_and_silence_is_silent(user_data):
     nothing = Design(limb="synthetic-1", inputs=())
     values = same_for_each_axis(nothing, View(), "xyz")
     assert all((levels <= -200.0).all() for levels in values["axis_levels_db"])
-
-
-def test_beside_the_map_they_take_no_transform():
-    graph, given = new_graph(), sources(PLAYED, View(axes="xyz", method="mag"))
-    graph.evaluate({"surface_levels_db"}, given)
-    before = graph.runs.copy()
-    graph.evaluate({"surface_levels_db", "axis_surface_levels_db"}, given)
-    assert graph.work.forward_transforms == graph.work.inverse_transforms == 0
-    assert (graph.runs - before).keys() == {
-        "single_axes",
-        "axis_record_rms",
-        "axis_levels_db",
-        "axis_surface_levels_db",
-    }
