@@ -1,8 +1,6 @@
 """``skinsource show`` and ``skinsource render``."""
 
 import struct
-import subprocess
-import sys
 import zlib
 from dataclasses import replace
 
@@ -141,19 +139,6 @@ def test_a_file_that_is_no_design_is_one_line(tmp_path, capsys):
     ):
         assert main(arguments) == 1
         assert len(capsys.readouterr().err.splitlines()) == 1
-
-
-def test_both_commands_need_no_qt(saved, tmp_path):
-    script = (
-        "import sys\n"
-        "sys.modules.update(dict.fromkeys(['PySide6', 'pyqtgraph', 'matplotlib']))\n"
-        "from skinsource.cli.command_line import main\n"
-        "sys.exit(main(sys.argv[1:]))\n"
-    )
-    for arguments in (["show", saved], ["render", saved, "--out", tmp_path / "out"]):
-        command = [sys.executable, "-c", script, *map(str, arguments)]
-        done = subprocess.run(command, check=False, capture_output=True, text=True, timeout=60)
-        assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_show_tells_the_conditions_that_are_not_kept_as_captions_do(saved, tmp_path, capsys):

@@ -108,13 +108,6 @@ def test_silence_stays_silent_and_a_single_sample_stays_alone():
     assert extremes_between(np.zeros((1, 0))).low.shape == (1, 0)
 
 
-def test_relative_to_a_size_they_are_so_many_times_smaller():
-    extremes = extremes_between(band_limited(2, 300))
-    sizes = np.array([[2.0], [0.5]])
-    for got, expected_values in zip(of(extremes.relative_to(sizes)), of(extremes), strict=True):
-        np.testing.assert_allclose(got, expected_values / sizes, rtol=1e-12)
-
-
 def test_however_long_signals_are_they_take_little_more_memory_than_the_result():
     signals = np.tile(band_limited(6, 2000), 50)
     extremes_between(signals[:, :100])

@@ -152,12 +152,6 @@ def test_evaluation_stops_before_the_next_rule_and_keeps_what_is_done():
     assert graph.runs == {"doubled": 1, "squared": 1, "total": 1}
 
 
-def test_what_is_remembered_is_returned_even_when_asked_to_stop():
-    graph = Graph(doubled)
-    graph.evaluate(["doubled"], {"number": 3})
-    assert graph.evaluate(["doubled"], {"number": 3}, stop=lambda: True) == {"doubled": 6}
-
-
 def test_a_rule_that_fails_leaves_the_graph_usable():
     def inverse(number):
         return 1 / number
@@ -166,21 +160,6 @@ def test_a_rule_that_fails_leaves_the_graph_usable():
     with pytest.raises(ZeroDivisionError):
         graph.evaluate(["inverse"], {"number": 0})
     assert graph.evaluate(["inverse"], {"number": 4}) == {"inverse": 0.25}
-
-
-def test_methods_are_rules_too():
-    class Counter:
-        def __init__(self):
-            self.calls = 0
-
-        def counted(self, number):
-            self.calls += 1
-            return number + 1
-
-    counter = Counter()
-    graph = Graph(counter.counted)
-    assert graph.evaluate(["counted"], {"number": 1}) == {"counted": 2}
-    assert counter.calls == 1
 
 
 def test_an_array_goes_before_the_next_one_is_made():

@@ -111,11 +111,6 @@ def test_a_label_without_room_for_the_note_becomes_the_note():
     assert len(edit.design.clip(1).label) == 200
 
 
-def test_gains_take_off_what_is_above_the_softest():
-    edit = edits.equalise_on_skin(design_of(TRAIN), View(), 1, (3.0, -7.25, -1.0), MEASURE)
-    assert edit.design.clip(1).waveform.gains_db == (-10.25, 0.0, -6.25)
-
-
 @pytest.mark.parametrize(
     ("design", "clip_id", "levels_db", "message"),
     [

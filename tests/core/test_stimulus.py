@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.base.errors import InvalidInputError, Stopped
+from skinsource.base.errors import InvalidInputError
 from skinsource.design import effects
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
@@ -59,17 +59,6 @@ def test_at_the_rate_of_the_limb_it_is_what_the_engine_predicts_with():
             expected[row, voice.start : voice.start + samples.size] += voice.amplitude * samples
     assert result.sample_rate_hz == RATE_HZ
     np.testing.assert_allclose(result.samples, expected, rtol=0, atol=1e-15)
-
-
-def test_the_skin_answers_it_as_the_engine_says():
-    # By the other way to predict, from the exported samples alone.
-    quiet = replace(SEVERAL, scaling="probe")
-    result = stimulus_of(quiet)
-    places = [channel.place for channel in result.channels]
-    answer = ss.predict(ss.load_limb("synthetic-1"), result.samples, places, scaling="probe")
-    view = ss.View(outputs=(30,), axes="z")
-    traces = ss.evaluate(quiet, "selected_traces", view=view)["selected_traces"]
-    np.testing.assert_allclose(traces[0], answer[29, 2], rtol=0, atol=1e-12)
 
 
 @pytest.mark.parametrize("onset_s", [0.1, 0.1003, 0.12345678, 1.0 / 3.0])
@@ -125,11 +114,6 @@ def test_only_what_is_chosen_takes_part():
     )
 
 
-def test_solo_inputs_are_heard_alone():
-    inputs = (track(3), track(5, solo=True))
-    assert [channel.place for channel in stimulus_of(design(*inputs)).channels] == [5]
-
-
 def test_a_place_without_a_clip_keeps_its_silent_channel():
     result = stimulus_of(design(Input(location=4), track(5)))
     assert [channel.place for channel in result.channels] == [4, 5]
@@ -152,18 +136,6 @@ def test_drives_under_upstream_scaling_are_no_accelerations(scaling, unit):
 def test_the_band_is_that_of_the_lower_rate():
     assert stimulus_of(design(track(3)), 48_000).band_hz == (25.0, 600.0)
     assert stimulus_of(design(track(3)), 650).band_hz == (25.0, 300.0)
-
-
-def test_stages_come_at_the_rate_of_the_device_one_after_the_other():
-    rates = []
-
-    def doubled(plain):
-        rates.append(plain.sample_rate_hz)
-        return plain.with_samples(plain.samples * 2.0)
-
-    result = stimulus_of(SEVERAL, 8000, stages=(doubled, doubled))
-    assert rates == [8000.0, 8000.0]
-    np.testing.assert_array_equal(result.samples, 4.0 * stimulus_of(SEVERAL, 8000).samples)
 
 
 def test_one_factor_brings_the_largest_sample_of_all_to_full_scale():
@@ -288,8 +260,3 @@ def test_more_than_can_be_held_is_refused_before_it_is_made(monkeypatch):
     assert "samples" not in message_text
     assert "e+" not in message_text
     assert stimulus_of(SEVERAL).n_times < 5000
-
-
-def test_it_can_be_stopped():
-    with pytest.raises(Stopped):
-        stimulus_of(SEVERAL, stop=lambda: True)

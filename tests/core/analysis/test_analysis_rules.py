@@ -102,19 +102,6 @@ def test_the_spectrogram_is_of_the_chosen_output_or_the_last_one():
         assert output_spectrogram.amplitude == pytest.approx(expected.amplitude, abs=1e-12)
 
 
-def test_other_choices_of_drawing_compute_nothing_anew():
-    graph = new_graph()
-    quantities = {"output_spectrogram"}
-    graph.evaluate(quantities, sources(DESIGN, VIEW))
-    ran = graph.runs["output_spectrogram"]
-    view = with_settings(VIEW, "spectrogram", SpectrogramSettings(ceiling_hz=300.0))
-    graph.evaluate(quantities, sources(DESIGN, view))
-    assert graph.runs["output_spectrogram"] == ran
-    view = with_settings(VIEW, "spectrogram", SpectrogramSettings(window_ms="200"))
-    graph.evaluate(quantities, sources(DESIGN, view))
-    assert graph.runs["output_spectrogram"] == ran + 1
-
-
 def test_main_axes_are_those_that_the_projection_takes():
     view = replace(VIEW, method="pca")
     values = ss.evaluate(DESIGN, "output_main_axes", "projection", view=view)

@@ -13,7 +13,6 @@ from skinsource.engine.analysis_rules import contact_weighted_rms, line_wave, ou
 from skinsource.engine.moments import Projection
 from skinsource.limbs.catalog import load_limb
 from skinsource.perception.hand_arm import hand_arm_weighting, weighted_rms
-from skinsource.perception.thresholds import table_threshold
 from skinsource.perception.validity import drive_findings
 from skinsource.signals.analysis.transfer import transfer_function
 from skinsource.signals.analysis.wave_speed import travelling_wave
@@ -117,11 +116,6 @@ def test_the_weighted_acceleration_of_a_contact_is_not_told_behind_an_actuator()
     assert (place, weighted > 0.0) == (8, True)
     bench = Actuation(actuators=(ActuatorAt(model=ss.actuators.load("example-voice-coil")),))
     assert contact_weighted_rms(drives, limb, "probe", bench) is None
-
-
-def test_between_rows_of_a_table_thresholds_are_straight_in_logarithms():
-    table = ((25.0, 0.1), (100.0, 0.4), (400.0, 6.4))
-    assert table_threshold(table, [50.0, 200.0]) == pytest.approx([0.2, 1.6])
 
 
 def test_what_swings_at_half_the_rate_is_weighted_once():

@@ -9,12 +9,9 @@ import pytest
 
 import skinsource as ss
 from skinsource.export.formats.chips import envelope_of
+from tests.core.exporting.export_bench import sidecar
 
 FLAGS = ("-Wall", "-Wextra", "-Werror", "-pedantic")
-
-
-def sidecar(path):
-    return json.loads(path.with_name(f"{path.name}.json").read_text(encoding="utf-8"))
 
 
 def arrays_of(path):

@@ -87,12 +87,6 @@ def test_where_nothing_is_lost_nothing_is_said(two, tmp_path, rate_hz):
     assert done.loses == ""
 
 
-def test_accepting_changes_no_file_that_loses_nothing(two, tmp_path):
-    for name, options in (("a.wav", None), ("b.wav", ACCEPTED)):
-        ss.export_stimulus(two, tmp_path / name, rate_hz=8000, options=options)
-    assert (tmp_path / "a.wav").read_bytes() == (tmp_path / "b.wav").read_bytes()
-
-
 @pytest.mark.parametrize("rate_hz", [100, 1000])
 def test_silence_and_slow_pushes_lose_nothing(tmp_path, rate_hz):
     slow = ss.waveforms.Tone(frequency_hz=2.0, duration_s=1.0)
@@ -142,12 +136,6 @@ def test_each_file_tells_of_its_own_channel(two, tmp_path):
     assert f"channel 1 (Digit II, pad) loses 5.8 dB of its energy in {lossy.name}." in done.loses
     assert "loses 5.8 dB" in sidecar(lossy)["loses"]
     assert sidecar(whole)["loses"] == ""
-
-
-def test_the_map_and_the_sync_channel_keep_the_loss_with_its_channel(two, tmp_path):
-    options = ss.StimulusOptions(channel_map=(2, 0, 1, 3), sync=True, accept_loss=True)
-    done = ss.export_stimulus(two, tmp_path / "a.wav", rate_hz=1000, options=options)
-    assert "channel 3 (Digit II, pad) loses 5.8 dB" in done.loses
 
 
 @pytest.mark.parametrize("name", ss.export_formats())

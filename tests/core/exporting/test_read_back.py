@@ -6,7 +6,6 @@ import json
 import re
 import struct
 import subprocess
-from pathlib import Path
 
 import h5py
 import numpy as np
@@ -15,12 +14,9 @@ import scipy
 import soundfile
 
 import skinsource as ss
+from tests.core.exporting.export_bench import sidecar
 
 RATES = (1300, 8000, 44_100, 48_000)
-
-
-def sidecar(path: Path) -> dict:
-    return json.loads(path.with_name(f"{path.name}.json").read_text(encoding="utf-8"))
 
 
 @pytest.mark.parametrize("rate_hz", RATES)
@@ -74,17 +70,6 @@ def test_sixteen_channels_are_sixteen_and_name_no_speaker(many, expected, tmp_pa
     else:
         assert (size, tag) == (40, 0xFFFE)
         assert struct.unpack("<I", content[40:44]) == (0,)
-
-
-@pytest.mark.parametrize("n", [2, 4, 6, 8])
-def test_no_number_of_channels_names_a_speaker(many, tmp_path, n):
-    path = tmp_path / "some.wav"
-    options = ss.StimulusOptions(
-        choices={"container": "extensible", "samples": "pcm16"}, inputs=tuple(range(1, n + 1))
-    )
-    ss.export_stimulus(many, path, options=options)
-    assert path.read_bytes()[40:44] == b"\0\0\0\0"
-    assert soundfile.info(path).channels == n
 
 
 def test_wav_tells_its_title_its_writer_and_its_design(design, tmp_path):
@@ -223,16 +208,3 @@ def test_a_c_header_compiles_clean_and_holds_the_samples(
     n_bytes = 2 * 2000 * (2 if kind == "int16" else 1)
     assert re.match(rf"/\* {n_bytes} bytes", path.read_text())
     assert sidecar(path)["array_bytes"] == n_bytes
-
-
-@pytest.mark.parametrize("name", ss.export_formats())
-def test_the_same_design_gives_the_same_bytes(design, tmp_path, name):
-    for folder in ("one", "two"):
-        (tmp_path / folder).mkdir()
-        ss.export_stimulus(design, tmp_path / folder / "a", format=name)
-    files = sorted(file.relative_to(tmp_path / "one") for file in (tmp_path / "one").rglob("*"))
-    assert len(files) >= 2
-    for file in files:
-        if (tmp_path / "one" / file).is_file():
-            content = (tmp_path / "one" / file).read_bytes()
-            assert content == (tmp_path / "two" / file).read_bytes(), file

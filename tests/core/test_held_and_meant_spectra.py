@@ -1,4 +1,4 @@
-"""Spectra in which a tone reads its amplitude, whatever is around it."""
+"""Spectra in which a tone reads its amplitude, and moving means over their bins."""
 
 import numpy as np
 import pytest
@@ -9,6 +9,7 @@ from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.quantities import new_graph, sources
+from skinsource.signals.spectra import mean_of_bins
 
 RATE = 1300.0
 
@@ -108,3 +109,19 @@ def test_a_long_tone_of_1_m_per_s2_reads_1_m_per_s2_at_its_loudest_output(freque
 def test_a_rate_beyond_all_others_is_refused():
     with pytest.raises(InvalidInputError, match="sample_rate_hz is 1e\\+15"):
         ss.peak_hold_spectrum(np.ones(100), 1e15)
+
+
+@pytest.mark.parametrize("n", [2, 3, 10])
+@pytest.mark.parametrize("n_bins", [1, 2, 9, 10, 40])
+def test_a_mean_is_that_of_the_bins_around(n, n_bins):
+    magnitude = np.random.default_rng(n).random((2, 3, n_bins))
+    means = mean_of_bins(magnitude, n)
+    assert means.shape == magnitude.shape
+    for k in range(n_bins):
+        around = magnitude[..., max(k - n // 2, 0) : k + (n - 1) // 2 + 1]
+        assert means[..., k] == pytest.approx(around.mean(axis=-1))
+
+
+def test_a_mean_of_one_bin_is_the_spectrum_itself():
+    magnitude = np.arange(6.0).reshape(2, 3)
+    assert mean_of_bins(magnitude, 1) is magnitude
