@@ -123,7 +123,7 @@ def test_rules_in_a_circle_are_refused():
     def ego(ego):
         return ego
 
-    with pytest.raises(ValueError, match="hen -> egg -> hen"):
+    with pytest.raises(ValueError, match=r"hen -> egg|egg -> hen"):
         Graph(doubled, hen, egg)
     with pytest.raises(ValueError, match="ego -> ego"):
         Graph(ego)

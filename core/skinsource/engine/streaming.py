@@ -73,9 +73,8 @@ class StreamedVibration:
     def moments(self, stop: Stop = never) -> Moments:
         """Return the moments over the whole response, with all products of axes."""
         if self._moments is None:
-            n_outputs, n_axes = self._channels_shape
-            second = np.zeros((n_outputs, n_axes, n_axes))
-            total = np.zeros((n_outputs, n_axes))
+            second = np.zeros((*self._channels_shape, self._channels_shape[1]))
+            total = np.zeros(self._channels_shape)
             for _, block in self.blocks(stop):
                 second += block @ block.transpose(0, 2, 1)
                 total += block.sum(axis=-1)
