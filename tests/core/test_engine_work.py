@@ -456,9 +456,9 @@ def test_threads_of_scripts_take_turns_and_each_gets_its_own():
 @pytest.mark.parametrize(
     ("design", "names", "view", "message"),
     [
-        ("x", LEVELS, None, "expected a Design"),
+        ("x", LEVELS, None, "expected Design"),
         (DESIGN, (3,), None, "3"),
-        (DESIGN, LEVELS, "x", "expected a View"),
+        (DESIGN, LEVELS, "x", "expected View"),
         (DESIGN, ("output_level_db",), None, "perhaps 'output_levels_db'"),
     ],
 )

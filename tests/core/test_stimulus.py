@@ -232,7 +232,7 @@ def test_what_was_handed_over_is_never_changed():
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: stimulus_of("design"), "expected a Design"),
+        (lambda: stimulus_of("design"), "expected Design"),
         (lambda: stimulus_of(design(track(21))), "location 21"),
         (lambda: stimulus_of(SEVERAL, 44_100.5), "sample_rate_hz"),
         (lambda: stimulus_of(SEVERAL, per="clip"), "per"),

@@ -18,6 +18,7 @@ from skinsource.engine.drives import active_samples, delayed
 from skinsource.engine.moments import Moments, Projection
 from skinsource.engine.spectra import Stack, TotalSpectrum
 from skinsource.engine.transforms import (
+    OUTPUTS_AT_ONCE,
     Blocks,
     ChannelsOnDemand,
     Played,
@@ -269,14 +270,10 @@ class Vibration:
         return total
 
 
-# Outputs that are transformed back at once: at most 12 MB.
-_OUTPUTS_AT_ONCE = 18
-
-
 def output_groups(n_outputs: int) -> Iterator[Indices]:
     """Yield numbers of outputs, counted from 0, that are transformed back to time at once."""
-    for first in range(0, n_outputs, _OUTPUTS_AT_ONCE):
-        yield np.arange(first, min(first + _OUTPUTS_AT_ONCE, n_outputs))
+    for first in range(0, n_outputs, OUTPUTS_AT_ONCE):
+        yield np.arange(first, min(first + OUTPUTS_AT_ONCE, n_outputs))
 
 
 def projected_signals(total: TotalSpectrum, projection: Projection, outputs: Indices) -> Floats:

@@ -807,8 +807,6 @@ def windowed_levels(
     design: Design, view: View | None = None, *, count: int | None, window_s: float | None
 ) -> WindowedLevels:
     """Return RMS and extent in each window of the signals that ``view`` projects."""
-    if not isinstance(design, Design):
-        raise InvalidInputError(f"design is {quoted(design)}, expected a Design")
     if (count is None) == (window_s is None):
         raise InvalidInputError(
             f"count is {count} and window_s is {window_s}: expected one of them, and no other"

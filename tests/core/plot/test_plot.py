@@ -198,7 +198,7 @@ def test_silence_is_drawn_too():
         ),
         (lambda: ss.plot.strip(DESIGN, count=2, window_s=0.1), "expected one of them"),
         (lambda: ss.plot.strip(DESIGN, window_s=2.0), "no whole window"),
-        (lambda: ss.plot.strip("2H"), "expected a Design"),
+        (lambda: ss.plot.strip("2H"), "expected Design"),
     ],
 )
 def test_what_cannot_be_drawn_is_refused_in_words(call, message):
