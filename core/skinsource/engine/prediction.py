@@ -4,7 +4,6 @@ The skin answers with the sum of the convolutions of drives and responses (eq. 1
 paper).  Spectra of responses and gains of drives are remembered for all threads, in bounded memory.
 """
 
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cache, partial
 from hashlib import sha256
@@ -26,11 +25,10 @@ from skinsource.engine.drives import active_samples
 from skinsource.engine.gains import Gains, exceeds_rounding, unit_gains
 from skinsource.engine.memory import PREDICT_BYTES, PREDICT_GAINS_BYTES
 from skinsource.engine.spectra import (
-    Norms,
     ResponseSpectra,
     ResponseSpectrum,
     actuated_limb,
-    bounded_taps,
+    scaled_taps,
 )
 from skinsource.engine.streaming import StreamedVibration
 from skinsource.engine.transforms import (
@@ -337,27 +335,17 @@ def _response_to_drive(
     ((drive, location, amplitude),) = placed_drives
     known = _cached_spectra().of_one(limb, location, scaling, n_fft)
     if known is None:
-        taps, largest_tap = bounded_taps(limb, location, scaling)
+        taps = scaled_taps(limb, location, scaling)
         vibration, largest = single_response(taps, played[0], shape, n_fft)
-        energies = _energy_bounds(taps, largest_tap)
+        energy = float(np.sqrt(np.vecdot(taps, taps).max()))
     else:
         vibration, largest = single_response(known, played[0], shape, n_fft)
-        energies = iter([float(known.norms.energies.max())])
+        energy = float(known.norms.energies.max())
     gain = drive.factor
-    if scaling == "upstream" and any(
-        exceeds_rounding(largest, drive, energy, n_fft) for energy in energies
-    ):
+    if scaling == "upstream" and exceeds_rounding(largest, drive, energy, n_fft):
         gain = 1.0 / largest
     vibration *= amplitude * gain
     return vibration
-
-
-def _energy_bounds(taps: Floats, largest_tap: float) -> Iterator[float]:
-    """Yield a bound of the largest energy of a response, then that energy."""
-    # No response has more energy than one that is at the largest tap all the time.  Most often this
-    # bound is enough, and norms need not be computed.
-    yield math.sqrt(taps.shape[-1]) * largest_tap
-    yield float(Norms.of(taps).energies.max())
 
 
 @cache

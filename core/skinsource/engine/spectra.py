@@ -288,14 +288,9 @@ def scaled_taps(limb: Limb, location: int, scaling: Scaling) -> Floats:
     InvalidInputError
         A sample of them is not usable.
     """
-    return bounded_taps(limb, location, scaling)[0]
-
-
-def bounded_taps(limb: Limb, location: int, scaling: Scaling) -> tuple[Floats, float]:
-    """Return the same as `scaled_taps`, and the largest magnitude of them all, m/s²."""
-    taps, largest = limb.response_to(location), limb.largest_response_to(location)
+    taps = limb.response_to(location)
     # Written so that NaN, too, is checked further.
-    bad = None if largest <= LARGEST else first_unusable(taps)
+    bad = None if limb.largest_response_to(location) <= LARGEST else first_unusable(taps)
     if bad is not None:
         output, axis, tap = bad
         raise InvalidInputError(
@@ -304,9 +299,8 @@ def bounded_taps(limb: Limb, location: int, scaling: Scaling) -> tuple[Floats, f
             f"{LARGEST:g}. Install or load the limb again."
         )
     if scaling != "probe" or limb.per_unit_drive:
-        return taps, largest
-    taps = per_probe_acceleration(taps, limb.sample_rate_hz)
-    return taps, float(np.abs(taps).max(initial=0.0))
+        return taps
+    return per_probe_acceleration(taps, limb.sample_rate_hz)
 
 
 def _stack(limb: Limb, locations: tuple[int, ...], scaling: Scaling, n_fft: int) -> Stack:
