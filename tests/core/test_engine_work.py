@@ -1,9 +1,6 @@
 """What an edit makes the engine do and remember, and above all what it leaves out."""
 
 import gc
-import subprocess
-import sys
-import tracemalloc
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, replace
 from inspect import signature
@@ -18,7 +15,6 @@ from skinsource.base.errors import InvalidInputError, Stopped
 from skinsource.base.measurement_conditions import N_AXES, N_OUTPUTS
 from skinsource.base.work import counting
 from skinsource.design.design import Design, track
-from skinsource.design.signal_path import Part, SignalPath, UnitVoice
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
@@ -29,7 +25,6 @@ from skinsource.engine.memory import ENTRY_BYTES, SURFACES_BYTES, Memory
 from skinsource.engine.quantities import RULES, graphs_that_share, new_graph, sources
 from skinsource.engine.shared import Shared
 from skinsource.engine.spectra import ResponseSpectra
-from skinsource.engine.streaming import StreamedVibration
 from skinsource.engine.transforms import Blocks, length_at_once, run_on_two_threads
 from skinsource.limbs.synthetic import load_synthetic_limb
 
@@ -243,20 +238,6 @@ def test_the_least_recently_used_goes_first():
     assert memory.held_bytes == 2 * ENTRY_BYTES + 8
 
 
-def test_many_small_values_do_not_exceed_the_budget_by_their_keys():
-    # Traced, not counted: what Python takes for a key like those of the engine.
-    tracemalloc.start()
-    try:
-        memory = Memory[float](budget_bytes=10**6, size_of=sys.getsizeof)
-        for k in range(3000):
-            tone = Tone(frequency_hz=100 + k / 100, duration_s=0.1)
-            memory.add((UnitVoice(SignalPath((Part(tone),)), 7), 1920), k / 7)
-        held_bytes, _ = tracemalloc.get_traced_memory()
-    finally:
-        tracemalloc.stop()
-    assert held_bytes < 10**6
-
-
 ONE = 216 * (576 // 2 + 1) * 16
 
 
@@ -298,32 +279,6 @@ def test_spectra_that_exceed_the_budget_are_given_and_kept_as_far_as_they_fit(fi
         assert spectra.held_bytes == fitting * ONE
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="reads how much is resident from /proc")
-def test_places_that_were_never_asked_for_take_no_memory():
-    # In a process of its own: what others left behind would count.
-    script = """
-from skinsource.base.allocation import keep_freed_memory
-from skinsource.engine.spectra import ResponseSpectra
-from skinsource.limbs.synthetic import load_synthetic_limb
-import numpy as np
-keep_freed_memory()
-limb = load_synthetic_limb(1)
-limb.response_to(7)
-del (waste := [np.ones(2**25)])[:]
-def resident():
-    return int(open("/proc/self/statm").read().split()[1]) * 4096
-before = resident()
-spectra = ResponseSpectra()
-for n_fft in (3072, 3840, 4608, 6144):
-    spectra.of(limb, [7], "relative", n_fft)
-held = spectra.held_bytes
-assert held < 60e6, held
-# Each length ends within a large page.
-assert resident() - before < 2 * held + 4 * 2**21, (resident() - before, held)
-"""
-    subprocess.run([sys.executable, "-c", script], check=True)
-
-
 class Countdown:
     """Asks to stop once it was asked so many times."""
 
@@ -355,29 +310,6 @@ def test_it_stops_wherever_it_is_asked_to_and_is_right_afterwards(design, view):
     np.testing.assert_array_equal(values["selected_traces"], expected["selected_traces"])
 
 
-def test_responses_to_all_outputs_are_not_copied(monkeypatch):
-    # Of a large limb they take gigabytes.
-    streamed = new_graph().evaluate(["streamed_vibration"], sources(LONG, VIEW))[
-        "streamed_vibration"
-    ]
-    multiplied, spectra = [], StreamedVibration._spectra
-
-    def note(self, segments, values):
-        multiplied.append(values)
-        return spectra(self, segments, values)
-
-    monkeypatch.setattr(StreamedVibration, "_spectra", note)
-    first, block = next(streamed.blocks_of(range(1, 73), (0, 1, 2)))
-    assert np.shares_memory(multiplied[0], streamed._stack.values)
-    again, whole = next(streamed.blocks())
-    assert again == first
-    np.testing.assert_array_equal(block, whole)
-    _, turned = next(streamed.blocks_of(range(72, 0, -1), (2, 0, 1)))
-    np.testing.assert_allclose(turned, whole[::-1, (2, 0, 1)], rtol=0, atol=1e-12 * whole.max())
-    next(streamed.blocks_of((30, 2), (0, 1, 2)))
-    assert multiplied[-1].shape[-1] == 6
-
-
 def test_each_waveform_in_use_is_drawn_once_however_small_the_memory(monkeypatch):
     monkeypatch.setattr(
         "skinsource.engine.drives.Drives", lambda: Drives(budget_bytes=0, clips_bytes=0)
@@ -386,24 +318,6 @@ def test_each_waveform_in_use_is_drawn_once_however_small_the_memory(monkeypatch
     graph.evaluate((*ALL, "input_waveforms", "trace_error"), sources(LONG, VIEW))
     drawn = sum(clip.waveform.samples(1300.0).size for clip in LONG.clips)
     assert graph.work.samples_drawn == drawn
-
-
-class Broken(Tone):
-    """A tone with one sample that is no number."""
-
-    __slots__ = ()
-
-    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> np.ndarray:
-        values = Tone.samples(self, sample_rate_hz, shift_s).copy()
-        values[17] = np.nan
-        return values
-
-
-@pytest.mark.parametrize("duration_s", [0.5, 14.0])
-def test_a_bad_sample_is_refused_by_the_place_of_its_input_and_its_number(duration_s):
-    bad = track(location=12, waveform=Broken(duration_s=duration_s))
-    with pytest.raises(InvalidInputError, match=f"place 12, {Broken.title}: sample 17 is nan"):
-        new_graph().evaluate(ALL, sources(LONG.adding(bad), VIEW))
 
 
 def test_of_a_long_design_the_playhead_asks_for_the_next_block_alone():

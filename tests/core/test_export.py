@@ -183,13 +183,6 @@ def test_silence_has_an_rms_of_0_and_no_level_and_no_extent_in_a_table(tmp_path)
     assert len(read(tmp_path / "traces.csv")[1]) == 522
 
 
-def test_pandas_reads_the_tables_without_help(tmp_path):
-    pandas = pytest.importorskip("pandas", reason="pandas is not installed")
-    export_levels(tmp_path / "levels.csv", SHORT, VIEW)
-    table = pandas.read_csv(tmp_path / "levels.csv", comment="#")
-    np.testing.assert_array_equal(table["output"], np.arange(1, 73))
-
-
 @NAMES
 def test_the_same_design_gives_the_same_bytes_that_tell_nothing_of_when(tmp_path, name):
     written = []

@@ -51,17 +51,6 @@ def test_within_every_period_a_tone_reaches_its_peak_whatever_its_samples_miss(f
         assert highest.max() <= 1.0 + FILTER_ERROR
 
 
-def test_a_sweep_has_no_notch_where_it_passes_a_quarter_and_a_third_of_the_rate():
-    at_s = np.arange(6500) / RATE_HZ
-    sweep = np.sin(2 * np.pi * (100.0 * at_s + 50.0 * at_s**2))
-    starts = np.arange(0, sweep.size, 13)
-    low, high = extremes_between(sweep[np.newaxis]).of_columns(starts)
-    assert high[0, 3:-3].min() >= 1.0 - EXTREMES_ERROR
-    assert low[0, 3:-3].max() <= EXTREMES_ERROR - 1.0
-    # Its samples have one.
-    assert np.maximum.reduceat(sweep, starts)[3:-3].min() < 0.8
-
-
 def test_they_are_those_of_the_wave_that_is_drawn_from_close_by():
     signals = band_limited(3, 1001)
     extremes = extremes_between(signals)

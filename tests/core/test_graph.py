@@ -152,16 +152,6 @@ def test_evaluation_stops_before_the_next_rule_and_keeps_what_is_done():
     assert graph.runs == {"doubled": 1, "squared": 1, "total": 1}
 
 
-def test_a_rule_that_fails_leaves_the_graph_usable():
-    def inverse(number):
-        return 1 / number
-
-    graph = Graph(inverse)
-    with pytest.raises(ZeroDivisionError):
-        graph.evaluate(["inverse"], {"number": 0})
-    assert graph.evaluate(["inverse"], {"number": 4}) == {"inverse": 0.25}
-
-
 def test_an_array_goes_before_the_next_one_is_made():
     alive = []
 

@@ -5,10 +5,6 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError, Stopped
-from skinsource.design.design import Design, track
-from skinsource.design.view import View
-from skinsource.design.waveforms.tones import Tone
-from skinsource.engine.quantities import new_graph, sources
 from skinsource.signals.spectra import mean_of_bins
 
 RATE = 1300.0
@@ -27,24 +23,6 @@ def test_a_sine_reads_its_amplitude_at_its_frequency(frequency_hz, duration_s):
     frequencies, amplitude = ss.peak_hold_spectrum(tone(frequency_hz, duration_s), RATE)
     assert amplitude.max() == pytest.approx(1.0, rel=0.012)
     assert abs(frequencies[np.argmax(amplitude)] - frequency_hz) <= 0.5 + 1e-9
-
-
-def test_silence_around_a_tone_changes_nothing():
-    alone = ss.peak_hold_spectrum(tone(100.0, 1.0), RATE)[1]
-    for before_s, after_s in ((0.0, 2.0), (1.0, 0.0), (3.0, 5.0)):
-        placed = tone(100.0, 1.0, before_s=before_s, after_s=after_s)
-        amplitude = ss.peak_hold_spectrum(placed, RATE)[1]
-        assert amplitude.max() == pytest.approx(alone.max(), rel=0.01)
-
-
-def test_each_frequency_holds_its_own_peak():
-    signal = np.concatenate(
-        (tone(80.0, 1.0, amplitude=0.5), tone(0.0, 0.5), tone(300.0, 1.0, amplitude=2.0))
-    )
-    frequencies, amplitude = ss.peak_hold_spectrum(signal, RATE)
-    assert amplitude[np.argmin(abs(frequencies - 80))] == pytest.approx(0.5, rel=0.01)
-    assert amplitude[np.argmin(abs(frequencies - 300))] == pytest.approx(2.0, rel=0.01)
-    assert amplitude[np.argmin(abs(frequencies - 190))] < 0.1
 
 
 def test_constant_and_alternating_signals_read_their_value():
@@ -81,29 +59,6 @@ def test_one_sample_is_enough_none_is_not_and_it_can_be_stopped():
         ss.peak_hold_spectrum([], RATE)
     with pytest.raises(Stopped):
         ss.peak_hold_spectrum(np.ones(10), RATE, stop=lambda: True)
-
-
-@pytest.mark.parametrize(("frequency_hz", "onset_s"), [(60.0, 0.0), (100.0, 0.5), (250.0, 1.0)])
-def test_a_long_tone_of_1_m_per_s2_reads_1_m_per_s2_at_its_loudest_output(frequency_hz, onset_s):
-    graph = new_graph()
-    waveform = Tone(frequency_hz=frequency_hz, duration_s=3.0)
-    design = Design(
-        limb="synthetic-1",
-        inputs=(track(location=7, waveform=waveform, onset_s=onset_s),),
-        scaling="upstream",
-    )
-    peaks = {}
-    for axis in ("x", "y", "z"):
-        every = View(axes=axis, outputs=tuple(range(1, 73)))
-        traces = graph.evaluate({"selected_traces"}, sources(design, every))["selected_traces"]
-        peaks.update({(axis, output): trace.max() for output, trace in enumerate(traces, start=1)})
-    axis, output = max(peaks, key=peaks.get)
-    assert peaks[axis, output] == pytest.approx(1.0)
-    view = View(axes=axis, outputs=(output,))
-    results = graph.evaluate({"selected_peak_spectra"}, sources(design, view))
-    frequencies, amplitude = results["selected_peak_spectra"]
-    assert amplitude.max() == pytest.approx(1.0, rel=0.02)
-    assert abs(frequencies[np.argmax(amplitude[0])] - frequency_hz) <= 1.0
 
 
 def test_a_rate_beyond_all_others_is_refused():

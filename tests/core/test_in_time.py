@@ -45,13 +45,6 @@ def test_between_samples_a_tone_is_the_tone(frequency_hz):
         assert moving_.acceleration(at / RATE)[0, 0] == pytest.approx(exact, abs=3e-6)
 
 
-def test_a_vector_that_turns_keeps_its_length_between_samples():
-    angle = 2 * np.pi * 300.0 * np.arange(300) / RATE
-    moving_ = moving(np.array([[np.cos(angle), np.sin(angle)]]))
-    for at in (120.25, 140.5, 150.75):
-        assert moving_.magnitude(at / RATE)[0] == pytest.approx(1.0, abs=3e-6)
-
-
 def test_outside_of_the_response_there_is_silence():
     moving_ = moving(np.ones((2, 3, 50)))
     for at in (-1.0, 50.0, 70.0, -64.5, 114.5):

@@ -158,13 +158,3 @@ def test_too_large_an_operator_is_not_kept(limb, monkeypatch):
     monkeypatch.setattr(surface, "LARGEST_BYTES", 1000)
     assert [fetched(limb)[1] for _ in range(2)] == [1, 1]
     assert not cache_folder().exists()
-
-
-def test_the_cache_lies_with_the_data_of_a_test_or_in_the_folder_that_is_named(
-    user_data, monkeypatch
-):
-    assert cache_folder() == user_data / "kept"
-    monkeypatch.delenv("SKINSOURCE_CACHE")
-    assert cache_folder() == user_data / "cache"
-    monkeypatch.delenv("SKINSOURCE_DATA")
-    assert user_data not in cache_folder().parents

@@ -104,13 +104,6 @@ def test_the_label_notes_what_was_measured_once_and_keeps_other_words():
     assert edit.label == "Equalise wavelets of input at 7 (II pad)"
 
 
-def test_a_label_without_room_for_the_note_becomes_the_note():
-    design = design_of(TRAIN).with_clip(1, label="x" * 190)
-    edit = edits.equalise_on_skin(design, View(), 1, (0.0, 1.0, 2.0), "m" * 300)
-    assert edit.design.clip(1).label.startswith("Equal on the skin: mmm")
-    assert len(edit.design.clip(1).label) == 200
-
-
 @pytest.mark.parametrize(
     ("design", "clip_id", "levels_db", "message"),
     [

@@ -1,7 +1,6 @@
 """Windows, against MATLAB's documented formulas written out sample by sample."""
 
 import math
-import tracemalloc
 
 import numpy as np
 import pytest
@@ -47,12 +46,6 @@ def test_windows_are_symmetric_and_within_zero_and_one(n):
         assert samples.max() <= 1.0
 
 
-def test_only_the_tukey_window_starts_at_zero():
-    assert window("tukey", 130)[0] == 0.0
-    assert window("hanning", 130)[0] > 0.0
-    assert window("hanning", 21)[10] == 1.0
-
-
 @pytest.mark.parametrize("name", WINDOWS)
 def test_no_samples_and_one_sample_have_windows(name):
     assert window(name, 0).shape == (0,)
@@ -72,14 +65,3 @@ def test_a_whole_length_of_any_type_will_do():
 def test_an_unknown_window_is_refused_with_the_known_ones():
     with pytest.raises(InvalidInputError, match="choose from none, tukey, hanning"):
         window("hann", 21)
-
-
-def test_a_long_window_takes_little_more_than_its_samples():
-    tracemalloc.start()
-    try:
-        samples = window("tukey", 10_000_000)
-        assert tracemalloc.get_traced_memory()[1] < 2 * samples.nbytes
-    finally:
-        tracemalloc.stop()
-    assert samples[5_000_000] == 1.0
-    np.testing.assert_allclose(samples[:1000], matlab_tukeywin(10_000_000, 0.25)[:1000], atol=1e-12)

@@ -1,17 +1,14 @@
 """What the graph hands to the panels of analysis, against predictions and other ways to it."""
 
-import json
 from dataclasses import replace
 
 import numpy as np
 import pytest
-import scipy
 
 import skinsource as ss
 from skinsource.design.panel_settings import SpectrogramSettings, with_settings
 from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.limbs.scaling import per_probe_acceleration
 from skinsource.signals.analysis.spectrogram import spectrogram
 
 TONE = ss.waveforms.Tone(frequency_hz=120.0, duration_s=0.1)
@@ -134,7 +131,7 @@ def test_noise_of_a_prediction_is_that_of_a_limb_that_is_noise(scaling, actuatio
     view = replace(
         VIEW, method="mag", windows_cut="length", window_s=0.1, outputs=tuple(range(1, 73))
     )
-    given = sources(design, view) | {"limb_data": limb}
+    given = sources(design, view, match_gain=1.7) | {"limb_data": limb}
     levels = "output_noise_rms", "record_rms"
     windows = "noise_rms_of_windows", "rms_of_windows"
     quantities = {*levels, *windows, "above_noise_db", "transfer"}
@@ -181,49 +178,6 @@ def test_outputs_near_the_elbow_are_noise_on_the_measured_limbs(measured):
     above_noise_db = ss.evaluate(design, "above_noise_db")["above_noise_db"]
     assert (above_noise_db[66:72] < 6.0).all()
     assert (above_noise_db[27:29] > 30.0).all()
-
-
-def test_a_prediction_through_an_actuator_is_as_far_above_the_noise_as_one_made_by_hand(
-    measured, tmp_path
-):
-    # The recipe: volts and motion at 48 kHz by exact steps, and noise that is drawn and convolved.
-    tone = ss.waveforms.Tone(frequency_hz=150.0, duration_s=0.3)
-    plain = ss.Design(limb="measured-1", inputs=(ss.track(7, tone, onset_s=0.1),))
-    through = replace(plain, actuation=COIL)
-    model, equaliser = COIL.actuators[0].model, COIL.equaliser
-    (drive,) = ss.stimulus_of(plain, 48_000).samples
-    volts = ss.equalising.equalised(np.pad(drive, (0, 24_000)), 48_000, model, equaliser)
-    moved = ss.resample(model.simulate(volts, 48_000, "first").acceleration, 48_000, 1300)
-    along_z = ss.load_limb("measured-1").response_to(7)[:, 2]
-    quiet = np.sqrt(np.mean(along_z[:, :39] ** 2, axis=1))
-    rng = np.random.default_rng(41)
-    answers, noise = (
-        np.sum(scipy.signal.fftconvolve(taps, moved[None], axes=-1) ** 2, axis=-1)
-        for taps in (
-            per_probe_acceleration(along_z, 1300.0),
-            per_probe_acceleration(rng.normal(size=(300, 522)), 1300.0),
-        )
-    )
-    expected_db = 10.0 * np.log10(answers / (quiet**2 * noise.mean()))
-    view = replace(VIEW, axes="z")
-    values = ss.evaluate(through, "above_noise_db", "validity", view=view)
-    assert values["above_noise_db"] == pytest.approx(expected_db, abs=0.3)
-    noisy = next(finding.outputs for finding in values["validity"] if finding.name == "noise")
-    assert set(np.flatnonzero(expected_db < 5.7) + 1) <= set(noisy)
-    assert set(noisy) <= set(np.flatnonzero(expected_db < 6.3) + 1)
-    assert set(range(67, 73)) <= set(noisy)
-    without = ss.evaluate(plain, "validity", view=view)["validity"]
-    assert next(finding.outputs for finding in without if finding.name == "noise") == noisy
-    conditions = []
-    for design in (plain, through):
-        ss.export_stimulus(design, tmp_path / "a.wav")
-        sidecar = json.loads((tmp_path / "a.wav.json").read_text("utf-8"))
-        conditions.append(
-            next(
-                condition for condition in sidecar["validity"] if condition["condition"] == "noise"
-            )
-        )
-    assert conditions[0] == conditions[1]
 
 
 def test_a_wave_on_the_synthetic_finger_has_the_speed_of_its_model():

@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 import numpy as np
-import pytest
 
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
@@ -43,20 +42,6 @@ def same_for_each_axis(design, view, axes):
             else:
                 np.testing.assert_allclose(levels[of_axes][k], alone[name], rtol=0, atol=1e-9)
     return levels
-
-
-@pytest.mark.parametrize(
-    ("design", "view"),
-    [
-        (PLAYED, View(axes="xyz", method="pca")),
-        (PLAYED, View(axes="y", method="mag", span="loudest")),
-        (PLAYED.with_clip(2, onset_s=12.0), View(axes="xz", method="soc")),
-        (replace(PLAYED, scaling="probe"), View(axes="xyz", method="mag", span="loudest")),
-    ],
-    ids=["record", "loudest", "long", "probe"],
-)
-def test_they_are_those_of_the_axis_chosen_alone(design, view):
-    same_for_each_axis(design, view, "xyz")
 
 
 def test_a_limb_of_a_lab_has_the_axes_it_was_measured_along_and_their_noise(user_data):

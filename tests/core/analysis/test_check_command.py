@@ -17,7 +17,6 @@ from skinsource.studies.checking import (
     condition_of,
     html_of,
     quartiles,
-    round_ticks,
     summary_lines,
 )
 
@@ -91,21 +90,6 @@ def test_a_recording_is_held_against_the_prediction_and_reported(design_file, tm
     assert re.search(r"written on \d{4}-\d\d-\d\d \d\d:\d\d UTC", page)
 
 
-def test_a_report_says_what_there_is_to_note_of_the_limb_and_what_a_lamp_warns_of(
-    measured,
-):
-    tone = ss.waveforms.Tone(frequency_hz=640.0, duration_s=0.1)
-    design = ss.Design(limb="measured-1", inputs=(ss.track(8, tone),))
-    note = ss.load_limb("measured-1").note
-    assert note
-    condition = condition_of(design, "<fast>")
-    page = html_of([condition], ["synthetic-1"])
-    assert "recording: none" in page
-    assert f"NOTE on the limb: {note}" in page
-    assert "validity, band: CAUTION" in page
-    assert "<h2>&lt;fast&gt;</h2>" in page
-
-
 @pytest.mark.parametrize("strength", [0.002, 3.0])
 def test_channels_count_that_are_above_twice_the_noise_of_their_recording(
     design_file, tmp_path, strength
@@ -168,16 +152,3 @@ def test_whiskers_end_at_data_within_one_and_a_half_boxes():
     assert "1 of 11 channels lie beyond the whiskers" in drawn
     assert "all lie from 0 to 100" in drawn
     assert "beyond" not in checking._box_plot([("200 Hz", values[:5])])
-
-
-@pytest.mark.parametrize(
-    ("low", "high", "ticks"),
-    [
-        (0.0, 0.0166, [0.0, 0.005, 0.01, 0.015, 0.02]),
-        (-0.3, 1.0, [-0.4, -0.2, 0.0, 0.2, 0.4, 0.6, 0.8, 1.0]),
-        (0.0, 250.0, [0.0, 50.0, 100.0, 150.0, 200.0, 250.0]),
-        (0.0, 1e-9, [0.0, 2e-10, 4e-10, 6e-10, 8e-10, 1e-9]),
-    ],
-)
-def test_ticks_are_round_and_hold_all_values(low, high, ticks):
-    assert round_ticks(low, high).tolist() == ticks

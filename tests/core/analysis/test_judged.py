@@ -14,7 +14,6 @@ from skinsource.perception.validity import (
     in_full,
     in_short,
     noise_findings,
-    setup_findings,
 )
 
 FAST = Finding(name="drive", state="left", sentence="Fast, and more.", in_short="Fast.")
@@ -49,12 +48,6 @@ def test_what_holds_for_several_is_said_once_with_who_they_are_and_for_all_witho
     assert in_short(several) == ("A, C: Made from other files.", "Fast.")
     several[1] = Judged(label="B", findings=(KEPT,))
     assert in_short(several) == ("A, C: Made from other files.", "A, C: Fast.")
-
-
-def test_what_is_said_twice_of_one_design_is_said_once():
-    several = [Judged(label="A", findings=(FAST, FAST)), Judged(label="B", findings=(KEPT,))]
-    assert in_short(several) == ("A: Fast.",)
-    assert in_short(several[:1]) == ("Fast.",)
 
 
 def test_numbers_that_differ_between_designs_are_a_range():
@@ -111,16 +104,6 @@ def test_short_words_hold_the_number_of_the_sentence():
         assert (
             re.findall(r"\d[\d.]*%?", sentence)[0] == re.findall(r"\d[\d.]*%?", finding.sentence)[0]
         )
-
-
-@pytest.mark.parametrize("limit_hz", [300.0, None])
-@pytest.mark.parametrize("frequency_hz", [100.0, 400.0])
-def test_of_all_conditions_only_the_spacing_of_outputs_is_about_maps(frequency_hz, limit_hz):
-    drive = np.sin(2.0 * np.pi * frequency_hz * np.arange(1300) / 1300.0)
-    findings = drive_findings([(7, drive)], 1300.0, "probe", spatial_limit_hz=limit_hz)
-    assert [finding.name for finding in findings if finding.of_maps] == ["spacing"]
-    setup = setup_findings(synthetic=True, scaling="upstream", places=[7, 8])
-    assert not any(finding.of_maps for finding in setup)
 
 
 def test_what_lies_between_outputs_is_told_of_maps_alone():

@@ -15,8 +15,6 @@ from skinsource.export.stimulus_export.sidecar import about_validity
 from skinsource.export.tables import export_levels
 from skinsource.limbs import catalog
 from skinsource.perception.validity import (
-    Finding,
-    findings_lines,
     noise_findings,
     number_ranges,
     probe_velocity,
@@ -37,15 +35,6 @@ def findings_of(design, view=None):
 
 def design_of(*inputs, **changes):
     return ss.Design(limb="synthetic-1", inputs=inputs, **changes)
-
-
-@pytest.mark.parametrize(
-    ("frequency_hz", "acceleration"), [(25.0, 6.3), (50.0, 12.6), (100.0, 25.1), (300.0, 75.4)]
-)
-def test_forty_millimetres_a_second_are_the_accelerations_of_a_sine(frequency_hz, acceleration):
-    time = np.arange(2600) / RATE
-    sine = acceleration * np.sin(2 * np.pi * frequency_hz * time) * np.hanning(2600)
-    assert probe_velocity(sine, RATE) == pytest.approx(0.04, rel=0.01)
 
 
 def test_a_velocity_is_the_integral_of_the_acceleration():
@@ -160,28 +149,9 @@ def test_outputs_below_six_decibels_are_told_and_can_be_deselected():
     assert (quiet.state, quiet.outputs) == ("kept", ())
 
 
-def test_the_elbow_is_mostly_noise_on_a_measured_limb(measured):
-    design = ss.Design(limb="measured-2", inputs=(tone(200.0, duration_s=0.2),))
-    finding = findings_of(design)["noise"]
-    assert {67, 68, 69, 70, 71, 72} <= set(finding.outputs)
-    assert not {28, 29, 30} & set(finding.outputs)
-
-
 def test_silence_leaves_no_condition_but_those_of_the_setup():
     findings = findings_of(design_of())
     assert {name for name, finding in findings.items() if finding.state != "kept"} == {"limb"}
-
-
-def test_lines_of_a_file_name_what_is_not_kept():
-    findings = (
-        Finding(name="band", state="left", sentence="Half of it lies outside."),
-        Finding(name="drive", state="unknown", sentence="Nobody knows."),
-        Finding(name="limb", state="kept", sentence="Measured."),
-    )
-    assert findings_lines(findings) == [
-        "validity, band: CAUTION: Half of it lies outside.",
-        "validity, drive: unknown: Nobody knows.",
-    ]
 
 
 def test_tables_carry_what_is_not_kept(tmp_path):

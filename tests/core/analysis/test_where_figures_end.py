@@ -16,7 +16,6 @@ from skinsource.perception.hand_arm import hand_arm_weighting, weighted_rms
 from skinsource.perception.validity import drive_findings
 from skinsource.signals.analysis.transfer import transfer_function
 from skinsource.signals.analysis.wave_speed import travelling_wave
-from tests.core.own_limbs.lab_bench import installed
 
 RATE = 1300.0
 LINE = (20, 22, 24, 26)
@@ -138,22 +137,3 @@ def test_shares_of_several_drives_are_weighed_by_their_energy():
     loud, soft = sine(100.0, 10.0), sine(10.0, 1.0)
     assert lamp("band", loud, soft).state == "kept"
     assert lamp("band", sine(100.0, 1.0), sine(10.0, 10.0)).sentence.startswith("99%")
-
-
-@pytest.mark.parametrize("answers_drive", [True, False])
-def test_of_a_probe_whose_drive_has_no_known_unit_nothing_is_told(user_data, answers_drive):
-    installed(per_unit_drive=answers_drive)
-    design = ss.Design(limb="lab-1", inputs=(tone(100.0, 2.0, place=3),), scaling="probe")
-    quantities = "validity", "fastest_probe_m_per_s", "contact_weighted_rms"
-    values = ss.evaluate(design, *quantities)
-    drive = next(finding for finding in values["validity"] if finding.name == "drive")
-    if answers_drive:
-        assert (drive.state, drive.repair) == ("unknown", "")
-        assert "a drive of unknown unit" in drive.sentence
-        assert values["fastest_probe_m_per_s"] is None
-        assert values["contact_weighted_rms"] is None
-    else:
-        assert drive.state == "kept"
-        assert values["fastest_probe_m_per_s"] == pytest.approx(2.0 / (200.0 * np.pi), rel=0.05)
-        ((place, weighted),) = values["contact_weighted_rms"]
-        assert (place, weighted > 0.0) == (3, True)

@@ -195,12 +195,3 @@ def test_control_points_for_android_add_up_to_the_length(tone, tmp_path):
     assert at[560] < 0.1
     assert at[480] > 0.9
     assert at[520] < 0.5
-
-
-@pytest.mark.parametrize("name", ["haptic", "ahap", "pwle"])
-def test_each_actuator_has_a_file_of_its_own(design, tmp_path, name):
-    path = tmp_path / "a.x"
-    done = ss.export_stimulus(design, path, format=name)
-    assert done.files == (path, tmp_path / "a_channel-2.x")
-    assert [sidecar(file)["places"] for file in done.files] == [[7], [12]]
-    assert all(sidecar(file)["loses"].startswith("The waveform:") for file in done.files)

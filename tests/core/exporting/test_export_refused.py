@@ -5,7 +5,6 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError, NotConfirmedError, Stopped, StorageError
-from skinsource.export.formats import FORMATS
 from tests.core.exporting.export_bench import read, sidecar
 
 
@@ -88,26 +87,6 @@ def test_more_channels_than_a_format_holds_are_refused(many, tmp_path):
 def test_where_nothing_can_be_written_one_sentence_says_so(design, tmp_path, name):
     with pytest.raises(StorageError, match="Choose a folder that exists"):
         ss.export_stimulus(design, tmp_path / "missing" / "a", format=name)
-
-
-@pytest.mark.parametrize("form", FORMATS, ids=lambda form: form.name)
-def test_nothing_stands_under_the_final_name_until_all_of_it_is_written(
-    design, tmp_path, monkeypatch, form
-):
-    path, listings, real = tmp_path / "a", [], form.write
-
-    def write(file, place):
-        facts = real(file, place)
-        listings.append(
-            sorted(there.name for there in tmp_path.iterdir() if there.suffix != ".part")
-        )
-        return facts
-
-    monkeypatch.setattr(form, "write", write)
-    ss.export_stimulus(design, path, format=form.name)
-    assert path.exists()
-    assert listings
-    assert not any(listings)
 
 
 def test_a_folder_of_that_name_is_left_alone(design, tmp_path):

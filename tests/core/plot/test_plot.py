@@ -1,10 +1,8 @@
 """Drawings with matplotlib: they show what was computed, and need no window."""
 
 import re
-import subprocess
 import sys
 from dataclasses import replace
-from io import BytesIO
 
 import numpy as np
 import pytest
@@ -78,22 +76,6 @@ def test_traces_are_the_projected_acceleration_over_time():
     assert labels == ["Output 19", "Output 30"]
 
 
-def test_between_samples_a_magnitude_is_the_length_of_the_wave_and_never_negative():
-    def lines(axes, method):
-        view = ss.View(axes=axes, method=method, outputs=(30,), time_range_s=(0.05, 0.1))
-        figure = ss.plot.traces(DESIGN, view=view)
-        [line] = [line for line in figure.axes[0].lines if line.get_xdata().__len__() > 2]
-        texts = [text.get_text() for text in figure.axes[0].texts]
-        size = float(next(text for text in texts if "a row is" in text).split()[-3])
-        return line.get_ydata() * size, size
-
-    squares = [lines(axis, "mag")[0] ** 2 for axis in "xyz"]
-    length, size = lines("xyz", "mag")
-    # The scale is said with three digits.
-    np.testing.assert_allclose(length, np.sqrt(np.sum(squares, axis=0)), atol=0.01 * size)
-    assert length.min() >= 0.0
-
-
 def test_normalised_rows_each_fill_their_height():
     figure = ss.plot.traces(DESIGN, outputs=(19, 30, 52), normalised=True)
     bases = figure.axes[0].get_yticks()
@@ -111,27 +93,6 @@ def test_several_designs_lie_over_each_other_with_a_legend():
     assert [text.get_text() for text in ax.get_legend().get_texts()] == ["soft", "loud"]
     soft, loud = (line.get_ydata() for line in ax.lines if line.get_xdata().__len__() > 2)
     np.testing.assert_allclose(loud, 2 * soft, atol=1e-12)
-
-
-@pytest.mark.parametrize("draw", [ss.plot.traces, ss.plot.spectra])
-@pytest.mark.parametrize("outputs", [(30,), (19, 21, 24, 32)])
-def test_a_legend_lies_on_no_curve(draw, outputs):
-    louder = DESIGN.with_input(0, amplitude=2.0)
-    figure = draw([DESIGN, louder], outputs=outputs, labels=["soft", "loud"])
-    figure.savefig(BytesIO(), dpi=figure.dpi)
-    ax = figure.axes[0]
-    legend = ax.get_legend().get_window_extent()
-    highest = max(float(np.max(line.get_ydata())) for line in ax.lines)
-    assert legend.y0 >= ax.transData.transform((0.0, highest))[1]
-    assert legend.y1 <= ax.get_window_extent().y1 + 1.0
-
-
-def test_a_shorter_design_is_silent_at_the_end_beside_a_longer_one():
-    longer = DESIGN.with_clip(1, onset_s=0.5)
-    figure = ss.plot.traces([DESIGN, longer], outputs=(30,))
-    first, second = (line for line in figure.axes[0].lines if line.get_xdata().__len__() > 2)
-    assert len(first.get_xdata()) == len(second.get_xdata())
-    assert first.get_ydata()[-1] == 0.0
 
 
 def test_spectra_span_the_measured_band_and_peak_where_the_tone_is():
@@ -214,37 +175,6 @@ def test_without_matplotlib_the_extra_is_named(monkeypatch):
         ss.plot.map(DESIGN)
 
 
-def test_drawing_asks_for_no_window_and_never_for_qt():
-    probe = (
-        "import sys; import skinsource as ss;"
-        "d = ss.Design(limb='synthetic-1', inputs=(ss.track(7),));"
-        "ss.plot.map(d); ss.plot.traces(d)._repr_png_();"
-        "print([m for m in sys.modules if m.partition('.')[0] in ('PySide6', 'PyQt6')],"
-        " 'matplotlib.pyplot' in sys.modules)"
-    )
-    done = subprocess.run(
-        [sys.executable, "-W", "error", "-c", probe], capture_output=True, text=True, timeout=120
-    )
-    assert done.stdout.strip() == "[] False", done.stderr
-
-
-@pytest.mark.parametrize("count", [1, 3, 5])
-def test_all_words_of_a_strip_stand_in_the_figure_and_none_on_a_curve(count):
-    inputs = (ss.track(7, ss.waveforms.WaveletTrain()),)
-    figure = ss.plot.strip(ss.Design(limb="synthetic-4", inputs=inputs), count=count)
-    figure.savefig(BytesIO(), dpi=figure.dpi)
-    (extent,) = (ax for ax in figure.axes if ax.get_legend())
-    labels = [ax.yaxis.label for ax in figure.axes if ax.yaxis.label.get_text()]
-    labels += [ax.title for ax in figure.axes if ax.get_title()] + extent.get_legend().get_texts()
-    for text in labels:
-        room = text.get_window_extent()
-        assert figure.bbox.x0 <= room.x0 < room.x1 <= figure.bbox.x1, text.get_text()
-        assert figure.bbox.y0 <= room.y0 < room.y1 <= figure.bbox.y1, text.get_text()
-    assert extent.get_legend().get_window_extent().y0 >= extent.get_window_extent().y1 - 1.0
-    (label,) = (text for text in labels if text.get_text() == "mm from\nthe input")
-    assert label.get_window_extent().x1 < extent.get_window_extent().x0
-
-
 def test_what_is_mostly_noise_is_hatched_within_the_outline_on_axes_that_are_drawn_on_too():
     ax = Figure().add_subplot()
     ax.add_patch(Rectangle((0, 0), 1, 1))
@@ -312,19 +242,6 @@ def test_columns_of_a_long_tone_reach_its_amplitude_where_samples_miss_it():
         # Steady: all columns reach alike, on both sides.
         np.testing.assert_allclose(high, high.mean(), rtol=0.02)
         np.testing.assert_allclose(low, -high.mean(), rtol=0.02)
-
-
-def test_columns_are_in_the_unit_of_the_scale():
-    figure = ss.plot.traces(LONG, view=replace(VIEW, outputs=MISSED[:1]))
-    ax = figure.axes[0]
-    [line] = [line for line in ax.lines if len(line.get_xdata()) > 2]
-    texts = [text.get_text() for text in ax.texts]
-    size = float(next(text for text in texts if "a row is" in text).split()[-3])
-    time_ms, values = np.asarray(line.get_xdata()), line.get_ydata() * size
-    amplitudes, _ = tone_amplitudes(LONG, replace(VIEW, outputs=MISSED[:1]))
-    inside = (time_ms > 5e3) & (time_ms < 15e3)
-    np.testing.assert_allclose(values[inside].max(), amplitudes[0], rtol=0.03)
-    assert time_ms[-1] == pytest.approx(20.4e3, rel=0.01)
 
 
 def test_a_range_of_times_of_a_long_design_is_drawn_alone():

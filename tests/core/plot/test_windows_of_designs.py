@@ -70,19 +70,6 @@ def test_what_says_nothing_or_too_much_is_refused(choice):
         windows_over(780, 1301, RATE_HZ, **choice)
 
 
-def test_its_windows_are_those_that_windowed_rms_cuts(measured):
-    opened = ss.scenes.open_scene("2H")
-    view = ss.View(method="mag", outputs=tuple(range(1, 73)))
-    traces = ss.evaluate(opened.design, "selected_traces", view=view)["selected_traces"]
-    windows = windows_over(780, traces.shape[-1], RATE_HZ, window_s=0.12)
-    rms = ss.windowed_rms(traces, windows.window_samples, windows.first_sample)
-    limb = ss.load_limb("measured-4")
-    distances_mm = [
-        ss.extent(window_rms, limb, 7).mean_distance_mm for window_rms in rms[: windows.count]
-    ]
-    assert distances_mm == pytest.approx([31.9, 27.9, 23.4, 18.8, 17.0], abs=0.5)
-
-
 TRAIN = ss.Design(
     limb="synthetic-4",
     inputs=(
@@ -123,11 +110,3 @@ def test_a_silent_window_has_no_extent_and_no_sound_of_rounding():
     assert values["extents_of_windows"][:3] == (None,) * 3
     assert not values["rms_of_windows"][:3].any()
     assert values["extents_of_windows"][4] is not None
-
-
-def test_maps_of_windows_are_interpolations_of_their_levels():
-    values = ss.evaluate(TRAIN, "surface_of_windows_db", "levels_of_windows_db", "surface")
-    for shown, levels in zip(
-        values["surface_of_windows_db"], values["levels_of_windows_db"], strict=True
-    ):
-        np.testing.assert_array_equal(shown, values["surface"].interpolate(levels))
