@@ -1,11 +1,7 @@
 """The command ``skinsource``: what it writes, and its exit codes."""
 
-import errno
 import io
-import os
-import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
@@ -45,16 +41,6 @@ def test_a_wrong_call_ends_with_code_2(arguments, capsys):
         main(arguments)
     assert stop.value.code == 2
     assert "usage: skinsource" in capsys.readouterr().err
-
-
-def test_python_m_skinsource_is_the_same_command():
-    done = subprocess.run(
-        [sys.executable, "-m", "skinsource", "--version"],
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    assert done.stdout == f"skinsource {__version__}\n"
 
 
 def test_limbs_lists_the_synthetic_limbs_and_says_what_they_are(run):
@@ -167,37 +153,16 @@ def test_the_bar_draws_on_a_terminal_and_wipes_itself():
     assert len(lines[3]) >= len(lines[2].rstrip())
 
 
-@pytest.fixture
-def closed(tmp_path, monkeypatch):
-    """Make a folder that may not be searched, as the system says to all but its administrator."""
-    folder = tmp_path / "closed"
-    folder.mkdir()
-    look = os.stat
-
-    def refuse(path, *how, **more):
-        if isinstance(path, str | os.PathLike) and Path(path).is_relative_to(folder / "inside"):
-            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(path))
-        return look(path, *how, **more)
-
-    monkeypatch.setattr(os, "stat", refuse)
-    return folder
-
-
 LONG_NAME = "n" * 300
-WHERE_NOBODY_LOOKS = [
-    pytest.param(LONG_NAME, "File name too long", id="a name that is too long"),
-    pytest.param("closed/inside", "Permission denied", id="a folder that may not be searched"),
-]
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has other limits")
-@pytest.mark.parametrize(("folder", "reason"), WHERE_NOBODY_LOOKS)
 @pytest.mark.parametrize("message", [("list",), ("remove", "--yes"), ("install", ".")])
 def test_a_data_folder_that_cannot_be_looked_into_is_one_clear_line(
-    run, tmp_path, monkeypatch, folder, reason, message, closed
+    run, tmp_path, monkeypatch, message
 ):
-    monkeypatch.setenv("SKINSOURCE_DATA", str(tmp_path / folder))
+    monkeypatch.setenv("SKINSOURCE_DATA", str(tmp_path / LONG_NAME))
     code, _, err = run("dataset", *message)
     assert code == 1
-    assert reason in err or message[0] == "install"
+    assert "File name too long" in err or message[0] == "install"
     assert len(err.splitlines()) == 1

@@ -419,17 +419,6 @@ def test_all_tasks_are_done_once_with_a_second_thread_or_without(monkeypatch, co
     assert sorted(done) == list(range(count))
 
 
-def test_a_second_thread_that_is_busy_elsewhere_is_not_waited_for():
-    done: list[int] = []
-
-    def task() -> None:
-        # Both threads are here, so that nobody helps with what each of them has to do.
-        run_on_two_threads([lambda k=k: done.append(k) for k in range(3)])
-
-    run_on_two_threads([task, task])
-    assert sorted(done) == [0, 0, 1, 1, 2, 2]
-
-
 @pytest.mark.parametrize("failing", [0, 3, 7])
 def test_what_a_task_raises_is_raised_whoever_did_it(failing):
     def task(k: int) -> None:

@@ -69,15 +69,6 @@ def test_channels_are_places_in_the_order_of_first_use():
     assert result.channels[0].title == "Digit II, pad"
 
 
-def test_each_input_can_have_a_channel_of_its_own():
-    result = stimulus_of(SEVERAL, per="input")
-    assert [channel.inputs for channel in result.channels] == [(1,), (2,), (3,)]
-    together = stimulus_of(SEVERAL)
-    np.testing.assert_allclose(
-        result.samples[0] + result.samples[2], together.samples[0], rtol=0, atol=1e-15
-    )
-
-
 def test_only_what_is_chosen_takes_part():
     plain = stimulus_of(SEVERAL, inputs=(3,))
     np.testing.assert_array_equal(
@@ -126,18 +117,6 @@ def test_a_part_of_the_time_is_those_samples():
     for times in ((0.2, 0.1), (0.1, 0.1), (-1.0, 0.1)):
         with pytest.raises(InvalidInputError, match="_s is"):
             stimulus.part_of_time(result, *times)
-
-
-def test_a_lead_in_is_silence_before_time_0():
-    result = stimulus_of(SEVERAL, 8000)
-    late = stimulus.with_lead_in(result, 0.25)
-    assert late.start_s == -0.25
-    assert not late.samples[:, :2000].any()
-    np.testing.assert_array_equal(late.samples[:, 2000:], result.samples)
-    # A part that is named afterwards still means times of the design.
-    np.testing.assert_array_equal(
-        stimulus.part_of_time(late, 0.1, 0.2).samples, result.samples[:, 800:1600]
-    )
 
 
 def test_fades_begin_and_end_at_zero_and_leave_the_middle():
@@ -207,14 +186,5 @@ def test_more_than_can_be_held_is_refused_before_it_is_made(monkeypatch):
     monkeypatch.setattr(of_design, "MOST_SAMPLES", 10_000)
     with pytest.raises(InvalidInputError, match="lower rate") as refused:
         stimulus_of(SEVERAL, 48_000)
-    message_text = str(refused.value)
-    channels = len(stimulus_of(SEVERAL).channels)
-    assert (
-        f"at most {10_000 / channels / 48_000:.1f} s for {channels} channels at 48000 Hz"
-        in message_text
-    )
-    lasts_s = float(message_text.partition("lasts ")[2].partition(" s")[0])
-    assert lasts_s == pytest.approx(stimulus_of(SEVERAL).duration_s, abs=0.06)
-    assert "samples" not in message_text
-    assert "e+" not in message_text
+    assert "at most 0.1 s for 2 channels at 48000 Hz" in str(refused.value)
     assert stimulus_of(SEVERAL).n_times < 5000

@@ -16,7 +16,6 @@ from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.design.waveforms.wavelets import Chirplet
 from skinsource.engine.quantities import new_graph, sources
-from skinsource.export.tables import export_levels
 
 TONE = track(7, Tone(frequency_hz=100.0))
 COIL = ActuatorAt(actuator="Coil", model=ss.actuators.load("kastor-2023-air"))
@@ -80,12 +79,6 @@ def test_several_are_said_in_one_sentence():
     assert "; 1 more input cannot be played either." in finding.sentence
     (finding, *_) = shown(four)["validity"]
     assert "; 3 more inputs cannot be played either." in finding.sentence
-
-
-def test_files_are_not_written_without_it(design, tmp_path):
-    with pytest.raises(InvalidInputError):
-        export_levels(tmp_path / "levels.csv", design, View())
-    assert list(tmp_path.iterdir()) == []
 
 
 def test_the_actuator_panel_is_told_of_a_drive_that_cannot_be_followed():

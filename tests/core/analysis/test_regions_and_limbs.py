@@ -98,11 +98,3 @@ def test_a_scale_of_differences_ends_at_the_next_round_number():
     ]
     assert scale_end_db(np.array([np.nan, -2.5]), np.array([0.1])) == 3.0
     assert scale_end_db() == 1.0
-
-
-def test_a_few_large_differences_leave_colours_for_the_others():
-    most = np.linspace(-4.0, 4.0, 96)
-    assert scale_end_db(most, [-29.0, 29.0]) == 10.0  # a third of the largest
-    assert scale_end_db(most, [-9.0]) == 5.0
-    assert scale_end_db(np.zeros(71), [25.0]) == 10.0
-    assert scale_end_db(np.linspace(-38.0, 2.0, 72)) == 40.0

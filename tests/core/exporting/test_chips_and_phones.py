@@ -105,17 +105,6 @@ def test_bos1901_gets_12_bits_that_begin_and_end_at_0_volts(design, tmp_path):
     assert sidecar(path)["rate_hz"] == 8000
 
 
-def test_drv2665_gets_8_bits_at_8_khz_that_begin_and_end_at_0(design, tmp_path):
-    path = tmp_path / "a.h"
-    ss.export_stimulus(design, path, "drv2665")
-    arrays, _ = arrays_of(path)
-    drive = ss.stimulus_of(design, 8000).samples
-    expected_values = drive / np.abs(drive).max() * 127
-    for values, row in zip(arrays.values(), expected_values, strict=True):
-        assert values[0] == values[-1] == 0
-        assert np.abs(values[1:-1] - row).max() <= 0.5 + 1e-9
-
-
 def test_a_haptic_file_keeps_the_rules_of_its_format(tone, tmp_path):
     path = tmp_path / "a.haptic"
     ss.export_stimulus(tone, path, "haptic", 48_000)

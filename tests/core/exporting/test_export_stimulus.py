@@ -1,4 +1,4 @@
-"""`ss.export_stimulus`: defaults, options, what is told before and in the sidecar."""
+"""`ss.export_stimulus`: defaults, options, refusals, what is told before and in the sidecar."""
 
 import hashlib
 import json

@@ -143,32 +143,6 @@ def test_outputs_of_the_stimulus_are_not_taken_for_anything_else(player):
         player.main(["--gain-db", "3"])
 
 
-def test_no_log_of_an_earlier_session_is_lost(folder, player, capsys, design):
-    for _ in range(3):
-        player.main([])
-    printed = capsys.readouterr().out.split()
-    logs = [folder / name for name in ("log.csv", "log-2.csv", "log-3.csv")]
-    assert printed == [str(log) for log in logs]
-    before = [log.read_text() for log in logs]
-    ss.export_stimulus(design, folder, format="psychopy", rate_hz=8000)
-    assert [log.read_text() for log in logs] == before
-
-
-def test_a_device_that_stops_before_the_end_ends_the_session(player, card, folder):
-    class Gone(card.OutputStream):
-        def __enter__(self):
-            block = np.zeros((256, self.shape), np.float32)
-            about = types.SimpleNamespace(currentTime=1.0, outputBufferDacTime=1.0)
-            self.callback(block, 256, about, types.SimpleNamespace(output_underflow=False))
-            return self
-
-    card.OutputStream = Gone
-    with pytest.raises(SystemExit, match=r"stopped after 0\.005 s: is it connected"):
-        player.main([])
-    # The row that was not played to its end is not in the log.
-    assert len((folder / "log.csv").read_text().splitlines()) == 1
-
-
 def test_an_earlier_folder_is_replaced_and_a_foreign_one_is_not(design, tmp_path):
     path = tmp_path / "session"
     ss.export_stimulus(design, path, format="psychopy")

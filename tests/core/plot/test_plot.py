@@ -120,14 +120,6 @@ def test_a_strip_has_a_map_for_each_window_in_one_scale_and_the_extent():
     np.testing.assert_allclose(mean.get_ydata(), expected, rtol=1e-6)
 
 
-def test_what_is_drawn_into_axes_of_others_makes_no_figure():
-    from matplotlib.figure import Figure
-
-    figure = Figure()
-    for draw in (ss.plot.map, ss.plot.traces, ss.plot.spectra):
-        assert draw(DESIGN, ax=figure.add_subplot()) is figure
-
-
 def test_a_figure_shows_itself_in_a_notebook_and_keeps_its_words_in_svg(tmp_path):
     figure = ss.plot.traces(DESIGN, outputs=(30,), title="Only words")
     assert figure._repr_png_().startswith(b"\x89PNG")
