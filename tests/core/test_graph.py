@@ -1,10 +1,17 @@
+"""The graph of quantities: what runs, what is remembered and refused, and how it is drawn."""
+
 import weakref
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from skinsource.base.errors import Stopped
+from skinsource.cli.graph_drawing import rules_of, updated
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
 from skinsource.engine.graph import Graph, UnknownQuantity
+from skinsource.engine.quantities import new_graph, sources
 
 
 def doubled(number):
@@ -166,3 +173,22 @@ def test_an_array_goes_before_the_next_one_is_made():
     for size in (3, 4, 5):
         graph.evaluate({"large"}, {"size": size})
     assert alive == [[], [False], [False, False]]
+
+
+DOCUMENT = Path(__file__).parents[2] / "docs" / "internals" / "rendering.md"
+
+
+def test_the_document_shows_the_graph_as_it_is():
+    text = DOCUMENT.read_text(encoding="utf-8")
+    assert updated(text) == text, (
+        "docs/internals/rendering.md shows another graph; run "
+        "python -m skinsource.cli.graph_drawing docs/internals/rendering.md"
+    )
+
+
+@pytest.mark.parametrize("quantities", ["surface_levels_db", "selected_spectra", "trace_error"])
+def test_what_is_drawn_is_what_runs(quantities):
+    graph = new_graph()
+    design = Design(limb="synthetic-1", inputs=(track(7),))
+    graph.evaluate({quantities}, sources(design, View()))
+    assert set(graph.runs) == set(rules_of(graph, [quantities]))

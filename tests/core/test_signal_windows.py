@@ -196,13 +196,6 @@ def test_it_equals_a_plain_loop_over_windows():
     np.testing.assert_allclose(amplitude, expected, rtol=1e-9, atol=1e-12)
 
 
-@pytest.mark.parametrize("scale", [1e-200, 1e150])
-def test_very_small_and_very_large_signals_keep_their_shape(scale):
-    usual = ss.peak_hold_spectrum(tone(100.0, 0.5), RATE)[1]
-    scaled = ss.peak_hold_spectrum(scale * tone(100.0, 0.5), RATE)[1]
-    np.testing.assert_allclose(scaled / scale, usual, rtol=1e-12, atol=1e-15)
-
-
 def test_one_sample_is_enough_none_is_not_and_it_can_be_stopped():
     assert ss.peak_hold_spectrum([1.0], RATE)[1].max() == pytest.approx(4 / 325, rel=1e-3)
     with pytest.raises(InvalidInputError, match="at least one sample"):

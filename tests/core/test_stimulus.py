@@ -82,18 +82,6 @@ def test_only_what_is_chosen_takes_part():
     )
 
 
-def test_a_place_without_a_clip_keeps_its_silent_channel():
-    result = stimulus_of(design(Input(location=4), track(5)))
-    assert [channel.place for channel in result.channels] == [4, 5]
-    assert not result.samples[0].any()
-
-
-def test_nothing_heard_is_no_channel():
-    result = stimulus_of(design(track(3, muted=True)), 48_000)
-    assert result.channels == ()
-    assert result.samples.shape[0] == 0
-
-
 @pytest.mark.parametrize(
     ("scaling", "unit"), [("probe", "m/s²"), ("relative", "measuring pulse"), ("upstream", "1")]
 )

@@ -124,12 +124,6 @@ def test_the_arm_is_governed_by_np_and_silence_is_not_felt():
     assert (silent.strength == 0.0).all()
 
 
-def test_other_scalings_have_a_reason_instead_of_levels():
-    sensation = sensation_of(tone(100.0), scaling="upstream")
-    assert "Probe acceleration" in sensation.problem
-    assert sensation.level_db.size == 0
-
-
 def test_own_thresholds_come_from_a_table_in_either_unit(tmp_path):
     path = tmp_path / "own.csv"
     path.write_text("# mine\nfrequency_hz,threshold_m_per_s2\n500,2\n50,0.2\n")

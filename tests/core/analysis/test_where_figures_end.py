@@ -12,7 +12,6 @@ from skinsource.design.view import View
 from skinsource.engine.analysis_rules import contact_weighted_rms, line_wave, output_noise_rms
 from skinsource.engine.moments import Projection
 from skinsource.limbs.catalog import load_limb
-from skinsource.perception.hand_arm import hand_arm_weighting, weighted_rms
 from skinsource.perception.validity import drive_findings
 from skinsource.signals.analysis.transfer import transfer_function
 from skinsource.signals.analysis.wave_speed import travelling_wave
@@ -117,20 +116,11 @@ def test_the_weighted_acceleration_of_a_contact_is_not_told_behind_an_actuator()
     assert contact_weighted_rms(drives, limb, "probe", bench) is None
 
 
-def test_what_swings_at_half_the_rate_is_weighted_once():
-    swing = np.tile([1.0, -1.0], 650)
-    assert weighted_rms(swing, RATE) == pytest.approx(np.abs(hand_arm_weighting(650.0)))
-
-
 @pytest.mark.parametrize(("share", "state"), [(0.04, "kept"), (0.06, "left"), (0.15, "left")])
 def test_a_twentieth_of_the_energy_may_lie_where_it_should_not(share, state):
     weights = np.sqrt(1.0 - share), np.sqrt(share)
     assert lamp("band", sine(100.0, weights[0]) + sine(10.0, weights[1])).state == state
     assert lamp("spacing", sine(100.0, weights[0]) + sine(400.0, weights[1])).state == state
-
-
-def test_what_is_slow_is_not_too_short_for_the_spacing():
-    assert lamp("spacing", sine(10.0)).state == "kept"
 
 
 def test_shares_of_several_drives_are_weighed_by_their_energy():

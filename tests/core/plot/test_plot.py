@@ -76,16 +76,6 @@ def test_traces_are_the_projected_acceleration_over_time():
     assert labels == ["Output 19", "Output 30"]
 
 
-def test_normalised_rows_each_fill_their_height():
-    figure = ss.plot.traces(DESIGN, outputs=(19, 30, 52), normalised=True)
-    bases = figure.axes[0].get_yticks()
-    lines = [line for line in figure.axes[0].lines if line.get_xdata().__len__() > 2]
-    heights = [
-        np.abs(line.get_ydata() - base).max() for line, base in zip(lines, bases, strict=True)
-    ]
-    assert heights == pytest.approx([1.0, 1.0, 1.0])
-
-
 def test_several_designs_lie_over_each_other_with_a_legend():
     louder = DESIGN.with_input(0, amplitude=2.0)
     figure = ss.plot.traces([DESIGN, louder], outputs=(30,), labels=["soft", "loud"])
