@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.base.errors import InvalidInputError, Stopped
+from skinsource.base.errors import Stopped
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
@@ -119,11 +119,6 @@ def test_what_cannot_be_equalised_is_refused_in_words(design, clip_id, levels_db
     outcome = edits.equalise_on_skin(design, View(), clip_id, levels_db, MEASURE)
     assert isinstance(outcome, Refusal)
     assert message in outcome.sentence
-
-
-def test_only_trains_have_wavelets():
-    with pytest.raises(InvalidInputError, match="plays a Tone, expected a WaveletTrain"):
-        wavelet_levels_db(design_of(Tone()), 1)
 
 
 def test_it_tells_how_far_it_is_and_can_be_stopped():

@@ -115,11 +115,6 @@ def test_what_cannot_be_predicted_is_refused(limb, drives, places, amplitudes, m
     assert limb.bytes_read == 0
 
 
-def test_an_unknown_scaling_is_refused_with_the_known_ones(limb):
-    with pytest.raises(InvalidInputError, match="choose from upstream, relative, probe"):
-        predict(limb, np.ones((1, 5)), [1], scaling="none")
-
-
 def test_only_the_responses_of_places_in_use_are_read(limb):
     predict(limb, np.ones((3, 10)), [7, 9, 7])
     predict(limb, np.ones((1, 10)), [9])
