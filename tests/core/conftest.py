@@ -1,12 +1,11 @@
-"""What the tests of stability share: a table of promises, made-up limbs, both ways to predict.
+"""What the tests of stability share: the table of promises, made-up limbs, both ways to predict.
 
-A test module states its promises in a dictionary ``PROMISES``: by case what is measured, in words,
-and the largest number that keeps the promise.  The tests hand their numbers to ``noted``.
+``docs/stability.md`` states by case what is measured, and the largest number that keeps the
+promise.  The tests hand their numbers to ``noted``.
 
     python -m pytest tests/core -k stability --stability-table docs/stability.md
 """
 
-import ast
 import platform
 import re
 from collections.abc import Callable
@@ -26,43 +25,13 @@ from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.limbs.limb import Limb, LimbMap
 
+DOCUMENT = Path(__file__).parents[2] / "docs" / "stability.md"
 NUMBERS = pytest.StashKey[dict[str, float]]()
-CELLS = re.compile(r"^\| (\w+ [^|]+) \| ([^|]+) \| ([^|]+) \| ([^|]+) \| ([^|]+) \|$", re.MULTILINE)
+#: Case, what is measured, promise, what was measured, margin.
+ROW = re.compile(r"^\| (\w+ [^|]+) \| ([^|]+) \| ([^|]+) \| ([^|]+) \| ([^|]+) \|$", re.MULTILINE)
+MACHINE = re.compile(r"^\w+ \w+, Python .*$", re.MULTILINE)
 #: Other machines and other versions of numpy round elsewhere.
 MOST_TIMES_THE_TABLE = 8.0
-INTRODUCTION = """\
-# How exact a prediction is
-
-What a user should know:
-
-- Samples of a prediction are right to 1e-14 of the peak of their channel, short or streamed, by
-  `skinsource.predict` and in the studio; levels are right to 1e-14 of themselves.
-- A quiet event after a loud one keeps its digits: a window of 100 ms is right to 1e-9 of itself,
-  down to 126 dB below the loudest.
-- Silence is exactly 0: before, between and after drives, and at outputs without a response.
-- Drives that are not finite, or above 1e30 in size, are refused with input and sample.
-- Actuators are right to 1e-12; without any damping to 1e-9 over a million samples. Extremely
-  light or stiff ones have a bound of their own (case *j fast*).
-- A principal axis is right to 1e-9 degrees where the motion has one. Where two axes move nearly
-  alike (gap below 1e-3) there is none, and the studio says so.
-- The map's weights are right to 1e-12, and never negative.
-- Rounding is far below the errors of the measurement: amplitudes of the probe are known within
-  about 3 dB.
-
-The table is made by the tests, which also check it; do not edit it. To make it again:
-
-    {command}
-
-How it is measured, and what *error*, *exact*, *both ways* and *ratio* mean:
-[internals/stability.md](internals/stability.md). Every number is the largest of its case, in
-float64.
-
-{machine}
-
-| case | what is measured | promise | measured | margin |
-|---|---|---|---|---|
-"""
-COMMAND = "python -m pytest tests/core -k stability --stability-table docs/stability.md"
 
 
 def pytest_addoption(parser) -> None:
@@ -76,12 +45,12 @@ def pytest_configure(config) -> None:
 
 
 def pytest_sessionfinish(session) -> None:
-    """Write the table if it is wanted."""
+    """Write the document with what was measured, if it is wanted."""
     path = session.config.getoption("--stability-table", default=None)
     if path is None:
         return
-    numbers, stated = session.config.stash[NUMBERS], stated_promises()
-    missing = [key for key in stated if key not in numbers]
+    numbers, text = session.config.stash[NUMBERS], DOCUMENT.read_text(encoding="utf-8")
+    missing = [row[1] for row in ROW.finditer(text) if row[1] not in numbers]
     if missing:
         message = f"\nno table was written: not measured were {', '.join(missing)}"
         session.config.get_terminal_writer().line(message)
@@ -91,46 +60,26 @@ def pytest_sessionfinish(session) -> None:
         f"{platform.system()} {platform.machine()}, Python {platform.python_version()}, "
         f"numpy {np.__version__}, scipy {scipy.__version__}."
     )
-    rows = [row(key, *promise, numbers[key]) for key, promise in stated.items()]
-    text = INTRODUCTION.format(command=COMMAND, machine=machine) + "\n".join(rows) + "\n"
-    Path(path).write_text(text, encoding="utf-8")
+    text = ROW.sub(lambda row: measured_row(*row.groups()[:3], numbers[row[1]]), text)
+    Path(path).write_text(MACHINE.sub(machine, text), encoding="utf-8")
 
 
-def stated_promises() -> dict[str, tuple[str, float]]:
-    """What is measured and the promise, by case, as the test modules state them."""
-    promises: dict[str, tuple[str, float]] = {}
-    for path in sorted(Path(__file__).parent.glob("test_stability_*.py")):
-        for node in ast.parse(path.read_text(encoding="utf-8")).body:
-            if isinstance(node, ast.Assign) and node.targets[0].id == "PROMISES":
-                stated = ast.literal_eval(node.value)
-                assert not promises.keys() & stated.keys(), f"{path.name} repeats a case"
-                promises.update(stated)
-    return dict(sorted(promises.items(), key=lambda item: item[0].split()[0]))
-
-
-def row(key: str, what: str, promise: float, value: float) -> str:
+def measured_row(key: str, what: str, promise: str, value: float) -> str:
     """One line of the table."""
-    if value > promise:
+    if value > float(promise):
         margin = "BROKEN"
     elif value == 0:
         margin = "exact"
     else:
-        times = promise / value
+        times = float(promise) / value
         margin = f"{times:.3g} ×" if times < 10 else f"{times:,.0f} ×".replace(",", " ")
-    return f"| {key} | {what} | {promise:g} | {value:.2g} | {margin} |"
-
-
-@pytest.fixture(scope="session")
-def promises() -> dict[str, tuple[str, float]]:
-    """Give what all modules promise."""
-    return stated_promises()
+    return f"| {key} | {what} | {promise} | {value:.2g} | {margin} |"
 
 
 @pytest.fixture(scope="session")
 def documented() -> dict[str, tuple[str, ...]]:
     """Give the cells of the table in ``docs``, by case."""
-    text = (Path(__file__).parents[2] / "docs" / "stability.md").read_text(encoding="utf-8")
-    return {row[0]: row for row in CELLS.findall(text)}
+    return {row[0]: row for row in ROW.findall(DOCUMENT.read_text(encoding="utf-8"))}
 
 
 @pytest.fixture
@@ -143,14 +92,13 @@ def noted(request, documented) -> Callable[[str, float], None]:
     making = request.config.getoption("--stability-table", default=None) is not None
 
     def note(key: str, value: float) -> None:
-        what, promise = request.module.PROMISES[key]
+        _, what, promise, stated, _ = documented[key]
         known = float(value) if value == value else inf
         numbers[key] = max(known, numbers.get(key, 0.0))
-        assert known <= promise, f"{key}, {what}: {known:.3g} is more than {promise:g}"
+        assert known <= float(promise), f"{key}, {what}: {known:.3g} is more than {promise}"
         if not making:
-            stated = float(documented[key][3])
-            assert known <= MOST_TIMES_THE_TABLE * stated, (
-                f"{key}, {what}: {known:.3g}, but docs/stability.md says {stated:g}; make it again"
+            assert known <= MOST_TIMES_THE_TABLE * float(stated), (
+                f"{key}, {what}: {known:.3g}, but docs/stability.md says {stated}; make it again"
             )
 
     return note

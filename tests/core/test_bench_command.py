@@ -1,8 +1,6 @@
 """The command ``skinsource bench``, from end to end."""
 
 import csv
-import subprocess
-import sys
 
 import pytest
 
@@ -11,7 +9,6 @@ from skinsource.cli import bench_command
 from skinsource.cli.command_line import main
 from skinsource.studies.accuracy import measuring
 from skinsource.studies.accuracy.cases import stored_cases
-from tests.core.own_limbs.lab_bench import installed
 
 SHORT = "1300 to 48000 Hz"
 
@@ -86,19 +83,6 @@ def test_what_was_measured_until_it_is_stopped_stands_in_table_and_report(
     assert "stopped before the end" in (tmp_path / "report.md").read_text(encoding="utf-8")
 
 
-def test_a_limb_is_named_in_the_report(tmp_path, monkeypatch, user_data):
-    limb = installed()
-    asked = []
-    whole = bench_command.cases_of
-    monkeypatch.setattr(
-        bench_command, "cases_of", lambda limb, **_: asked.append(limb) or whole(limb)
-    )
-    monkeypatch.setattr(bench_command, "write_plots", lambda rows, stem: None)
-    assert main(["bench", "--limb", limb.name, "--quick", "--out", str(tmp_path)]) == 0
-    assert [computed.name for computed in asked] == [limb.name]
-    assert "limb lab-1, SHA-256 " in (tmp_path / "report.md").read_text(encoding="utf-8")
-
-
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [(["--out", "file/x"], "cannot be written"), (["--limb", "nowhere"], "nowhere")],
@@ -114,12 +98,3 @@ def test_what_cannot_be_done_is_told_before_the_work(
     assert main(["bench", *arguments]) == 1
     assert message in capsys.readouterr().err
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
-
-
-def test_the_command_line_starts_without_what_only_the_benchmark_needs():
-    code = (
-        "import sys, skinsource.cli.command_line;"
-        "print(sorted({'scipy.signal', 'matplotlib', 'PySide6'} & set(sys.modules)))"
-    )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout == "[]\n"

@@ -1,12 +1,7 @@
 """The command ``skinsource``: what it writes, and its exit codes."""
 
-import errno
 import io
-import os
-import socket
-import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
@@ -46,16 +41,6 @@ def test_a_wrong_call_ends_with_code_2(arguments, capsys):
         main(arguments)
     assert stop.value.code == 2
     assert "usage: skinsource" in capsys.readouterr().err
-
-
-def test_python_m_skinsource_is_the_same_command():
-    done = subprocess.run(
-        [sys.executable, "-m", "skinsource", "--version"],
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    assert done.stdout == f"skinsource {__version__}\n"
 
 
 def test_limbs_lists_the_synthetic_limbs_and_says_what_they_are(run):
@@ -143,19 +128,6 @@ def test_an_error_is_one_line_on_stderr_with_code_1(run, tmp_path):
     assert "no such file or folder" in err
 
 
-def test_fetch_from_a_mirror_that_is_down_is_one_line_with_code_1(run, monkeypatch):
-    for package in ("requests", "matio"):
-        pytest.importorskip(package, reason=f"{package} is not installed")
-    monkeypatch.setenv("NO_PROXY", "127.0.0.1")
-    with socket.socket() as reserved:
-        reserved.bind(("127.0.0.1", 0))  # never listens: every connection is refused
-        url = f"http://127.0.0.1:{reserved.getsockname()[1]}"
-        code, out, err = run("dataset", "fetch", "--dataset-url", url, "--map-url", url)
-    assert (code, out) == (1, "")
-    assert err.startswith(f"skinsource: {url}/adjacencyMatrix.mat: cannot be downloaded")
-    assert err.count("\n") == 1
-
-
 @pytest.mark.parametrize("stop", [KeyboardInterrupt(), Stopped("Stopped.")])
 def test_ctrl_c_ends_with_code_130(run, monkeypatch, stop):
     def interrupted(**_):
@@ -181,62 +153,16 @@ def test_the_bar_draws_on_a_terminal_and_wipes_itself():
     assert len(lines[3]) >= len(lines[2].rstrip())
 
 
-def test_the_bar_writes_nothing_where_there_is_no_terminal():
-    file = io.StringIO()
-    with ProgressBar(file) as bar:
-        bar(1, 2, "Checking")
-    assert file.getvalue() == ""
-
-
-@pytest.fixture
-def closed(tmp_path, monkeypatch):
-    """Make a folder that may not be searched, as the system says to all but its administrator."""
-    folder = tmp_path / "closed"
-    folder.mkdir()
-    look = os.stat
-
-    def refuse(path, *how, **more):
-        if isinstance(path, str | os.PathLike) and Path(path).is_relative_to(folder / "inside"):
-            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(path))
-        return look(path, *how, **more)
-
-    monkeypatch.setattr(os, "stat", refuse)
-    return folder
-
-
 LONG_NAME = "n" * 300
-WHERE_NOBODY_LOOKS = [
-    pytest.param(LONG_NAME, "File name too long", id="a name that is too long"),
-    pytest.param("closed/inside", "Permission denied", id="a folder that may not be searched"),
-]
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has other limits")
-@pytest.mark.parametrize(("folder", "reason"), WHERE_NOBODY_LOOKS)
 @pytest.mark.parametrize("message", [("list",), ("remove", "--yes"), ("install", ".")])
 def test_a_data_folder_that_cannot_be_looked_into_is_one_clear_line(
-    run, tmp_path, monkeypatch, folder, reason, message, closed
+    run, tmp_path, monkeypatch, message
 ):
-    monkeypatch.setenv("SKINSOURCE_DATA", str(tmp_path / folder))
+    monkeypatch.setenv("SKINSOURCE_DATA", str(tmp_path / LONG_NAME))
     code, _, err = run("dataset", *message)
     assert code == 1
-    assert reason in err or message[0] == "install"
+    assert "File name too long" in err or message[0] == "install"
     assert len(err.splitlines()) == 1
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="Windows has other limits")
-@pytest.mark.parametrize(("folder", "reason"), WHERE_NOBODY_LOOKS)
-def test_without_a_data_folder_to_look_into_the_synthetic_limbs_are_there(
-    run, tmp_path, monkeypatch, folder, reason, closed
-):
-    monkeypatch.setenv("SKINSOURCE_DATA", str(tmp_path / folder))
-    code, out, _ = run("limbs")
-    assert code == 0
-    assert len(out.splitlines()) == 4
-
-
-def test_a_download_that_cannot_be_looked_at_is_one_clear_line(run, tmp_path, closed):
-    for path in (tmp_path / LONG_NAME, tmp_path / "closed" / "inside"):
-        code, out, err = run("dataset", "install", path)
-        assert (code, out) == (1, "")
-        assert "cannot be looked at" in err

@@ -9,7 +9,6 @@ import pytest
 import skinsource as ss
 from skinsource.cli.command_line import main
 from skinsource.export.map_files import picture_of, write_png
-from skinsource.specs.samples import Samples
 
 
 @pytest.fixture
@@ -41,14 +40,6 @@ def read_png(content: bytes) -> tuple[np.ndarray, str]:
     assert not lines[:, 0].any()
     text = chunks.get(b"iTXt", b"").rpartition(b"\0")[2].decode()
     return lines[:, 1:].reshape(rows, columns, 3), text
-
-
-def test_show_says_the_gain_of_a_recording_and_the_peak_that_results(tmp_path, capsys):
-    samples = Samples(values=[0.0, -4.88, 2.0], sample_rate_hz=1300.0, unit="m/s²")
-    track = ss.track(7, ss.waveforms.Recording(samples), amplitude=2.0)
-    ss.save_design(tmp_path / "a.skinsource", ss.Design(limb="synthetic-1", inputs=(track,)))
-    assert main(["show", str(tmp_path / "a.skinsource")]) == 0
-    assert "place 7, Digit II, pad: gain 2, peak 9.76 m/s²\n" in capsys.readouterr().out
 
 
 def test_show_says_what_is_in_a_design_and_its_levels(saved, capsys):

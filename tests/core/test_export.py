@@ -1,235 +1,307 @@
+"""Tables and fields of designs: what was computed, how, how wrong, and whole or not at all."""
+
 import csv
-import io
-from pathlib import Path
+import hashlib
+import os
+import re
+import shutil
+import tracemalloc
+from dataclasses import replace
+from itertools import count
+from zipfile import ZIP_STORED, ZipFile
 
 import numpy as np
 import pytest
+import scipy
 
-from skinsource.base.errors import StorageError
+import skinsource as ss
+from skinsource.base.errors import Stopped, StorageError, TooInaccurateError
 from skinsource.base.measurement_conditions import VOLAR_OUTPUTS
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.engine import shared
-from skinsource.engine.prediction import predict
-from skinsource.engine.quantities import new_graph, sources
-from skinsource.export.tables import export_field, export_levels, export_traces
-from skinsource.limbs.limb import Limb, LimbMap
+from skinsource.design.waveforms.tones import Tone
+from skinsource.engine import shared, trace_rules
+from skinsource.engine.gains import TraceError
+from skinsource.engine.streaming import StreamedVibration
+from skinsource.engine.transforms import BLOCK_FFT
+from skinsource.export import exported_design
+from skinsource.export.tables import export_field, export_levels, export_traces, export_windows
 from skinsource.limbs.locations import OUTPUTS
-from skinsource.signals.projection import project_axes
-from skinsource.signals.spectra import rms
 
-INPUTS = (
-    track(location=7, waveform=Noise(seed=3, duration_s=0.1), amplitude=0.1),
-    track(location=13, waveform=Tap(), amplitude=-1 / 3, muted=True),
+SHORT = Design(
+    limb="synthetic-2",
+    inputs=(
+        track(location=7, waveform=Noise(seed=3, duration_s=0.1), amplitude=0.1),
+        track(location=13, waveform=Tap(), amplitude=-1 / 3, onset_s=0.2),
+        track(location=2, waveform=Tone(), muted=True),
+    ),
 )
-MEASURED = Design(limb="measured-2", inputs=INPUTS, scaling="upstream")
-VIEW = View(axes="xz", method="soc", outputs=(72, 1, 30))
+# Silence lies between the inputs.
+LONG = SHORT.with_clip(2, onset_s=16.0)
+N_LONG = 16 * 1300 + 21 + 521
+VIEW = View(axes="xz", method="pca", outputs=(72, 1, 30))
+EXPORTS = {
+    "traces.csv": export_traces,
+    "levels.csv": export_levels,
+    "windows.csv": export_windows,
+    "field.npz": export_field,
+}
+DESIGNS = pytest.mark.parametrize("design", [SHORT, LONG], ids=["at once", "streamed"])
+NAMES = pytest.mark.parametrize("name", EXPORTS)
 
 
-TEXTS = ("side", "place")
-
-
-def synthetic_response(place: int) -> np.ndarray:
-    return np.random.default_rng(place).standard_normal((72, 3, 522))
-
-
-@pytest.fixture(autouse=True)
-def synthetic_limbs(monkeypatch):
-    """Let every name stand for a made-up limb, measured ones included."""
-
-    def load(name: str, digest: str = "") -> Limb:
-        nowhere = LimbMap(
-            outline=np.zeros((3, 2)),
-            output_positions=np.zeros((72, 2)),
-            input_positions=np.zeros((20, 2)),
-            hand_length_px=1.0,
-        )
-        return Limb(
-            name=name,
-            hand_length_mm=175.0,
-            synthetic=name.startswith("synthetic"),
-            map=nowhere,
-            read_response=synthetic_response,
-        )
-
-    monkeypatch.setattr(shared, "load_limb", load)
-    return load
-
-
-def read(path: Path) -> tuple[list[str], list[str], np.ndarray]:
-    """Comment lines, names of the columns, and the numbers."""
+def about(path) -> list[str]:
+    """Lines about the content."""
+    if path.suffix == ".npz":
+        with np.load(path, allow_pickle=False) as archive:
+            return str(archive["about"]).splitlines()
     lines = path.read_text(encoding="utf-8").splitlines()
-    about = [line for line in lines if line.startswith("#")]
-    names, *rows = csv.reader(io.StringIO("\n".join(lines[len(about) :])))
-    width = sum(name not in TEXTS for name in names)
-    return about, names, np.array([[float(cell) for cell in row[:width]] for row in rows])
+    return [line.removeprefix("# ") for line in lines if line.startswith("#")]
 
 
-def signal(limb) -> np.ndarray:
-    drive = INPUTS[0].clips[0].waveform.samples(1300.0)
-    return project_axes(predict(limb, [drive], [7], [0.1]), "xz", "soc")
+def read(path) -> tuple[list[str], list[list[str]]]:
+    """Names of the columns, and the rows."""
+    lines = path.read_text(encoding="utf-8").splitlines()
+    names, *rows = csv.reader(line for line in lines if not line.startswith("#"))
+    return names, rows
 
 
-def test_traces_read_back_exactly(tmp_path, synthetic_limbs):
-    path = tmp_path / "traces.csv"
-    design = MEASURED
-    export_traces(path, design, VIEW)
-    _, names, table = read(path)
-    assert names == ["time_s", "output_72_m_per_s2", "output_1_m_per_s2", "output_30_m_per_s2"]
-    np.testing.assert_array_equal(table[:, 0], np.arange(130 + 521) / 1300.0)
-    computed = new_graph().evaluate({"selected_traces"}, sources(design, VIEW))
-    np.testing.assert_array_equal(table[:, 1:].T, computed["selected_traces"])
-    expected = signal(synthetic_limbs("x"))[[71, 0, 29]]
-    np.testing.assert_allclose(table[:, 1:].T, expected, atol=1e-14 * np.abs(expected).max())
+def field_of(path) -> np.ndarray:
+    with np.load(path, allow_pickle=False) as archive:
+        assert archive["sample_rate_hz"] == 1300.0
+        return archive["acceleration_m_per_s2"]
 
 
-def test_levels_read_back_exactly(tmp_path, synthetic_limbs):
-    path = tmp_path / "levels.csv"
-    export_levels(path, MEASURED, VIEW)
-    _, names, table = read(path)
-    assert names == ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2", *TEXTS]
-    expected = rms(signal(synthetic_limbs("x")))
+def figures(lines: list[str]) -> tuple[float, float]:
+    """Estimate and bound of the error."""
+    text = "\n".join(lines)
+    match = re.search(r"error of .*: about (\S+) \(.*\), at most (\S+) \(theory\)", text)
+    assert match, text
+    return float(match[1]), float(match[2])
+
+
+@DESIGNS
+def test_tables_and_fields_read_back_as_what_is_computed(tmp_path, design):
+    for name, export in EXPORTS.items():
+        export(tmp_path / name, design, VIEW)
+    names = ("selected_traces", "response_time_s", "output_rms", "rms_of_windows", "axis_traces")
+    values = ss.evaluate(design, *names, "extents_of_windows", view=VIEW)
+    columns, rows = read(tmp_path / "traces.csv")
+    assert columns == ["time_s", *(f"output_{number}_m_per_s2" for number in VIEW.outputs)]
+    table = np.array(rows, float)
+    np.testing.assert_array_equal(table[:, 0], values["response_time_s"])
+    np.testing.assert_array_equal(table[:, 1:].T, values["selected_traces"])
+    columns, rows = read(tmp_path / "levels.csv")
+    assert columns == ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2", "side", "place"]
+    table = np.array([row[:3] for row in rows], float)
     np.testing.assert_array_equal(table[:, 0], np.arange(1, 73))
-    np.testing.assert_allclose(table[:, 1], expected, rtol=1e-12)
-    np.testing.assert_allclose(table[:, 2], 20 * np.log10(expected), rtol=0, atol=1e-12)
+    np.testing.assert_array_equal(table[:, 1], values["output_rms"])
+    np.testing.assert_allclose(table[:, 2], 20 * np.log10(table[:, 1]), rtol=0, atol=1e-12)
+    assert [row[4] for row in rows] == [place.name for place in OUTPUTS]
+    assert [int(row[0]) for row in rows if row[3] == "palm"] == list(VOLAR_OUTPUTS)
+    columns, rows = read(tmp_path / "windows.csv")
+    assert columns[:4] == ["from_s", "to_s", "mean_distance_mm", "d90_mm"]
+    table = np.array(rows, float)
+    np.testing.assert_array_equal(table[:, 7:], values["rms_of_windows"])
+    distances = [extent and extent.mean_distance_mm for extent in values["extents_of_windows"]]
+    np.testing.assert_array_equal(table[:, 2], np.array(distances, float))
+    field, every = field_of(tmp_path / "field.npz"), tuple(range(1, 73))
+    expected = ss.evaluate(design, "axis_traces", view=View(axes="xyz", outputs=every))
+    np.testing.assert_array_equal(field, expected["axis_traces"])
+    assert not field[..., 131 + 521 : 16 * 1300].any() or design is SHORT
 
 
-def test_pandas_reads_the_tables_without_help(tmp_path):
-    pandas = pytest.importorskip("pandas", reason="pandas is not installed")
-    path = tmp_path / "levels.csv"
-    export_levels(path, MEASURED, VIEW)
-    table = pandas.read_csv(path, comment="#")
-    np.testing.assert_array_equal(table["output"], np.arange(1, 73))
-    np.testing.assert_allclose(table["rms_m_per_s2"], read(path)[2][:, 1], rtol=1e-14)
-
-
-def test_levels_name_the_places_and_say_what_they_are_the_rms_over(tmp_path):
-    path = tmp_path / "levels.csv"
-    for span, text in (
-        ("record", "whole record (record)"),
-        ("loudest", "loudest 100 ms (loudest)"),
+@DESIGNS
+@pytest.mark.parametrize("scaling", ["upstream", "probe"])
+@NAMES
+def test_exports_say_what_was_computed_how_and_how_wrong_it_can_be(tmp_path, name, design, scaling):
+    view = replace(VIEW, span="loudest")
+    EXPORTS[name](tmp_path / name, replace(design, scaling=scaling), view)
+    lines, digest = about(tmp_path / name), hashlib.sha256()
+    for place in (7, 13):
+        digest.update(ss.load_limb("synthetic-2").response_to(place).tobytes())
+    method = "cached spectra" if design is SHORT else f"overlap-save {BLOCK_FFT}"
+    for fact in (
+        f"skinsource {ss.__version__}, numpy {np.__version__}, scipy {scipy.__version__}",
+        f"precision and method: float64, {method}",
+        "inputs heard: 2 of 3",
+        "SYNTHETIC",
+        "limb: Synthetic 2",
+        f"({scaling})",
+        f"responses to places 7, 13: SHA-256 {digest.hexdigest()}",
+        f"input at place 13: amplitude {-1 / 3!r}",
+        ", muted",
+        "seed=3",
+        *(() if name == "windows.csv" else ("levels: RMS over the loudest 100 ms (loudest)",)),
+        *(() if name == "field.npz" else ("axes: x, z (xz); method: ",)),
     ):
-        export_levels(path, MEASURED, View(span=span))
-        lines = path.read_text("utf-8").splitlines()
-        assert f"# levels: RMS over the {text}" in lines
-        rows = list(csv.reader(line for line in lines if not line.startswith("#")))[1:]
-        assert [row[4] for row in rows] == [place.name for place in OUTPUTS]
-        assert [int(row[0]) for row in rows if row[3] == "palm"] == list(VOLAR_OUTPUTS)
-        assert {row[3] for row in rows} == {"back", "palm"}
+        assert any(fact in line for line in lines), fact
+    estimate, bound = figures(lines)
+    assert 0.0 < estimate <= 1e-14
+    assert estimate < bound < 1e-10
+    if name == "levels.csv":
+        loudest = np.argmax([float(row[1]) for row in read(tmp_path / name)[1]]) + 1
+        assert any(f"the traces of output {loudest}, the loudest" in line for line in lines)
 
 
-@pytest.mark.parametrize(("span", "text"), [("record", "whole record"), ("loudest", "100 ms")])
-def test_files_without_levels_name_what_levels_are_the_rms_over_too(tmp_path, span, text):
-    design, view = Design(limb="synthetic-1", inputs=INPUTS, scaling="upstream"), View(span=span)
-    export_traces(tmp_path / "traces.csv", design, view)
-    export_field(tmp_path / "field.npz", design, view)
-    with np.load(tmp_path / "field.npz") as field:
-        of_the_field = str(field["about"]).splitlines()
-    of_traces = [line.removeprefix("# ") for line in read(tmp_path / "traces.csv")[0]]
-    for about in (of_traces, of_the_field):
-        (line,) = [line for line in about if line.startswith("levels: RMS over the ")]
-        assert text in line
-        assert line.endswith(f"({span})")
+def test_a_table_says_whether_the_delay_is_in_its_times_and_a_single_axis_has_no_method(tmp_path):
+    path = tmp_path / "traces.csv"
+    for removed, start in ((True, -0.052), (False, 0.0)):
+        export_traces(path, SHORT, View(axes="z", method="pca", delay_removed=removed))
+        words = f"52 ms: {'removed' if removed else 'contained'}"
+        assert any(words in line for line in about(path))
+        assert not any("pca" in line for line in about(path))
+        assert float(read(path)[1][0][0]) == start
 
 
-def test_silence_has_an_rms_of_0_and_no_level_in_a_table(tmp_path):
-    path = tmp_path / "levels.csv"
-    export_levels(path, Design(limb="synthetic-1"), View())
-    _, _, table = read(path)
+def test_a_measured_limb_is_not_called_synthetic_and_its_note_stands_in_every_export(
+    tmp_path, monkeypatch
+):
+    limb = ss.load_limb("synthetic-1")
+    limb.synthetic, limb.note = False, "made from files that are not the published ones"
+    monkeypatch.setattr(shared, "load_limb", lambda *_: limb)
+    for name, export in EXPORTS.items():
+        export(tmp_path / name, SHORT, VIEW)
+        lines = about(tmp_path / name)
+        assert not any("SYNTHETIC" in line for line in lines)
+        assert any("NOTE on the limb: made from files" in line for line in lines)
+
+
+def test_silence_has_an_rms_of_0_and_no_level_and_no_extent_in_a_table(tmp_path):
+    for name, export in EXPORTS.items():
+        export(tmp_path / name, Design(limb="synthetic-1"), View(outputs=()))
+        assert any("there is nothing to check" in line for line in about(tmp_path / name))
+    table = np.array([row[:3] for row in read(tmp_path / "levels.csv")[1]], float)
     assert not table[:, 1].any()
     assert np.isnan(table[:, 2]).all()
-    assert "-200" not in path.read_text("utf-8")
-    assert "-inf" not in path.read_text("utf-8")
+    assert read(tmp_path / "windows.csv")[1][0][2] == "nan"
+    assert field_of(tmp_path / "field.npz").shape == (72, 3, 522)
+    assert not field_of(tmp_path / "field.npz").any()
+    # Without selected outputs there are the times alone.
+    assert read(tmp_path / "traces.csv")[0] == ["time_s"]
+    assert len(read(tmp_path / "traces.csv")[1]) == 522
 
 
-@pytest.mark.parametrize("export", [export_traces, export_levels])
-def test_a_synthetic_limb_is_called_synthetic_in_capitals_and_a_measured_one_is_not(
-    tmp_path, export
-):
-    for limb in ("synthetic-1", "synthetic-4", "measured-1"):
-        export(tmp_path / "table.csv", Design(limb=limb, inputs=INPUTS, scaling="upstream"), VIEW)
-        about, _, _ = read(tmp_path / "table.csv")
-        assert any(limb in line for line in about)
-        assert any("SYNTHETIC" in line for line in about) == limb.startswith("synthetic")
+@NAMES
+def test_the_same_design_gives_the_same_bytes_that_tell_nothing_of_when(tmp_path, name):
+    written = []
+    for number in range(2):
+        path = tmp_path / f"{number}{name}"
+        EXPORTS[name](path, LONG, VIEW)
+        written.append(path.read_bytes())
+    assert written[0] == written[1]
+    if name == "field.npz":
+        with ZipFile(path) as archive:
+            assert [member.compress_type for member in archive.infolist()] == [ZIP_STORED] * 3
+            assert {member.date_time[0] for member in archive.infolist()} == {1980}
+            assert archive.testzip() is None
 
 
-def test_the_table_says_how_it_was_made(tmp_path):
-    path = tmp_path / "traces.csv"
-    export_traces(path, Design(limb="measured-2", inputs=INPUTS, scaling="relative"), VIEW)
-    about = "\n".join(read(path)[0])
-    for fact in (
-        "limb: Measured 2 (165 mm), measured-2",
-        "scaling: Equal drives (relative)",
-        "axes: x, z (xz); method: Sum of components (soc)",
-        "place 7",
-        "seed=3",
-    ):
-        assert fact in about
-    assert "place 13" in about
-    assert "muted" in about
-    assert f"amplitude {-1 / 3!r}" in about
+@DESIGNS
+@NAMES
+def test_what_is_too_inaccurate_is_not_written(tmp_path, monkeypatch, name, design):
+    path = tmp_path / name
+    path.write_bytes(b"old")
+    with pytest.raises(TooInaccurateError, match="Nothing was written"):
+        EXPORTS[name](path, design, VIEW, largest_error=1e-18)
+    EXPORTS[name](tmp_path / f"good-{name}", design, VIEW, largest_error=1e-3)
+    nothing = TraceError(estimate=float("nan"), bound=float("nan"))
+    monkeypatch.setattr(trace_rules, "trace_error_of", lambda *_: nothing)
+    with pytest.raises(TooInaccurateError):
+        EXPORTS[name](path, design, VIEW, largest_error=1e-3)
+    assert sorted(os.listdir(tmp_path)) == sorted([name, f"good-{name}"])
+    assert path.read_bytes() == b"old"
 
 
-@pytest.mark.parametrize(("removed", "start"), [(True, -0.052), (False, 0.0)])
-def test_the_table_says_whether_the_delay_is_in_its_times(tmp_path, removed, start):
-    path = tmp_path / "traces.csv"
-    view = View(outputs=(1,), delay_removed=removed)
-    export_traces(path, MEASURED, view)
-    about, _, table = read(path)
-    assert any(f"52 ms: {'removed' if removed else 'contained'}" in line for line in about)
-    assert table[0, 0] == start
+def test_samples_that_are_wrong_show_in_the_figures_of_a_long_field(tmp_path, monkeypatch):
+    right = StreamedVibration.blocks
+
+    def a_little_late(self, *stop):
+        for first, block in right(self, *stop):
+            yield first, np.roll(block, 1, axis=-1)
+
+    monkeypatch.setattr(StreamedVibration, "blocks", a_little_late)
+    export_field(tmp_path / "field.npz", LONG, VIEW)
+    assert figures(about(tmp_path / "field.npz"))[0] > 1e-2
 
 
-def test_a_single_axis_has_no_method(tmp_path):
-    path = tmp_path / "traces.csv"
-    export_traces(
-        path,
-        MEASURED,
-        View(axes="z", method="pca"),
-    )
-    assert not any("pca" in line for line in read(path)[0])
+@pytest.mark.parametrize("method", ["pca", "soc", "mag", "rms"])
+def test_traces_that_are_too_many_to_be_held_are_the_same(tmp_path, monkeypatch, method):
+    view, tables = replace(VIEW, method=method), []
+    for name in ("held.csv", "traces.csv"):
+        export_traces(tmp_path / name, LONG, view)
+        tables.append(np.array(read(tmp_path / name)[1], float))
+        monkeypatch.setattr(exported_design, "_MOST_HELD_BYTES", 500_000)
+    peak = np.abs(tables[0][:, 1:]).max()
+    np.testing.assert_allclose(tables[1], tables[0], rtol=0, atol=1e-14 * peak)
+    lines = about(tmp_path / "traces.csv")
+    assert any("error of the traces of outputs 72, rel" in line for line in lines)
 
 
-def test_no_outputs_give_the_times_alone(tmp_path):
-    path = tmp_path / "traces.csv"
-    export_traces(path, Design(limb="measured-2"), View(outputs=()))
-    _, names, table = read(path)
-    assert names == ["time_s"]
-    assert table.shape == (522, 1)
+def test_memory_does_not_grow_with_the_field(tmp_path):
+    peaks_bytes, sizes_bytes = [], []
+    for duration_s in (20.0, 20.0, 60.0):
+        tone = Tone(frequency_hz=80.0, duration_s=duration_s)
+        design = Design(limb="synthetic-1", inputs=(track(location=7, waveform=tone),))
+        tracemalloc.start()
+        try:
+            export_field(tmp_path / "field.npz", design, View())
+            peaks_bytes.append(tracemalloc.get_traced_memory()[1])
+        finally:
+            tracemalloc.stop()
+        sizes_bytes.append((tmp_path / "field.npz").stat().st_size)
+    # The first one warms up.
+    assert sizes_bytes[2] - sizes_bytes[1] > 89e6
+    assert peaks_bytes[2] - peaks_bytes[1] < 10e6
 
 
-def test_a_failing_export_leaves_the_old_table(tmp_path):
-    path = tmp_path / "table.csv"
-    path.write_text("old")
-    with pytest.raises(StorageError):
-        export_levels(tmp_path / "nowhere" / "table.csv", Design(limb="measured-1"), View())
-    assert path.read_text() == "old"
+@NAMES
+def test_an_export_stops_at_any_moment_and_leaves_what_was_there(tmp_path, name):
+    asked = count()
+    EXPORTS[name](tmp_path / name, LONG, VIEW, stop=lambda: next(asked) < 0)
+    total = next(asked)
+    (tmp_path / name).write_bytes(b"old")
+    for last in np.linspace(0, total - 1, 6).astype(int):
+        asked = count()
+        with pytest.raises(Stopped):
+            EXPORTS[name](tmp_path / name, LONG, VIEW, stop=lambda a=asked, n=last: next(a) >= n)
+        assert os.listdir(tmp_path) == [name], f"stopped at question {last} of {total}"
+        assert (tmp_path / name).read_bytes() == b"old"
 
 
-@pytest.mark.parametrize("place", [7, 2])
-def test_the_table_of_levels_names_the_loudest_output_that_was_checked(tmp_path, place):
-    path, tap = tmp_path / "levels.csv", track(location=place, waveform=Tap())
-    export_levels(path, Design(limb="synthetic-1", inputs=(tap,)), VIEW)
-    about, _, numbers = read(path)
-    loudest = numbers[np.argmax(numbers[:, 1]), 0]
-    checked = [line for line in about if "the loudest" in line]
-    assert len(checked) == 1
-    assert f"the traces of output {loudest:.0f}, the loudest" in checked[0]
+@pytest.mark.parametrize("name", ["traces.csv", "field.npz"])
+def test_progress_only_grows_in_small_pieces_and_ends_at_the_end(tmp_path, name):
+    progress = []
+    EXPORTS[name](tmp_path / name, LONG, VIEW, progress=lambda *now: progress.append(now))
+    assert progress[0] == (0, 0, "Computing")
+    steps = np.diff([done for done, total, _ in progress if total])
+    assert (steps > 0).all()
+    assert name != "traces.csv" or steps.max() < 2100
+    assert progress[-1][:2] == (N_LONG, N_LONG)
 
 
-def test_what_is_noted_of_a_limb_stands_in_every_export(tmp_path, monkeypatch, synthetic_limbs):
-    def load(name: str, digest: str = "") -> Limb:
-        limb = synthetic_limbs(name)
-        limb.note = "made from files that are not the published ones: impulseResponses.mat"
-        return limb
+@pytest.mark.parametrize("name", ["traces.csv", "field.npz"])
+def test_a_disk_that_is_full_is_one_sentence_and_leaves_what_was_there(tmp_path, name):
+    resource = pytest.importorskip("resource", reason="files cannot be limited here")
+    (tmp_path / name).write_bytes(b"old")
+    usual = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (300_000, usual[1]))
+    try:
+        with pytest.raises(StorageError, match=r"cannot be written .* Free some space"):
+            EXPORTS[name](tmp_path / name, LONG, VIEW)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, usual)
+    assert os.listdir(tmp_path) == [name]
+    assert (tmp_path / name).read_bytes() == b"old"
 
-    monkeypatch.setattr(shared, "load_limb", load)
-    for export in (export_levels, export_traces):
-        export(
-            tmp_path / "table.csv",
-            Design(limb="measured-1", inputs=INPUTS, scaling="upstream"),
-            VIEW,
-        )
-        about, _, _ = read(tmp_path / "table.csv")
-        assert any("not the published ones: impulseResponses.mat" in line for line in about)
+
+def test_a_place_without_room_is_one_sentence_before_anything_is_written(tmp_path, monkeypatch):
+    for name, export in EXPORTS.items():
+        with pytest.raises(StorageError, match="cannot be written"):
+            export(tmp_path / "nowhere" / name, SHORT, VIEW)
+    usage = shutil.disk_usage(tmp_path)._replace(free=10**6)
+    monkeypatch.setattr(shutil, "disk_usage", lambda _: usage)
+    with pytest.raises(StorageError, match=r"field.npz: the whole field takes 0\.0. GB, and 0\.00"):
+        export_field(tmp_path / "field.npz", LONG, View())
+    assert os.listdir(tmp_path) == []

@@ -24,11 +24,6 @@ def test_the_line_fits_how_the_studio_is_installed(monkeypatch, tmp_path, editab
     assert extras.extra_line("audio") in str(error.value)
 
 
-def test_a_python_in_a_folder_with_a_space_is_quoted(monkeypatch):
-    monkeypatch.setattr(sys, "executable", "/my python/python")
-    assert extras.extra_line("gui").startswith('"/my python/python" -m pip install ')
-
-
 def test_without_sound_what_to_type_comes_first(monkeypatch):
     monkeypatch.setitem(sys.modules, "sounddevice", None)
     with pytest.raises(NothingToPlayOnError) as error:

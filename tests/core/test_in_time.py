@@ -1,16 +1,20 @@
-"""The skin in time: frames belong to their instants, and nothing is transformed for them."""
+"""The skin in time, and how far waves reach between samples."""
 
+import tracemalloc
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.base.errors import InvalidInputError
-from skinsource.base.work import counting
+from skinsource.base.errors import InvalidInputError, Stopped
+from skinsource.design.design import Design, track
 from skinsource.design.view import View
+from skinsource.design.waveforms.tones import Tone
+from skinsource.engine.evaluation import evaluate
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.time_rules import BLOCK_S, Moving, SlidingEnergy, block_of, window_of, z_axis
+from skinsource.signals.resampling import EXTREMES_ERROR, FINER, extremes_between, finer
 from skinsource.signals.sampling import values_at
 
 RATE = 1300.0
@@ -36,42 +40,6 @@ def moving(signals, first=0, n_times=None):
     )
 
 
-@pytest.fixture(scope="module")
-def short():
-    quantities = {"moving_z", "moving_vector", "moving_energy", "output_rms"}
-    return new_graph().evaluate(quantities, sources(SHORT, VIEW))
-
-
-@pytest.fixture(scope="module")
-def expected():
-    """Acceleration as `skinsource.predict` has it."""
-    limb = ss.load_limb("synthetic-1")
-    drives = np.zeros((2, 260))
-    tone, tap = (track.clips[0].waveform.samples(RATE) for track in SHORT.inputs)
-    drives[0, : tone.size] = tone
-    drives[1, 65 : 65 + tap.size] = -2.0 * tap
-    return ss.predict(limb, drives, locations=[7, 13], scaling="probe")
-
-
-def test_frames_on_samples_are_the_prediction(short, expected):
-    n = short["moving_vector"].response_samples
-    assert n == expected.shape[-1]
-    for sample in (0, 67, 80, 200, n - 1):
-        at_s = sample / RATE
-        vector = short["moving_vector"].acceleration(at_s)
-        assert vector == pytest.approx(expected[..., sample], abs=1e-12)
-        along_z = short["moving_z"].acceleration(at_s)
-        assert along_z[:, 0] == pytest.approx(expected[:, 2, sample], abs=1e-12)
-        length = np.sqrt((expected[..., sample] ** 2).sum(axis=1))
-        assert short["moving_vector"].magnitude(at_s) == pytest.approx(length, abs=1e-12)
-
-
-def test_the_largest_is_that_of_all_outputs_and_samples(short, expected):
-    assert short["moving_z"].largest == pytest.approx(np.abs(expected[:, 2]).max())
-    lengths = np.sqrt((expected**2).sum(axis=1))
-    assert short["moving_vector"].largest == pytest.approx(lengths.max())
-
-
 @pytest.mark.parametrize("frequency_hz", [25.0, 217.0, 598.0])
 def test_between_samples_a_tone_is_the_tone(frequency_hz):
     times = np.arange(400) / RATE
@@ -80,13 +48,6 @@ def test_between_samples_a_tone_is_the_tone(frequency_hz):
     for at in (150.1, 200.5, 233.999, 180.0):
         exact = np.sin(2 * np.pi * frequency_hz * at / RATE + 0.3)
         assert moving_.acceleration(at / RATE)[0, 0] == pytest.approx(exact, abs=3e-6)
-
-
-def test_a_vector_that_turns_keeps_its_length_between_samples():
-    angle = 2 * np.pi * 300.0 * np.arange(300) / RATE
-    moving_ = moving(np.array([[np.cos(angle), np.sin(angle)]]))
-    for at in (120.25, 140.5, 150.75):
-        assert moving_.magnitude(at / RATE)[0] == pytest.approx(1.0, abs=3e-6)
 
 
 def test_outside_of_the_response_there_is_silence():
@@ -133,32 +94,6 @@ def test_the_sliding_rms_is_that_of_the_samples_in_the_window():
         moving_.rms(0.0, 0.0)
 
 
-@pytest.mark.parametrize(("axes", "method"), [("xyz", "mag"), ("z", "mag"), ("xy", "pca")])
-def test_a_window_as_long_as_the_record_gives_the_level_of_the_map(axes, method):
-    view = replace(VIEW, axes=axes, method=method)
-    values = new_graph().evaluate({"moving_energy", "output_rms"}, sources(SHORT, view))
-    n = values["moving_energy"].response_samples
-    rms = values["moving_energy"].rms((n - 1) / 2 / RATE, n / RATE)
-    assert rms == pytest.approx(values["output_rms"], rel=1e-9, abs=1e-12)
-
-
-def test_frames_transform_nothing_and_run_no_rule(short):
-    with counting() as work:
-        for k in range(50):
-            short["moving_z"].acceleration(k / 700)
-            short["moving_vector"].magnitude(k / 700)
-            short["moving_energy"].rms(k / 700, 0.02)
-    assert (work.forward_transforms, work.inverse_transforms, work.rules_run) == (0, 0, 0)
-
-
-def test_of_a_short_design_the_playhead_asks_for_nothing():
-    graph, quantities = new_graph(), {"moving_z", "moving_energy"}
-    first = graph.evaluate(quantities, sources(SHORT, VIEW))
-    later = graph.evaluate(quantities, sources(SHORT, replace(VIEW, playhead_s=3 * BLOCK_S)))
-    assert graph.work.inverse_transforms == 0
-    assert all(first[name] is later[name] for name in quantities)
-
-
 def test_of_a_long_design_two_blocks_are_kept_which_are_its_traces():
     graph = new_graph()
     quantities = {"moving_z", "selected_traces"}
@@ -178,17 +113,6 @@ def test_of_a_long_design_two_blocks_are_kept_which_are_its_traces():
     assert moving_.largest == pytest.approx(np.abs(whole).max())
 
 
-def test_the_next_block_is_all_that_is_transformed_when_the_playhead_comes_to_it():
-    graph = new_graph()
-    graph.evaluate({"moving_z"}, sources(LONG, VIEW))
-    first = graph.work.inverse_transforms
-    graph.evaluate({"moving_z"}, sources(LONG, replace(VIEW, playhead_s=BLOCK_S + 1.0)))
-    # Two blocks of five, and none of the pass that looked for the largest.
-    assert 0 < graph.work.inverse_transforms < first / 2
-    graph.evaluate({"moving_z"}, sources(LONG, replace(VIEW, playhead_s=BLOCK_S + 2.0)))
-    assert graph.work.inverse_transforms == 0
-
-
 def test_windows_overlap_by_a_block():
     for block in range(4):
         first, end = window_of(block, 10**6, RATE)
@@ -199,13 +123,6 @@ def test_windows_overlap_by_a_block():
     assert [block_of(time_s) for time_s in (-1.0, 0.0, BLOCK_S, 2.5 * BLOCK_S)] == [0, 0, 1, 2]
 
 
-def test_silence_is_silent():
-    silent = replace(SHORT, inputs=())
-    values = new_graph().evaluate({"moving_z", "moving_energy"}, sources(silent, VIEW))
-    assert values["moving_z"].largest == 0.0
-    assert not values["moving_energy"].rms(0.1, 0.02).any()
-
-
 def test_a_limb_without_z_says_what_can_be_seen_of_it():
     class Flat:
         name, axes = "flat", "xy"
@@ -214,3 +131,123 @@ def test_a_limb_without_z_says_what_can_be_seen_of_it():
         InvalidInputError, match=r"flat was measured along x and y, and not along z.*magnitude"
     ):
         z_axis(Flat())
+
+
+RATE_HZ = 1300.0
+# The filter alone.
+FILTER_ERROR = 0.003
+
+
+def of(extremes):
+    return extremes.low * extremes.sizes, extremes.high * extremes.sizes
+
+
+def band_limited(*shape, seed=1):
+    """Noise up to 600 Hz at 1300 Hz."""
+    spectrum = np.fft.rfft(np.random.default_rng(seed).standard_normal(shape))
+    spectrum[..., round(600 / 650 * spectrum.shape[-1]) :] = 0.0
+    return np.fft.irfft(spectrum, shape[-1])
+
+
+def dense_extremes(dense):
+    """Extremes of the points from each sample to before the next."""
+    cells = dense[..., :-1].reshape(*dense.shape[:-1], -1, FINER)
+    last = dense[..., -1:]
+    return (
+        np.concatenate((cells.min(axis=-1), last), axis=-1),
+        np.concatenate((cells.max(axis=-1), last), axis=-1),
+    )
+
+
+@pytest.mark.parametrize("frequency_hz", [30.0, 130.0, 325.0, 1300 / 3, 520.0, 599.0])
+@pytest.mark.parametrize("phase", [0.0, np.pi / 4, 1.1])
+def test_within_every_period_a_tone_reaches_its_peak_whatever_its_samples_miss(frequency_hz, phase):
+    tone = np.sin(2 * np.pi * frequency_hz * np.arange(1300) / RATE_HZ + phase)
+    low, high = of(extremes_between(tone[np.newaxis]))
+    n_period = int(np.ceil(RATE_HZ / frequency_hz)) + 1
+    # Where the record begins and ends hard, it rings.
+    for reached in (high[0, 40:-40], -low[0, 40:-40]):
+        highest = np.lib.stride_tricks.sliding_window_view(reached, n_period).max(axis=-1)
+        assert highest.min() >= 1.0 - EXTREMES_ERROR
+        assert highest.max() <= 1.0 + FILTER_ERROR
+
+
+def test_they_are_those_of_the_wave_that_is_drawn_from_close_by():
+    signals = band_limited(3, 1001)
+    extremes = extremes_between(signals)
+    expected = dense_extremes(finer(np.arange(1001) / RATE_HZ, signals)[1])
+    peak = np.abs(signals).max()
+    for got, expected_values in zip(of(extremes), expected, strict=True):
+        np.testing.assert_allclose(got, expected_values, rtol=0, atol=FILTER_ERROR * peak)
+    assert extremes.range == pytest.approx((expected[0].min(), expected[1].max()), abs=0.01 * peak)
+
+
+def test_of_signals_along_several_axes_the_wave_is_the_length_of_the_vector():
+    axes = band_limited(2, 3, 700)
+    dense = finer(np.arange(700) / RATE_HZ, axes)[1]
+    expected = dense_extremes(np.sqrt(np.square(dense).sum(axis=1)))
+    for got, expected_values in zip(of(extremes_between(axes)), expected, strict=True):
+        np.testing.assert_allclose(
+            got, expected_values, rtol=0, atol=2 * FILTER_ERROR * np.abs(axes).max()
+        )
+
+
+@pytest.mark.parametrize(("first", "end"), [(0, 9), (3, 120), (400, 432), (880, 900), (899, 900)])
+def test_a_stretch_has_the_extremes_that_it_has_in_the_whole(first, end):
+    signals = band_limited(2, 900)
+    whole, part = (extremes_between(signals, *ends) for ends in ((), (first, end)))
+    for got, expected_values in zip(of(part), of(whole.part(first, end)), strict=True):
+        np.testing.assert_allclose(got, expected_values, rtol=0, atol=1e-5 * np.abs(signals).max())
+
+
+@pytest.mark.parametrize("peak", [5e-324, 1e-300, 1e-12, 1e300])
+def test_no_signal_is_too_small_or_too_large(peak):
+    extremes = extremes_between(peak * np.sign(band_limited(1, 300)))
+    low, high = extremes.range
+    assert low <= -peak < peak <= high
+    assert np.isfinite((low, high)).all()
+
+
+def test_silence_stays_silent_and_a_single_sample_stays_alone():
+    silent = extremes_between(np.zeros((2, 100)))
+    assert not silent.low.any()
+    assert not silent.high.any()
+    alone = extremes_between(np.array([[-2.0]]))
+    assert alone.range == (-2.0, -2.0)
+    assert extremes_between(np.zeros((0, 100))).range == (0.0, 0.0)
+    assert extremes_between(np.zeros((1, 0))).low.shape == (1, 0)
+
+
+def test_however_long_signals_are_they_take_little_more_memory_than_the_result():
+    signals = np.tile(band_limited(6, 2000), 50)
+    extremes_between(signals[:, :100])
+    tracemalloc.start()
+    extremes = extremes_between(signals)
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert most <= extremes.low.nbytes + extremes.high.nbytes + 4e6
+
+
+def test_it_can_be_stopped_between_blocks():
+    asked = []
+
+    def stop():
+        asked.append(None)
+        return len(asked) == 3
+
+    with pytest.raises(Stopped):
+        extremes_between(np.zeros((6, 100_000)), stop=stop)
+
+
+@pytest.mark.parametrize("method", ["mag", "pca"])
+def test_those_of_selected_outputs_belong_to_the_wave_of_their_projection(method):
+    tones = (track(location=3, waveform=Tone(frequency_hz=325.0, duration_s=0.4)),)
+    design = Design(limb="synthetic-1", inputs=tones)
+    view = View(axes="xyz", method=method, outputs=(29, 52))
+    names = "selected_extremes", "axis_traces", "selected_projection", "response_time_s"
+    quantities = evaluate(design, *names, view=view)
+    dense = finer(quantities["response_time_s"], quantities["axis_traces"])[1]
+    expected = dense_extremes(quantities["selected_projection"].signals(dense))
+    peak = np.abs(dense).max()
+    for got, values in zip(of(quantities["selected_extremes"]), expected, strict=True):
+        np.testing.assert_allclose(got, values, rtol=0, atol=2 * FILTER_ERROR * peak)

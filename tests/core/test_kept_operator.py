@@ -101,7 +101,7 @@ def test_of_any_damage_nothing_is_seen(limb, built):
     (path,) = files()
     whole = path.read_bytes()
     random = np.random.default_rng(1)
-    for place in [0, 21, 30, *random.integers(0, len(whole), 25).tolist()]:
+    for place in [0, 21, 30, *random.integers(0, len(whole), 7).tolist()]:
         bent = bytearray(whole)
         bent[place] ^= 1 << int(random.integers(8))
         path.write_bytes(bent)
@@ -138,3 +138,9 @@ def test_what_was_used_last_is_kept_longest(limb, monkeypatch):
     assert sum(path.stat().st_size for path in files()) <= 3 * largest
     assert [fetched(limb, spacing)[1] for spacing in (8.0, 10.0)] == [0, 0]
     assert fetched(limb, 8.5)[1] == 1
+
+
+def test_too_large_an_operator_is_not_kept(limb, monkeypatch):
+    monkeypatch.setattr(surface, "LARGEST_BYTES", 1000)
+    assert [fetched(limb)[1] for _ in range(2)] == [1, 1]
+    assert not cache_folder().exists()

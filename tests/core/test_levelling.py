@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.base.errors import InvalidInputError, Stopped
+from skinsource.base.errors import Stopped
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
@@ -104,18 +104,6 @@ def test_the_label_notes_what_was_measured_once_and_keeps_other_words():
     assert edit.label == "Equalise wavelets of input at 7 (II pad)"
 
 
-def test_a_label_without_room_for_the_note_becomes_the_note():
-    design = design_of(TRAIN).with_clip(1, label="x" * 190)
-    edit = edits.equalise_on_skin(design, View(), 1, (0.0, 1.0, 2.0), "m" * 300)
-    assert edit.design.clip(1).label.startswith("Equal on the skin: mmm")
-    assert len(edit.design.clip(1).label) == 200
-
-
-def test_gains_take_off_what_is_above_the_softest():
-    edit = edits.equalise_on_skin(design_of(TRAIN), View(), 1, (3.0, -7.25, -1.0), MEASURE)
-    assert edit.design.clip(1).waveform.gains_db == (-10.25, 0.0, -6.25)
-
-
 @pytest.mark.parametrize(
     ("design", "clip_id", "levels_db", "message"),
     [
@@ -131,11 +119,6 @@ def test_what_cannot_be_equalised_is_refused_in_words(design, clip_id, levels_db
     outcome = edits.equalise_on_skin(design, View(), clip_id, levels_db, MEASURE)
     assert isinstance(outcome, Refusal)
     assert message in outcome.sentence
-
-
-def test_only_trains_have_wavelets():
-    with pytest.raises(InvalidInputError, match="plays a Tone, expected a WaveletTrain"):
-        wavelet_levels_db(design_of(Tone()), 1)
 
 
 def test_it_tells_how_far_it_is_and_can_be_stopped():

@@ -10,28 +10,6 @@ from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.transforms import BLOCK_FFT, length_at_once
 from skinsource.limbs.synthetic import load_synthetic_limb
 
-PROMISES = {
-    "a1 error": (
-        "1, 4 and 20 inputs of 0.5, 2 and 10 s, both ways: error of each of 12 channels",
-        1e-14,
-    ),
-    "a1 ratio": ("The same: ratio", 0.1),
-    "a1 levels": ("The same: RMS of each output, relative to itself", 1e-14),
-    "a1 mpmath": ("Tone, noise, bursts on ringing responses, 1 s, both ways: error", 1e-14),
-    "a1 synthetic": ("Synthetic limb, its own waveforms, short and streamed: error", 1e-14),
-    "a1 upstream": ("The same with upstream's scaling: error", 1e-14),
-    "a1 cancelled": ("Two inputs that leave 1 … 1e-8 of one: RMS, relative to one alone", 1e-14),
-    "a1 one axis": ("The same where they cancel along one axis only: RMS along it", 1e-14),
-    "a2 predict": ("Drives of 1, 2, 521, 522, 523, 650, 13 000 and 130 000 samples: error", 1e-14),
-    "a2 engine": ("Drives of 1 … 780 000 samples: error of traces", 1e-14),
-    "a2 levels": ("The same: RMS of each output, relative to itself", 1e-14),
-    "a3 window": (
-        "A burst 40 to 120 dB below another, both ways: error of a 100 ms window down to -126 dB",
-        1e-9,
-    ),
-    "a3 mpmath": ("A burst 120 dB below another on ringing responses: error of a window", 1e-9),
-    "a3 tails": ("Synthetic limb, quantised: error of a window of any tail down to -126 dB", 1e-9),
-}
 SEED = 20240607
 EPS = float(np.finfo(np.float64).eps)
 WINDOW_SAMPLES = 130
@@ -183,15 +161,6 @@ def test_vectors_of_fifty_digits_are_met(scene, ringing, noted, number):
             assert (quiet > FAINTEST).all()
             assert (quiet < 1e-5).all()
             noted("a3 mpmath", window_error(field, exact))
-
-
-def test_the_stored_vectors_are_those_of_rational_arithmetic(scene, ringing):
-    random = np.random.default_rng(SEED)
-    for number, fields in enumerate(ringing["fields"]):
-        shown = scene(limb=ringing["limb"], drives=(ringing["drives"][number],), places=(3,))
-        for time in random.integers(0, fields.shape[-1], 20):
-            axis = int(random.integers(2))
-            assert float(shown.exact_sample(1, axis, int(time))) == fields[axis, time], f"{SEED=}"
 
 
 @pytest.mark.parametrize("streamed", [False, True])

@@ -1,4 +1,4 @@
-"""Silence, numbers that are none, and numbers of extreme sizes."""
+"""Silence, numbers that are none or of extreme sizes, and identities that need no reference."""
 
 from dataclasses import replace
 
@@ -9,38 +9,12 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.design.design import track
 from skinsource.engine.transforms import BLOCK_FFT, transform_length
 
-PROMISES = {
-    "a4 silence": (
-        "Samples before, between and after drives, both ways, short and streamed: not exactly 0",
-        0,
-    ),
-    "a4 still": ("Outputs without a response, and scenes without a sound: not exactly 0", 0),
-    "a4 muted": ("Bits changed by inputs of amplitude 0 or silent ones, both ways", 0),
-    "a5 drive": ("NaN, ±inf, ±1e31 in a drive: not refused by input and sample", 0),
-    "a5 engine": (
-        "The same in what an input of a design plays: not refused by place and sample",
-        0,
-    ),
-    "a5 response": (
-        "The same in a response, both ways: not refused by place, output, axis and tap",
-        0,
-    ),
-    "a5 number": ("NaN, ±inf as amplitude or onset: not refused by name", 0),
-    "a6 error": ("Drives and responses with peaks 1e-30 … 1e30, both ways: error", 1e-14),
-    "a6 levels": ("The same: RMS of each output, by every method, relative to itself", 1e-14),
-    "a7 tails": ("Drives and responses that fade into subnormal numbers: error", 1e-14),
-    "a7 peaks": ("Drives that are all subnormal, peak 1e-310: error of predict", 1e-12),
-    "a8 offset": (
-        "1e8 under a sine of 1, responses without offset, both ways: error of the steady part",
-        1e-6,
-    ),
-    "a8 ratio": ("The same: ratio", 0.1),
-}
 SEED = 1300
 BAD = (np.nan, np.inf, -np.inf, 1e31, -1e31)
 # Twelve channels are as good as 216, and quicker.
 OUTPUTS = (1, 20, 40, 72)
 LENGTHS = [900, 16_000]
+METHODS = ("mag", "pca", "rms", "soc")
 
 
 def noise(n: int, *seed: int) -> np.ndarray:
@@ -179,7 +153,7 @@ def test_peaks_of_any_size_keep_all_digits(
             noted("a6 error", abs(trace[time] - exact) / np.abs(trace).max())
     plain = scene(limb=limb, drives=(drive,), places=(4,))
     size = of_drive * of_response / np.abs(synthetic_response(4)).max()
-    for method in ("mag", "pca", "rms", "soc"):
+    for method in METHODS:
         field, expected = (
             either.by_engine(OUTPUTS, method=method)["output_rms"] for either in (shown, plain)
         )
@@ -230,3 +204,79 @@ def test_a_huge_offset_costs_no_more_than_its_own_digits(scene, limb_of, noted, 
             wrong = abs(field[output - 1, axis, time] - exact)
             noted("a8 offset", wrong / steady)
             noted("a8 ratio", wrong / (np.finfo(float).eps * np.log2(n_fft) * norms))
+
+
+def difference(values: np.ndarray, expected: np.ndarray) -> float:
+    """Largest difference, relative to the peak of the channel."""
+    peak = np.abs(expected).max(axis=-1)
+    return float((np.abs(values - expected).max(axis=-1) / peak).max())
+
+
+@pytest.mark.parametrize("onset", [0, 1, 137, 16_000])
+def test_a_single_sample_gives_the_response_and_a_later_one_the_same_later(
+    scene, limb, noted, onset
+):
+    single = scene(limb=limb, drives=(np.ones(1),), places=(4,), onsets=(onset,))
+    for field in single.both_ways():
+        noted("a9 impulse", difference(field[..., onset:], limb.response_to(4)))
+    drive = noise(300, 1)
+    once = scene(limb=limb, drives=(drive,), places=(4,)).both_ways()
+    later = scene(limb=limb, drives=(drive,), places=(4,), onsets=(onset,)).both_ways()
+    for field, expected in zip(later, once, strict=True):
+        noted("a9 shift", difference(field[..., onset:], expected))
+
+
+@pytest.fixture(scope="module", params=LENGTHS)
+def once(request, scene, limb):
+    """Give a scene, its field both ways, and its levels by method."""
+    drives = noise(request.param, 1), noise(request.param, 2)
+    single = scene(limb=limb, drives=drives, places=(4, 5), amplitudes=(0.7, -0.3))
+    levels = {way: single.by_engine(OUTPUTS, method=way)["output_rms"] for way in METHODS}
+    return single, single.both_ways(), levels
+
+
+@pytest.mark.parametrize("power", [-90, -7, 1, 90])
+def test_powers_of_two_scale_every_bit(once, limb_of, noted, power):
+    once, fields, levels = once
+    drives, size = once.drives, 2.0**power
+    louder = limb_of(lambda place: synthetic_response(place) * size)
+    scaled = [
+        replace(once, drives=(drives[0] * size, drives[1] * size)),
+        replace(once, limb=louder),
+    ]
+    if abs(power) < 10:
+        scaled.append(replace(once, amplitudes=(0.7 * size, -0.3 * size)))
+    for scaled_scene in scaled:
+        for field, expected in zip(scaled_scene.both_ways(), fields, strict=True):
+            noted("a9 powers", np.count_nonzero(field != expected * size))
+        for method, expected in levels.items():
+            field = scaled_scene.by_engine(OUTPUTS, method=method)["output_rms"]
+            noted("a9 powers", np.count_nonzero(field != expected * size))
+
+
+@pytest.mark.parametrize("n_times", LENGTHS)
+def test_prediction_is_linear(scene, limb, noted, n_times):
+    x, y = noise(n_times, 1), noise(n_times, 2)
+    together = scene(limb=limb, drives=(2.5 * x - 0.75 * y,), places=(4,)).both_ways()
+    separate = scene(limb=limb, drives=(x, y), places=(4, 4), amplitudes=(2.5, -0.75)).both_ways()
+    for field, expected in zip(together, separate, strict=True):
+        noted("a9 sum", difference(field, expected))
+
+
+@pytest.mark.parametrize("n_times", LENGTHS)
+def test_neither_the_order_of_inputs_nor_the_selection_matters(scene, limb, noted, n_times):
+    random = np.random.default_rng(SEED)
+    drives = [noise(n_times, k) for k in range(6)]
+    places, amplitudes = (
+        [3, 3, 20, 1, 8, 13],
+        [float(amplitude) for amplitude in random.uniform(-2, 2, 6)],
+    )
+    inputs = list(zip(drives, places, amplitudes, strict=True))
+    scenes = []
+    for order in (range(6), random.permutation(6), random.permutation(6)):
+        columns = tuple(zip(*(inputs[k] for k in order), strict=True))
+        scenes.append(scene(limb=limb, drives=columns[0], places=columns[1], amplitudes=columns[2]))
+    expected = scenes[0].predicted()
+    for order_scene in scenes:
+        for field in (*order_scene.both_ways(), order_scene.by_engine(selected=3)["axis_traces"]):
+            noted("a9 order", difference(field, expected))

@@ -18,25 +18,6 @@ from skinsource.signals.projection import (
     project_axes,
 )
 
-PROMISES = {
-    "f axis": ("Axis against 50 digits, gap 1e-3 or more: degrees", 1e-9),
-    "f gap": ("Gap up to 0.9 against 50 digits, and at any size of the motion: error", 1e-12),
-    "f repeatable": (
-        "Axis under random and the worst noise of 1e-6, gap 1e-3 or more: degrees it turns",
-        0.06,
-    ),
-    "f plane": ("Circle in a plane: share of the axis outside the plane, noise 0 … 1e-14", 1e-12),
-    "f no axis": (
-        "Circle, isotropic noise, ellipse 1 + 1e-6, one sample, silence: not said to have no main "
-        "axis; line, ellipses with gap 1.1e-3 or more: said to have none",
-        0,
-    ),
-    "f levels": ("Energy of a circle along its axis, noise 0 … 1e-14: relative error", 1e-12),
-    "f sign": ("Largest coefficient not positive, of ties the first; also of the turned", 0),
-    "f silence": ("Silence: axis that is not the first, or NaN", 0),
-    "f bad": ("A sample or moment that is NaN or inf: not refused by output and axis", 0),
-    "f engine": ("RMS along main axes from spectra against that in time, any gap: relative", 1e-12),
-}
 SEED = 20240607
 TIME_S = np.arange(1300) / 1300
 

@@ -2,6 +2,7 @@
 
 import argparse
 import sys
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -54,7 +55,12 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("--inputs", type=int, nargs="+", metavar="N", help="only these inputs, by number")
     add("--per", choices=("place", "input"), default="place", help="what has a channel of its own")
-    add("--file-per-input", action="store_true", help="a file of one channel for each input")
+    add(
+        "--file-per-input",
+        dest="one_file_per_input",
+        action="store_true",
+        help="a file of one channel for each input",
+    )
     add("--sync", action="store_true", help="add a channel that marks time 0, or --from")
     add(
         "--map",
@@ -71,7 +77,13 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         metavar="X",
         help="drive that is full scale, in its unit (default: the largest sample)",
     )
-    add("--dither", type=int, metavar="SEED", help="dither whole numbers, with this seed")
+    add(
+        "--dither",
+        dest="dither_seed",
+        type=int,
+        metavar="SEED",
+        help="dither whole numbers, with this seed",
+    )
     for name, (formats, options) in _choices().items():
         add(
             f"--{name}",
@@ -107,22 +119,10 @@ def _choices() -> dict[str, tuple[list[str], list[str]]]:
 
 def _export(arguments: argparse.Namespace) -> int:
     choices = {name: getattr(arguments, f"choice_{name}") for name in _choices()}
-    options = StimulusOptions(
-        per=arguments.per,
-        one_file_per_input=arguments.file_per_input,
-        inputs=arguments.inputs,
-        from_s=arguments.from_s,
-        to_s=arguments.to_s,
-        fade_in_s=arguments.fade_in_s or 0.0,
-        fade_out_s=arguments.fade_out_s or 0.0,
-        lead_in_s=arguments.lead_in_s or 0.0,
-        sync=arguments.sync,
-        channel_map=arguments.channel_map,
-        full_scale=arguments.full_scale,
-        dither_seed=arguments.dither,
-        accept_loss=arguments.accept_loss,
-        choices={name: value for name, value in choices.items() if value is not None},
-    )
+    # Flags that are given are fields of the options.
+    given = {field.name: getattr(arguments, field.name, None) for field in fields(StimulusOptions)}
+    given["choices"] = {name: value for name, value in choices.items() if value is not None}
+    options = StimulusOptions(**{name: value for name, value in given.items() if value is not None})
     rig = None if arguments.rig is None else open_rig(arguments.rig)
     exported = export_stimulus(
         open_design(arguments.design).design,

@@ -235,14 +235,6 @@ class Demand:
     leaves_velocity: bool = False
 
 
-def demand_location(placed: Sequence[Placed], selected_input: int | None) -> int | None:
-    """Return the location of the selected input, else of the first that plays."""
-    for player in placed:
-        if player.voice.id == selected_input:
-            return player.voice.location
-    return placed[0].voice.location if placed else None
-
-
 def drive_at(placed: Sequence[Placed], location: int) -> Floats:
     """Return the sum of all drives at a location, (n_times,), from time 0 on."""
     here = [player for player in placed if player.voice.location == location]
@@ -276,9 +268,10 @@ def demand_of(
     band_hz
         Frequencies at which the limb was measured; None where they are not known.
     """
-    location, model = demand_location(placed, selected_input), settings.model
-    if location is None:
+    if not placed:
         return Demand(place=None)
+    chosen = next((player for player in placed if player.voice.id == selected_input), placed[0])
+    location, model = chosen.voice.location, settings.model
     if model is None:
         return Demand(place=location, refusal=_SHAPE_ONLY)
     drive = drive_at(placed, location)

@@ -25,12 +25,7 @@ from skinsource.engine.actuator_demand import (
 from skinsource.engine.gains import Placed, Responses
 from skinsource.engine.moments import Moments, Projection
 from skinsource.engine.spectra import TotalSpectrum
-from skinsource.engine.streaming import (
-    StreamedVibration,
-    Vibration,
-    loudest_energies,
-    loudest_energies_streamed,
-)
+from skinsource.engine.streaming import StreamedVibration, Vibration, loudest_energies
 from skinsource.engine.transforms import Played, forward
 from skinsource.limbs.limb import PUBLISHED, Limb
 from skinsource.limbs.scaling import Scaling, per_probe_acceleration
@@ -505,15 +500,12 @@ def _loudest_weighted(
     stop: Stop,
 ) -> Floats:
     """Return the energy of the loudest window of the weighted vibration, (n_outputs,)."""
-    every = Projection(tuple(range(limb.n_axes)), None)
-    rate, n_window = limb.sample_rate_hz, window_samples(limb.sample_rate_hz)
+    every, rate = Projection(tuple(range(limb.n_axes)), None), limb.sample_rate_hz
     if streamed is not None:
-        weighted = streamed.played_through(lambda played: _filtered(played, weights, rate))
-        return loudest_energies_streamed(weighted, every, limb.n_outputs, n_window, stop)
-    if total is None:
-        return np.zeros(limb.n_outputs)
-    frequency_hz = _bins_hz(total.n_fft, rate)
-    return loudest_energies(total.times(weights(frequency_hz)), every, n_window, stop)
+        streamed = streamed.played_through(lambda played: _filtered(played, weights, rate))
+    elif total is not None:
+        total = total.times(weights(_bins_hz(total.n_fft, rate)))
+    return loudest_energies(total, streamed, every, limb, stop)
 
 
 def _filtered(played: Played, weights: Callable[[Floats], Floats], rate: float) -> Played:

@@ -1,7 +1,6 @@
 """Samples of clips, signal paths of tracks, and drives with their spectra, all computed once."""
 
 from collections.abc import Callable, Hashable
-from weakref import WeakValueDictionary
 
 import numpy as np
 
@@ -22,7 +21,7 @@ from skinsource.design.signal_path import (
     placed_signal_path,
 )
 from skinsource.design.waveform import Waveform
-from skinsource.engine.memory import CLIPS_BYTES, DRIVES_BYTES, Memory
+from skinsource.engine.memory import CLIPS_BYTES, DRIVES_BYTES, Memory, MemoryOfHeld
 from skinsource.engine.transforms import forward
 
 
@@ -30,9 +29,8 @@ class DrawnClips:
     """Samples of waveforms, with and without effects, in bounded memory."""
 
     def __init__(self, budget_bytes: int) -> None:
-        self._known = Memory[Floats](budget_bytes, lambda samples: samples.nbytes)
         # Long samples exceed the budget, but while a graph holds them they are not drawn again.
-        self._alive: WeakValueDictionary[Hashable, Floats] = WeakValueDictionary()
+        self._known = MemoryOfHeld[Floats](budget_bytes, lambda samples: samples.nbytes)
 
     def of(
         self,
@@ -58,16 +56,12 @@ class DrawnClips:
         return self._get((waveform, sample_rate_hz, shift_s), draw)
 
     def _get(self, key: Hashable, compute: Callable[[], Floats]) -> Floats:
-        known = self._known.find(key)
-        if known is not None:
-            return known
-        samples = self._alive.get(key)
-        if samples is None:
+        def read_only() -> Floats:
             samples = compute()
             samples.flags.writeable = False
-            self._alive[key] = samples
-        self._known.add(key, samples)
-        return samples
+            return samples
+
+        return self._known.get(key, read_only)
 
 
 _KnownClip = tuple[Clip, float, Floats | None]
@@ -140,10 +134,9 @@ class Drives:
 
     def __init__(self, budget_bytes: int = DRIVES_BYTES, clips_bytes: int = CLIPS_BYTES) -> None:
         self.clips = DrawnClips(clips_bytes)
-        self._drawn = Memory[Drive](budget_bytes, lambda drive: drive.samples.nbytes)
-        self._spectra = Memory[Complexes](budget_bytes, lambda spectrum: spectrum.nbytes)
         # Long drives exceed the budget, but while a graph holds them they are not drawn again.
-        self._alive: WeakValueDictionary[tuple[SignalPath, float], Drive] = WeakValueDictionary()
+        self._drawn = MemoryOfHeld[Drive](budget_bytes, lambda drive: drive.samples.nbytes)
+        self._spectra = Memory[Complexes](budget_bytes, lambda spectrum: spectrum.nbytes)
 
     def drawn(self, unit: UnitVoice, sample_rate_hz: float) -> Drive:
         """Return the drive of a voice.
@@ -153,13 +146,14 @@ class Drives:
         InvalidInputError
             It cannot be sampled, or a sample is not a usable number.
         """
-        key = unit.signal_path, sample_rate_hz
-        drive = self._drawn.find(key)
-        if drive is None:
-            drive = self._alive.get(key) or self._played(unit, sample_rate_hz)
-            self._alive[key] = drive
-            self._drawn.add(key, drive)
-        return drive
+
+        def drawn(part: Part) -> Floats:
+            return self.clips.of(part.waveform, part.effects, sample_rate_hz, part.shift_s)
+
+        return self._drawn.get(
+            (unit.signal_path, sample_rate_hz),
+            lambda: drive_played(unit.signal_path, sample_rate_hz, unit.location, drawn),
+        )
 
     def spectrum(
         self, unit: UnitVoice, drive: Drive, sample_rate_hz: float, n_fft: int
@@ -168,12 +162,6 @@ class Drives:
         return self._spectra.get(
             (unit.signal_path, sample_rate_hz, n_fft), lambda: forward(drive.samples, n_fft)
         )
-
-    def _played(self, unit: UnitVoice, sample_rate_hz: float) -> Drive:
-        def drawn(part: Part) -> Floats:
-            return self.clips.of(part.waveform, part.effects, sample_rate_hz, part.shift_s)
-
-        return drive_played(unit.signal_path, sample_rate_hz, unit.location, drawn)
 
 
 def delayed(spectrum: Complexes, delay_samples: int, n_fft: int) -> Complexes:

@@ -9,8 +9,8 @@ from functools import cache
 from threading import Lock
 from typing import Any
 
+from skinsource.base.arguments import checking
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.quoting import quoted
 from skinsource.base.work import Work
 from skinsource.design.design import Design
 from skinsource.design.view import View
@@ -52,13 +52,6 @@ class Evaluator:
         self, design: Design, quantities: tuple[str, ...], view: View | None = None
     ) -> dict[str, Any]:
         """Return the quantities by name; see `skinsource.evaluate`."""
-        if not isinstance(design, Design):
-            raise InvalidInputError(f"design is {quoted(design)}, expected a Design")
-        if not isinstance(view, View | None):
-            raise InvalidInputError(f"view is {quoted(view)}, expected a View or None")
-        for name in quantities:
-            if not isinstance(name, str):
-                raise InvalidInputError(f"quantity {quoted(name)} is no name of one")
         with self._lock:
             cached = self._closest(design, View() if view is None else view)
             try:
@@ -95,6 +88,7 @@ class Evaluator:
         return closest
 
 
+@checking
 def evaluate(design: Design, *quantities: str, view: View | None = None) -> dict[str, Any]:
     """Return quantities of a design; any quantity that the studio shows can be requested.
 

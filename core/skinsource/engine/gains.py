@@ -380,10 +380,6 @@ class Placed:
         """Whether it moves the skin at all."""
         return self.voice.amplitude != 0.0 and not self.drive.silent
 
-    def sounding(self, response: ResponseSpectrum) -> Sounding:
-        """Return the voice without amplitude and start, with the responses to its location."""
-        return Sounding(self.voice.unit, self.drive, response)
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CheckedVoice:
@@ -571,8 +567,9 @@ class Responses:
             return (
                 [stack.responses[location] for location in locations] if stack is not None else []
             )
-        spectra = self.remembered.responses
-        return [spectra.of(self.limb, location, self.scaling, self.n_fft) for location in locations]
+        if not locations:
+            return []
+        return self.remembered.responses.of(self.limb, locations, self.scaling, self.n_fft)
 
     def stack(self, locations: Iterable[int]) -> Stack | None:
         """Return the responses to some locations for products over blocks; None for none."""
@@ -595,7 +592,10 @@ class Responses:
         """Return voices that move the skin, with the responses to their locations and gains."""
         voices = [player for player in placed if player.moves]
         responses = self.to(player.voice.location for player in voices)
-        sounding = [player.sounding(to) for player, to in zip(voices, responses, strict=True)]
+        sounding = [
+            Sounding(player.voice.unit, player.drive, response)
+            for player, response in zip(voices, responses, strict=True)
+        ]
         return list(zip(voices, responses, self.gains(sounding, stop), strict=True))
 
     def gains(self, voices: Sequence[Sounding], stop: Stop = never) -> list[float]:

@@ -7,6 +7,7 @@ quantities it needs.  That is all the wiring there is.
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from difflib import get_close_matches
+from graphlib import CycleError, TopologicalSorter
 from inspect import signature
 from operator import is_
 from typing import Any, NamedTuple
@@ -49,7 +50,11 @@ class Graph:
         self._needs = {
             name: tuple(signature(rule).parameters) for name, rule in self._rules.items()
         }
-        self._check_for_circles()
+        try:
+            TopologicalSorter(self._needs).prepare()
+        except CycleError as error:
+            circle = " -> ".join(error.args[1])
+            raise ValueError(f"rules need each other: {circle}") from error
         self._orders: dict[tuple[frozenset[str], frozenset[str]], tuple[_Step, ...]] = {}
         self._memo: dict[str, tuple[list[Any], Any]] = {}
         self.runs: Counter[str] = Counter()
@@ -136,21 +141,6 @@ class Graph:
             result = memo[1]  # equal, so that results that depend on it stay valid
         self._memo[name] = inputs, result
         return result
-
-    def _check_for_circles(self) -> None:
-        settled: set[str] = set()
-
-        def visit(name: str, path: tuple[str, ...]) -> None:
-            if name in path:
-                raise ValueError("rules need each other: " + " -> ".join((*path, name)))
-            if name in settled or name not in self._rules:
-                return
-            for need in self._needs[name]:
-                visit(need, (*path, name))
-            settled.add(name)
-
-        for name in self._rules:
-            visit(name, ())
 
 
 class _Step(NamedTuple):

@@ -27,11 +27,7 @@ from skinsource.engine.moments import (
     needs_products,
 )
 from skinsource.engine.spectra import ResponseSpectrum, TotalSpectrum
-from skinsource.engine.streaming import (
-    StreamedVibration,
-    loudest_energies,
-    loudest_energies_streamed,
-)
+from skinsource.engine.streaming import StreamedVibration, loudest_energies
 from skinsource.limbs.limb import Limb
 from skinsource.signals.loudest_window import Span, window_samples
 from skinsource.signals.projection import Method
@@ -183,16 +179,8 @@ def loudest_rms(
     """RMS of the loudest window of each projected signal, (n_outputs,); None: not asked for."""
     if span != "loudest":
         return None
-    n_window = window_samples(limb_data.sample_rate_hz)
-    if streamed_vibration is not None:
-        energy = loudest_energies_streamed(
-            streamed_vibration, projection, limb_data.n_outputs, n_window, stop
-        )
-    elif total_spectrum is not None:
-        energy = loudest_energies(total_spectrum, projection, n_window, stop)
-    else:
-        return None
-    return np.sqrt(energy / n_window)
+    energy = loudest_energies(total_spectrum, streamed_vibration, projection, limb_data, stop)
+    return np.sqrt(energy / window_samples(limb_data.sample_rate_hz))
 
 
 def output_rms(record_rms: Floats, loudest_rms: Floats | None) -> Floats:

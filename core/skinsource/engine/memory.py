@@ -9,6 +9,7 @@ from collections import OrderedDict
 from collections.abc import Callable, Hashable
 from math import prod
 from typing import Generic, TypeVar
+from weakref import WeakValueDictionary
 
 import numpy as np
 
@@ -59,6 +60,25 @@ class Memory(Generic[V]):
         value = self.find(key)
         if value is None:
             value = compute()
+            self.add(key, value)
+        return value
+
+
+class MemoryOfHeld(Memory[V]):
+    """Memory that finds a value beyond the budget too, as long as somebody else holds it."""
+
+    def __init__(self, budget_bytes: int, size_of: Callable[[V], int]) -> None:
+        super().__init__(budget_bytes, size_of)
+        self._held: WeakValueDictionary[Hashable, V] = WeakValueDictionary()
+
+    def get(self, key: Hashable, compute: Callable[[], V]) -> V:
+        """Return the value of ``key``; ``compute`` it where nobody holds it."""
+        value = self.find(key)
+        if value is None:
+            value = self._held.get(key)
+            if value is None:
+                value = compute()
+                self._held[key] = value
             self.add(key, value)
         return value
 

@@ -4,15 +4,11 @@ The skin answers with the sum of the convolutions of drives and responses (eq. 1
 paper).  Spectra of responses and gains of drives are remembered for all threads, in bounded memory.
 """
 
-import math
-from collections import OrderedDict
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cache, partial
 from hashlib import sha256
 from itertools import islice
-from math import prod
-from threading import Lock
-from weakref import WeakKeyDictionary, ref
+from weakref import ref
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,18 +23,15 @@ from skinsource.base.work import tally
 from skinsource.design.signal_path import LARGEST, Drive, check_drive, drive_of, first_unusable
 from skinsource.engine.drives import active_samples
 from skinsource.engine.gains import Gains, exceeds_rounding, unit_gains
-from skinsource.engine.memory import PREDICT_BYTES, PREDICT_GAINS_BYTES, untouched_array
+from skinsource.engine.memory import PREDICT_BYTES, PREDICT_GAINS_BYTES
 from skinsource.engine.spectra import (
-    Norms,
     ResponseSpectra,
     ResponseSpectrum,
     actuated_limb,
-    bounded_taps,
     scaled_taps,
 )
 from skinsource.engine.streaming import StreamedVibration
 from skinsource.engine.transforms import (
-    OUTPUTS_AT_ONCE,
     Blocks,
     Played,
     add_up,
@@ -51,130 +44,6 @@ from skinsource.engine.transforms import (
 )
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling, check_scaling
-
-
-class _Places:
-    """Spectra of responses at one length; memory for ``most_places`` of them is one array."""
-
-    def __init__(self, limb: Limb, n_fft: int, most_places: int) -> None:
-        self.n_fft = n_fft
-        self._shape = limb.n_outputs, limb.n_axes, n_fft // 2 + 1
-        self._values = untouched_array((most_places, *self._shape))
-        self.known: dict[int, ResponseSpectrum] = {}
-
-    @property
-    def held_bytes(self) -> int:
-        return len(self.known) * 16 * prod(self._shape)
-
-    def add(self, taps: dict[int, Floats]) -> dict[int, ResponseSpectrum]:
-        """Transform responses by location; they are remembered as far as there is room."""
-        first = len(self.known)
-        rooms = list(self._values[first : first + len(taps)])
-        rooms += [np.empty(self._shape, np.complex128) for _ in range(len(taps) - len(rooms))]
-        spectra: dict[int, ResponseSpectrum] = {}
-
-        def transform(location: int, values: Complexes) -> None:
-            spectra[location] = _response(taps[location], values, self.n_fft)
-
-        pairs = zip(taps, rooms, strict=True)
-        run_on_two_threads(partial(transform, *pair) for pair in pairs)
-        added = {location: spectra[location] for location in taps}
-        tally(forward_transforms=len(taps) * prod(self._shape[:2]))
-        self.known |= dict(list(added.items())[: len(self._values) - first])
-        return added
-
-
-def _response(taps: Floats, values: Complexes, n_fft: int) -> ResponseSpectrum:
-    # A few outputs at a time: their spectra stay in the cache of a core.
-    for part, spectra in forward_in_parts(taps, n_fft, OUTPUTS_AT_ONCE):
-        values[part] = spectra
-    return ResponseSpectrum(taps, values, n_fft, Norms.of(taps))
-
-
-# Far more than anybody requests in turn.
-_MOST_REQUESTED = 10_000
-# Length of the transforms, and whether responses are calibrated.
-_Key = tuple[int, bool]
-_Lengths = OrderedDict[_Key, _Places]
-
-
-class SpectraOfLimbs:
-    """Spectra of responses, for all threads, in bounded memory.
-
-    Spectra of a limb are dropped together with it; of the others, the least recently used go first.
-
-    Parameters
-    ----------
-    budget_bytes
-        Memory that all spectra together may take.
-    """
-
-    def __init__(self, budget_bytes: int = PREDICT_BYTES) -> None:
-        self._budget_bytes = budget_bytes
-        self._lock = Lock()
-        # Limbs and lengths are in order of use, the latest last.
-        self._known: WeakKeyDictionary[Limb, _Lengths] = WeakKeyDictionary()
-        self._asked: WeakKeyDictionary[Limb, set[tuple[int, _Key]]] = WeakKeyDictionary()
-
-    @property
-    def held_bytes(self) -> int:
-        """Memory that the spectra take."""
-        with self._lock:
-            return self._sum()
-
-    def of(
-        self, limb: Limb, locations: Sequence[int], scaling: Scaling, n_fft: int
-    ) -> list[ResponseSpectrum]:
-        """Return the responses to each of ``places``; those not remembered are transformed."""
-        key = n_fft, scaling == "probe"
-        with self._lock:
-            lengths = self._known.pop(limb, None)
-            self._known[limb] = lengths = OrderedDict() if lengths is None else lengths
-            if key not in lengths:
-                lengths[key] = _Places(limb, n_fft, self._most_places(limb, n_fft))
-            lengths.move_to_end(key)
-            known = lengths[key].known
-            new = [location for location in dict.fromkeys(locations) if location not in known]
-            taps = {location: scaled_taps(limb, location, scaling) for location in new}
-            added = lengths[key].add(taps) if new else {}
-            self._forget()
-            return [
-                added[location] if location in added else known[location] for location in locations
-            ]
-
-    def of_one(
-        self, limb: Limb, location: int, scaling: Scaling, n_fft: int
-    ) -> ResponseSpectrum | None:
-        """Return the responses to ``location``; None where they are requested the first time.
-
-        Whoever predicts once does not pay for remembered spectra.
-        """
-        with self._lock:
-            requested = self._asked.setdefault(limb, set())
-            key = n_fft, scaling == "probe"
-            lengths = self._known.get(limb)
-            is_known = lengths is not None and key in lengths and location in lengths[key].known
-            if not is_known and (location, key) not in requested:
-                if len(requested) >= _MOST_REQUESTED:
-                    requested.clear()
-                requested.add((location, key))
-                return None
-        return self.of(limb, [location], scaling, n_fft)[0]
-
-    def _most_places(self, limb: Limb, n_fft: int) -> int:
-        each = 16 * limb.n_outputs * limb.n_axes * (n_fft // 2 + 1)
-        return min(limb.n_inputs, self._budget_bytes // each)
-
-    def _forget(self) -> None:
-        excess = self._sum() - self._budget_bytes
-        for lengths in list(self._known.values()):
-            while lengths and excess > 0:
-                _, oldest = lengths.popitem(last=False)
-                excess -= oldest.held_bytes
-
-    def _sum(self) -> int:
-        known = list(self._known.values())
-        return sum(spectra.held_bytes for lengths in known for spectra in lengths.values())
 
 
 def superposed(
@@ -466,32 +335,22 @@ def _response_to_drive(
     ((drive, location, amplitude),) = placed_drives
     known = _cached_spectra().of_one(limb, location, scaling, n_fft)
     if known is None:
-        taps, largest_tap = bounded_taps(limb, location, scaling)
+        taps = scaled_taps(limb, location, scaling)
         vibration, largest = single_response(taps, played[0], shape, n_fft)
-        energies = _energy_bounds(taps, largest_tap)
+        energy = float(np.sqrt(np.vecdot(taps, taps).max()))
     else:
         vibration, largest = single_response(known, played[0], shape, n_fft)
-        energies = iter([float(known.norms.energies.max())])
+        energy = float(known.norms.energies.max())
     gain = drive.factor
-    if scaling == "upstream" and any(
-        exceeds_rounding(largest, drive, energy, n_fft) for energy in energies
-    ):
+    if scaling == "upstream" and exceeds_rounding(largest, drive, energy, n_fft):
         gain = 1.0 / largest
     vibration *= amplitude * gain
     return vibration
 
 
-def _energy_bounds(taps: Floats, largest_tap: float) -> Iterator[float]:
-    """Yield a bound of the largest energy of a response, then that energy."""
-    # No response has more energy than one that is at the largest tap all the time.  Most often this
-    # bound is enough, and norms need not be computed.
-    yield math.sqrt(taps.shape[-1]) * largest_tap
-    yield float(Norms.of(taps).energies.max())
-
-
 @cache
-def _cached_spectra() -> SpectraOfLimbs:
-    return SpectraOfLimbs()
+def _cached_spectra() -> ResponseSpectra:
+    return ResponseSpectra(PREDICT_BYTES)
 
 
 @cache

@@ -16,7 +16,6 @@ from skinsource.engine.memory import SURFACES_BYTES, Memory
 from skinsource.engine.spectra import actuated_limb
 from skinsource.limbs.catalog import load_limb
 from skinsource.limbs.limb import Limb
-from skinsource.limbs.own_limbs import facts_of
 from skinsource.limbs.scaling import Scaling
 from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource.limbs.surface.surface import cached_surface_operator
@@ -62,11 +61,6 @@ class Shared:
         if actuated is None:
             actuated = self._actuated[key] = actuated_limb(limb_data, actuation, scaling)
         return actuated
-
-    def limb_of(self, name: str, digest: str = "") -> Limb:
-        """Return the limb that a design names."""
-        facts = facts_of(name)
-        return self.limb_data(name, digest or facts.digest, facts.mirrored)
 
     def surface(self, limb_data: Limb, stop: Stop) -> SurfaceOperator:
         """Operator from outputs to the pixels of the map."""

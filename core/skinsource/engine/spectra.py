@@ -1,11 +1,12 @@
 """Spectra of impulse responses, in bounded memory; of all voices together; behind actuators."""
 
-from collections import OrderedDict
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import pairwise
-from weakref import ref
+from math import prod
+from threading import Lock
+from weakref import WeakKeyDictionary
 
 import numpy as np
 import scipy
@@ -21,7 +22,14 @@ from skinsource.engine.memory import (
     Memory,
     untouched_array,
 )
-from skinsource.engine.transforms import Channel, driven, forward
+from skinsource.engine.transforms import (
+    OUTPUTS_AT_ONCE,
+    Channel,
+    driven,
+    forward,
+    forward_in_parts,
+    run_on_two_threads,
+)
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling, per_probe_acceleration
 
@@ -41,14 +49,11 @@ class ResponseSpectrum:
         m/s².
     values : (n_outputs, n_axes, n_fft // 2 + 1)
         Their spectra.
-    known_norms
-        Norms of the taps, where they were computed already.
     """
 
     taps: Floats
     values: Complexes
     n_fft: int
-    known_norms: "Norms | None" = None
 
     @cached_property
     def rows(self) -> Complexes:
@@ -75,7 +80,7 @@ class ResponseSpectrum:
     @cached_property
     def norms(self) -> "Norms":
         """Norms of the responses, for bounds of samples."""
-        return Norms.of(self.taps) if self.known_norms is None else self.known_norms
+        return Norms.of(self.taps)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -115,25 +120,42 @@ class Norms:
 
 
 class _Places:
-    """Spectra of responses at one length, made location by location in one array."""
+    """Spectra of responses at one length; memory for ``most_places`` of them is one array."""
 
-    def __init__(self, limb: Limb, n_fft: int) -> None:
+    def __init__(self, limb: Limb, n_fft: int, most_places: int) -> None:
         self._n_fft = n_fft
-        shape = limb.n_inputs, limb.n_outputs, limb.n_axes, n_fft // 2 + 1
-        self._values = untouched_array(shape)
-        self._known: dict[int, ResponseSpectrum] = {}
+        self._shape = limb.n_outputs, limb.n_axes, n_fft // 2 + 1
+        self._values = untouched_array((most_places, *self._shape))
+        self.known: dict[int, ResponseSpectrum] = {}
 
     @property
     def held_bytes(self) -> int:
-        return len(self._known) * self._values[0].nbytes
+        return len(self.known) * 16 * prod(self._shape)
 
-    def of(self, limb: Limb, location: int, scaling: Scaling) -> ResponseSpectrum:
-        if location not in self._known:
-            taps = scaled_taps(limb, location, scaling)
-            values = self._values[location - 1]
-            values[:] = forward(taps, self._n_fft)
-            self._known[location] = ResponseSpectrum(taps, values, self._n_fft)
-        return self._known[location]
+    def has_room(self, locations: set[int]) -> bool:
+        """Return whether there is room for ``locations`` too, or never would be for all of them."""
+        most = len(self._values)
+        return len(self.known.keys() | locations) <= most or len(locations) > most
+
+    def add(self, taps: dict[int, Floats]) -> dict[int, ResponseSpectrum]:
+        """Transform responses by location; they are remembered as far as there is room."""
+        first = len(self.known)
+        rooms = list(self._values[first : first + len(taps)])
+        rooms += [np.empty(self._shape, np.complex128) for _ in range(len(taps) - len(rooms))]
+        added = {
+            location: ResponseSpectrum(samples, values, self._n_fft)
+            for (location, samples), values in zip(taps.items(), rooms, strict=True)
+        }
+        run_on_two_threads(partial(_transform, response) for response in added.values())
+        tally(forward_transforms=len(taps) * prod(self._shape[:2]))
+        self.known |= dict(list(added.items())[: len(self._values) - first])
+        return added
+
+
+def _transform(response: ResponseSpectrum) -> None:
+    # A few outputs at a time: their spectra stay in the cache of a core.
+    for part, spectra in forward_in_parts(response.taps, response.n_fft, OUTPUTS_AT_ONCE):
+        response.values[part] = spectra
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -157,54 +179,105 @@ class Stack:
         return self.values.nbytes
 
 
-# Limb, whether responses are calibrated, length, and the locations of a stack.
-_Key = tuple[ref[Limb], bool, int, tuple[int, ...]]
+# Length of the transforms, whether responses are calibrated, and the locations of a stack.
+_Key = tuple[int, bool, tuple[int, ...]]
+# Far more than anybody requests in turn.
+_MOST_REQUESTED = 10_000
 
 
 class ResponseSpectra:
-    """Spectra by limb, location, scaling and length; the least recently used lengths go first."""
+    """Spectra of responses by limb, location, scaling and length, for all threads.
+
+    Spectra of a limb are dropped together with it; of the others, the least recently used go first.
+
+    Parameters
+    ----------
+    budget_bytes
+        Memory that all spectra together may take.
+    """
 
     def __init__(self, budget_bytes: int = RESPONSE_SPECTRA_BYTES) -> None:
         self._budget_bytes = budget_bytes
-        self._cached: OrderedDict[_Key, _Places | Stack] = OrderedDict()
+        self._lock = Lock()
+        # Limbs, and the spectra of each, are in order of use, the latest last.
+        self._cached: WeakKeyDictionary[Limb, dict[_Key, _Places | Stack]] = WeakKeyDictionary()
+        self._requested: WeakKeyDictionary[Limb, set[tuple[int, _Key]]] = WeakKeyDictionary()
 
     @property
     def held_bytes(self) -> int:
         """Memory that the spectra take."""
-        return sum(entry.held_bytes for entry in self._cached.values())
+        with self._lock:
+            return self._sum()
 
-    def of(self, limb: Limb, location: int, scaling: Scaling, n_fft: int) -> ResponseSpectrum:
-        """Return the responses to ``location``; under ``"probe"`` scaling the calibrated ones."""
-        # The key is the object, as a name may mean other data after an installation; and a weak
-        # reference, which does not keep all responses in memory.
-        key: _Key = ref(limb), scaling == "probe", n_fft, ()
-        spectra = self._cached.get(key)
-        if not isinstance(spectra, _Places):
-            spectra = _Places(limb, n_fft)
-        response = spectra.of(limb, location, scaling)
-        self._remember(key, spectra)
-        return response
+    def of(
+        self, limb: Limb, locations: Sequence[int], scaling: Scaling, n_fft: int
+    ) -> list[ResponseSpectrum]:
+        """Return the responses to each of ``locations``; those not remembered are transformed.
+
+        Under ``"probe"`` scaling they are the calibrated ones.
+        """
+        key: _Key = n_fft, scaling == "probe", ()
+        with self._lock:
+            places = self._find(limb, key)
+            if not isinstance(places, _Places) or not places.has_room(set(locations)):
+                places = _Places(limb, n_fft, self._most_places(limb, n_fft))
+            new = [each for each in dict.fromkeys(locations) if each not in places.known]
+            taps = {location: scaled_taps(limb, location, scaling) for location in new}
+            added = places.add(taps) if new else {}
+            self._remember(limb, key, places)
+            return [added[each] if each in added else places.known[each] for each in locations]
+
+    def of_one(
+        self, limb: Limb, location: int, scaling: Scaling, n_fft: int
+    ) -> ResponseSpectrum | None:
+        """Return the responses to ``location``; None where they are requested the first time.
+
+        Whoever predicts once does not pay for remembered spectra.
+        """
+        key: _Key = n_fft, scaling == "probe", ()
+        with self._lock:
+            places = self._find(limb, key)
+            is_known = isinstance(places, _Places) and location in places.known
+            requested = self._requested.setdefault(limb, set())
+            if not is_known and (location, key) not in requested:
+                if len(requested) >= _MOST_REQUESTED:
+                    requested.clear()
+                requested.add((location, key))
+                return None
+        return self.of(limb, [location], scaling, n_fft)[0]
 
     def stack(self, limb: Limb, locations: tuple[int, ...], scaling: Scaling, n_fft: int) -> Stack:
         """Return the responses to ``locations`` for matrix products."""
-        key: _Key = ref(limb), scaling == "probe", n_fft, locations
-        stack = self._cached.get(key)
-        if not isinstance(stack, Stack):
-            stack = _stack(limb, locations, scaling, n_fft)
-        self._remember(key, stack)
-        return stack
+        key: _Key = n_fft, scaling == "probe", locations
+        with self._lock:
+            stack = self._find(limb, key)
+            if not isinstance(stack, Stack):
+                stack = _stack(limb, locations, scaling, n_fft)
+            self._remember(limb, key, stack)
+            return stack
 
-    def _remember(self, key: _Key, latest: _Places | Stack) -> None:
-        self._forget_lost_limbs()
-        self._cached[key] = latest
-        self._cached.move_to_end(key)
-        while len(self._cached) > 1 and self.held_bytes > self._budget_bytes:
-            self._cached.popitem(last=False)
+    def _find(self, limb: Limb, key: _Key) -> _Places | Stack | None:
+        return self._cached.get(limb, {}).get(key)
 
-    def _forget_lost_limbs(self) -> None:
-        """Drop spectra of limbs that nobody holds any more."""
-        for key in [key for key in self._cached if key[0]() is None]:
-            del self._cached[key]
+    def _most_places(self, limb: Limb, n_fft: int) -> int:
+        each = 16 * limb.n_outputs * limb.n_axes * (n_fft // 2 + 1)
+        return min(limb.n_inputs, self._budget_bytes // each)
+
+    def _remember(self, limb: Limb, key: _Key, latest: _Places | Stack) -> None:
+        of_limb = self._cached.pop(limb, {})
+        of_limb.pop(key, None)
+        of_limb[key] = latest
+        self._cached[limb] = of_limb
+        excess = self._sum() - self._budget_bytes
+        for of_limb in list(self._cached.values()):
+            for oldest in list(of_limb):
+                if excess <= 0 or of_limb[oldest] is latest:
+                    return
+                excess -= of_limb.pop(oldest).held_bytes
+
+    def _sum(self) -> int:
+        known = list(self._cached.values())
+        return sum(spectra.held_bytes for of_limb in known for spectra in of_limb.values())
 
 
 def scaled_taps(limb: Limb, location: int, scaling: Scaling) -> Floats:
@@ -215,14 +288,9 @@ def scaled_taps(limb: Limb, location: int, scaling: Scaling) -> Floats:
     InvalidInputError
         A sample of them is not usable.
     """
-    return bounded_taps(limb, location, scaling)[0]
-
-
-def bounded_taps(limb: Limb, location: int, scaling: Scaling) -> tuple[Floats, float]:
-    """Return the same as `scaled_taps`, and the largest magnitude of them all, m/s²."""
-    taps, largest = limb.response_to(location), limb.largest_response_to(location)
+    taps = limb.response_to(location)
     # Written so that NaN, too, is checked further.
-    bad = None if largest <= LARGEST else first_unusable(taps)
+    bad = None if limb.largest_response_to(location) <= LARGEST else first_unusable(taps)
     if bad is not None:
         output, axis, tap = bad
         raise InvalidInputError(
@@ -231,9 +299,8 @@ def bounded_taps(limb: Limb, location: int, scaling: Scaling) -> tuple[Floats, f
             f"{LARGEST:g}. Install or load the limb again."
         )
     if scaling != "probe" or limb.per_unit_drive:
-        return taps, largest
-    taps = per_probe_acceleration(taps, limb.sample_rate_hz)
-    return taps, float(np.abs(taps).max(initial=0.0))
+        return taps
+    return per_probe_acceleration(taps, limb.sample_rate_hz)
 
 
 def _stack(limb: Limb, locations: tuple[int, ...], scaling: Scaling, n_fft: int) -> Stack:

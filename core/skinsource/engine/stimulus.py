@@ -437,8 +437,6 @@ def _playing_tracks(
     design: Design, inputs: Iterable[int] | None, clips: Iterable[int] | None
 ) -> tuple[Input, ...]:
     """Return audible inputs among ``inputs``, with those of their clips that are in ``clips``."""
-    if not isinstance(design, Design):
-        raise InvalidInputError(f"design is {quoted(design)}, expected a Design")
     tracks = audible_inputs(design.inputs)
     if inputs is not None:
         track_ids = {design.input(id).id for id in inputs}

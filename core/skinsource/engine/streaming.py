@@ -18,6 +18,7 @@ from skinsource.engine.drives import active_samples, delayed
 from skinsource.engine.moments import Moments, Projection
 from skinsource.engine.spectra import Stack, TotalSpectrum
 from skinsource.engine.transforms import (
+    OUTPUTS_AT_ONCE,
     Blocks,
     ChannelsOnDemand,
     Played,
@@ -25,7 +26,8 @@ from skinsource.engine.transforms import (
     inverse,
     run_on_two_threads,
 )
-from skinsource.signals.loudest_window import LoudestEnergy, loudest_energy
+from skinsource.limbs.limb import Limb
+from skinsource.signals.loudest_window import LoudestEnergy, loudest_energy, window_samples
 
 # Blocks whose spectra are one matrix product: enough for it to pay.
 _GROUP = 4
@@ -72,9 +74,8 @@ class StreamedVibration:
     def moments(self, stop: Stop = never) -> Moments:
         """Return the moments over the whole response, with all products of axes."""
         if self._moments is None:
-            n_outputs, n_axes = self._channels_shape
-            second = np.zeros((n_outputs, n_axes, n_axes))
-            total = np.zeros((n_outputs, n_axes))
+            second = np.zeros((*self._channels_shape, self._channels_shape[1]))
+            total = np.zeros(self._channels_shape)
             for _, block in self.blocks(stop):
                 second += block @ block.transpose(0, 2, 1)
                 total += block.sum(axis=-1)
@@ -269,26 +270,10 @@ class Vibration:
         return total
 
 
-# Outputs that are transformed back at once: at most 12 MB.
-_OUTPUTS_AT_ONCE = 18
-
-
 def output_groups(n_outputs: int) -> Iterator[Indices]:
     """Yield numbers of outputs, counted from 0, that are transformed back to time at once."""
-    for first in range(0, n_outputs, _OUTPUTS_AT_ONCE):
-        yield np.arange(first, min(first + _OUTPUTS_AT_ONCE, n_outputs))
-
-
-def loudest_energies(
-    total: TotalSpectrum, projection: Projection, n_window: int, stop: Stop
-) -> Floats:
-    """Return the energy of the loudest window of each projected signal, (n_outputs,)."""
-    energies = []
-    for outputs in output_groups(total.shape[0]):
-        stop_if(stop)
-        signals = projected_signals(total, projection, outputs)
-        energies.append(loudest_energy(signals, n_window))
-    return np.concatenate(energies)
+    for first in range(0, n_outputs, OUTPUTS_AT_ONCE):
+        yield np.arange(first, min(first + OUTPUTS_AT_ONCE, n_outputs))
 
 
 def projected_signals(total: TotalSpectrum, projection: Projection, outputs: Indices) -> Floats:
@@ -301,16 +286,43 @@ def projected_signals(total: TotalSpectrum, projection: Projection, outputs: Ind
     return inverse(chosen.spectra(spectra), total.n_fft)
 
 
-def loudest_energies_streamed(
-    streamed: StreamedVibration,
+#: Numbers of outputs, counted from 0, first sample, and signals, (n_outputs, n).
+Piece = tuple[Indices, int, Floats]
+
+
+def projected_pieces(
+    total: TotalSpectrum | None,
+    streamed: StreamedVibration | None,
     projection: Projection,
     n_outputs: int,
-    n_window: int,
+    stop: Stop,
+) -> Iterator[Piece]:
+    """Yield projected signals piece by piece: of a stream in time, else some outputs at a time."""
+    if streamed is not None:
+        every = range(1, n_outputs + 1)
+        for first, block in streamed.blocks_of(every, projection.axis_numbers, stop):
+            yield np.arange(n_outputs), first, projection.signals(block)
+    elif total is not None:
+        for outputs in output_groups(n_outputs):
+            stop_if(stop)
+            yield outputs, 0, projected_signals(total, projection, outputs)
+
+
+def loudest_energies(
+    total: TotalSpectrum | None,
+    streamed: StreamedVibration | None,
+    projection: Projection,
+    limb: Limb,
     stop: Stop,
 ) -> Floats:
-    """Return the same for voices that play long, block by block."""
-    loudest = LoudestEnergy((n_outputs,), n_window)
-    every = range(1, n_outputs + 1)
-    for first, block in streamed.blocks_of(every, projection.axis_numbers, stop):
-        loudest.add(first, projection.signals(block))
+    """Return the energy of the loudest 100 ms of each projected signal, (n_outputs,)."""
+    n_window = window_samples(limb.sample_rate_hz)
+    loudest = LoudestEnergy((limb.n_outputs,), n_window)
+    for outputs, first, signals in projected_pieces(
+        total, streamed, projection, limb.n_outputs, stop
+    ):
+        if streamed is not None:
+            loudest.add(first, signals)
+        else:
+            loudest.energy[outputs] = loudest_energy(signals, n_window)
     return loudest.energy

@@ -24,15 +24,13 @@ from skinsource.signals.sampling import sample_and_rest, values_at
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Moving:
-    """Acceleration of all outputs over a part of the response.
+class _PartOfResponse:
+    """All outputs over a part of the response.
 
     Attributes
     ----------
-    signals : (n_outputs, n_axes, n_times)
-        In m/s².
     first
-        Sample of the response at which they begin.
+        Sample of the response at which it begins.
     response_samples
         Samples of the whole response.
     largest
@@ -41,12 +39,24 @@ class Moving:
         Pre-trigger delay in the response.
     """
 
-    signals: Floats
     first: int
     sample_rate_hz: float
     response_samples: int
     largest: float
     delay_s: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Moving(_PartOfResponse):
+    """Acceleration of all outputs over a part of the response.
+
+    Attributes
+    ----------
+    signals : (n_outputs, n_axes, n_times)
+        In m/s².
+    """
+
+    signals: Floats
 
     @property
     def end(self) -> int:
@@ -68,23 +78,16 @@ class Moving:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class SlidingEnergy:
+class SlidingEnergy(_PartOfResponse):
     """Running sums of the squares of all outputs over a part of the response.
 
     Attributes
     ----------
     sums : (n_outputs, n_times + 1)
         Sums of the squares of all samples before each sample, (m/s²)².
-    first, sample_rate_hz, response_samples, largest, delay_s
-        As in `Moving`.
     """
 
     sums: Floats
-    first: int
-    sample_rate_hz: float
-    response_samples: int
-    largest: float
-    delay_s: float
 
     @property
     def end(self) -> int:

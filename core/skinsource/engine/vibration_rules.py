@@ -47,25 +47,28 @@ def others_spectrum(
     return sum_of_vibrations([response.values for _, response, _ in moving], spectra)
 
 
-def edited_response(
+def edited_sounding(
     responses: Responses, edited_unit: UnitVoice | None, edited_drive: Drive | None
-) -> ResponseSpectrum | None:
-    """Responses to the place of the edited voice; None: it moves nothing."""
-    if edited_unit is None or edited_drive is None or responses.n_fft is None:
+) -> Sounding | None:
+    """The edited voice with the responses to its place; None: it moves nothing, or plays long."""
+    if responses.n_fft is None or edited_unit is None or edited_drive is None:
         return None
     if edited_drive.silent:
         return None
     [response] = responses.to([edited_unit.location])
-    return response
+    return Sounding(edited_unit, edited_drive, response)
 
 
-def edited_spectrum(
-    responses: Responses, edited_unit: UnitVoice | None, edited_drive: Drive | None
-) -> Complexes | None:
+def edited_response(edited_sounding: Sounding | None) -> ResponseSpectrum | None:
+    """Responses to the place of the edited voice; None: it moves nothing."""
+    return None if edited_sounding is None else edited_sounding.response
+
+
+def edited_spectrum(responses: Responses, edited_sounding: Sounding | None) -> Complexes | None:
     """Spectrum of what the edited voice plays, from time 0 on, (n_bins,); None: silence."""
-    if responses.n_fft is None or edited_unit is None or edited_drive is None:
+    if edited_sounding is None:
         return None
-    return None if edited_drive.silent else responses.drive_spectrum(edited_unit, edited_drive)
+    return responses.drive_spectrum(edited_sounding.unit, edited_sounding.drive)
 
 
 def edited_delayed_spectrum(
@@ -77,19 +80,11 @@ def edited_delayed_spectrum(
     return delayed(edited_spectrum, edited_delay, n_fft)
 
 
-def edited_gain(
-    responses: Responses,
-    edited_unit: UnitVoice | None,
-    edited_drive: Drive | None,
-    edited_response: ResponseSpectrum | None,
-    stop: Stop,
-) -> float:
+def edited_gain(responses: Responses, edited_sounding: Sounding | None, stop: Stop) -> float:
     """What the vibration by the edited voice is multiplied with at amplitude 1."""
-    if edited_unit is None or edited_drive is None or edited_response is None:
+    if edited_sounding is None:
         return 0.0
-    if edited_drive.silent:
-        return 0.0
-    [gain] = responses.gains([Sounding(edited_unit, edited_drive, edited_response)], stop)
+    [gain] = responses.gains([edited_sounding], stop)
     return gain
 
 
@@ -132,25 +127,22 @@ def others_channels(
 
 def edited_channels(
     responses: Responses,
-    edited_unit: UnitVoice | None,
-    edited_drive: Drive | None,
-    edited_response: ResponseSpectrum | None,
+    edited_sounding: Sounding | None,
     edited_spectrum: Complexes | None,
     edited_active: Booleans,
 ) -> ChannelsOnDemand | None:
     """Vibration by the edited voice at amplitude 1 and onset 0, to be brought back to time."""
-    if edited_unit is None or edited_drive is None:
+    if edited_sounding is None or edited_spectrum is None:
         return None
-    if edited_response is None or edited_spectrum is None:
-        return None
-    values, taps = edited_response.values, edited_response.taps
-    name = ref(responses.limb), edited_unit.location, responses.scaling == "probe"
+    drive, response = edited_sounding.drive, edited_sounding.response
+    values, taps, location = response.values, response.taps, edited_sounding.unit.location
+    name = ref(responses.limb), location, responses.scaling == "probe"
     exact = responses.remembered.exact_spectra
     return ChannelsOnDemand(
         lambda channels: driven(rows_of(values, channels), edited_spectrum),
-        edited_response.n_fft,
+        response.n_fft,
         edited_active,
-        exact.of(edited_drive.samples, taps, name, edited_active.size),
+        exact.of(drive.samples, taps, name, edited_active.size),
     )
 
 
@@ -200,6 +192,7 @@ def vibration(
 RULES = (
     responses,
     others_spectrum,
+    edited_sounding,
     edited_response,
     edited_spectrum,
     edited_delayed_spectrum,

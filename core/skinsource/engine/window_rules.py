@@ -1,43 +1,37 @@
 """Rules from vibrations to the RMS of all outputs in consecutive windows, and their extent."""
 
+from collections.abc import Iterable
+
 import numpy as np
 
-from skinsource.base.arrays import Floats, Indices
+from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
-from skinsource.base.job import Stop, stop_if
+from skinsource.base.job import Stop
 from skinsource.design.signal_path import Voice
 from skinsource.engine.moments import Projection
 from skinsource.engine.spectra import TotalSpectrum
-from skinsource.engine.streaming import StreamedVibration, output_groups, projected_signals
+from skinsource.engine.streaming import Piece, StreamedVibration, projected_pieces
 from skinsource.limbs.extent import Extent, extent
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource.signals.analysis.windows import Windows, windows_over
 
 
-class WindowEnergy:
-    """Sums squares of signals within consecutive windows; signals come in pieces."""
-
-    def __init__(self, n_outputs: int, windows: Windows) -> None:
-        self._windows = windows
-        self._energy = np.zeros((windows.count, n_outputs))
-
-    def add(self, outputs: Indices, first: int, signals: Floats) -> None:
-        """Add samples of some outputs, (n_outputs, n), from sample ``first`` on."""
-        begin, length = self._windows.first_sample, self._windows.window_samples
+def rms_within(windows: Windows, pieces: Iterable[Piece], n_outputs: int) -> Floats:
+    """Return the RMS in each window of signals in pieces, (n_windows, n_outputs)."""
+    energy = np.zeros((windows.count, n_outputs))
+    begin, length = windows.first_sample, windows.window_samples
+    for outputs, first, signals in pieces:
         end = first + signals.shape[-1]
         earliest = max((first - begin) // length, 0)
-        latest = min(-((begin - end) // length), self._windows.count)
+        latest = min(-((begin - end) // length), windows.count)
         for window in range(earliest, latest):
             low = max(begin + window * length - first, 0)
             high = min(begin + (window + 1) * length - first, signals.shape[-1])
             if low < high:
                 piece = signals[:, low:high]
-                self._energy[window, outputs] += np.einsum("ot,ot->o", piece, piece)
-
-    def rms(self) -> Floats:
-        """Return the RMS of each output in each window, (n_windows, n_outputs)."""
-        return np.sqrt(self._energy / self._windows.window_samples)
+                energy[window, outputs] += np.einsum("ot,ot->o", piece, piece)
+    return np.sqrt(energy / length)
 
 
 # Transforms leave at most this share of the loudest window where there is silence.
@@ -74,17 +68,11 @@ def rms_of_windows(
     stop: Stop,
 ) -> Floats:
     """RMS of the projected signal of each output in each window, (n_windows, n_outputs), m/s²."""
-    energy = WindowEnergy(limb_data.n_outputs, windows)
-    if streamed_vibration is not None:
-        numbers = range(1, limb_data.n_outputs + 1)
-        for first, block in streamed_vibration.blocks_of(numbers, projection.axis_numbers, stop):
-            energy.add(np.arange(limb_data.n_outputs), first, projection.signals(block))
-    elif total_spectrum is not None:
-        for outputs in output_groups(limb_data.n_outputs):
-            stop_if(stop)
-            signals = projected_signals(total_spectrum, projection, outputs)
-            energy.add(outputs, 0, signals[:, :response_samples])
-    rms = energy.rms()
+    n_outputs = limb_data.n_outputs
+    pieces = projected_pieces(total_spectrum, streamed_vibration, projection, n_outputs, stop)
+    # Transforms may be longer than the response.
+    within = ((outputs, at, signals[:, : response_samples - at]) for outputs, at, signals in pieces)
+    rms = rms_within(windows, within, n_outputs)
     rms[rms < _ROUNDING * rms.max(initial=0.0)] = 0.0
     return rms
 

@@ -8,7 +8,7 @@ import hashlib
 import math
 import os
 from collections.abc import Callable, Collection, Iterable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from io import BufferedRandom, FileIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO
@@ -324,18 +324,10 @@ def output_file(path: Path, stop: Stop) -> Iterator[BinaryIO]:
     Stopped
         ``stop`` said so at the end.
     """
-    with replacing(path) as temporary, steadily_written(temporary) as file:
-        try:
+    with replacing(path) as temporary:
+        with steadily_written(temporary) as file:
             yield file
-            file.flush()
-            os.fsync(file.fileno())
-            stop_if(stop)
-        except BaseException:
-            # Delete it at once: freeing a gigabyte, when the file is closed, can take a second.
-            # Systems that cannot delete an open file do so when it is closed.
-            with suppress(OSError):
-                temporary.unlink()
-            raise
+        stop_if(stop)
 
 
 def steadily_written(path: Path) -> BinaryIO:

@@ -603,15 +603,9 @@ def traces(
     results = [evaluate(design, *_TRACE_QUANTITIES, view=view) for design in designs]
     time_s, curves = _waves(results, view.time_range_s)
     rows = _rows(1e3 * time_s, curves, view.outputs, normalised)
-    target, is_new = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
-    with style():
-        draw_rows(target, rows, labels=labels, title=title, legend_above=True)
-        removed = ", pre-trigger delay removed" if view.delay_removed else ""
-        target.set_xlabel(f"Time (ms){removed}")
-        annotate_scale(target, _scale_label(rows, normalised, view))
-        if is_new:
-            _finish(target.figure, designs)
-    return target.figure
+    removed = ", pre-trigger delay removed" if view.delay_removed else ""
+    words = f"Time (ms){removed}", _scale_label(rows, normalised, view)
+    return _signals_figure(ax, rows, designs, words, labels=labels, title=title)
 
 
 @checking
@@ -660,15 +654,9 @@ def spectra(
     within = (frequency >= low_hz) & (frequency <= high_hz)
     curves = [moving_mean(magnitude, mean_of_bins)[:, within] for _, magnitude in results]
     rows = _rows(frequency[within], curves, view.outputs, normalised)
-    target, is_new = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
-    with style():
-        draw_rows(target, rows, labels=labels, title=title, from_zero=True, legend_above=True)
-        target.set_xlabel("Frequency (Hz)")
-        averaged = f"; mean of {mean_of_bins} bins" if mean_of_bins > 1 else ""
-        annotate_scale(target, _scale_label(rows, normalised, view) + averaged)
-        if is_new:
-            _finish(target.figure, designs)
-    return target.figure
+    averaged = f"; mean of {mean_of_bins} bins" if mean_of_bins > 1 else ""
+    words = "Frequency (Hz)", _scale_label(rows, normalised, view) + averaged
+    return _signals_figure(ax, rows, designs, words, labels=labels, title=title, from_zero=True)
 
 
 def _designs(shown: Design | Sequence[Design], labels: Sequence[str]) -> list[Design]:
@@ -758,10 +746,21 @@ def _scale_label(rows: Sequence[PlotRow], normalised: bool, view: View) -> str:
     return f"{label}; a row is {rows[0].size:.3g} m/s² high"
 
 
-def _finish(figure: Any, designs: Sequence[Design]) -> None:
-    if any(facts_of(design.limb).synthetic for design in designs):
-        figure.text(0.99, 0.01, SYNTHETIC, ha="right", color=DIM, fontsize=6)
-    figure.subplots_adjust(left=0.14, right=0.97, bottom=0.17, top=0.88)
+def _signals_figure(
+    ax: Any, rows: Sequence[PlotRow], designs: Sequence[Design], words: tuple[str, str], **how: Any
+) -> Any:
+    """Draw rows into ``ax``, or a figure of their own; ``words``: label of x, and of the scale."""
+    target, is_new = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
+    figure, (label, scale) = target.figure, words
+    with style():
+        draw_rows(target, rows, legend_above=True, **how)
+        target.set_xlabel(label)
+        annotate_scale(target, scale)
+        if is_new and any(facts_of(design.limb).synthetic for design in designs):
+            figure.text(0.99, 0.01, SYNTHETIC, ha="right", color=DIM, fontsize=6)
+        if is_new:
+            figure.subplots_adjust(left=0.14, right=0.97, bottom=0.17, top=0.88)
+    return figure
 
 
 _DEFAULT_COUNT = 5
@@ -808,8 +807,6 @@ def windowed_levels(
     design: Design, view: View | None = None, *, count: int | None, window_s: float | None
 ) -> WindowedLevels:
     """Return RMS and extent in each window of the signals that ``view`` projects."""
-    if not isinstance(design, Design):
-        raise InvalidInputError(f"design is {quoted(design)}, expected a Design")
     if (count is None) == (window_s is None):
         raise InvalidInputError(
             f"count is {count} and window_s is {window_s}: expected one of them, and no other"

@@ -9,6 +9,7 @@ import skinsource as ss
 from skinsource.base.errors import FileFormatError
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
+from skinsource.engine.analysis_rules import SILENT_DB
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.perception.hand_arm import hand_arm_weighting
 from skinsource.perception.sensation import site_offsets_db
@@ -79,6 +80,30 @@ def test_a_steady_tone_lies_as_far_above_threshold_as_its_acceleration(frequency
 def test_what_lies_outside_the_measured_band_counts_for_nothing():
     slow = sensation_of(tone(8.0, 2.0)).level_db
     assert slow.max() < sensation_of(tone(40.0, 2.0)).level_db.max() - 30.0
+
+
+def test_streamed_designs_are_felt_as_short_ones():
+    short = sensation_of(tone(120.0, onset_s=1.0)).level_db
+    silent = ss.track(9, ss.waveforms.Tone(duration_s=0.05), amplitude=1e-9, onset_s=400.0)
+    long = sensation_of(tone(120.0, onset_s=1.0), silent).level_db
+    assert long == pytest.approx(short, abs=0.01)
+
+
+def test_small_contacts_raise_the_threshold_of_p_only():
+    view = with_settings(View(), "perception", PerceptionSettings(area_cm2=1.45))
+    usual, small = sensation_of(tone(200.0)), sensation_of(tone(200.0), view=view)
+    assert usual.by_channel["P"] - small.by_channel["P"] == pytest.approx(
+        np.where(usual.by_channel["P"] > SILENT_DB, 3.01, 0.0), abs=0.01
+    )
+    assert small.by_channel["NP I"] == pytest.approx(usual.by_channel["NP I"])
+
+
+def test_the_arm_is_governed_by_np_and_silence_is_not_felt():
+    sensation = sensation_of(tone(100.0))
+    assert (sensation.by_channel["P"][42:60] == SILENT_DB).all()
+    silent = sensation_of()
+    assert (silent.level_db == SILENT_DB).all()
+    assert (silent.strength == 0.0).all()
 
 
 def test_own_thresholds_come_from_a_table_in_either_unit(tmp_path):

@@ -8,6 +8,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
+from skinsource.engine.analysis_rules import noise_rms_of_windows, windows_in_noise
 from skinsource.export.tables import export_windows
 from skinsource.signals.analysis.noise import predicted_noise_energy, windowed_noise_energy
 from skinsource.signals.analysis.windows import Windows
@@ -61,6 +62,25 @@ def test_windows_before_and_after_the_wave_are_noise_and_those_with_it_are_not(m
     assert set(range(67, 73)) <= set(values["noisy_outputs_of_windows"][3])
     assert values["noisy_outputs_of_windows"][0] == tuple(range(1, 73))
     assert 29 not in values["noisy_outputs_of_windows"][3]
+
+
+def test_the_noise_of_a_snapshot_that_is_matched_is_as_much_louder(measured):
+    names = ("place_drives", "limb_data", "projection", "windows")
+    given = ss.evaluate(LATE, *names, view=VIEW)
+    once, thrice = (
+        noise_rms_of_windows(**given, scaling=LATE.scaling, actuation=None, match_gain=gain)
+        for gain in (1.0, 3.0)
+    )
+    assert thrice == pytest.approx(3.0 * once)
+
+
+def test_outputs_without_a_place_on_the_map_do_not_make_a_window_more_than_noise():
+    limb = ss.load_limb("synthetic-1")
+    noise, rms = np.full((2, 72), 0.1), np.full((2, 72), 0.1)
+    rms[0, 60:66] = 5.0
+    rms[1, 30] = 5.0
+    assert windows_in_noise(rms, noise, limb) == (True, False)
+    assert windows_in_noise(rms, None, limb) == (False, False)
 
 
 def test_a_synthetic_limb_and_silence_have_no_noise_in_windows():

@@ -38,17 +38,6 @@ def test_each_figure_is_its_definition():
     assert result.medians[2] == pytest.approx(np.median(result.correlation))
 
 
-def test_a_channel_of_predicted_silence_counts_and_has_no_correlation():
-    ours, theirs = FIELD.copy(), FIELD.copy()
-    ours[2, 1] = 0.0
-    result = agreement(ours, theirs, 0.0)
-    assert result.counted.all()
-    assert result.amplitude_percent[2, 1] == pytest.approx(100.0)
-    assert np.argwhere(np.isnan(result.correlation)).tolist() == [[2, 1]]
-    assert np.isfinite(result.medians).all()
-    assert result.medians[2] == pytest.approx(1.0)
-
-
 def test_channels_below_twice_the_noise_do_not_count():
     rms = np.sqrt(np.mean(FIELD**2, axis=-1))
     noise = rms / 2.0
@@ -66,15 +55,6 @@ def test_a_shifted_measurement_is_brought_back(lag):
     pulse[..., 200:260] = np.hanning(60) * [[[1.0]], [[0.3]]]
     late = np.roll(pulse, -lag, axis=-1)[..., :450]
     field, shift = aligned(late, pulse, 100)
-    assert shift == lag
-    assert field == pytest.approx(pulse, abs=1e-12)
-
-
-@pytest.mark.parametrize("lag", [-40, -7, 0, 12, 42])
-def test_a_search_beyond_both_lengths_finds_the_shift_too(lag):
-    pulse = np.zeros((3, 2, 90))
-    pulse[..., 42:48] = np.hanning(6) * [[[1.0], [0.2]]]
-    field, shift = aligned(np.roll(pulse, -lag, axis=-1), pulse, 800)
     assert shift == lag
     assert field == pytest.approx(pulse, abs=1e-12)
 

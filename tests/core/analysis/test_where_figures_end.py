@@ -1,15 +1,19 @@
 """Where figures of analysis begin and end: bands, thresholds, shares, and what counts."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 import skinsource as ss
+from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.base.job import never
 from skinsource.design.view import View
-from skinsource.engine.analysis_rules import line_wave
+from skinsource.engine.analysis_rules import contact_weighted_rms, line_wave, output_noise_rms
+from skinsource.engine.moments import Projection
+from skinsource.limbs.catalog import load_limb
 from skinsource.perception.validity import drive_findings
 from skinsource.signals.analysis.wave_speed import travelling_wave
-from tests.core.own_limbs.lab_bench import installed
 
 RATE = 1300.0
 LINE = (20, 22, 24, 26)
@@ -60,6 +64,47 @@ def test_a_wave_is_followed_along_z_whatever_axes_are_chosen():
     assert line_wave.wave.level_db == pytest.approx(levels_db, abs=1e-9)
 
 
+def test_delays_count_from_the_first_input_that_is_heard():
+    audible, view = tone(120.0, duration_s=0.1, onset_s=0.3), View(outputs=(20,))
+    muted, still = replace(tone(60.0, place=3), muted=True), tone(60.0, 0.0, place=4)
+    alone, beside = (
+        ss.evaluate(ss.Design(limb="synthetic-1", inputs=inputs), "output_statistics", view=view)
+        for inputs in ((audible,), (muted, still, audible))
+    )
+    assert 0.04 < alone["output_statistics"].delay_s[0] < 0.08
+    assert beside["output_statistics"].delay_s == pytest.approx(
+        alone["output_statistics"].delay_s, abs=1e-6
+    )
+
+
+def test_noise_along_a_direction_is_that_of_independent_axes():
+    direction = np.array([[0.6, 0.8, 0.0], [1.0, 0.0, 0.0]])
+    energy = np.array([[4.0, 9.0, 16.0], [4.0, 9.0, 16.0]])
+    noise_rms = output_noise_rms(energy, Projection((0, 1, 2), direction), 10)
+    rng = np.random.default_rng(12)
+    axes = rng.normal(size=(2, 3, 200_000)) * np.sqrt(energy / 10)[..., None]
+    drawn = np.einsum("oa,oat->ot", direction, axes)
+    assert noise_rms == pytest.approx(drawn.std(axis=-1), rel=0.01)
+    length = output_noise_rms(energy, Projection((0, 1, 2), None), 10)
+    assert length == pytest.approx(np.sqrt([2.9, 2.9]))
+
+
+def test_above_the_measured_band_nothing_is_felt():
+    def level_db(frequency_hz):
+        design = ss.Design(limb="synthetic-1", inputs=(tone(frequency_hz, 50.0),), scaling="probe")
+        return ss.evaluate(design, "sensation")["sensation"].level_db.max()
+
+    assert level_db(590.0) - level_db(630.0) > 20.0
+
+
+def test_the_weighted_acceleration_of_a_contact_is_not_told_behind_an_actuator():
+    drives, limb = ((8, sine(100.0)),), load_limb("synthetic-1")
+    ((place, weighted),) = contact_weighted_rms(drives, limb, "probe", None)
+    assert (place, weighted > 0.0) == (8, True)
+    bench = Actuation(actuators=(ActuatorAt(model=ss.actuators.load("example-voice-coil")),))
+    assert contact_weighted_rms(drives, limb, "probe", bench) is None
+
+
 @pytest.mark.parametrize(("share", "state"), [(0.04, "kept"), (0.06, "left"), (0.15, "left")])
 def test_a_twentieth_of_the_energy_may_lie_where_it_should_not(share, state):
     weights = np.sqrt(1.0 - share), np.sqrt(share)
@@ -71,22 +116,3 @@ def test_shares_of_several_drives_are_weighed_by_their_energy():
     loud, soft = sine(100.0, 10.0), sine(10.0, 1.0)
     assert lamp("band", loud, soft).state == "kept"
     assert lamp("band", sine(100.0, 1.0), sine(10.0, 10.0)).sentence.startswith("99%")
-
-
-@pytest.mark.parametrize("answers_drive", [True, False])
-def test_of_a_probe_whose_drive_has_no_known_unit_nothing_is_told(user_data, answers_drive):
-    installed(per_unit_drive=answers_drive)
-    design = ss.Design(limb="lab-1", inputs=(tone(100.0, 2.0, place=3),), scaling="probe")
-    quantities = "validity", "fastest_probe_m_per_s", "contact_weighted_rms"
-    values = ss.evaluate(design, *quantities)
-    drive = next(finding for finding in values["validity"] if finding.name == "drive")
-    if answers_drive:
-        assert (drive.state, drive.repair) == ("unknown", "")
-        assert "a drive of unknown unit" in drive.sentence
-        assert values["fastest_probe_m_per_s"] is None
-        assert values["contact_weighted_rms"] is None
-    else:
-        assert drive.state == "kept"
-        assert values["fastest_probe_m_per_s"] == pytest.approx(2.0 / (200.0 * np.pi), rel=0.05)
-        ((place, weighted),) = values["contact_weighted_rms"]
-        assert (place, weighted > 0.0) == (3, True)

@@ -9,12 +9,9 @@ import pytest
 
 import skinsource as ss
 from skinsource.export.formats.chips import envelope_of
+from tests.core.exporting.export_bench import sidecar
 
 FLAGS = ("-Wall", "-Wextra", "-Werror", "-pedantic")
-
-
-def sidecar(path):
-    return json.loads(path.with_name(f"{path.name}.json").read_text(encoding="utf-8"))
 
 
 def arrays_of(path):
@@ -108,17 +105,6 @@ def test_bos1901_gets_12_bits_that_begin_and_end_at_0_volts(design, tmp_path):
     assert sidecar(path)["rate_hz"] == 8000
 
 
-def test_drv2665_gets_8_bits_at_8_khz_that_begin_and_end_at_0(design, tmp_path):
-    path = tmp_path / "a.h"
-    ss.export_stimulus(design, path, "drv2665")
-    arrays, _ = arrays_of(path)
-    drive = ss.stimulus_of(design, 8000).samples
-    expected_values = drive / np.abs(drive).max() * 127
-    for values, row in zip(arrays.values(), expected_values, strict=True):
-        assert values[0] == values[-1] == 0
-        assert np.abs(values[1:-1] - row).max() <= 0.5 + 1e-9
-
-
 def test_a_haptic_file_keeps_the_rules_of_its_format(tone, tmp_path):
     path = tmp_path / "a.haptic"
     ss.export_stimulus(tone, path, "haptic", 48_000)
@@ -198,12 +184,3 @@ def test_control_points_for_android_add_up_to_the_length(tone, tmp_path):
     assert at[560] < 0.1
     assert at[480] > 0.9
     assert at[520] < 0.5
-
-
-@pytest.mark.parametrize("name", ["haptic", "ahap", "pwle"])
-def test_each_actuator_has_a_file_of_its_own(design, tmp_path, name):
-    path = tmp_path / "a.x"
-    done = ss.export_stimulus(design, path, format=name)
-    assert done.files == (path, tmp_path / "a_channel-2.x")
-    assert [sidecar(file)["places"] for file in done.files] == [[7], [12]]
-    assert all(sidecar(file)["loses"].startswith("The waveform:") for file in done.files)

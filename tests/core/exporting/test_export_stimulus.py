@@ -1,4 +1,4 @@
-"""`ss.export_stimulus`: defaults, options, refusals, sidecar."""
+"""`ss.export_stimulus`: defaults, options, refusals, what is told before and in the sidecar."""
 
 import hashlib
 import json
@@ -8,17 +8,11 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.base.errors import InvalidInputError
-from skinsource.export.formats import FORMATS
+from skinsource.base.errors import InvalidInputError, NotConfirmedError, Stopped, StorageError
+from skinsource.export.formats import arrays, format_named
+from skinsource.export.stimulus_export.export import written_files
+from skinsource.export.stimulus_export.preparing import prepare_stimulus
 from tests.core.exporting.export_bench import exported, read, sidecar
-
-
-def test_the_formats_are_listed_by_name():
-    assert {"wav", "flac", "csv", "npz", "mat", "hdf5", "c-header", "bids"} <= set(
-        ss.export_formats()
-    )
-    assert len({form.title for form in FORMATS}) == len(FORMATS)
-    assert all(form.hint for form in FORMATS)
 
 
 def test_the_largest_sample_of_all_channels_is_full_scale_and_the_ratio_is_kept(design, tmp_path):
@@ -94,12 +88,6 @@ def test_the_ending_tells_the_format(design, tmp_path):
         ss.export_stimulus(design, tmp_path / "a.xyz")
 
 
-def test_time_0_of_the_file_is_time_0_of_the_design(tmp_path):
-    late = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Impulse(), onset_s=0.1),))
-    exported(late, tmp_path / "a.wav")
-    assert np.argmax(read(tmp_path / "a.wav")[0]) == 800
-
-
 def test_options_come_in_the_order_of_time(design, tmp_path):
     path = tmp_path / "a.wav"
     exported(
@@ -141,11 +129,6 @@ def test_each_input_can_have_a_file_of_its_own_with_one_full_scale_for_all(desig
     assert not (tmp_path / "a.wav").exists()
 
 
-def test_a_selection_is_exported_alone(design, tmp_path):
-    exported(design, tmp_path / "a.wav", inputs=(2,))
-    assert sidecar(tmp_path / "a.wav")["places"] == [12]
-
-
 def test_a_full_scale_of_ones_own_is_kept_for_a_whole_set(design, tmp_path):
     done = ss.export_stimulus(design, tmp_path / "a.wav", rate_hz=8000, full_scale=4.0)
     assert done.gain == 0.25
@@ -177,10 +160,197 @@ def test_dither_is_that_of_its_seed_and_clips_nothing(design, tmp_path):
     assert 0.6 < np.abs(steps - integers).max() <= 1.5
 
 
-def test_lossy_formats_say_what_they_lose(design, tmp_path):
-    options = ss.StimulusOptions(choices={"samples": "pcm16"})
-    ss.export_stimulus(design, tmp_path / "a.wav", options=options)
-    assert "98 dB" in sidecar(tmp_path / "a.wav")["loses"]
-    assert sidecar(tmp_path / "a.wav")["errors"]["rounding_db"] < -96
-    ss.export_stimulus(design, tmp_path / "b.wav")
-    assert sidecar(tmp_path / "b.wav")["loses"] == ""
+PULSE = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Impulse()),))
+LATE = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Impulse(), onset_s=0.1),))
+
+
+def caution_of(tmp_path, design, **options):
+    exported(design, tmp_path / "a.wav", **options)
+    return sidecar(tmp_path / "a.wav")["edges"]
+
+
+def test_a_pulse_at_time_0_is_said_to_be_cut_and_a_lead_in_keeps_all_of_it(tmp_path):
+    message = caution_of(tmp_path, PULSE)
+    assert message.startswith(
+        "Channel 1 begins at 100 % of its peak: what lies before time 0 is cut off. A lead-in of "
+        "0.1 s keeps it."
+    )
+    (cut,) = read(tmp_path / "a.wav")
+    assert "begins" not in caution_of(tmp_path, PULSE, lead_in_s=0.1)
+    assert sidecar(tmp_path / "a.wav")["start_s"] == -0.1
+    (samples,) = read(tmp_path / "a.wav")
+    # At 8 kHz time 0 is sample 800, and a pulse there is as whole as one that comes later.
+    np.testing.assert_array_equal(samples[800:], cut)
+    exported(LATE, tmp_path / "late.wav")
+    np.testing.assert_allclose(samples, read(tmp_path / "late.wav")[0], atol=1e-6)
+    assert np.abs(samples[:800]).max() > 0.5
+    assert "A longer lead-in keeps it." in caution_of(tmp_path, PULSE, lead_in_s=0.0003)
+
+
+def test_a_lead_in_of_any_length_leaves_time_0_where_it_is():
+    whole = ss.stimulus_of(LATE, 44_100).samples
+    for lead_in_s, n in ((0.01, 441), (0.0333, 1469), (1 / 44_100, 1)):
+        early = ss.stimulus_of(PULSE, 44_100, lead_in_s=lead_in_s)
+        assert early.start_s == -n / 44_100
+        np.testing.assert_allclose(early.samples, whole[:, 4410 - n :], rtol=0, atol=1e-12)
+    own = ss.stimulus_of(PULSE, lead_in_s=0.01).samples
+    assert np.flatnonzero(own).tolist() == [13]
+
+
+def test_soft_ends_say_nothing_and_hard_ones_of_a_part_say_what_helps(tmp_path):
+    gabor = ss.waveforms.Gabor(frequency_hz=200.0)
+    soft = ss.Design(limb="synthetic-1", inputs=(ss.track(7, gabor, onset_s=0.1),))
+    assert caution_of(tmp_path, soft) == ""
+    tone = ss.waveforms.Tone(frequency_hz=100.0, phase_rad=1.5, window="none")
+    hard = ss.Design(limb="synthetic-1", inputs=(ss.track(7, tone), ss.track(12, tone)))
+    part = caution_of(tmp_path, hard, from_s=0.1, to_s=0.15)
+    assert part.startswith("2 channels begin at up to ")
+    assert "before that part is cut off. A fade-in softens it." in part
+    assert part.endswith("A fade-out softens it.")
+    assert caution_of(tmp_path, hard, from_s=0.1, to_s=0.15, fade_in_s=0.01, fade_out_s=0.01) == ""
+
+
+TONE = ss.waveforms.Tone(frequency_hz=101.0, duration_s=0.4)
+PAIR = ss.Design(limb="synthetic-1", inputs=(ss.track(8, TONE), ss.track(13, TONE)))
+SINGLE = replace(PAIR, inputs=PAIR.inputs[:1])
+
+
+@pytest.mark.parametrize("layout", ["table", "plain", "keysight", "pwl"])
+@pytest.mark.parametrize("rate_hz", [1300, 8000])
+def test_a_table_is_about_as_large_as_told_in_each_layout(tmp_path, layout, rate_hz):
+    options = ss.StimulusOptions(choices={"layout": layout})
+    path = tmp_path / "drive.csv"
+    told_bytes = prepare_stimulus(SINGLE, format_named("csv"), rate_hz, options).n_bytes
+    ss.export_stimulus(SINGLE, path, "csv", rate_hz, options=options)
+    assert told_bytes == pytest.approx(path.stat().st_size, rel=0.15)
+
+
+def test_what_is_predicted_counts_unless_it_is_too_much_to_be_written(tmp_path, monkeypatch):
+    path, sizes = tmp_path / "drive.h5", []
+    for _ in range(2):
+        told_bytes = prepare_stimulus(
+            SINGLE, format_named("hdf5"), None, ss.StimulusOptions()
+        ).n_bytes
+        ss.export_stimulus(SINGLE, path)
+        sizes.append((told_bytes, path.stat().st_size))
+        monkeypatch.setattr(arrays, "_MOST_RESPONSE_BYTES", 1e5)
+    assert sizes[0][0] == pytest.approx(sizes[0][1], rel=0.05)
+    assert max(sizes[1]) < 20_000
+
+
+@pytest.mark.parametrize("several", [False, True])
+@pytest.mark.parametrize("name", ss.export_formats())
+def test_the_files_that_are_told_are_those_that_are_written(tmp_path, name, several):
+    kind, options = format_named(name), ss.StimulusOptions(one_file_per_input=several)
+    path = tmp_path / f"a.b{kind.suffix}"
+    prepared = prepare_stimulus(PAIR, kind, None, options)
+    ss.export_stimulus(PAIR, path, name, options=options, confirmed=True)
+    promised = [file for files in written_files(prepared, path) for file in files]
+    assert sorted(promised) == sorted(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("kind", ["float32", "pcm16"])
+def test_what_clips_is_refused_until_it_is_confirmed(design, tmp_path, kind):
+    path = tmp_path / "a.wav"
+    options = ss.StimulusOptions(full_scale=0.5, choices={"samples": kind})
+    drive = ss.stimulus_of(design, 48_000).samples / 0.5
+    counts = np.count_nonzero(np.abs(drive) > 1.0, axis=1)
+    with pytest.raises(NotConfirmedError, match=rf"channel 2 \(Digit II, base\) {counts[1]}"):
+        ss.export_stimulus(design, path, options=options)
+    assert list(tmp_path.iterdir()) == []
+    done = ss.export_stimulus(design, path, options=options, confirmed=True)
+    assert done.clip_count == counts.sum()
+    about = sidecar(path)
+    assert about["clip_count"] == counts.sum()
+    assert [channel["clip_count"] for channel in about["channels"]] == counts.tolist()
+    assert "cuts them off" in about["confirmed"][0]
+    if kind == "pcm16":
+        limited = np.clip(drive, -1.0, 1.0)
+        np.testing.assert_allclose(read(path) * 32768 / 32767, limited, rtol=0, atol=2e-5)
+
+
+def test_numbers_that_no_device_plays_do_not_clip(design, tmp_path):
+    options = ss.StimulusOptions(full_scale=0.5)
+    done = ss.export_stimulus(design, tmp_path / "a.npz", options=options)
+    assert done.clip_count == 0
+    with np.load(tmp_path / "a.npz") as archive:
+        np.testing.assert_allclose(
+            archive["drive"] * 0.5, ss.stimulus_of(design).samples.T, rtol=1e-15
+        )
+
+
+def test_a_limit_that_is_passed_must_be_confirmed(design, tmp_path):
+    listings = []
+
+    def limit(drives):
+        listings.append((drives.unit, np.abs(drives.samples).max()))
+        return ["Channel 1 reaches 45 mm/s, more than 40 mm/s."]
+
+    path = tmp_path / "a.wav"
+    with pytest.raises(NotConfirmedError, match="more than 40 mm/s"):
+        ss.export_stimulus(design, path, limits=(limit,))
+    assert not path.exists()
+    # Limits see drives in their own unit, not parts of full scale.
+    peak = np.abs(ss.stimulus_of(design, 48_000).samples).max()
+    assert listings == [("m/s²", peak)]
+    ss.export_stimulus(design, path, limits=(limit,), confirmed=True)
+    assert sidecar(path)["confirmed"] == ["Channel 1 reaches 45 mm/s, more than 40 mm/s."]
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"format": "mp3"}, "choose from wav"),
+        ({"rate_hz": 44_100.5}, "sample_rate_hz is 44100.5"),
+        ({"rate_hz": 0}, "sample_rate_hz is 0"),
+        ({"options": ss.StimulusOptions(choices={"samples": "pcm8"})}, "one of float32, pcm24"),
+        ({"options": ss.StimulusOptions(choices={"layout": "table"})}, "offers samples"),
+        ({"options": ss.StimulusOptions(from_s=0.2, to_s=0.1)}, "to_s is 0.1"),
+        ({"options": ss.StimulusOptions(inputs=(4,))}, "Nothing is heard"),
+        ({"options": ss.StimulusOptions(channel_map=(1,))}, "Channel map"),
+    ],
+)
+def test_what_cannot_be_had_is_refused_and_nothing_is_written(design, tmp_path, changes, message):
+    call = {"format": "wav", "rate_hz": 48_000, **changes}
+    with pytest.raises(InvalidInputError, match=message):
+        ss.export_stimulus(design, tmp_path / "a.wav", **call)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_more_channels_than_a_format_holds_are_refused(many, tmp_path):
+    with pytest.raises(InvalidInputError, match="at most 8 channels, found 16"):
+        ss.export_stimulus(many, tmp_path / "a.flac")
+    eight = ss.StimulusOptions(inputs=tuple(range(1, 9)))
+    ss.export_stimulus(many, tmp_path / "a.flac", options=eight)
+
+
+@pytest.mark.parametrize("name", ss.export_formats())
+def test_where_nothing_can_be_written_one_sentence_says_so(design, tmp_path, name):
+    with pytest.raises(StorageError, match="Choose a folder that exists"):
+        ss.export_stimulus(design, tmp_path / "missing" / "a", format=name)
+
+
+def test_a_folder_of_that_name_is_left_alone(design, tmp_path):
+    (tmp_path / "a.wav").mkdir()
+    with pytest.raises(StorageError, match="Choose another name"):
+        ss.export_stimulus(design, tmp_path / "a.wav")
+    assert [file.name for file in tmp_path.iterdir()] == ["a.wav"]
+
+
+@pytest.mark.parametrize("name", ss.export_formats())
+def test_an_export_that_is_stopped_leaves_what_was_there(design, tmp_path, name):
+    asked: list[int] = []
+
+    def count():
+        asked.append(1)
+        return False
+
+    path = tmp_path / "a"
+    ss.export_stimulus(design, path, format=name, stop=count)
+    before = sorted((file.name, file.stat().st_mtime_ns) for file in tmp_path.iterdir())
+    times = len(asked)
+    # As late as it is asked at all.
+    late = iter([*[False] * (times - 1), True])
+    with pytest.raises(Stopped):
+        ss.export_stimulus(design, path, format=name, stop=lambda: next(late))
+    assert sorted((file.name, file.stat().st_mtime_ns) for file in tmp_path.iterdir()) == before

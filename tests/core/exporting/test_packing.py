@@ -2,7 +2,6 @@
 
 import hashlib
 import importlib
-import io
 import json
 import zipfile
 from dataclasses import replace
@@ -71,15 +70,6 @@ def test_its_design_is_the_design_and_its_digests_are_those_of_its_files(packed,
     assert set(about["sha256"]) == names(packed) - {"about.json"}
     for name, digest in about["sha256"].items():
         assert hashlib.sha256(read(packed, name)).hexdigest() == digest
-
-
-def test_the_stimulus_is_that_of_the_design(packed):
-    import soundfile
-
-    samples, rate = soundfile.read(io.BytesIO(read(packed, "stimulus.wav")))
-    assert rate == 48_000
-    assert samples.ndim == 1
-    assert abs(samples).max() == pytest.approx(1.0, abs=1e-3)
 
 
 def test_the_same_design_gives_the_same_bytes(packed, tmp_path):

@@ -5,7 +5,6 @@ import json
 import runpy
 import sys
 import types
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -120,11 +119,6 @@ def test_it_plays_what_was_exported_with_a_trigger_that_can_be_read(
     assert row["underflows"] == "0"
 
 
-def test_without_options_it_is_20_db_below_full_scale(player, card):
-    player.main([])
-    assert np.abs(np.concatenate(card.streams[0].played)).max() == pytest.approx(0.1)
-
-
 @pytest.mark.parametrize("code", [0, 1, 37, 128, 255])
 @pytest.mark.parametrize("rate_hz", [8000, 44_100, 48_000])
 def test_every_code_reads_back_also_late_and_noisy(player, code, rate_hz):
@@ -149,49 +143,6 @@ def test_outputs_of_the_stimulus_are_not_taken_for_anything_else(player):
         player.main(["--gain-db", "3"])
 
 
-def test_no_log_of_an_earlier_session_is_lost(folder, player, capsys, design):
-    for _ in range(3):
-        player.main([])
-    printed = capsys.readouterr().out.split()
-    logs = [folder / name for name in ("log.csv", "log-2.csv", "log-3.csv")]
-    assert printed == [str(log) for log in logs]
-    before = [log.read_text() for log in logs]
-    ss.export_stimulus(design, folder, format="psychopy", rate_hz=8000)
-    assert [log.read_text() for log in logs] == before
-
-
-def test_what_the_card_does_not_do_is_one_sentence(player, card):
-    class Refused(card.OutputStream):
-        def __init__(self, **_):
-            raise ValueError("No output device matching 'nope'")
-
-    card.OutputStream = Refused
-    with pytest.raises(SystemExit, match=r"matching 'nope': see python play.py --list"):
-        player.main(["--device", "nope"])
-
-    def playrec(*_, **__):
-        raise card.PortAudioError("Invalid number of channels")
-
-    card.playrec = playrec
-    with pytest.raises(SystemExit, match="Invalid number of channels: see"):
-        player.main(["--loopback", "1", "1"])
-
-
-def test_a_device_that_stops_before_the_end_ends_the_session(player, card, folder):
-    class Gone(card.OutputStream):
-        def __enter__(self):
-            block = np.zeros((256, self.shape), np.float32)
-            about = types.SimpleNamespace(currentTime=1.0, outputBufferDacTime=1.0)
-            self.callback(block, 256, about, types.SimpleNamespace(output_underflow=False))
-            return self
-
-    card.OutputStream = Gone
-    with pytest.raises(SystemExit, match=r"stopped after 0\.005 s: is it connected"):
-        player.main([])
-    # The row that was not played to its end is not in the log.
-    assert len((folder / "log.csv").read_text().splitlines()) == 1
-
-
 def test_an_earlier_folder_is_replaced_and_a_foreign_one_is_not(design, tmp_path):
     path = tmp_path / "session"
     ss.export_stimulus(design, path, format="psychopy")
@@ -210,8 +161,3 @@ def test_an_earlier_folder_is_replaced_and_a_foreign_one_is_not(design, tmp_path
         "session.json",
         "thesis",
     ]
-
-
-def test_the_player_needs_nothing_of_the_library():
-    text = Path(ss.__file__).parents[2].joinpath("data", "player", "play.py").read_text()
-    assert "skinsource" not in text

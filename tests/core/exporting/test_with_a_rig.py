@@ -1,11 +1,9 @@
-"""Exports for a rig: which way round, how many volts, how calibrated, within which limits."""
+"""Exports for a rig or an actuator: volts, polarity, calibration, limits, and their words."""
 
-import json
 from dataclasses import replace
 
 import numpy as np
 import pytest
-import soundfile
 
 import skinsource as ss
 from skinsource.actuators.equalising import RegularisedInverse
@@ -14,6 +12,7 @@ from skinsource.actuators.prediction import Limits
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.base.errors import InvalidInputError, NotConfirmedError
 from skinsource.cli.command_line import main
+from tests.core.exporting.export_bench import read, sidecar
 
 RATE_HZ = 8000
 #: As strong at all frequencies: 50 and 20 m/s² for each volt.
@@ -49,21 +48,6 @@ def rig():
             ),
         ),
     )  # fmt: skip
-
-
-def sidecar(path):
-    return json.loads(path.with_name(f"{path.name}.json").read_text(encoding="utf-8"))
-
-
-def read(path):
-    return soundfile.read(path, always_2d=True)[0].T
-
-
-def test_without_a_rig_it_says_uncalibrated(design, tmp_path):
-    path = tmp_path / "a.h"
-    ss.export_stimulus(design, path)
-    assert sidecar(path)["calibration"].startswith("uncalibrated")
-    assert "   uncalibrated: no rig says" in path.read_text()
 
 
 def test_with_one_it_says_what_is_wired_and_when_it_was_measured(design, rig, tmp_path):
@@ -105,15 +89,6 @@ def test_equalised_samples_are_the_volts_that_make_the_acceleration(design, rig,
     }
 
 
-def test_volts_that_a_channel_does_not_give_are_cut_off_only_when_confirmed(design, rig, tmp_path):
-    path = tmp_path / "a.wav"
-    loud = design.with_input(0, amplitude=130.0)
-    call = {"rate_hz": RATE_HZ, "rig": rig, "equaliser": RegularisedInverse()}
-    with pytest.raises(NotConfirmedError, match=r"channel 1 \(Digit II, pad\)"):
-        ss.export_stimulus(loud, path, **call)
-    assert ss.export_stimulus(loud, path, **call, confirmed=True).clip_count > 0
-
-
 def test_limits_of_the_rig_must_be_confirmed(design, rig, tmp_path):
     path = tmp_path / "a.wav"
     careful = replace(rig.channels[0], limits=Limits(peak_voltage_v=0.5))
@@ -123,22 +98,6 @@ def test_limits_of_the_rig_must_be_confirmed(design, rig, tmp_path):
     assert not path.exists()
     ss.export_stimulus(design, path, rate_hz=RATE_HZ, rig=strict, confirmed=True)
     assert sidecar(path)["confirmed"][0].startswith("Place 7")
-
-
-@pytest.mark.parametrize(
-    ("scaling", "message"),
-    [("upstream", "scaling is upstream"), ("relative", "scaling is relative")],
-)
-def test_drives_that_are_no_accelerations_are_not_equalised(
-    design, rig, tmp_path, scaling, message
-):
-    with pytest.raises(InvalidInputError, match=message):
-        ss.export_stimulus(
-            replace(design, scaling=scaling),
-            tmp_path / "a.wav",
-            rig=rig,
-            equaliser=RegularisedInverse(),
-        )
 
 
 def test_what_a_rig_does_not_know_is_asked_for(design, rig, tmp_path):
@@ -218,23 +177,6 @@ def test_volts_need_no_equaliser_and_keep_their_value(design, rig, tmp_path):
         ss.export_stimulus(volts, path, rig=rig, equaliser=RegularisedInverse())
 
 
-def test_without_a_rig_volts_come_from_what_the_design_is_predicted_through(design, tmp_path):
-    coil, equaliser = ss.actuators.load("example-voice-coil"), RegularisedInverse()
-    through = ss.Actuation(
-        actuators=(ss.ActuatorAt(actuator="coil", model=coil),), equaliser=equaliser
-    )
-    path = tmp_path / "a.wav"
-    ss.export_stimulus(
-        replace(design, actuation=through), path, rate_hz=RATE_HZ, equaliser=equaliser
-    )
-    drives = ss.stimulus_of(design, RATE_HZ).samples
-    about = sidecar(path)
-    assert (about["unit"], about["calibration"][:12]) == ("V", "uncalibrated")
-    for row, drive in zip(read(path) * about["full_scale"], drives, strict=True):
-        volts = ss.equalising.equalised(drive, RATE_HZ, coil, equaliser)
-        np.testing.assert_allclose(row, volts, atol=1e-6 * np.abs(volts).max())
-
-
 def test_an_equaliser_may_ring_in_the_silence_before(design, rig, tmp_path):
     early = replace(design, inputs=(ss.track(7, ss.waveforms.Gabor(frequency_hz=120.0)),))
     path = tmp_path / "a.wav"
@@ -251,3 +193,64 @@ def test_an_equaliser_may_ring_in_the_silence_before(design, rig, tmp_path):
     assert np.abs(volts[:1900]).max() > 1e-4 * np.abs(volts).max()
     np.testing.assert_allclose(read(path)[0] * 2.0, volts, atol=1e-6 * np.abs(volts).max())
     assert sidecar(path)["start_s"] == -0.25
+
+
+COIL = ss.actuators.load("example-voice-coil")
+THROUGH = ss.Actuation(actuators=(ss.ActuatorAt(actuator="Coil, in air", model=COIL),))
+INVERSE = RegularisedInverse(boost_db=12.0)
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        # Knowing the actuator alone makes no volts.
+        ({}, "raw accelerations"),
+        ({"scaling": "upstream"}, "raw drives"),
+        ({"actuation": THROUGH}, "volts of the design"),
+    ],
+)
+def test_what_is_not_equalised_says_what_it_is(design, tmp_path, changes, message):
+    path = tmp_path / "a.wav"
+    exported = ss.export_stimulus(replace(design, **changes), path, actuation=THROUGH)
+    assert exported.equalised == sidecar(path)["equalised"] == f"Not equalised ({message})"
+    assert sidecar(path)["actuator"] is None
+    if "scaling" in changes:
+        call = {"actuation": THROUGH, "equaliser": INVERSE}
+        with pytest.raises(InvalidInputError, match="scaling is upstream"):
+            ss.export_stimulus(replace(design, **changes), path, **call)
+
+
+@pytest.mark.parametrize("named", [True, False])
+def test_an_actuator_that_is_named_or_predicted_through_gets_its_volts(design, tmp_path, named):
+    path = tmp_path / "a.wav"
+    shown = design if named else replace(design, actuation=replace(THROUGH, equaliser=INVERSE))
+    exported = ss.export_stimulus(
+        shown, path, rate_hz=RATE_HZ, actuation=THROUGH if named else None, equaliser=INVERSE
+    )
+    drives = ss.stimulus_of(design, RATE_HZ).samples
+    for row, drive in zip(read(path), drives, strict=True):
+        volts = ss.equalising.equalised(drive, RATE_HZ, COIL, INVERSE)
+        np.testing.assert_allclose(row, volts * exported.gain, atol=1e-6)
+    about = sidecar(path)
+    assert about["equalised"] == exported.equalised
+    assert exported.equalised == "Equalised for Coil, in air (regularised inverse)"
+    assert (about["unit"], about["calibration"][:12]) == ("V", "uncalibrated")
+    assert about["actuator"] == ["Coil, in air"] * 2
+    assert about["equaliser"]["boost_db"] == 12.0
+    assert (about["predicted_through"] is None) == named
+    # It is the design that was exported, not one with an actuator in it.
+    ss.export_stimulus(shown, tmp_path / "b.wav")
+    assert sidecar(tmp_path / "b.wav")["design_digest"] == about["design_digest"]
+
+
+def test_a_rig_says_the_actuators_itself(design, rig, tmp_path):
+    for title in ("Bench 3", ""):
+        exported = ss.export_stimulus(
+            design,
+            tmp_path / "a.wav",
+            actuation=THROUGH,
+            rig=replace(rig, title=title),
+            equaliser=INVERSE,
+        )
+        assert exported.equalised == f"Equalised for {title or 'the rig'} (regularised inverse)"
+        assert sidecar(tmp_path / "a.wav")["actuator"] == ["own", "own"]

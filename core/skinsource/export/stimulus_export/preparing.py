@@ -419,11 +419,8 @@ def _loss_db(samples: Floats) -> float:
     before, after = np.sum(samples**2, axis=1)
     if after >= before:
         return 0.0
-    return (
-        float(min(10.0 * np.log10(before / after), _LARGEST_LOSS_DB))
-        if after
-        else (_LARGEST_LOSS_DB)
-    )
+    loss_db = 10.0 * np.log10(before / after) if after else np.inf
+    return float(min(loss_db, _LARGEST_LOSS_DB))
 
 
 def _stimuli_of_files(

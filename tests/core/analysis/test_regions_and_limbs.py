@@ -1,4 +1,4 @@
-"""Which limbs stand beside one, and the mean and spread of levels over them."""
+"""Levels by region, which limbs stand beside one, and the mean and spread over them."""
 
 import statistics
 
@@ -7,12 +7,48 @@ import pytest
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.comparing import (
+    REGION_OUTPUTS,
+    mean_and_spread,
     mean_and_spread_over,
+    region_levels_db,
     related_limbs,
     same_outputs,
     scale_end_db,
 )
 from tests.core.own_limbs.lab_bench import N_OUTPUTS, installed
+
+
+def test_each_output_of_a_limb_belongs_to_one_region_besides_all_digits():
+    parts = [
+        output for name, outputs in REGION_OUTPUTS.items() if name != "Digits" for output in outputs
+    ]
+    assert sorted(parts) == list(range(1, 73))
+    digits = [
+        output for name, outputs in REGION_OUTPUTS.items() if "Digit " in name for output in outputs
+    ]
+    assert sorted(digits) == sorted(REGION_OUTPUTS["Digits"])
+    assert REGION_OUTPUTS["Wrist, palm side"] == (61, 62, 63, 64)
+    assert set(REGION_OUTPUTS["Elbow"]) == {67, 68, 69, 70, 71, 72}
+
+
+def test_the_level_of_a_region_is_the_root_of_its_mean_square():
+    rms = np.random.default_rng(7).uniform(0.01, 1.0, 72)
+    levels_db = region_levels_db(rms)
+    of_thumb = np.sqrt((rms[40] ** 2 + rms[41] ** 2) / 2)
+    assert levels_db["Digit I"] == pytest.approx(20 * np.log10(of_thumb), abs=1e-12)
+    assert levels_db["Wrist, palm side"] == pytest.approx(
+        10 * np.log10(np.mean(rms[60:64] ** 2)), abs=1e-12
+    )
+    assert region_levels_db(np.zeros(72))["Digits"] == -200.0
+    with pytest.raises(InvalidInputError, match="published limbs"):
+        region_levels_db(np.ones(31))
+
+
+def test_the_spread_of_people_is_that_of_a_sample():
+    mean, spread = mean_and_spread([-20.0, -22.0, -27.0])
+    assert mean == pytest.approx(-23.0)
+    assert spread == pytest.approx(np.sqrt((9 + 1 + 16) / 2))
+    assert np.isnan(mean_and_spread([-20.0])[1])
 
 
 def test_beside_a_limb_stand_those_of_its_kind_or_own_ones_with_the_same_outputs(user_data):
@@ -51,9 +87,14 @@ def test_fewer_than_two_or_what_is_no_table_of_levels_is_refused(levels):
         mean_and_spread_over(levels)
 
 
-def test_a_few_large_differences_leave_colours_for_the_others():
-    most = np.linspace(-4.0, 4.0, 96)
-    assert scale_end_db(most, [-29.0, 29.0]) == 10.0  # a third of the largest
-    assert scale_end_db(most, [-9.0]) == 5.0
-    assert scale_end_db(np.zeros(71), [25.0]) == 10.0
-    assert scale_end_db(np.linspace(-38.0, 2.0, 72)) == 40.0
+def test_a_scale_of_differences_ends_at_the_next_round_number():
+    assert [scale_end_db(level_db) for level_db in (0.0, -0.4, 1.0, 2.1, -6.01, 99.0)] == [
+        1,
+        1,
+        1,
+        3,
+        10,
+        60,
+    ]
+    assert scale_end_db(np.array([np.nan, -2.5]), np.array([0.1])) == 3.0
+    assert scale_end_db() == 1.0

@@ -1,0 +1,225 @@
+"""Windows: those of MATLAB, the loudest tenth of a second, and spectra held over windows."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import skinsource as ss
+from skinsource.base.errors import InvalidInputError, Stopped
+from skinsource.signals.generators import WINDOWS, window
+from skinsource.signals.loudest_window import LoudestEnergy, loudest_energy
+from skinsource.signals.spectra import mean_of_bins, rms
+
+LENGTHS = [*range(1, 70), 130, 131, 260, 651, 1000, 1300, 7919]
+
+
+def matlab_hanning(n: int) -> list[float]:
+    return [0.5 * (1 - math.cos(2 * math.pi * k / (n + 1))) for k in range(1, n + 1)]
+
+
+def matlab_tukeywin(n: int, ratio: float) -> list[float]:
+    """Three pieces on x from 0 to 1, as its documentation defines them."""
+    samples = []
+    for k in range(n):
+        x = k / (n - 1) if n > 1 else 0.5
+        if x < ratio / 2:
+            sample = (1 + math.cos(2 * math.pi / ratio * (x - ratio / 2))) / 2
+        elif x < 1 - ratio / 2:
+            sample = 1.0
+        else:
+            sample = (1 + math.cos(2 * math.pi / ratio * (x - 1 + ratio / 2))) / 2
+        samples.append(sample)
+    return samples
+
+
+@pytest.mark.parametrize("n", LENGTHS)
+def test_windows_are_those_of_matlab(n):
+    np.testing.assert_allclose(window("hanning", n), matlab_hanning(n), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(window("tukey", n), matlab_tukeywin(n, 0.25), rtol=0, atol=1e-12)
+    np.testing.assert_array_equal(window("none", n), [1.0] * n)
+
+
+@pytest.mark.parametrize("n", [2, 3, 20, 21, 130, 1301])
+def test_windows_are_symmetric_and_within_zero_and_one(n):
+    for name in WINDOWS:
+        samples = window(name, n)
+        np.testing.assert_allclose(samples, samples[::-1], rtol=0, atol=1e-14)
+        assert samples.min() >= 0.0
+        assert samples.max() <= 1.0
+
+
+@pytest.mark.parametrize("name", WINDOWS)
+def test_no_samples_and_one_sample_have_windows(name):
+    assert window(name, 0).shape == (0,)
+    np.testing.assert_allclose(window(name, 1), [1.0], rtol=0, atol=1e-15)
+
+
+@pytest.mark.parametrize("n", [-1, 2.5, math.nan, math.inf])
+def test_an_impossible_length_is_refused(n):
+    with pytest.raises(InvalidInputError, match="expected a whole number"):
+        window("tukey", n)
+
+
+def test_a_whole_length_of_any_type_will_do():
+    np.testing.assert_array_equal(window("tukey", 21.0), window("tukey", np.int64(21)))
+
+
+def test_an_unknown_window_is_refused_with_the_known_ones():
+    with pytest.raises(InvalidInputError, match="choose from none, tukey, hanning"):
+        window("hann", 21)
+
+
+SEED = 7
+
+
+def direct(x: np.ndarray, n: int) -> float:
+    """Largest energy of any n neighbours, each window summed by itself without rounding."""
+    squares = [0.0] * (n - 1) + (x * x).tolist() + [0.0] * (n - 1)
+    return max(math.fsum(squares[k : k + n]) for k in range(len(squares) - n + 1))
+
+
+def signals(n: int) -> dict[str, np.ndarray]:
+    rng = np.random.default_rng(SEED)
+    burst_then_silence = np.zeros(n)
+    burst_then_silence[: n // 4] = 1e9 * rng.standard_normal(n // 4)
+    quiet_after_loud = rng.standard_normal(n) * np.logspace(0, -12, n)
+    signal = np.zeros(n)
+    signal[n // 2] = -3.0
+    return {
+        "noise": rng.standard_normal(n),
+        "burst, then silence": burst_then_silence,
+        "fading": quiet_after_loud,
+        "growing": quiet_after_loud[::-1].copy(),
+        "one sample": signal,
+        "constant": np.ones(n),
+        "silence": np.zeros(n),
+    }
+
+
+@pytest.mark.parametrize("n_window", [1, 2, 13, 130])
+@pytest.mark.parametrize("n", [1, 2, 129, 130, 131, 259, 260, 261, 1821])
+def test_the_loudest_window_is_that_of_sums_over_all(n, n_window):
+    for what, x in signals(n).items():
+        energy = loudest_energy(x, n_window)
+        assert energy == pytest.approx(direct(x, n_window), rel=1e-13, abs=0), what
+
+
+@pytest.mark.parametrize("n_window", [1, 13, 130])
+def test_a_quiet_window_after_a_loud_one_keeps_its_digits(n_window):
+    loud_then_quiet = np.concatenate((np.full(500, 1e9), np.full(500, 1e-3)))
+    loudest = LoudestEnergy((), n_window)
+    loudest.add(0, loud_then_quiet)
+    loudest.energy[...] = 0.0
+    loudest.add(1000 + n_window, np.full(300, 1e-3))
+    assert loudest.energy == pytest.approx(min(300, n_window) * 1e-6, rel=1e-13)
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    st.lists(st.integers(0, 400), min_size=1, max_size=6),
+    st.lists(st.integers(0, 300), min_size=6, max_size=6),
+    st.integers(0, 2**32 - 1),
+)
+def test_pieces_with_silence_between_them_give_what_the_whole_gives(lengths, gaps, seed):
+    rng = np.random.default_rng(seed)
+    whole = np.zeros((2, 3, sum(lengths) + sum(gaps) + 1))
+    loudest = LoudestEnergy((2, 3), 130)
+    first = 0
+    for length, gap in zip(lengths, gaps, strict=False):
+        first += gap
+        piece = rng.standard_normal((2, 3, length))
+        whole[..., first : first + length] = piece
+        loudest.add(first, piece)
+        first += length
+    np.testing.assert_allclose(loudest.energy, loudest_energy(whole, 130), rtol=1e-13)
+
+
+def test_a_signal_shorter_than_the_window_is_averaged_over_the_window():
+    assert rms(np.ones(13), "loudest") == pytest.approx(np.sqrt(0.1), rel=1e-13)
+    assert rms([2.0], "loudest", 10.0) == pytest.approx(2.0)
+
+
+def test_the_window_is_a_tenth_of_a_second_at_any_rate():
+    signal = np.zeros(5000)
+    signal[2500] = 1.0
+    for rate_hz, n_window in ((1300.0, 130), (2000.0, 200), (3.0, 1)):
+        assert rms(signal, "loudest", rate_hz) == pytest.approx(n_window**-0.5, rel=1e-13)
+
+
+def test_a_span_or_rate_that_is_none_is_refused():
+    with pytest.raises(InvalidInputError, match="span 'loud' is not known; choose from record"):
+        rms([1.0], "loud")
+    for rate_hz in (0.0, -1.0, math.nan, math.inf):
+        with pytest.raises(InvalidInputError, match="sample_rate_hz"):
+            rms([1.0], "loudest", rate_hz)
+
+
+RATE = 1300.0
+
+
+def tone(frequency_hz, duration_s, *, amplitude=1.0, before_s=0.0, after_s=0.0):
+    time_s = np.arange(round(duration_s * RATE)) / RATE
+    silence = (np.zeros(round(part * RATE)) for part in (before_s, after_s))
+    before, after = silence
+    return np.concatenate((before, amplitude * np.sin(2 * np.pi * frequency_hz * time_s), after))
+
+
+@pytest.mark.parametrize("frequency_hz", [25.0, 60.0, 100.37, 250.5, 333.3, 599.9])
+@pytest.mark.parametrize("duration_s", [0.5, 3.0])
+def test_a_sine_reads_its_amplitude_at_its_frequency(frequency_hz, duration_s):
+    frequencies, amplitude = ss.peak_hold_spectrum(tone(frequency_hz, duration_s), RATE)
+    assert amplitude.max() == pytest.approx(1.0, rel=0.012)
+    assert abs(frequencies[np.argmax(amplitude)] - frequency_hz) <= 0.5 + 1e-9
+
+
+def test_constant_and_alternating_signals_read_their_value():
+    for signal, at in ((np.ones(1300), 0), (np.resize([1.0, -1.0], 1300), -1)):
+        assert ss.peak_hold_spectrum(signal, RATE)[1][at] == pytest.approx(1.0)
+
+
+def test_it_equals_a_plain_loop_over_windows():
+    signal = np.random.default_rng(7).normal(size=(2, 3, 900))
+    frequencies, amplitude = ss.peak_hold_spectrum(signal, RATE)
+    n = round(0.25 * RATE)
+    window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(n) / n)
+    padded = np.pad(signal, ((0, 0), (0, 0), (n - 1, n - 1)))
+    expected = np.zeros_like(amplitude)
+    for start in range(0, padded.shape[-1] - n + 1, n // 8):
+        turns = np.exp(-2j * np.pi * np.outer(np.arange(n), frequencies) / RATE)
+        part = np.abs((padded[..., start : start + n] * window) @ turns) / window.sum()
+        part[..., 1:-1] *= 2
+        expected = np.maximum(expected, part)
+    assert frequencies[-1] == RATE / 2
+    np.testing.assert_allclose(amplitude, expected, rtol=1e-9, atol=1e-12)
+
+
+def test_one_sample_is_enough_none_is_not_and_it_can_be_stopped():
+    assert ss.peak_hold_spectrum([1.0], RATE)[1].max() == pytest.approx(4 / 325, rel=1e-3)
+    with pytest.raises(InvalidInputError, match="at least one sample"):
+        ss.peak_hold_spectrum([], RATE)
+    with pytest.raises(Stopped):
+        ss.peak_hold_spectrum(np.ones(10), RATE, stop=lambda: True)
+
+
+def test_a_rate_beyond_all_others_is_refused():
+    with pytest.raises(InvalidInputError, match="sample_rate_hz is 1e\\+15"):
+        ss.peak_hold_spectrum(np.ones(100), 1e15)
+
+
+@pytest.mark.parametrize("n", [2, 3, 10])
+@pytest.mark.parametrize("n_bins", [1, 2, 9, 10, 40])
+def test_a_mean_is_that_of_the_bins_around(n, n_bins):
+    magnitude = np.random.default_rng(n).random((2, 3, n_bins))
+    means = mean_of_bins(magnitude, n)
+    assert means.shape == magnitude.shape
+    for k in range(n_bins):
+        around = magnitude[..., max(k - n // 2, 0) : k + (n - 1) // 2 + 1]
+        assert means[..., k] == pytest.approx(around.mean(axis=-1))
+
+
+def test_a_mean_of_one_bin_is_the_spectrum_itself():
+    magnitude = np.arange(6.0).reshape(2, 3)
+    assert mean_of_bins(magnitude, 1) is magnitude
