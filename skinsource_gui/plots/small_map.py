@@ -456,9 +456,6 @@ def paint_small_bar(
 # Radius of the ring of a selected output, and of the output under the pointer.
 _OUTPUT_RING_PX, _WIDE_PX = 4.0, 7.0
 _FEW_RINGS = 12
-_EDGE_PX, _GROUND = 2.0, 0.85
-# A number stands less than so many rings from its own.
-_FARTHEST = 6
 
 
 def ring_size(n: int, spacing_px: float) -> tuple[float, float]:
@@ -488,60 +485,6 @@ def paint_rings(
     for number, pen, radius in rings:
         if is_placed(points, number):
             _paint_ring(painter, QPointF(*points[number - 1]), radius, pen, theme)
-
-
-def number_areas(
-    small: SmallMap, area: QRectF, outputs: tuple[int, ...], metrics: QFontMetricsF
-) -> list[tuple[int, QRectF]]:
-    """Return the areas of the numbers of few outputs, beside their rings, without overlaps.
-
-    Where rings are close together, some numbers stand farther away or are left out.
-    """
-    points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
-    placed = [number for number in outputs if is_placed(points, number)]
-    if len(outputs) > _FEW_RINGS:
-        return []
-    side = 2.0 * _OUTPUT_RING_PX + _EDGE_PX
-    occupied = [
-        QRectF(x - side / 2, y - side / 2, side, side)
-        for x, y in (points[number - 1] for number in placed)
-    ]
-    areas: list[tuple[int, QRectF]] = []
-    for number in placed:
-        x, y = (float(value) for value in points[number - 1])
-        width = metrics.horizontalAdvance(str(number)) + 2.0 * _EDGE_PX
-        height = metrics.height()
-        corners = [
-            (left, y - height / 2 + down * height / 2)
-            for away in (side / 2, *(rank * side for rank in range(1, _FARTHEST)))
-            for down in (0, -1, 1, -2, 2, -3, 3)
-            for left in (x + away, x - away - width)
-        ]
-        for left, top in corners:
-            place = QRectF(left, top, width, height)
-            if area.contains(place) and not any(place.intersects(other) for other in occupied):
-                occupied.append(place)
-                areas.append((number, place))
-                break
-    return areas
-
-
-def paint_numbers(
-    painter: QPainter, small: SmallMap, area: QRectF, outputs: tuple[int, ...], theme: Theme
-) -> None:
-    """Write the numbers of outputs beside their rings, each on a line in its colour."""
-    ground = QColor(theme.base)
-    ground.setAlphaF(_GROUND)
-    points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
-    for number, place in number_areas(small, area, outputs, QFontMetricsF(painter.font())):
-        x, y = (float(value) for value in points[number - 1])
-        right = place.left() > x
-        edge = QPointF(place.left() if right else place.right(), place.center().y())
-        painter.setPen(theme.output_pen(outputs.index(number), 1.0))
-        painter.drawLine(QPointF(x + (_OUTPUT_RING_PX if right else -_OUTPUT_RING_PX), y), edge)
-        painter.fillRect(place, ground)
-        painter.setPen(QColor(theme.text))
-        painter.drawText(place, Qt.AlignmentFlag.AlignCenter, str(number))
 
 
 def tick_text(

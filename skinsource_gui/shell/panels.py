@@ -7,9 +7,9 @@ from skinsource.design.panel_settings import SpectrogramSettings
 from skinsource.engine.actuator_demand import ActuatorSettings
 from skinsource.perception.thresholds import PerceptionSettings
 from skinsource.specs.models import specs_of
+from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.frequency_and_amplitude.settings import ControlSettings
 from skinsource_gui.panels.linearity.settings import LinearitySettings
-from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.spectra.panel import SpectraSettings
 from skinsource_gui.panels.timeline.content import TimelineSettings
@@ -109,7 +109,7 @@ PANELS: tuple[PanelSpec, ...] = (
             "analysis": Behind("spectra"),
         },
     ),
-    PanelSpec(panel=LazyPanel("compare", "Compare"), places=_HIDDEN),
+    PanelSpec(panel=LazyPanel("compare", "Compare"), settings=CompareSettings, places=_HIDDEN),
     PanelSpec(panel=LazyPanel("history", "History"), places=_HIDDEN),
     PanelSpec(panel=LazyPanel("library", "Library"), places=_HIDDEN),
     PanelSpec(panel=LazyPanel("actuator", "Actuator"), settings=ActuatorSettings, places=_HIDDEN),
@@ -125,11 +125,6 @@ PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(panel=LazyPanel("wave", "Wave"), places=_HIDDEN),
     PanelSpec(panel=LazyPanel("windowed", "Windows"), places=_HIDDEN),
     PanelSpec(panel=LazyPanel("regions", "Regions"), places=_HIDDEN),
-    PanelSpec(
-        panel=LazyPanel("side_by_side", "Side by side"),
-        settings=SideBySideSettings,
-        places=_HIDDEN,
-    ),
     PanelSpec(
         panel=LazyPanel("linearity", "Linearity"), settings=LinearitySettings, places=_HIDDEN
     ),

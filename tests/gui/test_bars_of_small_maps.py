@@ -8,6 +8,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QImage, QPainter
 
 import skinsource as ss
+from skinsource.design.view import View
 from skinsource_gui.plots.pictures import save_drawing
 from skinsource_gui.plots.small_map import SmallMap, paint_small_bar
 from skinsource_gui.qt.theme import LIGHT, on_paper
@@ -19,9 +20,9 @@ DESIGN = ss.Design(
 )
 
 
-@pytest.mark.parametrize(("name", "bars"), [("side_by_side", 4), ("windowed", 1)])
+@pytest.mark.parametrize(("name", "bars"), [("compare", 4), ("windowed", 1)])
 def test_each_limb_has_a_bar_on_paper(open_window, settle, tmp_path, name, bars):
-    window = open_window(DESIGN)
+    window = open_window(DESIGN, View(panels=(("compare", (("of", "limbs"),)),)))
     settle()
     picture = window.pictures.picture_of(name)
     save_drawing(tmp_path / "a.pdf", picture.draw, 900, 600)

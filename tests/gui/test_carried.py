@@ -7,6 +7,8 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
+from skinsource.design.panel_settings import with_settings
+from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.pictures import (
     ALL_VISIBLE,
     save_drawing,
@@ -27,7 +29,7 @@ SAID = (
 )
 GUESSED = "of the energy lies above 300 Hz: between outputs the map is a guess."
 #: Panels that draw maps between outputs; all in sight do too.
-MAPS = ("skin", "compare", "windowed", "side_by_side", ALL_VISIBLE)
+MAPS = ("skin", "compare", "windowed", ALL_VISIBLE)
 EVERY = (*(spec.panel.name for spec in PANELS), ALL_VISIBLE)
 
 
@@ -84,7 +86,9 @@ def test_each_limb_of_a_comparison_is_named_with_what_there_is_to_note_of_it(win
             judge(label, given, present=present), note=notes.get(given["limb"], "")
         ),
     )
-    caption = window.pictures.picture_of("side_by_side").caption
+    of_limbs = with_settings(window.document.view, "compare", CompareSettings(of="limbs"))
+    window.document.look(of_limbs)
+    caption = window.pictures.picture_of("compare").caption
     assert "Limbs: Synthetic 1 (175 mm), Synthetic 2" in caption
     assert "Synthetic 2, Synthetic 3: Made anew." in caption
     assert caption.count("Responses are computed") == 1
@@ -126,9 +130,8 @@ def tones(open_window, settle):
 FOUR = "Snapshots 1, 2, 3, 4: Place 7, 1 m/s²: Tone 50/100/200/400 Hz, 200 ms."
 
 
-@pytest.mark.parametrize("name", ["side_by_side", "compare"])
-def test_designs_side_by_side_are_told_with_what_differs(tones, name):
-    caption = tones.pictures.picture_of(name).caption
+def test_compared_designs_are_told_with_what_differs(tones):
+    caption = tones.pictures.picture_of("compare").caption
     assert caption.startswith(f"Fig. 2B: Low frequencies reach farther. {FOUR} Limb: Synthetic 1")
     assert "Other panels" not in caption
 
@@ -148,7 +151,7 @@ def test_a_scene_that_was_changed_is_not_called_what_it_was(tones, settle):
     assert heading._phrases[0] == f"{title} · edited · Tone at place 7"
     assert tones.windowTitle().startswith(f"{title} · edited[*]")
     assert tones.pictures.picture_of("skin").caption.startswith(f"{title} · edited. Place 7")
-    assert tones.pictures.picture_of("side_by_side").caption.startswith(
+    assert tones.pictures.picture_of("compare").caption.startswith(
         f"{title}. Edited, Snapshots 1, 2, 3, 4: Place 7, 1 m/s²: Tone 300/50/100/200/400 Hz,"
     )
     tones.document.undo_stack.undo()

@@ -30,7 +30,7 @@ COMPUTED = sorted(
     {"skin", "timeline", "inspector", "clip_editor", "actuator", "windowed"} | OF_OUTPUTS
 )
 #: What is known of limbs and snapshots is forgotten, or held against what it is of.
-OF_LIMBS = ["regions", "side_by_side"]
+OF_LIMBS = ["regions"]
 OF_SNAPSHOTS = ["compare", "linearity"]
 
 
@@ -142,6 +142,7 @@ def test_another_selection_makes_late_what_shows_selected_outputs_and_nothing_el
 @pytest.mark.parametrize("name", [*OF_LIMBS, "compare"])
 def test_what_compares_comes_into_sight_without_what_is_older(name, studio, qtbot):
     studio.do("store_snapshot_1")
+    studio.edit_all()
     panel = studio.look_at(name)
     studio.settled()
     offered = offers(panel)

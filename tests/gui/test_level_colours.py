@@ -7,13 +7,14 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
+from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.plots.pictures import drawn_image
 from skinsource_gui.plots.small_map import LevelStyle, level_style, with_colours_of
 
 #: Pixels of a small map, and of words that happen to have its colours.
 MANY, FEW = 100, 20
-MAPS = ("skin", "windowed", "side_by_side", "compare")
+MAPS = ("skin", "windowed", "compare")
 
 
 def n_in(image, colours):
@@ -26,19 +27,19 @@ def n_in(image, colours):
 
 def look_at(window, qtbot, name):
     """Bring a panel into sight, and wait until it has maps."""
+    if name == "compare":
+        limbs = with_settings(window.document.view, "compare", CompareSettings(of="limbs"))
+        window.document.look(limbs)
     window.docks[name].bring_forward()
     panel = window.panel(name)
     qtbot.waitUntil(panel.isVisible)
     if name == "windowed":
         qtbot.waitUntil(lambda: panel.strip.content is not None, timeout=60_000)
-    elif name == "side_by_side":
+    elif name == "compare":
         cells = lambda: panel.maps.content.cells  # noqa: E731
         qtbot.waitUntil(
             lambda: bool(cells()) and all(cell.small for cell in cells()), timeout=60_000
         )
-    elif name == "compare":
-        qtbot.waitUntil(lambda: panel.cards[0].compared is not None, timeout=60_000)
-        qtbot.waitUntil(lambda: panel.cards[0].compared.values is not None, timeout=60_000)
     qtbot.waitUntil(lambda: not window.engine.busy, timeout=60_000)
     QApplication.processEvents()
     return panel

@@ -29,7 +29,6 @@ LEFT_OUT = (
     "skinsource_gui/fields/*editor*",
     "skinsource_gui/fields/number_field.py",
     "skinsource_gui/panels/compare/*",
-    "skinsource_gui/panels/side_by_side/*",
     "skinsource_gui/panels/timeline/head*",
     "skinsource_gui/shell/dock*",
     "skinsource_gui/state/conductor.py",

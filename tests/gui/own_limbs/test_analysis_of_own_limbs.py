@@ -21,7 +21,7 @@ PANELS = (
     "perception",
     "regions",
     "windowed",
-    "side_by_side",
+    "compare",
 )
 NAMES = tuple(f"sensor {k}" for k in range(1, N_OUTPUTS + 1))
 DESIGN = Design(
@@ -32,7 +32,8 @@ DESIGN = Design(
 @pytest.fixture(params=["xz", "x"])
 def window(request, user_data, open_window):
     installed(axes=request.param, output_names=NAMES)
-    edit = edits.change_limb(DESIGN, View(method="mag", outputs=(4, 31, 9)), "lab-1")
+    view = View(method="mag", outputs=(4, 31, 9), panels=(("compare", (("of", "limbs"),)),))
+    edit = edits.change_limb(DESIGN, view, "lab-1")
     return open_window(edit.design, edit.view)
 
 
@@ -83,7 +84,7 @@ def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
     assert "Lab 1" in windowed._heading()
     assert "not known" in panels["regions"].about.text
     assert "published limbs only" in panels["perception"].message
-    assert panels["side_by_side"].maps.content.message.startswith("There is no other limb")
+    assert panels["compare"].maps.content.message.startswith("There is no other limb")
 
 
 def test_as_many_outputs_do_not_make_an_own_limb_a_published_one(user_data):

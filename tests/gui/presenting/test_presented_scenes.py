@@ -284,7 +284,7 @@ def test_after_a_show_the_panels_of_the_scene_that_is_open_are_in_front(open_win
     window.resize(1366, 600)
     names = [scene.name for scene in all_scenes()]
     window.scenes.open("1G")
-    assert "side_by_side" in in_front(window)
+    assert "compare" in in_front(window)
     window.do("present")
     for _ in range(names.index("2H") - names.index("1G")):
         window.do("next_scene")

@@ -144,8 +144,7 @@ def test_hand_and_map_point_at_the_same_input(open_window, design):
 
 MAPS = {
     "windowed": ("window_strip",),
-    "side_by_side": ("maps_side_by_side", "side_by_side_words"),
-    "compare": ("difference_map", "matching_words"),
+    "compare": ("compared_maps", "compare_words"),
 }
 
 

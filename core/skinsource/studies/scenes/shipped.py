@@ -39,12 +39,10 @@ OWN_SPECTRA = {
 }
 #: The same with each magnitude the mean over ten bins: for noise.
 OWN_MEAN_SPECTRA = {"spectra": {**OWN_SPECTRA["spectra"], "averaged": True}}
-#: Maps of all designs of a scene: for scenes that compare people, places or frequencies.
-SIDE_BY_SIDE = {"side_by_side": {"of": "snapshots"}}
-#: The same, each relative to its own loudest output.
-EACH_TO_ITS_MAXIMUM = {"side_by_side": {"of": "snapshots", "own_maximum": True}}
+#: Maps of all designs of a scene, each relative to its own loudest output.
+EACH_TO_ITS_MAXIMUM = {"compare": {"own_maximum": True}}
 #: Maps of the design along each axis.
-AXES_SIDE_BY_SIDE = {"side_by_side": {"of": "axes"}}
+EACH_AXIS = {"compare": {"of": "axes"}}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -331,12 +329,12 @@ _AXES = made_scene(
         "with a pattern of its own.",
         inferred=("one colour scale for the three maps",),
         arrangement="design",
-        panels=("skin", "side_by_side"),
+        panels=("skin", "compare"),
     ),
     design_on(3, *tracks_at([3], _PULSE), scaling="relative"),
     control="amplitude",
     axes="z",
-    panels=AXES_SIDE_BY_SIDE,
+    panels=EACH_AXIS,
 )
 
 _PLACES = made_scene(
@@ -348,7 +346,7 @@ _PLACES = made_scene(
         inferred=("which three places: 8, 13 and 18",),
         labels=("Pad 8", "Base 13", "Palm 18"),
         arrangement="design",
-        panels=("skin", "side_by_side"),
+        panels=("skin", "compare"),
     ),
     *(design_on(1, *tracks_at([place], _PULSE), scaling="relative") for place in (8, 13, 18)),
     control="amplitude",
@@ -364,7 +362,7 @@ _PEOPLE = made_scene(
         "they carry it.",
         labels=("Limb 1", "Limb 2", "Limb 3", "Limb 4"),
         arrangement="design",
-        panels=("skin", "side_by_side"),
+        panels=("skin", "compare"),
     ),
     *(design_on(limb, *tracks_at([8], _PULSE), scaling="relative") for limb in (1, 2, 3, 4)),
     control="amplitude",
@@ -420,7 +418,7 @@ _FREQUENCIES = made_scene(
         "little more than the finger.",
         labels=tuple(f"{frequency:g} Hz" for frequency in _FREQUENCIES_HZ),
         arrangement="design",
-        panels=("skin", "side_by_side"),
+        panels=("skin", "compare"),
     ),
     *(
         design_on(1, *tracks_at([7], Tone(frequency_hz=frequency, duration_s=0.2)))
@@ -429,7 +427,6 @@ _FREQUENCIES = made_scene(
     control="frequency",
     method="mag",
     outputs=(30, 43),
-    panels=SIDE_BY_SIDE,
 )
 
 _NOISE_TRACES = made_scene(
@@ -472,14 +469,13 @@ _TAPS = made_scene(
         inferred=("the same four places for every person",),
         labels=("Limb 2", "Limb 3", "Limb 4"),
         arrangement="design",
-        panels=("skin", "side_by_side"),
+        panels=("skin", "compare"),
     ),
     *(design_on(limb, *tracks_at([7, 8, 9, 10], Tap())) for limb in (2, 3, 4)),
     shown=1,
     control="onset",
     method="mag",
     outputs=(19, 43),
-    panels=SIDE_BY_SIDE,
 )
 
 _INTERFERENCE = made_scene(

@@ -1,4 +1,4 @@
-"""What maps side by side show: of limbs, of snapshots or of axes."""
+"""What the maps of the Compare panel show: of snapshots, of limbs or of axes."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -15,7 +15,9 @@ from skinsource.design.comparing import (
     EDITED,
     Snapshot,
     difference_db,
+    louder,
     mean_and_spread_over,
+    same_but_rounding,
     same_outputs,
     scale_end_db,
     shown_snapshot,
@@ -36,7 +38,8 @@ from skinsource.limbs.own_limbs import axes_on
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.studies import scenes
 from skinsource_gui.fields.units import output_text
-from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
+from skinsource_gui.panels.compare.card import card_level_text, played_db, snapshot_title
+from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.colour_maps import DIVERGING
 from skinsource_gui.plots.small_map import (
     SILENT,
@@ -139,7 +142,7 @@ class Cell:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class SideBySideContent:
+class CompareContent:
     """All maps, or a message in their place.
 
     Attributes
@@ -182,6 +185,9 @@ class SideBySideContent:
         return f"{output_text(output, drawn[0].limb)}: {values}"
 
 
+# Levels that differ by less are shown as the same.
+_LEAST_DB = 0.05
+
 #: Names of one thing, from the longest to the shortest.
 Names = tuple[str, ...]
 
@@ -223,7 +229,7 @@ class Cells:
         self._begin()
         base, of_base = compared[reference], names[reference]
         cells = [
-            self._difference(side, _minus(of_one, of_base), base)
+            self._difference(side, of_one, base, of_base)
             for k, (side, of_one) in enumerate(zip(compared, names, strict=True))
             if k != reference
         ]
@@ -300,7 +306,8 @@ class Cells:
             ),
         )
 
-    def _difference(self, side: Compared, headings: Names, base: Compared) -> Cell:
+    def _difference(self, side: Compared, names: Names, base: Compared, of_base: Names) -> Cell:
+        headings = _minus(names, of_base)
         cell = Cell(headings=headings, limb=_limb(side), stale=side.is_stale or base.is_stale)
         if problem := side.problem or base.problem:
             return replace(cell, text=problem)
@@ -313,7 +320,10 @@ class Cells:
         levels = difference_db(_levels_db(side), _levels_db(base))
         both = _synthetic(side) or _synthetic(base)
         small = self._map(headings[0], side, levels, _noisy(side, base))
-        return replace(cell, small=small, synthetic=both)
+        if np.abs(levels).max() < _LEAST_DB:
+            equal = f"{names[-1]} equals {of_base[-1]}"
+            headings = (f"{equal}: {_why_equal(side, base)}", equal)
+        return replace(cell, headings=headings, small=small, synthetic=both)
 
     def _levels(
         self, side: Compared, names: Names, scale: ColourScale, *, own: bool = False
@@ -382,6 +392,19 @@ def _minus(names: Names, other: Names) -> Names:
     return tuple(f"{first} minus {second}" for first, second in pairs)
 
 
+def _why_equal(side: Compared, base: Compared) -> str:
+    """Return why two designs have the same levels."""
+    mine, theirs = side.snapshot.design, base.snapshot.design
+    if mine == theirs:
+        return "the same inputs, scaling and limb"
+    # The louder one is turned down: an amplitude may be the largest there is.
+    ratio = side.gain / base.gain
+    turned_down = louder(mine, min(ratio, 1.0)), louder(theirs, min(1.0 / ratio, 1.0))
+    if same_but_rounding(*turned_down):
+        return "the same inputs once levels match"
+    return "the same levels by other inputs"
+
+
 def _reached_db(drawn: Sequence[Floats]) -> Range | None:
     """Return the smallest and the largest of all values; None where there is none."""
     known = [levels for levels in drawn if levels.size]
@@ -419,8 +442,8 @@ def _synthetic(side: Compared) -> bool:
     return side.values is not None and bool(side.values["limb_data"].synthetic)
 
 
-#: Fewer are not side by side.
-LEAST_BESIDE = 2
+#: Fewer are not compared.
+LEAST_COMPARED = 2
 
 
 #: Quantities of a map of levels.
@@ -454,9 +477,7 @@ class Kind:
     needs_of_snapshots: ClassVar[frozenset[str]] = frozenset()
     own: ClassVar[bool] = False
 
-    def needs_on_limbs(
-        self, settings: SideBySideSettings, limb: str
-    ) -> Mapping[str, frozenset[str]]:
+    def needs_on_limbs(self, settings: CompareSettings, limb: str) -> Mapping[str, frozenset[str]]:
         """Return what a panel needs of other limbs while the design is on ``limb``."""
         del settings, limb
         return {}
@@ -490,7 +511,7 @@ class Kind:
             part for part in (text, display_gain_text(design, view), left_out) if part
         )
 
-    def shown(self, settings: SideBySideSettings) -> str:
+    def shown(self, settings: CompareSettings) -> str:
         """Return what is shown of the sides: the levels where there is no choice."""
         return settings.shown if "shown" in self.fields else "levels"
 
@@ -500,7 +521,7 @@ class Kind:
         compared: Sequence[Compared],
         design: Design,
         view: View,
-        settings: SideBySideSettings,
+        settings: CompareSettings,
     ) -> tuple[Cell, ...]:
         """Return the maps of the sides; their scales show by how much levels are matched."""
         maps = self._cells(cells, compared, design, view, settings)
@@ -516,7 +537,7 @@ class Kind:
         compared: Sequence[Compared],
         design: Design,
         view: View,
-        settings: SideBySideSettings,
+        settings: CompareSettings,
     ) -> tuple[Cell, ...]:
         shown = self.shown(settings)
         names = self.names(compared, view, difference=shown == "difference")
@@ -577,9 +598,7 @@ class OfLimbs(Kind):
 
     fields: ClassVar[frozenset[str]] = frozenset({"shown", "limbs"})
 
-    def needs_on_limbs(
-        self, settings: SideBySideSettings, limb: str
-    ) -> Mapping[str, frozenset[str]]:
+    def needs_on_limbs(self, settings: CompareSettings, limb: str) -> Mapping[str, frozenset[str]]:
         return dict.fromkeys(settings.chosen(limb), LEVELS)
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
@@ -608,7 +627,7 @@ class OfLimbs(Kind):
 class OfSnapshots(Kind):
     """Snapshots of the present design, and designs of files; their levels can be matched."""
 
-    fields: ClassVar[frozenset[str]] = frozenset({"shown", "file"})
+    fields: ClassVar[frozenset[str]] = frozenset({"shown", "snapshots"})
     needs_of_snapshots: ClassVar[frozenset[str]] = LEVELS
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
@@ -628,8 +647,19 @@ class OfSnapshots(Kind):
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
         # Each has its own gain.
         text = super().about(compared, None, view)
-        matched = have_matching_level(compared, matched=view.levels_matched)
-        return f"{text} · {LEVELS_MATCHED}" if matched else text
+        matched = matching_text(compared) if view.levels_matched else ""
+        return f"{text} · {matched}" if matched else text
+
+
+def matching_text(compared: Sequence[Compared]) -> str:
+    """Return the text on the level that all designs share; "" where fewer than two have one."""
+    known = [side for side in compared if played_db(side) is not None]
+    if len(known) < LEAST_COMPARED:
+        return ""
+    if have_matching_level(compared, matched=True):
+        return f"{LEVELS_MATCHED}: {card_level_text(known[0])} at the loudest output"
+    why = "cannot be predicted" if compared[0].problem else "is silent"
+    return f"{snapshot_title(compared[0])} {why}: levels cannot be matched to it"
 
 
 def snapshot_names(
@@ -674,7 +704,7 @@ def _own_parts(titles: Sequence[str]) -> dict[str, str]:
     return {title: " · ".join(each[n_common:]) for title, each in zip(titles, parts, strict=True)}
 
 
-def tab_separated(content: SideBySideContent) -> str:
+def tab_separated(content: CompareContent) -> str:
     """Return the numbers for a spreadsheet: a row for each output, a column for each map."""
     cells = [cell for cell in content.cells if cell.values_db is not None]
     titles = [f"{cell.heading} ({_unit(cell)})" for cell in cells]

@@ -1,4 +1,4 @@
-"""Where maps side by side and their scales lie, and how they are painted and pointed at."""
+"""Where compared maps and their scales lie, and how they are painted and pointed at."""
 
 import re
 from collections.abc import Sequence
@@ -20,7 +20,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from skinsource.base.arrays import Floats
-from skinsource_gui.panels.side_by_side.content import Cell, SideBySideContent
+from skinsource_gui.panels.compare.content import Cell, CompareContent
 from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.plots.figure import shrunk
 from skinsource_gui.plots.outputs import OutputPicker
@@ -157,7 +157,7 @@ _BEFORE_NUMBER = re.compile(r" (?=\d)")
 _FILLED = 0.9
 
 
-def places_for(room: QRectF, content: SideBySideContent, font: QFont) -> Places:
+def places_for(room: QRectF, content: CompareContent, font: QFont) -> Places:
     """Lay out the maps of ``content``, whose text is in ``font``."""
     line, n = QFontMetricsF(font).height(), len(content.cells)
     common = content.common_scale is not None
@@ -216,7 +216,7 @@ def _with_joined_numbers(text: str) -> str:
 class VisibleMaps:
     """What is shown, and where."""
 
-    content: SideBySideContent
+    content: CompareContent
     places: Places
 
     def points_of(self, index: int) -> Floats:
@@ -278,7 +278,7 @@ def paint_view(
 
 def paint_content(
     painter: QPainter,
-    content: SideBySideContent,
+    content: CompareContent,
     places: Places,
     theme: Theme,
     pointed_at: int | None = None,
@@ -300,7 +300,7 @@ def paint_content(
         paint_scale_row(painter, places.scale, common, theme)
 
 
-def paint_page(painter: QPainter, content: SideBySideContent, room: QRectF, theme: Theme) -> None:
+def paint_page(painter: QPainter, content: CompareContent, room: QRectF, theme: Theme) -> None:
     """Draw ``content`` into ``room``, with a line that says of what it is."""
     painter.setPen(QColor(theme.text))
     line = painter.fontMetrics().height()
@@ -318,7 +318,7 @@ def _paint_cell(
     painter: QPainter,
     cell: Cell,
     place: CellPlace,
-    content: SideBySideContent,
+    content: CompareContent,
     theme: Theme,
     pointed_at: int | None,
 ) -> None:
@@ -378,12 +378,12 @@ class MapsView(QWidget):
         self._stale = False
         # Of which map the mouse was last.
         self._at = 0
-        self.content = SideBySideContent()
+        self.content = CompareContent()
         self.picker = OutputPicker(self)
         self.picker.chosen.connect(self.outputs_chosen)
         self.picker.moved.connect(self._emit_pointed_at)
-        self.setObjectName("maps_side_by_side")
-        self.setAccessibleName("Maps side by side")
+        self.setObjectName("compared_maps")
+        self.setAccessibleName("Compared maps")
         self.setAccessibleDescription(
             "; ".join((*KEYS["skin"].sentences("go", "select", "toggle"), "marked in all maps"))
         )
@@ -404,10 +404,10 @@ class MapsView(QWidget):
     def minimumSizeHint(self) -> QSize:
         return QSize(200, ceil(least_height(self.fontMetrics().height())))
 
-    def show_content(self, content: SideBySideContent) -> None:
+    def show_content(self, content: CompareContent) -> None:
         """Draw ``content``."""
         self.content, self.picker.selected = content, content.outputs
-        self.setAccessibleName(content.message or content.about or "Maps side by side")
+        self.setAccessibleName(content.message or content.about or "Compared maps")
         self._emit_pointed_at()
 
     def show_stale(self, stale: bool) -> None:

@@ -1,4 +1,4 @@
-"""Maps side by side: the same numbers as alone, one scale, one pointer, no cost while hidden."""
+"""Compared maps: the same numbers as alone, one scale, one pointer, no cost while hidden."""
 
 from dataclasses import replace
 
@@ -12,19 +12,27 @@ from PySide6.QtWidgets import QApplication
 from skinsource.design.comparing import Snapshot, scale_end_db
 from skinsource.design.design import Design, track
 from skinsource.design.panel_settings import with_settings
+from skinsource.design.view import View
 from skinsource.engine.evaluation import evaluate
-from skinsource.signals.map_range import map_range_db
-from skinsource_gui.panels.side_by_side.content import (
-    Cells,
-    snapshot_names,
-)
+from skinsource.signals.map_range import MAP_RANGE_DB, map_range_db
+from skinsource_gui.panels.compare.content import Cells, snapshot_names
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.plots.small_map import paint_small_map, tick_text
 from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.state.compared import Compared
-from tests.gui.side_by_side.side_by_side_bench import choose, point_at, shown
+from skinsource_gui.state.engine import Purpose
+from tests.core.own_limbs.lab_bench import installed
+from tests.gui.compare.compare_bench import choose, point_at, shown
 
 LIMBS = tuple(f"synthetic-{k}" for k in (1, 2, 3, 4))
+
+
+@pytest.fixture
+def panel(window, settle):
+    choose(window, of="limbs")
+    window.docks["compare"].bring_forward()
+    settle()
+    return window.panel("compare")
 
 
 def levels(window, limb):
@@ -37,6 +45,17 @@ def ring(maps, index, output):
     image = maps.grab().toImage()
     x, y = (round(coordinate) for coordinate in maps.visible_maps.points_of(index)[output - 1])
     return [image.pixel(x + dx, y + dy) for dx in range(-9, 10) for dy in range(-9, 10)]
+
+
+def test_all_of_it_is_seen_in_a_narrow_dock_whatever_it_reads(window, panel, qtbot):
+    shown(panel, qtbot, 4)
+    dock = window.docks["compare"]
+    point_at(panel.maps, 0, 23)
+    QApplication.processEvents()
+    assert panel.text_label.shown == panel.text_label.text
+    room = dock.widget().height()
+    assert panel.minimumSizeHint().height() <= panel.height() <= room
+    QApplication.sendEvent(panel.maps, QEvent(QEvent.Type.Leave))
 
 
 def test_four_limbs_have_their_own_levels_one_scale_one_pointer_and_one_selection(
@@ -101,8 +120,8 @@ def test_differences_and_mean_and_spread_are_those_of_the_levels(window, panel, 
     assert only.values_db == pytest.approx(expected[2] - expected[0], abs=1e-9)
 
 
-def test_it_costs_nothing_while_hidden_and_follows_edits_while_seen(
-    window, panel, qtbot, settle, monkeypatch
+def test_limbs_follow_edits_while_seen_and_cost_nothing_while_hidden(
+    window, panel, qtbot, settle, requests
 ):
     graphs = window.engine._graphs
     shown(panel, qtbot, 4)
@@ -116,55 +135,159 @@ def test_it_costs_nothing_while_hidden_and_follows_edits_while_seen(
     cells = shown(panel, qtbot, 4)
     for cell, values in zip(cells, before, strict=True):
         assert cell.values_db - values == pytest.approx(20 * np.log10(3.0), abs=1e-9)
-    window.docks["side_by_side"].toggleViewAction().trigger()
+    window.docks["compare"].toggleViewAction().trigger()
     settle()
     qtbot.waitUntil(lambda: not any("limb" in slot.name for slot in graphs))
-    asked = []
-    ask = window.engine.request
-    monkeypatch.setattr(
-        window.engine,
-        "request",
-        lambda request: (asked.append(request.slot.name), ask(request)),
-    )
+    requests.clear()
     window.document.edit("Softer", design.with_input(0, amplitude=0.5))
     settle()
-    assert asked == ["A"]
+    assert [request.slot.name for request in requests] == ["A"]
 
 
-def test_snapshots_stand_side_by_side_as_loud_as_they_are_shown(window, panel, qtbot):
+def test_each_map_can_be_drawn_to_its_own_maximum(window, panel, qtbot):
+    before = [cell.values_db for cell in shown(panel, qtbot, 4)]
+    QTest.mouseClick(panel.bar.own_maximum, Qt.MouseButton.LeftButton)
+    cells = shown(panel, qtbot, 4)
+    scale = panel.maps.content.common_scale
+    assert (scale.text_below, scale.range_db) == ("dB re each map's maximum", (-MAP_RANGE_DB, 0.0))
+    for cell, values in zip(cells, before, strict=True):
+        assert cell.values_db == pytest.approx(values - values.max(), abs=1e-12)
+        assert np.nanmax(cell.small.field_levels_db) == pytest.approx(0.0, abs=1.0)
+        assert cell.value_text(None).startswith(f"max {values.max():.1f} dB".replace("-", "−"))
+    point_at(panel.maps, 1, 23)
+    assert panel.text_label.text.endswith(" dB re each map's maximum")
+    panel.copy.click()
+    head, *rows = QGuiApplication.clipboard().text().splitlines()
+    for column, values in enumerate(before, 1):
+        title, below = head.split("\t")[column], float(rows[22].split("\t")[column])
+        assert below == pytest.approx(values[22] - values.max())
+        assert float(title.split(" of ")[1].split(" dB")[0]) == pytest.approx(values.max())
+    # Only levels have maxima of their own; of axes these are shown whatever was chosen of others.
+    for what, n in (("difference", 3), ("mean", 2)):
+        choose(window, shown=what)
+        assert all(cell.maximum_db is None for cell in shown(panel, qtbot, n))
+        assert not panel.bar.own_maximum.isVisible()
+    choose(window, of="axes")
+    assert shown(panel, qtbot, 3)[0].maximum_db is not None
+
+
+def test_each_axis_has_the_levels_that_the_skin_map_has_along_it(window, panel, qtbot, settle):
+    choose(window, of="axes")
+    cells = shown(panel, qtbot, 3)
+    assert [cell.headings for cell in cells] == [(f"Along {axis}", axis) for axis in "xyz"]
+    assert panel.maps.content.common_scale is not None
+    assert panel.maps.content.about == "RMS along each axis of the sensors · whole record"
+    hidden = panel.bar.shown, panel.bar.limbs, panel.bar.file, panel.cards[1]
+    assert not any(part.isVisible() for part in hidden)
+    at = point_at(panel.maps, 1, 23)
+    QTest.mouseClick(panel.maps, Qt.MouseButton.LeftButton, pos=at)
+    assert window.document.view.outputs == (23,)
+    values = {cell.headings[1]: cell.values_db for cell in cells}
+    for axis in "zyx":
+        window.document.look(replace(window.document.view, axes=axis))
+        settle()
+        for cell in shown(panel, qtbot, 3):
+            assert cell.values_db == pytest.approx(values[cell.headings[1]], abs=1e-9)
+        assert window.panel("skin").map.content.values == pytest.approx(values[axis], abs=1e-9)
+
+
+def test_only_who_looks_at_axes_pays_for_them(window, panel, qtbot, settle, requests):
     document = window.document
-    choose(window, of="snapshots")
-    qtbot.waitUntil(lambda: "Store the design" in panel.maps.content.message)
-    document.look(replace(document.view, levels_matched=True))
-    window.do("store_snapshot_1")
-    other = document.design.with_input(0, location=12, amplitude=7.0)
-    document.edit("Elsewhere", other)
-    window.do("store_snapshot_2")
-    cells = shown(panel, qtbot, 2)
-    assert [cell.heading for cell in cells] == ["Snapshot 1", "Snapshot 2"]
-    loudest = [float(cell.values_db.max()) for cell in cells]
-    assert loudest[0] == pytest.approx(loudest[1], abs=1e-9)
-    assert np.nanmax(cells[1].small.field_levels_db) <= loudest[1] + 1e-9
-    text = panel.maps.content.common_scale.text_below
-    assert text.startswith("dB re 1 m/s², 2: \N{MINUS SIGN}")
-    assert text.endswith(" dB, matched")
-    document.look(replace(document.view, levels_matched=False))
-    qtbot.waitUntil(
-        lambda: panel.maps.content.cells[1].values_db.max() > loudest[0] + 5.0, timeout=5000
-    )
-    choose(window, shown="difference")
-    [only] = shown(panel, qtbot, 1)
-    assert only.heading == "Snapshot 1 minus Snapshot 2"
+    amplitudes = iter((2.0, 3.0, 4.0))
 
+    def quantities_of_an_edit():
+        requests.clear()
+        document.edit("Louder", document.design.with_input(0, amplitude=next(amplitudes)))
+        settle()
+        wanted = frozenset().union(*(request.wanted for request in requests))
+        return wanted & {"axis_levels_db", "axis_surface_levels_db", "axis_above_noise_db"}
 
-def test_all_of_it_is_seen_in_a_narrow_dock_whatever_it_reads(window, panel, qtbot):
     shown(panel, qtbot, 4)
-    dock = window.docks["side_by_side"]
-    point_at(panel.maps, 0, 23)
-    QApplication.processEvents()
-    assert panel.text_label.shown == panel.text_label.text
-    room = dock.widget().height()
-    assert panel.minimumSizeHint().height() < panel.height() <= room
+    assert not quantities_of_an_edit()
+    choose(window, of="axes")
+    shown(panel, qtbot, 3)
+    assert len(quantities_of_an_edit()) == 3
+    # In one slot: no limb or snapshot is predicted beside the window.
+    assert {request.slot.name for request in requests} == {"A"}
+    window.docks["compare"].toggleViewAction().trigger()
+    settle()
+    assert not quantities_of_an_edit()
+
+
+def test_two_to_four_limbs_are_chosen_from_those_there_are(window, panel, qtbot):
+    shown(panel, qtbot, 4)
+
+    def entries():
+        panel.bar.limbs.fill()
+        actions = panel.bar.limbs.menu_of_limbs.actions()
+        return {action.text(): action for action in actions if action.text()}
+
+    offered = entries()
+    assert offered["Those that belong together"].isChecked()
+    offered["Synthetic 2 (165 mm)"].trigger()
+    assert len(shown(panel, qtbot, 3)) == 3
+    entries()["Synthetic 4 (165 mm)"].trigger()
+    cells = shown(panel, qtbot, 2)
+    assert [cell.limb for cell in cells] == ["synthetic-1", "synthetic-3"]
+    offered = entries()
+    assert not offered["Synthetic 3 (185 mm)"].isEnabled()
+    assert offered["Synthetic 4 (165 mm)"].isEnabled()
+    assert not offered["Those that belong together"].isChecked()
+    offered["Those that belong together"].trigger()
+    shown(panel, qtbot, 4)
+
+
+def test_a_limb_that_is_missing_laid_out_otherwise_or_too_large_says_so(
+    window, panel, qtbot, settle, monkeypatch, requests, user_data
+):
+    choose(window, limbs="synthetic-1 synthetic-2 lab-1")
+    shown(panel, qtbot, 2)
+    assert "No limb is called 'lab-1'" in panel.maps.content.cells[2].text
+    document = window.document
+    document.edit("a", document.design.with_input(0, location=3).adding(track(2)))
+    installed()
+    window.limbs.look()
+    cells = shown(panel, qtbot, 3)
+    assert cells[2].heading == "Lab 1 (x, z)"
+    assert cells[2].values_db.shape == (31,)
+    choose(window, shown="difference")
+    shown(panel, qtbot, 1)
+    assert "other places" in panel.maps.content.cells[1].text
+    choose(window, shown="mean")
+    assert shown(panel, qtbot, 2)[0].heading == "Mean of 2 of 3: Synthetic 1, Synthetic 2"
+    monkeypatch.setattr("skinsource.limbs.limb.LIVE_INPUTS", 5)
+    monkeypatch.setattr("skinsource_gui.state.engine.LIVE_INPUTS", 5)
+    requests.clear()
+    choose(window, shown="levels")
+    document.edit("b", document.design.with_input(0, amplitude=0.3))
+    settle()
+    # Published limbs are larger than that as well.
+    qtbot.waitUntil(
+        lambda: all("follow edits up to 5" in cell.text for cell in panel.maps.content.cells)
+    )
+    # Lamps and error of what was shown before may still be on their way.
+    quantities = [request.wanted for request in requests if request.purpose == Purpose.SHOW]
+    # What clips play is drawn all the same, and runs through no limb.
+    assert not any("output_levels_db" in names or "vibration" in names for names in quantities)
+
+
+def test_a_snapshot_on_a_limb_without_the_axes_of_the_view_shows_those_it_has(
+    window, panel, qtbot, user_data
+):
+    installed(axes="xz")
+    window.limbs.look()
+    document = window.document
+    on_lab = Design(limb="lab-1", inputs=(track(3),))
+    choose(window, of="snapshots")
+    document.edit("lab", on_lab)
+    window.do("store_snapshot_1")
+    document.edit("back", Design(limb="synthetic-1", inputs=(track(7),)))
+    document.look(replace(document.view, axes="y"))
+    [lab] = [cell for cell in shown(panel, qtbot, 2) if cell.limb == "lab-1"]
+    assert lab.heading == "Snapshot 1 (x, z)"
+    view = View(axes="xz", method=document.view.method)
+    expected = evaluate(on_lab, "output_levels_db", view=view)["output_levels_db"]
+    assert lab.values_db == pytest.approx(expected, abs=1e-9)
 
 
 def test_silence_is_said(window, panel, qtbot):

@@ -1,4 +1,4 @@
-"""The settings of the panel of maps side by side, which are saved with a design."""
+"""The settings of the Compare panel, which are saved with a design."""
 
 from dataclasses import dataclass
 
@@ -8,8 +8,8 @@ from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec
 
 OF = ChoiceSpec(
     label="Of",
-    options=(("limbs", "Limbs"), ("snapshots", "Snapshots"), ("axes", "Axes")),
-    hint="The present design on several limbs; snapshots: of this design, and designs of files; or "
+    options=(("snapshots", "Snapshots"), ("limbs", "Limbs"), ("axes", "Axes")),
+    hint="Snapshots of this design, and designs of files; the present design on several limbs; or "
     "the present design along each axis of the sensors",
 )
 SHOWN = ChoiceSpec(
@@ -31,13 +31,13 @@ LIMBS = TextSpec(label="Limbs", longest=200, one_line=True)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class SideBySideSettings:
+class CompareSettings:
     """What is compared, and how.
 
     Attributes
     ----------
     of
-        ``"limbs"``, ``"snapshots"`` or ``"axes"``.
+        ``"snapshots"``, ``"limbs"`` or ``"axes"``.
     shown
         ``"levels"``, ``"difference"`` or ``"mean"``; of axes always the levels.
     own_maximum
@@ -47,7 +47,7 @@ class SideBySideSettings:
         the design, see `skinsource.design.comparing.related_limbs`.
     """
 
-    of: str = fields.choice("limbs", OF)
+    of: str = fields.choice("snapshots", OF)
     shown: str = fields.choice("levels", SHOWN)
     own_maximum: bool = fields.switch(False, OWN_MAXIMUM)
     limbs: str = fields.text("", LIMBS)
