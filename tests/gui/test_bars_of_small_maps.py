@@ -20,7 +20,7 @@ DESIGN = ss.Design(
 )
 
 
-@pytest.mark.parametrize(("name", "bars"), [("compare", 4), ("windowed", 1)])
+@pytest.mark.parametrize(("name", "bars"), [("compare", 4), ("analysis/windowed", 1)])
 def test_each_limb_has_a_bar_on_paper(open_window, settle, tmp_path, name, bars):
     window = open_window(DESIGN, View(panels=(("compare", (("of", "limbs"),)),)))
     settle()

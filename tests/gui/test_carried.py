@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
 from skinsource.design.panel_settings import with_settings
+from skinsource_gui.panels.analysis.settings import VIEWS
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.pictures import (
     ALL_VISIBLE,
@@ -15,6 +16,7 @@ from skinsource_gui.plots.pictures import (
 )
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.shell.panels import PANELS
+from tests.gui.analysis.analysis_bench import analysis
 from tests.gui.pages_of_paper import Paper
 
 #: Too fast, too high, and on a synthetic limb.
@@ -29,8 +31,12 @@ SAID = (
 )
 GUESSED = "of the energy lies above 300 Hz: between outputs the map is a guess."
 #: Panels that draw maps between outputs; all in sight do too.
-MAPS = ("skin", "compare", "windowed", ALL_VISIBLE)
-EVERY = (*(spec.panel.name for spec in PANELS), ALL_VISIBLE)
+MAPS = ("skin", "compare", "analysis/windowed", ALL_VISIBLE)
+EVERY = (
+    *(spec.panel.name for spec in PANELS),
+    *(f"analysis/{view.name}" for view in VIEWS),
+    ALL_VISIBLE,
+)
 
 
 @pytest.fixture
@@ -53,7 +59,7 @@ def drawn(window, name, path, size=(900, 700)):
 
 def test_below_each_panel_stands_once_each_condition_that_is_not_kept(window, tmp_path):
     for name in EVERY:
-        text = drawn(window, name, tmp_path / f"{name}.svg")
+        text = drawn(window, name, tmp_path / "a.svg")
         assert {phrase: text.count(phrase) for phrase in SAID} == dict.fromkeys(SAID, 1), name
         assert text.count(GUESSED) == (name in MAPS), name
         assert "Tone 400 Hz" in text, name
@@ -61,7 +67,7 @@ def test_below_each_panel_stands_once_each_condition_that_is_not_kept(window, tm
 
 
 def test_a_page_has_the_words_of_its_caption_too(window, tmp_path):
-    save_drawing(tmp_path / "a.pdf", window.pictures.picture_of("windowed").draw, 900, 700)
+    save_drawing(tmp_path / "a.pdf", window.pictures.picture_of("analysis/windowed").draw, 900, 700)
     text = Paper(tmp_path / "a.pdf").text().replace(" ", "")
     assert "betweenoutputsthemapisaguess" in text
     assert "Responsesarecomputedfromamodel" in text
@@ -70,7 +76,7 @@ def test_a_page_has_the_words_of_its_caption_too(window, tmp_path):
 def test_what_is_kept_is_not_said(open_window, tmp_path):
     quiet = replace(DESIGN, inputs=(ss.track(7, ss.waveforms.Tone(frequency_hz=100.0)),))
     window = open_window(quiet)
-    text = drawn(window, "windowed", tmp_path / "a.svg")
+    text = drawn(window, "analysis/windowed", tmp_path / "a.svg")
     assert "The probe moves" not in text
     assert "300 Hz" not in text
     assert "Responses are computed from a model" in text
@@ -92,7 +98,7 @@ def test_each_limb_of_a_comparison_is_named_with_what_there_is_to_note_of_it(win
     assert "Limbs: Synthetic 1 (175 mm), Synthetic 2" in caption
     assert "Synthetic 2, Synthetic 3: Made anew." in caption
     assert caption.count("Responses are computed") == 1
-    assert "Limb: Synthetic 1 (175 mm);" in window.pictures.picture_of("windowed").caption
+    assert "Limb: Synthetic 1 (175 mm);" in window.pictures.picture_of("analysis/windowed").caption
 
 
 def test_snapshots_that_do_not_keep_a_condition_are_named_with_it(window, settle):
@@ -101,14 +107,13 @@ def test_snapshots_that_do_not_keep_a_condition_are_named_with_it(window, settle
     settle()
     caption = window.pictures.picture_of("compare").caption
     assert "Snapshot 1: The probe moves at up to" in caption
-    assert "The probe moves" not in window.pictures.picture_of("windowed").caption
+    assert "The probe moves" not in window.pictures.picture_of("analysis/windowed").caption
 
 
 def test_copied_numbers_are_followed_by_what_they_are_not_good_for(window, qtbot):
-    window.docks["statistics"].bring_forward()
-    panel = window.panel("statistics")
-    qtbot.waitUntil(lambda: len(panel.model.rows) > 0, timeout=30_000)
-    [button] = panel.findChildren(CopyButton)
+    panel = analysis(window, "statistics")
+    qtbot.waitUntil(lambda: len(panel.rows) > 0, timeout=30_000)
+    [button] = window.panel("analysis").findChildren(CopyButton)
     button.click()
     *_, last = lines = QApplication.clipboard().text().splitlines()
     assert lines[0].startswith("output\t")

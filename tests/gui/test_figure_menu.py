@@ -8,7 +8,7 @@ from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.pages.files import exports
-from skinsource_gui.qt.questions import CopyButton
+from tests.gui.analysis.analysis_bench import analysis
 
 DESIGN = Design(limb="synthetic-1", inputs=(track(location=7, waveform=Tone(duration_s=0.2)),))
 
@@ -25,8 +25,7 @@ def menu_on(figure):
 def test_the_right_button_on_a_figure_offers_its_picture(open_window, qtbot, monkeypatch, name):
     window = open_window(DESIGN, View(selected_inputs=(1,), outputs=(3,)))
     window.activateWindow()
-    window.docks[name].bring_forward()
-    panel = window.panel(name)
+    panel = analysis(window, name)
     qtbot.waitUntil(lambda: panel.isVisible() and not panel.figure.message, timeout=30_000)
     menu = menu_on(panel.figure)
     by_words = {action.text(): action for action in menu.actions()}
@@ -37,5 +36,5 @@ def test_the_right_button_on_a_figure_offers_its_picture(open_window, qtbot, mon
     window.panel("skin").setFocus()
     by_words["Save picture as…"].trigger()
     menu.close()
-    assert asked == [f"Export picture of the panel {panel.title}"]
-    assert ("Copy numbers" in by_words) == (panel.findChild(CopyButton) is not None)
+    assert asked == ["Export picture of the panel Analysis"]
+    assert ("Copy numbers" in by_words) == panel.copies

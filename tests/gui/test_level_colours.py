@@ -11,10 +11,11 @@ from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.plots.pictures import drawn_image
 from skinsource_gui.plots.small_map import LevelStyle, level_style, with_colours_of
+from tests.gui.analysis.analysis_bench import analysis
 
 #: Pixels of a small map, and of words that happen to have its colours.
 MANY, FEW = 100, 20
-MAPS = ("skin", "windowed", "compare")
+MAPS = ("skin", "analysis/windowed", "compare")
 
 
 def n_in(image, colours):
@@ -30,11 +31,14 @@ def look_at(window, qtbot, name):
     if name == "compare":
         limbs = with_settings(window.document.view, "compare", CompareSettings(of="limbs"))
         window.document.look(limbs)
+    name, _, view = name.partition("/")
+    if view:
+        analysis(window, view)
     window.docks[name].bring_forward()
     panel = window.panel(name)
     qtbot.waitUntil(panel.isVisible)
-    if name == "windowed":
-        qtbot.waitUntil(lambda: panel.strip.content is not None, timeout=60_000)
+    if view:
+        qtbot.waitUntil(lambda: panel.view.strip.content is not None, timeout=60_000)
     elif name == "compare":
         cells = lambda: panel.maps.content.cells  # noqa: E731
         qtbot.waitUntil(

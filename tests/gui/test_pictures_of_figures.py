@@ -9,7 +9,8 @@ import skinsource as ss
 from skinsource.design.view import View
 from skinsource_gui.plots.pictures import drawn_image, save_drawing
 from skinsource_gui.qt.theme import LIGHT
-from tests.gui.linearity.test_linearity_panel import show
+from tests.gui.analysis.analysis_bench import analysis
+from tests.gui.analysis.test_linearity_panel import show
 from tests.gui.test_pictures_out import texts_of
 
 __all__ = ["show"]
@@ -23,8 +24,7 @@ SLIDE_PX = (1280, 720)
 
 def in_front(open_window, qtbot, name):
     window = open_window(DESIGN, View(outputs=(20, 26)))
-    window.docks[name].bring_forward()
-    panel = window.panel(name)
+    panel = analysis(window, name)
     qtbot.waitUntil(lambda: not window.engine.busy and not panel.figure.message, timeout=30_000)
     return window, panel
 
@@ -41,7 +41,7 @@ def inked(image):
 def test_a_picture_of_a_figure_has_no_controls(open_window, qtbot, tmp_path, name):
     window, panel = in_front(open_window, qtbot, name)
     path = tmp_path / "a.svg"
-    save_drawing(path, window.pictures.picture_of(name).draw, *SLIDE_PX)
+    save_drawing(path, window.pictures.picture_of("analysis").draw, *SLIDE_PX)
     texts = texts_of(path)
     assert panel._result.split(" · ")[0].split()[0] in texts
     assert "Copy" not in texts

@@ -6,7 +6,6 @@ from itertools import groupby
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton
 
@@ -20,18 +19,19 @@ from skinsource.perception.sensation import LIMITS
 from skinsource.perception.thresholds import PerceptionSettings
 from skinsource.perception.validity import Finding
 from skinsource.signals.analysis.wave_speed import travelling_wave
-from skinsource_gui.panels.perception.panel import (
+from skinsource_gui.panels.analysis.perception import (
     contact_list,
     contact_table,
     contact_text,
     rows,
     tab_separated,
 )
+from skinsource_gui.panels.analysis.wave import wave_text
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.panels.wave.panel import wave_text
 from skinsource_gui.qt.theme import DARK
 from skinsource_gui.shell.validity_lamps import ValidityCard, ValidityLamps, _lamp_text
 from skinsource_gui.state.engine import FIRST_SLOT
+from tests.gui.analysis.analysis_bench import analysis, copied
 
 OUTPUTS = (29, 33, 57)
 
@@ -50,17 +50,16 @@ def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
     document.look(replace(document.view, outputs=OUTPUTS))
     settle()
     assert runs["sensation"] == 0
-    window.docks["perception"].bring_forward()
+    analysis(window, "perception")
     settle()
-    panel = window.panel("perception")
+    panel = window.panel("analysis").view
     assert runs["sensation"] == 1
-    assert panel.table.rowCount() == 3
+    assert panel.table.model().rowCount() == 3
     assert panel.limits.text() == f"{LIMITS} What lies from 25 to 600 Hz counts."
     assert "not perception" in panel.contact.text()
     assert "place 7" in panel.contact.text()
-    panel.copy.click()
-    copied, contacts = QGuiApplication.clipboard().text().split("\n\n")
-    lines = copied.splitlines()
+    numbers, contacts = copied(window).split("\n\n")
+    lines = numbers.splitlines()
     assert [line.split("\t")[0] for line in lines] == ["output", "29", "33", "57"]
     labels = [line.split("\t")[0] for line in contacts.splitlines() if line[0] != "#"]
     assert labels == ["place", "7"]
@@ -70,7 +69,7 @@ def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
     settle()
     held = settings_of(document.view, "perception", PerceptionSettings)
     assert held.thresholds == ((25.0, 0.1), (600.0, 0.1))
-    assert panel.table.columnCount() == 3
+    assert panel.table.model().columnCount() == 3
     assert "your table" in panel.limits.text()
     path.write_text("nonsense")
     messages = []
@@ -79,12 +78,12 @@ def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
     assert "line 1" in messages[0]
     panel.model.click()
     settle()
-    assert panel.table.columnCount() == 5
+    assert panel.table.model().columnCount() == 5
     document.look(replace(document.view, outputs=()))
     settle()
     assert not panel.table.isVisible()
     assert "on the skin map" in panel.message
-    window.docks["perception"].toggleViewAction().trigger()
+    window.docks["analysis"].toggleViewAction().trigger()
     before = runs["sensation"]
     louder = document.design.with_input(0, amplitude=3.0)
     document.apply(Edit(label="Louder", design=louder, view=document.view))
@@ -125,9 +124,9 @@ def test_the_map_shows_levels_above_threshold_with_their_limits(window, settle, 
 def test_words_on_the_contact_go_while_they_are_late_even_with_nothing_selected(
     window, settle, qtbot
 ):
-    window.docks["perception"].bring_forward()
+    analysis(window, "perception")
     settle()
-    panel = window.panel("perception")
+    panel = window.panel("analysis").view
     assert "place 7" in panel.contact.text()
     assert panel.contact.isVisible()
     panel.show_stale(True)
@@ -155,8 +154,8 @@ def test_what_is_not_felt_has_no_strength():
         level_db=np.array([-200.0, 12.0]), by_channel=levels, strength=np.array([0.0, 1.5])
     )
     silent, loud = rows(sensation, (1, 2))
-    assert silent[1:] == ["–"] * 4
-    assert loud[1:] == ["12.0", "12.0", "3.0", "1.5"]
+    assert silent.texts[1:] == ("–",) * 4
+    assert loud.texts[1:] == ("12.0", "12.0", "3.0", "1.5")
     _, silent, loud = (line.split("\t") for line in tab_separated(sensation, (1, 2)).splitlines())
     assert silent[2:] == [""] * 4
     assert loud[2:] == ["12.0", "12.0", "3.0", "1.5"]
@@ -166,7 +165,7 @@ def test_what_is_not_felt_has_no_strength():
 def test_why_a_table_was_refused_is_said_until_thresholds_are_taken(
     window, settle, tmp_path, repair
 ):
-    panel = window.panel("perception")
+    panel = analysis(window, "perception")
     wrong, right = tmp_path / "wrong.csv", tmp_path / "right.csv"
     wrong.write_text("nonsense")
     right.write_text("frequency_hz,threshold_m_per_s2\n25,0.1\n600,0.1\n")

@@ -12,11 +12,13 @@ from skinsource.design.comparing import louder, match_text
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design
 from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource_gui.panels.analysis.settings import VIEWS
 from skinsource_gui.panels.skin.scale import fitting_title
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.plots.pictures import ALL_VISIBLE, drawn_image
 from skinsource_gui.shell.status import MatchNote
 from skinsource_gui.state.playing import played_of
+from tests.gui.analysis.analysis_bench import analysis
 from tests.gui.compare.compare_bench import choose, edit, levels, show_matched, shown_levels
 
 OTHER = Design(limb="synthetic-1", inputs=(track(3),))
@@ -164,6 +166,7 @@ def test_tables_hold_the_design_as_it_is_stored_and_say_so(
 
 
 OUTPUTS = (20, 33, 29)
+ANALYSIS = [spec.name for spec in VIEWS]
 
 
 @pytest.fixture
@@ -180,6 +183,9 @@ def gain_text(window, settle, monkeypatch):
 
 
 def brought_forward(window, settle, name):
+    if name in ANALYSIS:
+        analysis(window, name)
+        name = "analysis"
     window.docks[name].bring_forward()
     settle()
     return window.panel(name)
@@ -192,16 +198,15 @@ def test_every_axis_says_by_how_much(window, settle, gain_text):
         # Whatever else gives way to a note.
         metrics = QFontMetrics(plot.font())
         assert gain_text in plot.places.header.fitted(metrics, 1.0)[0], name
-    assert brought_forward(window, settle, "windowed").strip.content.scale.text_below.endswith(
-        gain_text
-    )
-    spectrogram = brought_forward(window, settle, "spectrogram").picture
+    strip = brought_forward(window, settle, "windowed").view.strip
+    assert strip.content.scale.text_below.endswith(gain_text)
+    spectrogram = brought_forward(window, settle, "spectrogram").view.picture
     assert spectrogram.content.matched == gain_text
-    wave = brought_forward(window, settle, "wave").picture
+    wave = brought_forward(window, settle, "wave").view.picture
     wave.grab()
     assert wave._diagrams[1][0].y.title.endswith(f", {gain_text}")
     for name in ("statistics", "perception", "regions"):
-        panel = brought_forward(window, settle, name)
+        panel = brought_forward(window, settle, name).view
         about = panel.limits.text() if name == "perception" else panel.about.text
         assert gain_text in about, name
     gain_db = 20 * np.log10(window.document.view.match_gain(window.document.design))
@@ -237,11 +242,10 @@ def test_the_colour_bar_of_the_map_says_it_whatever_it_shows(window, settle, gai
     ["skin", "traces", "compare", "spectrogram", "wave", "windowed", "regions", ALL_VISIBLE],
 )
 def test_pictures_are_those_of_levels_that_are_not_matched(window, settle, gain_text, name):
-    if name != ALL_VISIBLE:
-        brought_forward(window, settle, name)
+    panel = ALL_VISIBLE if name == ALL_VISIBLE else brought_forward(window, settle, name).name
 
     def drawn():
-        picture = window.pictures.picture_of(name)
+        picture = window.pictures.picture_of(panel)
         assert "matched" not in picture.caption
         return drawn_image(picture.draw, 700, 600)
 

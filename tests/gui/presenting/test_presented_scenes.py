@@ -59,11 +59,11 @@ def test_a_scene_that_is_open_is_presented_with_the_panels_that_show_it(
             window.do("next_scene")
     assert "2H" in title(window)
     window.do("present")
-    assert "windowed" in in_front(window)
+    assert "analysis" in in_front(window)
     window.do("present")
     window.do("new_design")
     window.do("present")
-    assert "windowed" not in in_front(window)
+    assert "analysis" not in in_front(window)
 
 
 def in_front(window):
@@ -289,10 +289,10 @@ def test_after_a_show_the_panels_of_the_scene_that_is_open_are_in_front(open_win
     for _ in range(names.index("2H") - names.index("1G")):
         window.do("next_scene")
     window.do("present")
-    qtbot.waitUntil(lambda: "windowed" in in_front(window))
+    qtbot.waitUntil(lambda: "analysis" in in_front(window))
     qtbot.waitUntil(lambda: window.height() == 600)
     settle()
-    assert "windowed" in in_front(window)
+    assert "analysis" in in_front(window)
     assert "timeline" in in_front(window)
 
 

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.panels.skin.painting import marks_at
 from skinsource_gui.qt.overlays import COVERED, Cover
+from tests.gui.analysis.analysis_bench import analysis
 
 
 @pytest.fixture
@@ -143,7 +144,7 @@ def test_hand_and_map_point_at_the_same_input(open_window, design):
 
 
 MAPS = {
-    "windowed": ("window_strip",),
+    "analysis": ("window_strip",),
     "compare": ("compared_maps", "compare_words"),
 }
 
@@ -171,6 +172,8 @@ def wait(plain_studio, qtbot):
 def test_all_that_draws_maps_is_covered_together_and_revealed(plain_studio, qtbot, name):
     plain_studio.docks[name].bring_forward()
     panel = plain_studio.panel(name)
+    if name == "analysis":
+        panel = analysis(plain_studio, "windowed")
     wait(plain_studio, qtbot)
     assert set(MAPS[name]) <= parts(panel).keys()
     assert not panel.findChildren(Cover)
@@ -185,9 +188,9 @@ def test_all_that_draws_maps_is_covered_together_and_revealed(plain_studio, qtbo
 
 
 def test_nothing_is_seen_through_a_cover_however_large_it_gets(plain_studio, qtbot):
-    plain_studio.docks["windowed"].bring_forward()
+    analysis(plain_studio, "windowed")
     wait(plain_studio, qtbot)
-    strip = plain_studio.panel("windowed").strip
+    strip = plain_studio.panel("analysis").view.strip
     qtbot.waitUntil(lambda: strip.content is not None, timeout=30_000)
     assert len(colours(strip)) > 50
     plain_studio.do("cover_map")
@@ -199,10 +202,9 @@ def test_nothing_is_seen_through_a_cover_however_large_it_gets(plain_studio, qtb
 
 
 def test_a_panel_that_is_first_seen_while_maps_are_covered_is_covered(plain_studio, qtbot):
-    assert "windowed" not in plain_studio.panels
+    assert "analysis" not in plain_studio.panels
     plain_studio.do("cover_map")
-    plain_studio.docks["windowed"].bring_forward()
-    panel = plain_studio.panel("windowed")
+    panel = analysis(plain_studio, "windowed")
     wait(plain_studio, qtbot)
     assert panel.strip.findChildren(Cover)
     plain_studio.do("cover_map")
@@ -210,12 +212,12 @@ def test_a_panel_that_is_first_seen_while_maps_are_covered_is_covered(plain_stud
 
 
 def test_nothing_stays_covered_once_presenting_ends(plain_studio, qtbot):
-    plain_studio.docks["windowed"].bring_forward()
+    analysis(plain_studio, "windowed")
     wait(plain_studio, qtbot)
     plain_studio.do("present")
     plain_studio.do("cover_map")
     plain_studio.do("present")
-    covers = plain_studio.panel("windowed").findChildren(Cover)
+    covers = plain_studio.panel("analysis").view.findChildren(Cover)
     assert not any(cover.isVisible() for cover in covers)
 
 

@@ -41,6 +41,8 @@ OWN_SPECTRA = {
 OWN_MEAN_SPECTRA = {"spectra": {**OWN_SPECTRA["spectra"], "averaged": True}}
 #: Maps of all designs of a scene, each relative to its own loudest output.
 EACH_TO_ITS_MAXIMUM = {"compare": {"own_maximum": True}}
+#: Whether outputs grow in proportion to inputs, and whether inputs add up.
+LINEARITY = {"analysis": {"shown": "linearity"}}
 #: Maps of the design along each axis.
 EACH_AXIS = {"compare": {"of": "axes"}}
 
@@ -188,14 +190,18 @@ def _overlay(name: str, limb: int) -> MadeScene:
             "their strength: where the skin is linear they lie on each other.",
             inferred=(_BY_CONSTRUCTION, "which outputs are shown", "lengths of the tones"),
             labels=tuple(f"{speed} mm/s" for speed in _SPEEDS_MM_PER_S),
-            panels=("skin", "traces", "linearity"),
+            panels=("skin", "traces", "analysis"),
         ),
         *(design_on(limb, _tones(speed), scaling="probe") for speed in _SPEEDS_MM_PER_S),
         shown=4,
         control="amplitude",
         axes="z",
         outputs=(20, 26),
-        panels={"traces": {"layout": "stacked"}, "linearity": {"velocity": True}},
+        panels={
+            "traces": {"layout": "stacked"},
+            "linearity": {"velocity": True},
+            **LINEARITY,
+        },
     )
 
 
@@ -218,7 +224,7 @@ def _fit(
             sentence=sentence,
             inferred=(_BY_CONSTRUCTION, _LEVELS_TEXT, *inferred),
             labels=tuple(f"{level:g} m/s²" for level in _LEVELS),
-            panels=("skin", "traces", "linearity"),
+            panels=("skin", "traces", "analysis"),
         ),
         *_sweeps(),
         shown=3,
@@ -228,6 +234,7 @@ def _fit(
         panels={
             "spectra": {"frequency_range_hz": (25.0, 600.0)},
             "linearity": {"bands": True, "every_output": every_output},
+            **LINEARITY,
         },
     )
 
@@ -257,7 +264,7 @@ _SUPERPOSITION = made_scene(
         "sum of what each causes alone.",
         inferred=("exact by construction: the model is linear", "level of the sweep, 3 m/s²"),
         labels=("Input 8", "Input 13", "Both"),
-        panels=("skin", "traces", "linearity"),
+        panels=("skin", "traces", "analysis"),
     ),
     *(
         design_on(1, *tracks_at(places, _SWEEP, 3.0), scaling="probe")
@@ -267,6 +274,7 @@ _SUPERPOSITION = made_scene(
     control="amplitude",
     axes="z",
     outputs=(20, 26),
+    panels=LINEARITY,
     time_range_s=_CYCLES_S,
 )
 
@@ -508,12 +516,13 @@ _CONTRACTION = made_scene(
             "windows of 120 ms from the first arrival on",
         ),
         arrangement="analysis",
-        panels=("traces", "windowed"),
+        panels=("traces", "analysis"),
     ),
     design_on(4, *tracks_at([7], WaveletTrain())),
     control="amplitude",
     method="mag",
     outputs=(30, 33, 52),
+    panels={"analysis": {"shown": "windowed"}},
     windows_cut="length",
     window_s=0.12,
 )

@@ -9,8 +9,9 @@ from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.analysis_rules import Sensation
 from skinsource.engine.evaluation import evaluate
-from skinsource_gui.panels.figure_panel import FigurePanel
+from skinsource_gui.panels.analysis.view import FigureView
 from tests.core.own_limbs.lab_bench import N_OUTPUTS, installed
+from tests.gui.analysis.analysis_bench import analysis
 
 PANELS = (
     "statistics",
@@ -39,11 +40,14 @@ def window(request, user_data, open_window):
 
 def shown(window, name, qtbot):
     """A panel with what it says of the present design."""
-    window.docks[name].bring_forward()
+    if name == "compare":
+        window.docks[name].bring_forward()
+        panel = window.panel(name)
+    else:
+        panel = analysis(window, name)
     qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
-    panel = window.panel(name)
     assert not panel.grab().isNull()
-    if isinstance(panel, FigurePanel) and name != "main_axis":
+    if isinstance(panel, FigureView) and name != "main_axis":
         assert panel.figure.message == ""
     return panel
 
@@ -56,7 +60,7 @@ def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
     one_axis = window.document.view.axes == "x"
     panels = {name: shown(window, name, qtbot) for name in PANELS}
     assert window.notice.text == ""
-    rows = panels["statistics"].model.rows
+    rows = panels["statistics"].rows
     assert [row.name for row in rows] == ["sensor 4", "sensor 31", "sensor 9"]
     assert all(600.0 < row.values[3] < 800.0 or row.values[3] < 200.0 for row in rows)
     spectrogram = panels["spectrogram"]
@@ -68,11 +72,13 @@ def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
     assert transfer.picture.content.transfer.band_hz is None
     assert "from 0 to 2000 Hz" in transfer.note_label.text
     assert {finding.name: finding.state for finding in judged(window)}["band"] == "unknown"
-    assert float(transfer.table().splitlines()[-1].split("\t")[0]) == pytest.approx(2000.0, abs=25)
+    assert float(transfer.table_text().splitlines()[-1].split("\t")[0]) == pytest.approx(
+        2000.0, abs=25
+    )
     wave = panels["wave"]
     axis = "x" if one_axis else "z"
     assert wave.about.text.startswith(f"Along {axis};")
-    assert f"level_{axis}_db" in wave.table()
+    assert f"level_{axis}_db" in wave.table_text()
     if one_axis:
         assert "measured along one alone" in panels["main_axis"].figure.message
     else:

@@ -1,14 +1,13 @@
-"""The base of panels that show one figure under a row of choices."""
+"""The bases of the views of Analysis: what each has, and a figure under a row of choices."""
 
-from collections.abc import Callable
+from typing import ClassVar
 
-from PySide6.QtCore import QPoint, QRectF, QSize, Qt
+from PySide6.QtCore import QPoint, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.plots.figure import Figure, NoteLabel, draw_figure, open_figure_menu
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.state.panel import COMPUTING, OutputsPanel
 
@@ -16,13 +15,59 @@ from skinsource_gui.state.panel import COMPUTING, OutputsPanel
 SILENT = "Silent: nothing is driven"
 
 
-class FigurePanel(OutputsPanel):
-    """A panel with choices above a figure, and a line of text below it.
+class AnalysisView(OutputsPanel):
+    """One view of Analysis: a panel inside of the panel, which shows and hides it.
+
+    Attributes
+    ----------
+    has_table
+        Whether there are numbers to copy now.
+    """
+
+    #: Whether it ever has numbers to copy.
+    copies: ClassVar[bool] = True
+
+    #: Whether numbers can be copied may be otherwise.
+    copy_changed = Signal()
+    #: The user wants to copy them.
+    copy_requested = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.has_table = False
+
+    @property
+    def message(self) -> str:
+        return ""
+
+    def say_instead(self, message: str) -> None:
+        """Do nothing: such a view says it beside its results."""
+
+    def table_text(self) -> str:
+        """Return the numbers, with tabs between the columns; "" where there are none."""
+        return ""
+
+    def offer_copy(self, exists: bool) -> None:
+        """Say whether there are numbers to copy."""
+        self.has_table = exists
+        self.copy_changed.emit()
+
+    def hasHeightForWidth(self) -> bool:
+        # The panel asks for the least height itself, see `AnalysisPanel.heightForWidth`.
+        return False
+
+    def _follow_staleness(self, stale: bool) -> None:
+        super()._follow_staleness(stale)
+        self.copy_changed.emit()
+
+
+class FigureView(AnalysisView):
+    """A view with choices above a figure, and a line of text below it.
 
     Parameters
     ----------
     figure
-        Fills the panel.
+        Fills the view.
 
     Attributes
     ----------
@@ -36,7 +81,6 @@ class FigurePanel(OutputsPanel):
         self.setMinimumSize(240, 160)
         self.setFocusProxy(figure)
         self._result = ""
-        self._copy: CopyButton | None = None
         self._above: NoteLabel | None = None
         self.note_label = NoteLabel(f"{self.name}_words")
         self.choices = in_row(margins=(UNIT_PX // 2, 1, UNIT_PX // 2, 1), gap_px=UNIT_PX // 2)
@@ -75,12 +119,6 @@ class FigurePanel(OutputsPanel):
     def sizeHint(self) -> QSize:
         return QSize(360, 280)
 
-    def add_copy(self, table: Callable[[], str]) -> CopyButton:
-        """Return a new button, right of the choices, that copies the result of ``table``."""
-        self._copy = CopyButton(self.name, table, self)
-        self.choices.addWidget(self._copy)
-        return self._copy
-
     def add_above(self, name: str) -> NoteLabel:
         """Return a new text above the figure, also in pictures; the caller adds it to a layout."""
         self._above = NoteLabel(name)
@@ -89,8 +127,7 @@ class FigurePanel(OutputsPanel):
     def say_instead(self, message: str) -> None:
         self.figure.say(message)
         self.show_result("")
-        if self._copy is not None:
-            self._copy.offer(False)
+        self.offer_copy(False)
 
     def await_results(self) -> None:
         self.figure.say(COMPUTING)
@@ -106,7 +143,7 @@ class FigurePanel(OutputsPanel):
 
     def _open_menu(self, at: QPoint) -> None:
         if not self.figure.message:
-            copy = None if self._copy is None else self._copy.click
+            copy = self.copy_requested.emit if self.copies else None
             open_figure_menu(self.figure, self.figure.mapToGlobal(at), self._save_picture, copy)
 
     def _save_picture(self) -> None:

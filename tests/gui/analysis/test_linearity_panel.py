@@ -17,10 +17,11 @@ from skinsource.engine.evaluation import evaluate
 from skinsource.perception.validity import probe_velocity
 from skinsource.studies.checking import Proportion, Superposition
 from skinsource.studies.figures.figures import lines_of
-from skinsource_gui.panels.linearity.content import diagrams_of_proportion, of_amplitudes
-from skinsource_gui.panels.linearity.settings import LinearitySettings
+from skinsource_gui.panels.analysis.linearity_content import diagrams_of_proportion, of_amplitudes
+from skinsource_gui.panels.analysis.settings import LinearitySettings
 from skinsource_gui.state.compared import Compared
-from tests.gui.linearity.test_linearity_content import ROWS, TIME_S, bent
+from tests.gui.analysis.analysis_bench import analysis
+from tests.gui.analysis.test_linearity_content import ROWS, TIME_S, bent
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.1)
 
@@ -44,14 +45,13 @@ PARTS = [played(8), played(13), played(8, 13)]
 
 
 @pytest.fixture
-def show(make_window, qtbot):
+def show(open_window, qtbot):
     """A window on the last of designs that are kept, with the panel in front."""
 
     def opened(designs, **view):
         looked = View(**{"axes": "z", "outputs": OUTPUTS, "levels_matched": False, **view})
-        window = make_window(designs[-1], replace(looked, snapshots=snapshots_of(*designs)))
-        window.docks["linearity"].bring_forward()
-        panel = window.panel("linearity")
+        window = open_window(designs[-1], replace(looked, snapshots=snapshots_of(*designs)))
+        panel = analysis(window, "linearity")
         qtbot.waitUntil(lambda: settled(window, panel), timeout=30_000)
         return window, panel
 
@@ -90,7 +90,7 @@ def test_inputs_alone_add_up_to_all_of_them(show):
     assert panel.result.largest_difference < 1e-9
     assert "Sum of separate and joint" in panel.note_label.text
     panel.grab()
-    head, *rows = panel.table().splitlines()
+    head, *rows = panel.table_text().splitlines()
     assert head == "output\taxis\tpearson_r"
     assert [row.split("\t")[:2] for row in rows] == [["20", "z"], ["26", "z"]]
     assert [float(row.split("\t")[2]) for row in rows] == pytest.approx([1.0, 1.0])
@@ -102,7 +102,7 @@ def test_the_design_in_the_window_counts_though_it_is_no_snapshot(show, qtbot):
     document.edit("Louder", document.design.with_input(0, amplitude=9.0))
     qtbot.waitUntil(lambda: panel.result is not None and len(panel.result.strengths) == 4)
     assert panel.result.strengths[-1] == 9.0
-    assert len(panel.table().splitlines()) == 5
+    assert len(panel.table_text().splitlines()) == 5
 
 
 @pytest.mark.parametrize(("designs", "kind"), [(STRENGTHS, Proportion), (PARTS, Superposition)])
@@ -127,10 +127,10 @@ def test_while_snapshots_are_computed_anew_what_is_drawn_is_told_to_be_of_others
     panel.show_snapshots([Compared(snapshot=snapshot) for snapshot in snapshots_of(*STRENGTHS)])
     qtbot.waitUntil(lambda: panel.is_stale)
     assert panel.result is not None
-    assert not panel.copy.isEnabled()
+    assert not window.panel("analysis").copy.isEnabled()
     window.document.look(replace(window.document.view, outputs=(30,)))
     qtbot.waitUntil(lambda: not panel.is_stale)
-    assert panel.copy.isEnabled()
+    assert window.panel("analysis").copy.isEnabled()
     panel.show_snapshots([Compared(snapshot=snapshot) for snapshot in snapshots_of(*STRENGTHS)])
     qtbot.waitUntil(lambda: panel.is_stale)
     panel.show_snapshots([])
@@ -145,7 +145,7 @@ def test_other_outputs_are_shown_as_soon_as_they_are_selected(show, qtbot):
     assert panel.result.rms.shape == (3, 1)
     window.document.look(replace(window.document.view, outputs=()))
     qtbot.waitUntil(lambda: "elect" in panel.figure.message)
-    assert not panel.copy.isEnabled()
+    assert not window.panel("analysis").copy.isEnabled()
 
 
 def test_the_part_to_which_traces_are_zoomed_is_drawn(show, qtbot):
@@ -176,7 +176,7 @@ def test_a_part_is_the_same_whether_the_delay_is_removed_or_not(show, qtbot, des
 
 def test_rms_are_copied_by_strength_output_and_axis(show):
     _, panel = show(STRENGTHS, axes="xz")
-    head, *rows = (line.split("\t") for line in panel.table().splitlines())
+    head, *rows = (line.split("\t") for line in panel.table_text().splitlines())
     columns = [f"rms_{output}_{axis}_m_per_s2" for output in OUTPUTS for axis in "xz"]
     assert head == ["strength", *columns]
     table = np.array(rows, float)
@@ -189,8 +189,8 @@ def test_rms_are_copied_by_strength_output_and_axis(show):
 def test_what_cannot_be_held_against_each_other_says_what_to_store(show, qtbot):
     window, panel = show([played(8), played(9)])
     assert "with Ctrl+1 to Ctrl+4" in panel.figure.message
-    assert panel.table() == ""
-    assert not panel.copy.isEnabled()
+    assert panel.table_text() == ""
+    assert not window.panel("analysis").copy.isEnabled()
     document = window.document
     document.look(replace(document.view, snapshots=snapshots_of(*PARTS)))
     document.edit("Both", PARTS[2])
@@ -198,7 +198,7 @@ def test_what_cannot_be_held_against_each_other_says_what_to_store(show, qtbot):
 
 
 def test_what_is_too_long_for_a_picture_says_where_it_is_checked(show, monkeypatch):
-    monkeypatch.setattr("skinsource_gui.panels.linearity.panel._MOST_VALUES", 1000)
+    monkeypatch.setattr("skinsource_gui.panels.analysis.linearity._MOST_VALUES", 1000)
     _, panel = show(STRENGTHS)
     assert panel.figure.message.startswith("Too long to be shown here")
     assert panel.result is None
@@ -218,7 +218,7 @@ def test_hidden_it_has_no_traces_computed(show, qtbot, monkeypatch):
         "request",
         lambda request: (asked.append(request.slot.name), ask(request)),
     )
-    window.docks["linearity"].hide()
+    window.docks["analysis"].hide()
     window.document.look(replace(window.document.view, outputs=(30, 31)))
     qtbot.waitUntil(lambda: not window.engine.busy)
     assert not any("snapshot" in request for request in asked)
@@ -238,7 +238,7 @@ def test_adjusted_r2_is_told_of_all_outputs(show, qtbot):
     assert [curve.label for curve in straight.curves] == ["median", "worst"]
     assert straight.y.title == "Adjusted R², all outputs"
     assert "of all 72 outputs" in panel.note_label.text
-    head, *rows = (line.split("\t") for line in panel.table().splitlines())
+    head, *rows = (line.split("\t") for line in panel.table_text().splitlines())
     assert head == ["frequency_hz", *(f"adjusted_r2_{k}_z" for k in range(1, 73))]
     assert len(rows) == panel.all_outputs.frequency_hz.size
     panel.grab()
@@ -302,7 +302,7 @@ def test_strengths_are_velocities_of_the_probe_where_these_are_known(show, qtbot
     assert growth.x.title == "Probe velocity (mm/s)"
     assert growth.curves[0].x == pytest.approx(1e3 * np.array(fastest))
     assert over.curves[0].y * 1e3 * fastest[0] == pytest.approx(divided)
-    head, *rows = panel.table().splitlines()
+    head, *rows = panel.table_text().splitlines()
     assert head.startswith("probe_velocity_m_per_s\trms_20_z_m_per_s2")
     assert [float(row.split("\t")[0]) for row in rows] == pytest.approx(fastest)
 
@@ -331,10 +331,11 @@ def test_outputs_are_drawn_band_by_band_over_logarithmic_axes(show, qtbot):
 
 def test_the_copied_bands_are_those_of_the_printed_figure(window, qtbot):
     window.scenes.open("5D")
-    panel = window.panel("linearity")
-    qtbot.waitUntil(lambda: panel.result is not None, timeout=60_000)
+    panel = window.panel("analysis").view
+    qtbot.waitUntil(lambda: not window.engine.busy and len(panel._outputs) == 2, timeout=60_000)
+    qtbot.waitUntil(lambda: not panel.is_stale and panel.result is not None)
     assert panel.bands.isChecked()
-    head, *rows = (line.split("\t") for line in panel.table().splitlines())
+    head, *rows = (line.split("\t") for line in panel.table_text().splitlines())
     fits = lines_of(ss.scenes.open_scene("5D"))
     numbers = np.array([[float(cell) for cell in row] for row in rows])
     assert numbers[:, 0] == pytest.approx(fits.frequency_hz)

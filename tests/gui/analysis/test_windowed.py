@@ -10,6 +10,7 @@ import skinsource as ss
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.engine import window_rules
+from tests.gui.analysis.analysis_bench import analysis
 
 TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
 
@@ -17,8 +18,7 @@ TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
 @pytest.fixture
 def panel(open_window):
     window = open_window(TRAIN, ss.View(method="mag", windows_cut="length", window_s=0.12))
-    window.docks["windowed"].bring_forward()
-    panel = window.panel("windowed")
+    panel = analysis(window, "windowed")
     window.catch_up()
     panel.window_of_test = window
     return panel
@@ -88,7 +88,7 @@ def test_it_follows_a_drag(panel, studio, qtbot):
 
 def test_hidden_it_costs_nothing(panel, studio, qtbot, monkeypatch):
     asked = []
-    studio.docks["windowed"].hide()
+    studio.docks["analysis"].hide()
     settle(studio, qtbot)
     content = panel.strip.content
 

@@ -1,4 +1,4 @@
-"""The regions panel: RMS levels by region, of snapshots and of all people's limbs."""
+"""RMS levels by region, of snapshots and of all people's limbs."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -30,11 +30,12 @@ from skinsource.design.view import View
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.own_limbs import missing_limb
 from skinsource_gui.fields.units import minus
+from skinsource_gui.panels.analysis.view import AnalysisView
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.fitting import SteadyArea
 from skinsource_gui.qt.labels import set_table_look
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.questions import CopyButton, copied_level
+from skinsource_gui.qt.questions import copied_level
 from skinsource_gui.qt.theme import UNIT_PX, scaled, tabular
 from skinsource_gui.state.compared import (
     LEVELS_MATCHED,
@@ -44,7 +45,7 @@ from skinsource_gui.state.compared import (
     have_matching_level,
     matched_text,
 )
-from skinsource_gui.state.panel import COMPUTING, Panel
+from skinsource_gui.state.panel import COMPUTING
 
 #: Message for own limbs.
 NO_REGIONS = "Of an own limb it is not known which outputs lie in which region"
@@ -280,7 +281,7 @@ class RegionTable(QTableWidget):
 _NEEDS = frozenset({"output_levels_db"})
 
 
-class RegionsPanel(Panel):
+class RegionsView(AnalysisView):
     """A row for each region, a column for each design or person, mean and spread.
 
     Attributes
@@ -303,12 +304,10 @@ class RegionsPanel(Panel):
         self.columns: list[Column] = []
         self._about = self._shifted = ""
         self.about = NoteLabel("regions_about")
-        self.copy = CopyButton(self.name, lambda: tab_separated(self.columns))
-        self.copy.offer(False)
         self.stored = RegionTable("regions_stored", "RMS levels of snapshots by region")
         self.table = RegionTable("regions_table", "RMS levels of people by region")
         self._tables = (self.stored, self.table)
-        bar = in_row((self.about, 1), self.copy, margins=(UNIT_PX, 1, UNIT_PX // 2, 1))
+        bar = in_row((self.about, 1), margins=(UNIT_PX, 1, UNIT_PX // 2, 1))
         in_column(bar, (self._scrolled(), 1), of=self, margins=0, gap_px=0)
         self.setFocusProxy(self.table)
         self.computed = (self.table,)
@@ -350,6 +349,9 @@ class RegionsPanel(Panel):
         self.show_stale(any(person.is_stale for person in compared))
         self._show_columns()
 
+    def table_text(self) -> str:
+        return tab_separated(self.columns)
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._put_in_order()
@@ -369,7 +371,7 @@ class RegionsPanel(Panel):
         people = columns_of_people(self._on_limbs)
         self.columns = [*stored, *people]
         computing = any(column.computing for column in self.columns)
-        self.copy.offer(not computing and any(column.has_levels for column in self.columns))
+        self.offer_copy(not computing and any(column.has_levels for column in self.columns))
         self.stored.show_columns(stored)
         self.table.show_columns(people)
         self._show_about()

@@ -7,12 +7,15 @@ import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter
 
-from skinsource_gui.panels.linearity.content import Curve
-from skinsource_gui.panels.linearity.diagram import places_of_labels, x_with_room_for_labels
+from skinsource_gui.panels.analysis.linearity_content import Curve
+from skinsource_gui.panels.analysis.linearity_diagram import (
+    places_of_labels,
+    x_with_room_for_labels,
+)
 from skinsource_gui.plots.figure import Axis, fitted_axes, legend_texts
 from skinsource_gui.plots.pictures import save_drawing
 from skinsource_gui.qt.theme import LIGHT
-from tests.gui.linearity.test_linearity_panel import OUTPUTS, PARTS, STRENGTHS, show
+from tests.gui.analysis.test_linearity_panel import OUTPUTS, PARTS, STRENGTHS, show
 from tests.gui.test_pictures_out import texts_of
 
 __all__ = ["show"]
@@ -77,7 +80,7 @@ def test_the_picture_says_which_output_has_which_colour(show, tmp_path, designs)
     window, panel = show(designs)
     assert panel.picture.outputs == OUTPUTS
     path = tmp_path / "a.svg"
-    save_drawing(path, window.pictures.picture_of("linearity").draw, 900, 500)
+    save_drawing(path, window.pictures.picture_of("analysis/linearity").draw, 900, 500)
     texts = texts_of(path)
     for word in ("Outputs", *map(str, OUTPUTS)):
         assert word in texts

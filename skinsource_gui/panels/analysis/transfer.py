@@ -1,4 +1,4 @@
-"""The panel of transfer functions from the selected track's place to the selected outputs."""
+"""Transfer functions from the selected track's place to the selected outputs."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -16,8 +16,8 @@ from skinsource.design.view import View
 from skinsource.limbs.locations import input_name
 from skinsource.signals.analysis.transfer import LEAST_COHERENCE, Transfer
 from skinsource_gui.fields.units import minus
-from skinsource_gui.panels.figure_panel import FigurePanel
-from skinsource_gui.panels.transfer.settings import TransferSettings
+from skinsource_gui.panels.analysis.settings import TransferSettings
+from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.plots.figure import Axes, Axis, Figure, draw_legend, fitted_axes
 from skinsource_gui.plots.ranges import LEVEL_SPAN_DB, SteadyRange
 from skinsource_gui.qt.buttons import tool_button
@@ -171,7 +171,7 @@ def transfer_unit(results: Mapping[str, Any]) -> str:
 _MOST_NUMBERS = 12
 
 
-class TransferPanel(FigurePanel):
+class TransferView(FigureView):
     """Magnitude or coherence of each output over frequency, with what can be used of it."""
 
     title: ClassVar[str] = "Transfer"
@@ -190,7 +190,6 @@ class TransferPanel(FigurePanel):
         self.choices.addWidget(self.coherence)
         self.choices.addStretch(1)
         self.heads.addWidget(self.place)
-        self.copy = self.add_copy(self.table)
         self.figure.say(self.no_outputs)
 
     @property
@@ -220,8 +219,7 @@ class TransferPanel(FigurePanel):
         self._results = dict(results)
         self._draw(results)
 
-    def table(self) -> str:
-        """Return the numbers, with tabs between the columns."""
+    def table_text(self) -> str:
         if self._results is None:
             return ""
         transfer: Transfer = self._results["transfer"]
@@ -249,7 +247,7 @@ class TransferPanel(FigurePanel):
 
     def _draw(self, results: Mapping[str, Any]) -> None:
         transfer, outputs = results["transfer"], results["shown_outputs"]
-        self.copy.offer(True)
+        self.offer_copy(True)
         unit = transfer_unit(results)
         self.picture.show_transfer(
             TransferContent(

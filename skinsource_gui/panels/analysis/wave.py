@@ -1,4 +1,4 @@
-"""The panel of how fast a wave travels along the selected outputs, and what it loses."""
+"""How fast a wave travels along the selected outputs, and what it loses."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
@@ -16,7 +16,7 @@ from skinsource.design.view import View
 from skinsource.engine.analysis_rules import LineWave
 from skinsource.signals.analysis.wave_speed import LEAST_EXPLAINED, LEAST_STRAIGHT, TravellingWave
 from skinsource_gui.fields.units import minus
-from skinsource_gui.panels.figure_panel import SILENT, FigurePanel
+from skinsource_gui.panels.analysis.view import SILENT, FigureView
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.qt.labels import SKIN
 from skinsource_gui.qt.questions import copied_level, copied_number
@@ -141,10 +141,10 @@ _OVERLAP = "waves of several inputs overlap"
 _ABOUT = "Along {axis}; distances on the map, delays of the group"
 
 
-class WavePanel(FigurePanel):
+class WaveView(FigureView):
     """Delay and level over the distance, and speed and attenuation from them."""
 
-    title: ClassVar[str] = "Wave"
+    title: ClassVar[str] = "Wave speed"
     name: ClassVar[str] = "wave"
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -159,7 +159,6 @@ class WavePanel(FigurePanel):
             f"whose variance the way explains {LEAST_EXPLAINED:.0%} or more."
         )
         self.choices.addWidget(self.about, 1)
-        self.copy = self.add_copy(self.table)
         self.say_instead(self.no_outputs)
 
     @property
@@ -178,7 +177,7 @@ class WavePanel(FigurePanel):
             self.say_instead(SILENT)
             return
         outputs = results["shown_outputs"]
-        self.copy.offer(True)
+        self.offer_copy(True)
         self.about.say(_ABOUT.format(axis=line.axis))
         ranks = tuple(outputs.index(output) for output in line.outputs)
         self.picture.show_wave(line, ranks, match_text(results["match_gain"]))
@@ -188,8 +187,7 @@ class WavePanel(FigurePanel):
         several = f" · {_OVERLAP}" if _has_several_places(results["voices"]) else ""
         self.show_result(f"{wave_text(line.wave)}{several}{note}{synthetic}")
 
-    def table(self) -> str:
-        """Return the numbers, with tabs between the columns."""
+    def table_text(self) -> str:
         content = self.picture.content
         if content is None or self.picture.message:
             return ""

@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QFont, QFontInfo, QFontMetricsF, QPainter, QPe
 from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.fields.units import minus
-from skinsource_gui.panels.linearity.content import DOT_PX, Curve, Diagram
+from skinsource_gui.panels.analysis.linearity_content import DOT_PX, Curve, Diagram
 from skinsource_gui.plots.figure import Axes, Axis, Figure, draw_legend, fitted_axes
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, scaled
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from skinsource.studies.checking import proportion, superposition
-from skinsource_gui.panels.linearity.content import (
+from skinsource_gui.panels.analysis.linearity_content import (
     diagrams_of_proportion,
     diagrams_of_superposition,
     of_amplitudes,

@@ -1,19 +1,12 @@
-"""The perception panel: levels above threshold, and the ISO 5349-1 weighting of contacts."""
+"""Levels above threshold, and the ISO 5349-1 weighting of contacts."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QFileDialog,
-    QLabel,
-    QTableWidget,
-    QTableWidgetItem,
-    QWidget,
-)
+from PySide6.QtWidgets import QFileDialog, QLabel, QWidget
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.quoting import printable
@@ -31,17 +24,12 @@ from skinsource.perception.thresholds import (
     settings_table,
 )
 from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.panels.analysis.table import OutputTableView, TableRow
 from skinsource_gui.qt.buttons import page_label, tool_button
 from skinsource_gui.qt.fitting import FoldingGroups, LetterWidth
-from skinsource_gui.qt.labels import (
-    SHORT_NAME,
-    fit_name_column,
-    set_table_look,
-)
 from skinsource_gui.qt.layouts import in_column
-from skinsource_gui.qt.questions import CopyButton, copied_level
+from skinsource_gui.qt.questions import copied_level
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
-from skinsource_gui.state.panel import OutputsPanel
 
 #: Weighted RMS of each place in use, m/s²; None: drives are no accelerations of the probe.
 Weighted = tuple[tuple[int, float], ...] | None
@@ -91,44 +79,6 @@ def _listed(weighted: tuple[tuple[int, float], ...], between: str) -> str:
     return between.join(f"place {place}: {value:.3g} {_UNIT}" for place, value in weighted)
 
 
-class LevelTable(QTableWidget):
-    """A table of texts; the first column names the output, the others are numbers."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setObjectName("perception_table")
-        self.setAccessibleName("Levels above threshold")
-        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        set_table_look(self)
-
-    def fill(
-        self,
-        columns: Sequence[tuple[str, str]],
-        outputs: Sequence[int],
-        texts: Sequence[Sequence[str]],
-    ) -> None:
-        """Show a row for each output under columns that have a title and a hint each."""
-        self.setColumnCount(len(columns))
-        self.setRowCount(len(texts))
-        fit_name_column(self)
-        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-        for k, (title, hint) in enumerate(columns):
-            item = QTableWidgetItem(title)
-            item.setToolTip(hint)
-            item.setTextAlignment(right if k else left)
-            self.setHorizontalHeaderItem(k, item)
-        for row, (output, line) in enumerate(zip(outputs, texts, strict=True)):
-            for k, text in enumerate(line):
-                item = QTableWidgetItem(text)
-                if k:
-                    item.setTextAlignment(right)
-                else:
-                    item.setData(SHORT_NAME, str(output))
-                    item.setToolTip(text)
-                self.setItem(row, k, item)
-
-
 _TITLES = {"P": "P\ndB", "NP I": "NP I\ndB", "own": "Own\ndB"}
 _HINTS = {
     "P": "Above the threshold of the Pacinian channel, which governs fast vibrations",
@@ -147,13 +97,17 @@ def header(sensation: Sensation) -> list[tuple[str, str]]:
     return columns
 
 
-def rows(sensation: Sensation, outputs: tuple[int, ...], limb: str = "") -> list[list[str]]:
-    """Return the texts of the rows, for outputs of a limb."""
+def rows(sensation: Sensation, outputs: tuple[int, ...], limb: str = "") -> list[TableRow]:
+    """Return the rows for outputs of a limb."""
     return [
-        [
-            f"{output}  {output_name(output, limb).short_name}",
-            *map(_text, _numbers(sensation, output)),
-        ]
+        TableRow(
+            output=output,
+            texts=(
+                f"{output}  {output_name(output, limb).short_name}",
+                *map(_text, _numbers(sensation, output)),
+            ),
+            short=str(output),
+        )
         for output in outputs
     ]
 
@@ -195,14 +149,14 @@ _IMPORT_HINT = "Take thresholds from a CSV file: frequency_hz, threshold_m_per_s
 _MOST_NAME_PX, _MOST_AREA_PX = 120, 96
 
 
-class PerceptionPanel(OutputsPanel):
+class PerceptionView(OutputTableView):
     """A table of levels above threshold, the limits of such numbers, and the health weighting."""
 
     title: ClassVar[str] = "Perception"
     name: ClassVar[str] = "perception"
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__("Levels above threshold", parent)
         self.setMinimumSize(240, 160)
         self.settings = PerceptionSettings()
         self._sensation: Sensation | None = None
@@ -220,20 +174,11 @@ class PerceptionPanel(OutputsPanel):
         self.own = tool_button(self, "perception_own", "Own thresholds…")
         hint = "Use the thresholds of the model again"
         self.model = tool_button(self, "perception_model", "Use the model", hint)
-        self.copy = CopyButton(self.name, self._numbers, self)
-        self.table = LevelTable()
-        self._message = page_label("perception_message", tone="dim", centred=True)
         self.contact = page_label("perception_contact", tone="dim")
         self.limits = page_label("perception_limits", LIMITS, tone="dim")
-        self.computed = (self.table,)
         self._lay_out()
         self._connect()
-        self.setFocusProxy(self.table)
         self.say_instead(self.no_outputs)
-
-    @property
-    def message(self) -> str:
-        return self._message.text()
 
     @property
     def needs(self) -> frozenset[str]:
@@ -242,11 +187,6 @@ class PerceptionPanel(OutputsPanel):
 
     def sizeHint(self) -> QSize:
         return QSize(380, 320)
-
-    def heightForWidth(self, width: int) -> int:
-        # The table shrinks before the text below it has to be scrolled.
-        layout = self.layout()
-        return -1 if layout is None else layout.minimumHeightForWidth(width)
 
     def show_state(self, design: Design, view: View) -> None:
         self._view = view
@@ -274,15 +214,12 @@ class PerceptionPanel(OutputsPanel):
             return
         self._sensation, self._outputs, self._limb = sensation, outputs, results["limb_data"].name
         self.limits.setText(_limits(self.settings, self._sensation, self._matched))
-        self.table.fill(header(sensation), outputs, rows(sensation, outputs, self._limb))
+        self.show_rows(header(sensation), rows(sensation, outputs, self._limb))
         loudest = int(np.argmax(sensation.level_db))
         synthetic = " Synthetic limb." if results["limb_data"].synthetic else ""
         self.limits.setToolTip(
             f"Highest: {sensation.level_db[loudest]:z.1f} dB at output {loudest + 1}.{synthetic}"
         )
-        self._message.hide()
-        self.table.show()
-        self.copy.offer(True)
 
     def show_staleness(self, stale: bool) -> None:
         super().show_staleness(stale)
@@ -308,9 +245,9 @@ class PerceptionPanel(OutputsPanel):
         self._change(message, table=settings_table(table), source=path.name[:200])
 
     def _lay_out(self) -> None:
-        thresholds = (self.own, self.model, None, self.copy)
+        thresholds = (self.own, self.model, None)
         bar = FoldingGroups((self.area_label, self.area, None), thresholds, spacing_px=UNIT_PX // 2)
-        parts = (bar, (self.table, 1), (self._message, 1), self.contact, self.limits)
+        parts = (bar, (self.stack, 1), self.contact, self.limits)
         margins = (UNIT_PX // 2, 1, UNIT_PX // 2, UNIT_PX // 2)
         in_column(*parts, of=self, margins=margins, gap_px=UNIT_PX // 2)
 
@@ -330,13 +267,9 @@ class PerceptionPanel(OutputsPanel):
     def say_instead(self, message: str) -> None:
         self._sensation, self._matched = None, ""
         self.limits.setText(_limits(self.settings, self._sensation, self._matched))
-        self.table.hide()
-        self._message.setText(message)
-        self._message.show()
-        self.copy.offer(False)
+        super().say_instead(message)
 
-    def _numbers(self) -> str:
-        """Return all numbers, with tabs between the columns; empty while there are none."""
+    def table_text(self) -> str:
         if self._sensation is None:
             return ""
         levels = tab_separated(self._sensation, self._outputs, self._limb)

@@ -8,8 +8,9 @@ from PySide6.QtCore import QRectF
 import skinsource as ss
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
-from skinsource_gui.panels.windowed.view import strip_layout, window_titles
+from skinsource_gui.panels.analysis.window_strip import strip_layout, window_titles
 from skinsource_gui.plots.pictures import save_drawing
+from tests.gui.analysis.analysis_bench import analysis
 
 TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
 
@@ -62,15 +63,15 @@ def test_no_two_times_lie_on_each_other(count, width):
 @pytest.fixture
 def studio(open_window, qtbot):
     window = open_window(TRAIN, ss.View(method="mag", windows_cut="count", window_count=5))
-    window.docks["windowed"].bring_forward()
+    analysis(window, "windowed")
 
     def show(count, **looks):
         view = replace(window.document.view, window_count=count, **looks)
         window.document.look(view)
-        strip = window.panel("windowed").strip
+        strip = window.panel("analysis").view.strip
         qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
         qtbot.waitUntil(lambda: strip.content.windows.count == count, timeout=30_000)
-        return window.panel("windowed")
+        return window.panel("analysis").view
 
     return show
 

@@ -1,4 +1,4 @@
-"""The panel that checks stored designs: strengths in proportion, or inputs that add up."""
+"""Checks of stored designs: strengths in proportion, or inputs that add up."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -25,8 +25,7 @@ from skinsource.studies.checking import (
     strengths_of,
     superposition,
 )
-from skinsource_gui.panels.figure_panel import SILENT, FigurePanel
-from skinsource_gui.panels.linearity.content import (
+from skinsource_gui.panels.analysis.linearity_content import (
     StrengthUnit,
     diagrams_of_proportion,
     diagrams_of_superposition,
@@ -36,13 +35,14 @@ from skinsource_gui.panels.linearity.content import (
     proportion_text,
     superposition_text,
 )
-from skinsource_gui.panels.linearity.diagram import DiagramsPicture
-from skinsource_gui.panels.linearity.settings import (
+from skinsource_gui.panels.analysis.linearity_diagram import DiagramsPicture
+from skinsource_gui.panels.analysis.settings import (
     BANDS,
     EVERY_OUTPUT,
     VELOCITY,
     LinearitySettings,
 )
+from skinsource_gui.panels.analysis.view import SILENT, FigureView
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.fitting import ButtonRow
 from skinsource_gui.qt.keys import shortcut_text
@@ -182,7 +182,7 @@ _TOO_MUCH = (
 _MOST_VALUES = 2_000_000
 
 
-class LinearityPanel(FigurePanel):
+class LinearityView(FigureView):
     """Whether outputs grow in step with the strength, and whether inputs add up."""
 
     title: ClassVar[str] = "Linearity"
@@ -211,7 +211,6 @@ class LinearityPanel(FigurePanel):
         )
         self._switches = self.velocity, self.bands, self.every_output
         self.choices.addWidget(ButtonRow(self._switches, self), 1)
-        self.copy = self.add_copy(self.table)
         self.heads.addWidget(self.about)
         self.say_instead(_how_to_start())
 
@@ -267,8 +266,7 @@ class LinearityPanel(FigurePanel):
         for switch in self._switches:
             switch.hide()
 
-    def table(self) -> str:
-        """Return the numbers, with tabs between the columns."""
+    def table_text(self) -> str:
         if self.result is None:
             return ""
         unit, bands = self._unit, self.settings.bands
@@ -347,7 +345,7 @@ class LinearityPanel(FigurePanel):
         self.bands.setVisible(bool(strengths))
         self.every_output.setVisible(bool(strengths))
         self._drawn = drawn
-        self.copy.offer(True)
+        self.offer_copy(True)
         notes = [f"Along {along}: linear by construction", designs.note]
         notes.append("synthetic limb" * limb.synthetic)
         notes.append(part_text(drawing[0].x.shown, time_s, zoom))

@@ -1,4 +1,4 @@
-"""The panel of the spectrogram of one selected output."""
+"""The spectrogram of one selected output."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -29,7 +29,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import axis_unit, minus, output_text
-from skinsource_gui.panels.figure_panel import SILENT, FigurePanel
+from skinsource_gui.panels.analysis.view import SILENT, FigureView
 from skinsource_gui.plots.colour_maps import colour_indices, colour_table
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.plots.ranges import Range, SteadyRange
@@ -229,11 +229,12 @@ def _frequency_axis(content: SpectrogramContent) -> Axis:
 _NARROWEST_HZ, _MOST_NUMBER_PX = 5.0, 84
 
 
-class SpectrogramPanel(FigurePanel):
+class SpectrogramView(FigureView):
     """How much of each frequency there is in an output, and when."""
 
     title: ClassVar[str] = "Spectrogram"
     name: ClassVar[str] = "spectrogram"
+    copies: ClassVar[bool] = False
 
     def __init__(self, parent: QWidget | None = None) -> None:
         self.picture = SpectrogramPicture()

@@ -1,4 +1,4 @@
-"""The panel of consecutive windows."""
+"""Maps of consecutive windows."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -16,7 +16,8 @@ from skinsource.design.labels import limb_label, signal_label
 from skinsource.design.view import WINDOW_COUNT, WINDOW_LENGTH, WINDOWS_CUT, View
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.panels.windowed.view import (
+from skinsource_gui.panels.analysis.view import AnalysisView
+from skinsource_gui.panels.analysis.window_strip import (
     StripView,
     WindowedContent,
     paint_strip,
@@ -27,7 +28,6 @@ from skinsource_gui.plots.small_map import SmallMaps, level_style
 from skinsource_gui.qt.fitting import FoldingGroups
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper
-from skinsource_gui.state.panel import Panel
 
 # Height of a picture in lines of text, so that maps and plot have room in a flat picture.
 _LINES_OF_PICTURE = 26
@@ -35,16 +35,16 @@ _SILENT = "Silent: nothing is driven"
 _TOO_SHORT = "No whole window fits into the response. Choose shorter ones."
 
 
-class WindowedPanel(Panel):
+class WindowedView(AnalysisView):
     """A map of the RMS for each of consecutive windows, and how far each of them reaches."""
 
-    title: ClassVar[str] = "Windows"
+    title: ClassVar[str] = "Time windows"
     name: ClassVar[str] = "windowed"
+    copies: ClassVar[bool] = False
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._design: Design | None = None
-        self._view = View()
         self._maps = SmallMaps()
         self.strip = StripView(self)
         self.cells = {
@@ -124,8 +124,8 @@ class WindowedPanel(Panel):
     def show_staleness(self, stale: bool) -> None:
         self.strip.show_outdated(stale)
 
-    def show_problem(self, reason: str) -> None:
-        self.strip.show_content(None, reason)
+    def say_instead(self, message: str) -> None:
+        self.strip.show_content(None, message)
 
     def draw_picture(
         self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT

@@ -1,4 +1,4 @@
-"""The panel of the direction along which each selected output moves most."""
+"""The direction along which each selected output moves most."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource.limbs.locations import output_name
 from skinsource.signals.projection import MainAxes, ellipse
-from skinsource_gui.panels.figure_panel import SILENT, FigurePanel
+from skinsource_gui.panels.analysis.view import SILENT, FigureView
 from skinsource_gui.plots.figure import Figure
 from skinsource_gui.qt.questions import copied_number
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
@@ -182,7 +182,7 @@ _ABOUT = "Ellipses of one standard deviation; the line is the main axis"
 _OWN_AXES = "x and y point another way at each sensor"
 
 
-class MainAxisPanel(FigurePanel):
+class MainAxisView(FigureView):
     """The ellipse of motion of each selected output, and its main axis where it has one."""
 
     title: ClassVar[str] = "Main axis"
@@ -195,7 +195,6 @@ class MainAxisPanel(FigurePanel):
         self.about.say(_ABOUT)
         self.about.setToolTip(f"{_ABOUT}. {_OWN_AXES}.")
         self.choices.addWidget(self.about, 1)
-        self.copy = self.add_copy(self.table)
         self.say_instead(self.no_outputs)
 
     @property
@@ -214,7 +213,7 @@ class MainAxisPanel(FigurePanel):
             self.say_instead(SILENT)
         else:
             limb = results["limb_data"]
-            self.copy.offer(True)
+            self.offer_copy(True)
             self.picture.show_axes(
                 MainAxisContent(
                     main_axes=results["output_main_axes"],
@@ -228,8 +227,7 @@ class MainAxisPanel(FigurePanel):
             notes += ["synthetic limb"] if limb.synthetic else []
             self.show_result(" · ".join(notes))
 
-    def table(self) -> str:
-        """Return the numbers, with tabs between the columns."""
+    def table_text(self) -> str:
         content = self.picture.content
         if content is None or self.picture.message:
             return ""

@@ -6,8 +6,9 @@ from PySide6.QtCore import QRectF
 import skinsource as ss
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
-from skinsource_gui.panels.windowed.view import curve_names, least_height, strip_layout
+from skinsource_gui.panels.analysis.window_strip import curve_names, least_height, strip_layout
 from skinsource_gui.shell.appearance import LARGEST_TEXT
+from tests.gui.analysis.analysis_bench import analysis
 
 TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
 
@@ -49,10 +50,8 @@ def test_in_the_largest_letters_windows_are_drawn_and_the_rest_scrolls(
     large, settle, qtbot, arrangement
 ):
     large.do(arrangement)
-    dock = large.docks["windowed"]
-    dock.bring_forward()
+    dock, strip = large.docks["analysis"], analysis(large, "windowed").strip
     settle()
-    strip = large.panel("windowed").strip
     qtbot.waitUntil(lambda: strip.content is not None, timeout=30_000)
     assert_apart(strip.places, strip.fontMetrics().height())
     assert strip.places.plot.bottom() <= strip.height()
