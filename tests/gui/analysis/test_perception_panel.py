@@ -36,12 +36,6 @@ from tests.gui.analysis.analysis_bench import analysis, copied
 OUTPUTS = (29, 33, 57)
 
 
-@pytest.fixture
-def window(new_window):
-    """A studio of each test's own."""
-    return new_window
-
-
 def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
     window, settle, tmp_path
 ):
@@ -231,11 +225,10 @@ def awaits(lamps):
     return lamps._staleness.is_stale or lamps._staleness._timer.isActive()
 
 
-def test_lamps_are_pale_only_until_what_they_depend_on_is_judged_anew(window, qtbot, settle):
+def test_lamps_are_pale_only_until_what_they_depend_on_is_judged_anew(window, qtbot):
     lamps, document = window.validity.lamps, window.document
     qtbot.waitUntil(lambda: state_of(window, "drive") == "kept", timeout=30_000)
-    settle()
-    assert not awaits(lamps)
+    qtbot.waitUntil(lambda: not awaits(lamps), timeout=30_000)
     window.do("store_snapshot_1")
     assert not awaits(lamps)
     document.look(replace(document.view, outputs=(3, 4)))
@@ -339,25 +332,24 @@ def the_wave():
     return travelling_wave(np.array(carried), way_mm, rate)
 
 
-def test_a_speed_is_said_where_delays_grow_with_the_way():
-    assert wave_text(the_wave()).startswith("Speed 10.0 ± ")
+NOTHING = {"speed_m_per_s": np.nan, "speed_deviation_m_per_s": np.nan}
+OUT_OF_STEP = "No speed: delays do not grow in step with the distance"
 
 
-def test_a_speed_less_sure_than_itself_is_none():
-    unsure = replace(the_wave(), speed_m_per_s=688.1, speed_deviation_m_per_s=3090.9)
-    assert wave_text(unsure).startswith("No speed: delays do not grow in step with the distance")
-    negative = replace(unsure, speed_m_per_s=-20.0, speed_deviation_m_per_s=30.0)
-    assert wave_text(negative).startswith("No speed")
-
-
-def test_a_way_to_and_fro_and_delays_out_of_step_are_said_to_have_no_speed():
-    nothing = replace(the_wave(), speed_m_per_s=np.nan, speed_deviation_m_per_s=np.nan)
-    back = wave_text(replace(nothing, straight=0.2))
-    assert back.startswith("No speed: the selected outputs do not go one way · attenuation")
-    jumping = wave_text(replace(nothing, explained=0.4))
-    assert jumping.startswith("No speed: delays do not grow in step with the distance")
-    late = wave_text(nothing)
-    assert late.startswith("No speed: the arrival is not later farther away")
+@pytest.mark.parametrize(
+    ("changes", "begin"),
+    [
+        ({}, "Speed 10.0 ± "),
+        # A speed that is less sure than itself is none.
+        ({"speed_m_per_s": 688.1, "speed_deviation_m_per_s": 3090.9}, OUT_OF_STEP),
+        ({"speed_m_per_s": -20.0, "speed_deviation_m_per_s": 30.0}, "No speed"),
+        ({**NOTHING, "straight": 0.2}, "No speed: the selected outputs do not go one way · att"),
+        ({**NOTHING, "explained": 0.4}, OUT_OF_STEP),
+        (NOTHING, "No speed: the arrival is not later farther away"),
+    ],
+)
+def test_a_speed_is_said_only_where_delays_grow_with_the_way(changes, begin):
+    assert wave_text(replace(the_wave(), **changes)).startswith(begin)
 
 
 def test_all_outputs_one_after_the_other_are_no_line():

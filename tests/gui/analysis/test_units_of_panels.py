@@ -7,7 +7,6 @@ import pytest
 from PySide6.QtCore import QPointF
 
 from skinsource.engine.evaluation import evaluate
-from skinsource_gui.panels.analysis.spectrogram import scale_text
 from skinsource_gui.panels.analysis.statistics import StatisticsRow
 from tests.gui.analysis.analysis_bench import analysis, copied
 
@@ -41,11 +40,6 @@ def test_the_spectrogram_reads_its_times_with_the_delay_and_without_it(show, rem
     level_db = 20.0 * np.log10(spectrogram.amplitude.max())
     assert text.endswith(f"{level_db:.1f} dB re 1 m/s²".replace("-", "\N{MINUS SIGN}"))
     assert (picture.axes.x.title, picture.axes.x.factor) == ("Time (ms)", 1e3)
-
-
-def test_the_scale_of_the_spectrogram_says_once_what_levels_are_relative_to():
-    assert scale_text(-20.0, top=True) == ("\N{MINUS SIGN}20 dB", "re 1 m/s²")
-    assert scale_text(-50.0, top=False) == ("\N{MINUS SIGN}50 dB",)
 
 
 def test_the_wave_is_copied_in_millimetres_and_milliseconds(show, window):
