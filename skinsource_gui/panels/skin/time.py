@@ -491,26 +491,14 @@ class TimeView(QObject):
             self.bar.show_limits(limits, automatic=settings.z_limits is None)
             self.scrub.show_time(view.playhead_s, self.frames.end_s(view))
 
-    def changes(self, settings: SkinSettings, view: View, surface: Any) -> dict[str, Any] | None:
-        """Return the content of the map at the playhead; None: it is unknown and was requested."""
+    def frame(self, settings: SkinSettings, view: View) -> Frame | None:
+        """Return the skin at the playhead; None: it is unknown and was requested."""
         self.scrub.show_time(view.playhead_s, self.frames.end_s(view))
         block = block_of(view.playhead_s)
         if self.frames.runs_out(view) and block != self._requested_block:
             self._requested_block = block
             self.part_requested.emit()
-        if not self.frames.has(view):
-            return None
-        frame = self.frames.frame(view, settings)
-        signed = frame.quantity.signed
-        chosen = settings.z_limits if signed else settings.moving_range_db
-        return {
-            "values": frame.values,
-            "field_values": None if surface is None else surface.interpolate(frame.values),
-            "quantity": frame.quantity,
-            "value_range": self.frames.value_range(settings),
-            "fixed": chosen is not None,
-            "colours": DIVERGING if signed else settings.colours,
-        }
+        return self.frames.frame(view, settings) if self.frames.has(view) else None
 
     def _leave_lists(self) -> None:
         self._parent.setFocus(Qt.FocusReason.OtherFocusReason)

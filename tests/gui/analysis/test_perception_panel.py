@@ -88,12 +88,12 @@ def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
 @pytest.mark.parametrize("style", ["interpolated", "sensors"])
 def test_the_map_shows_levels_above_threshold_with_their_limits(window, settle, style):
     document, skin = window.document, window.panel("skin")
-    level = skin._display.content.values
+    level = skin.content.values
     settings = SkinSettings(quantity="sensation", map_style=style)
     document.look(with_settings(document.view, "skin", settings))
     settle()
-    assert skin._display.content.values is not level
-    assert (skin._display.content.field_values is None) == (style == "sensors")
+    assert skin.content.values is not level
+    assert (skin.content.field_values is None) == (style == "sensors")
     assert skin.note.text().startswith("Thresholds are of glabrous skin")
     skin.note.resize(4000, 20)
     assert skin.note.shown == skin.note.text()
@@ -102,17 +102,17 @@ def test_the_map_shows_levels_above_threshold_with_their_limits(window, settle, 
         "Thresholds of glabrous skin: compare designs on one limb only."
     )
     assert "people differ" in skin.note.toolTip()
-    assert "threshold" in skin._display.content.quantity.titles[0]
+    assert "threshold" in skin.content.quantity.titles[0]
     skin.picture(300, 500)
     relative = replace(document.design, scaling="upstream")
     document.apply(Edit(label="Scaling", design=relative, view=document.view))
     settle()
-    assert "Probe acceleration" in skin._display.content.message
-    assert skin._display.content.coloured_values is None
+    assert "Probe acceleration" in skin.content.message
+    assert skin.content.coloured_values is None
     document.look(with_settings(document.view, "skin", SkinSettings()))
     settle()
-    assert skin._display.content.message == ""
-    assert skin._display.content.quantity.name == "levels"
+    assert skin.content.message == ""
+    assert skin.content.quantity.name == "levels"
 
 
 def test_words_on_the_contact_go_while_they_are_late_even_with_nothing_selected(
