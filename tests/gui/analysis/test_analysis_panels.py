@@ -113,6 +113,11 @@ def test_silence_and_many_inputs_are_shown_without_a_fault(show, window, settle)
 
 def test_the_table_is_copied_with_numbers_that_read_back(show, window):
     panel = show("statistics")
+    model = panel.table.model()
+    hints = [model.data(model.index(0, k), Qt.ItemDataRole.ToolTipRole) for k in (0, 1)]
+    noisy = panel.rows[0].noisy
+    assert hints[0].startswith("20  III nail rad.")
+    assert (hints[1] is not None) is noisy
     header, *below = copied(window).splitlines()
     lines = [line for line in below if not line.startswith("# ")]
     columns = header.split("\t")
