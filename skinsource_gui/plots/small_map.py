@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import ceil, inf
 from typing import Any
 
 import numpy as np
@@ -272,6 +273,43 @@ def paint_small_map(
     if design is not None:
         _paint_inputs(painter, frame, limb_map, design, theme)
     painter.restore()
+
+
+#: A map is at least so high, px.
+LEAST_MAP_PX = 70.0
+# Height of a map over its width: hand and arm.
+_HIGH = 2.3
+
+
+def map_grid(
+    room: QRectF, n: int, around_px: float, *, most_px: float = inf, most_cell_px: float = inf
+) -> tuple[QRectF, ...]:
+    """Return the cells of ``n`` maps, in the fewest rows in which maps are largest.
+
+    Parameters
+    ----------
+    room
+        Area of all cells.
+    around_px
+        Height of a cell beside that of its map.
+    most_px, most_cell_px
+        Largest width of a map that counts, and of a cell; narrow cells stand in the middle.
+    """
+    if n == 0:
+        return ()
+
+    def map_width(rows: int) -> float:
+        width = min(room.width() / ceil(n / rows), (room.height() / rows - around_px) / _HIGH)
+        return min(width, most_px) - 1e-6 * rows if width > 0.0 else -float(rows)
+
+    rows = max(range(1, n + 1), key=map_width)
+    columns = ceil(n / rows)
+    width, height = min(room.width() / columns, most_cell_px), room.height() / rows
+    left = room.left() + (room.width() - width * columns) / 2.0
+    return tuple(
+        QRectF(left + width * (k % columns), room.top() + height * (k // columns), width, height)
+        for k in range(n)
+    )
 
 
 def small_frame(limb_map: LimbMap, area: QRectF) -> Frame:

@@ -25,10 +25,12 @@ from skinsource.signals.analysis.windows import Windows
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.plots.small_map import (
+    LEAST_MAP_PX,
     USUAL_STYLE,
     ColourScale,
     LevelStyle,
     SmallMap,
+    map_grid,
     paint_scale_row,
     paint_small_bar,
     paint_small_map,
@@ -260,9 +262,6 @@ def windows_heading(
 _MOST_MAP_PX = 190.0
 # Usual height of the plot, in lines of text, and the least at which its three numbers are legible.
 _PLOT_LINES, _LEAST_PLOT_LINES = 6.5, 4.6
-# Height of a map over its width: hand and arm.
-_HIGH = 2.3
-_LEAST_MAP_PX = 70.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -290,7 +289,7 @@ class StripLayout:
 def least_height(line: float) -> float:
     """Return the height in which one row of maps, scale and plot can be read."""
     text_px = 1.4 * line + line + 3 * _edge(line)
-    return text_px + _LEAST_MAP_PX + scale_row_px(line) + _LEAST_PLOT_LINES * line
+    return text_px + LEAST_MAP_PX + scale_row_px(line) + _LEAST_PLOT_LINES * line
 
 
 def strip_layout(room: QRectF, n_windows: int, line: float) -> StripLayout:
@@ -308,32 +307,13 @@ def strip_layout(room: QRectF, n_windows: int, line: float) -> StripLayout:
     scale = QRectF(inner.left(), foot.top() - scale_height - edge, inner.width(), scale_height)
     maps = QRectF(inner.left(), head.bottom(), inner.width(), scale.top() - edge - head.bottom())
     plot = foot.adjusted(3.2 * line, 1.2 * line, -edge, -1.2 * line)
-    return StripLayout(head=head, cells=_cells(maps, n_windows, line), scale=scale, plot=plot)
+    most_cell_px = max(_MOST_MAP_PX, 5.5 * line)
+    cells = map_grid(maps, n_windows, line, most_px=_MOST_MAP_PX, most_cell_px=most_cell_px)
+    return StripLayout(head=head, cells=cells, scale=scale, plot=plot)
 
 
 def _edge(line: float) -> float:
     return 0.4 * line
-
-
-def _cells(room: QRectF, n: int, line: float) -> tuple[QRectF, ...]:
-    if n == 0:
-        return ()
-    rows = max(range(1, n + 1), key=lambda rows: _map_width(room, n, rows, line))
-    columns = ceil(n / rows)
-    width = min(room.width() / columns, max(_MOST_MAP_PX, 5.5 * line))
-    height = room.height() / rows
-    left = room.left() + (room.width() - width * columns) / 2.0
-    return tuple(
-        QRectF(left + width * (k % columns), room.top() + height * (k // columns), width, height)
-        for k in range(n)
-    )
-
-
-def _map_width(room: QRectF, n: int, rows: int, line: float) -> float:
-    """Return the width of a map in this number of rows; fewer rows win a draw."""
-    columns = ceil(n / rows)
-    width = min(room.width() / columns, (room.height() / rows - line) / _HIGH)
-    return min(width, _MOST_MAP_PX) - 1e-6 * rows if width > 0.0 else -float(rows)
 
 
 _DOT_PX = 2.5

@@ -25,6 +25,8 @@ from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.plots.figure import shrunk
 from skinsource_gui.plots.outputs import OutputPicker
 from skinsource_gui.plots.small_map import (
+    LEAST_MAP_PX,
+    map_grid,
     paint_rings,
     paint_scale_row,
     paint_small_bar,
@@ -35,10 +37,6 @@ from skinsource_gui.plots.small_map import (
 from skinsource_gui.qt.frames import paint_focus_frame
 from skinsource_gui.qt.keys import KEYS, claims_shortcut, meaning_of
 from skinsource_gui.qt.theme import Theme, current_theme, tabular
-
-# Height of a map over its width: hand and arm.
-_HIGH = 2.3
-_LEAST_MAP_PX = 70.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -101,39 +99,16 @@ def places_of(room: QRectF, n: int, line: float, *, common: bool, heading_lines:
     scale = QRectF(inner.left(), inner.bottom() - foot, inner.width(), foot)
     maps = QRectF(inner.left(), head.bottom(), inner.width(), scale.top() - head.bottom())
     around = (heading_lines + 1.0) * line + (0.0 if common else scale_height) + edge
-    rows = _rows(maps, n, around)
-    columns = ceil(n / rows) if n else 1
-    width, height = maps.width() / columns, maps.height() / rows
     cells = tuple(
-        _cell(
-            QRectF(
-                maps.left() + width * (k % columns),
-                maps.top() + height * (k // columns),
-                width,
-                height,
-            ),
-            line,
-            0.0 if common else scale_height,
-            heading_lines * line,
-        )
-        for k in range(n)
+        _cell(whole, line, 0.0 if common else scale_height, heading_lines * line)
+        for whole in map_grid(maps, n, around)
     )
     return Places(head=head, cells=cells, scale=scale)
 
 
 def least_height(line: float) -> float:
     """Return the least height for maps in one row, with lines of that height."""
-    return 1.2 * line + 3.0 * line + 0.9 * line + scale_row_px(line) + _LEAST_MAP_PX
-
-
-def _rows(room: QRectF, n: int, around: float) -> int:
-    """Return the fewest rows in which maps are largest."""
-
-    def map_width(rows: int) -> float:
-        wide = room.width() / ceil(n / rows)
-        return min(wide, (room.height() / rows - around) / _HIGH) - 1e-6 * rows
-
-    return max(range(1, n + 1), key=map_width, default=1)
+    return 1.2 * line + 3.0 * line + 0.9 * line + scale_row_px(line) + LEAST_MAP_PX
 
 
 def _cell(whole: QRectF, line: float, scale_height: float, heading: float) -> CellPlace:

@@ -42,7 +42,6 @@ from skinsource_gui.panels.skin.settings import (
     Z,
 )
 from skinsource_gui.panels.skin.time import TimeView
-from skinsource_gui.plots.colour_maps import DIVERGING
 from skinsource_gui.plots.pictures import with_caption
 from skinsource_gui.plots.small_map import COLOURS, field_image
 from skinsource_gui.qt.buttons import passing_menu, tool_button
@@ -458,23 +457,13 @@ class SkinPanel(Panel):
 
     def _show_frame(self) -> None:
         """Take over the skin at the playhead; where it is not known yet the map is stale."""
-        frame = self.time.frame(self.settings, self._view)
-        if frame is None:
-            if self.time.frames.known:
-                self._staleness.set_stale(True)
-            return
-        surface = self._surface if self.settings.map_style == "interpolated" else None
-        signed = frame.quantity.signed
-        chosen = self.settings.z_limits if signed else self.settings.moving_range_db
-        self.content = replace(
-            self.content,
-            values=frame.values,
-            field_values=None if surface is None else surface.interpolate(frame.values),
-            quantity=replace(frame.quantity, matched=self._matched),
-            value_range=self.time.frames.value_range(self.settings),
-            fixed=chosen is not None,
-            colours=DIVERGING if signed else self.settings.colours,
-        )
+        if self.time.has_frame(self._view):
+            surface = self._surface if self.settings.map_style == "interpolated" else None
+            self.content = self.time.frames.content(
+                self.content, self._view, self.settings, surface, self._matched
+            )
+        elif self.time.frames.known:
+            self._staleness.set_stale(True)
 
     def _show_choice(self) -> None:
         """Show what is known as design, view and settings ask for."""

@@ -239,7 +239,7 @@ def test_the_colour_bar_of_the_map_says_it_whatever_it_shows(window, settle, gai
 
 @pytest.mark.parametrize(
     "name",
-    ["skin", "traces", "compare", "spectrogram", "wave", "windowed", "regions", ALL_VISIBLE],
+    ["skin", "traces", "compare", "windowed", "regions", ALL_VISIBLE],
 )
 def test_pictures_are_those_of_levels_that_are_not_matched(window, settle, gain_text, name):
     panel = ALL_VISIBLE if name == ALL_VISIBLE else brought_forward(window, settle, name).name
