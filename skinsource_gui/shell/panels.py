@@ -119,7 +119,7 @@ PANELS: tuple[PanelSpec, ...] = (
         places={
             "design": Behind("traces"),
             "drawing": Behind("clip_editor"),
-            "analysis": Behind("skin"),
+            "analysis": Behind("traces"),
             "presentation": Behind("skin"),
         },
     ),

@@ -16,6 +16,7 @@ from skinsource.design.design_file import open_design, save_design
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.compare.content import tab_separated
+from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.state.compared import ELSEWHERE, SILENCE
 from skinsource_gui.state.engine import FIRST_SLOT
 from tests.core.own_limbs.lab_bench import installed
@@ -337,6 +338,20 @@ def test_a_design_of_a_file_is_kept_as_a_snapshot_and_the_present_one_stays_open
     window.do("take_snapshot")
     assert "Forget one first" in window.notice.text
     assert document.view.snapshots == snapshots
+
+
+def test_a_file_with_settings_of_the_former_panel_opens_without_harm(
+    window, panel, settle, tmp_path
+):
+    former = ("side_by_side", (("of", "axes"), ("own_maximum", True)))
+    path = tmp_path / "a.skinsource"
+    save_design(path, window.document.design, View(panels=(former,)))
+    window.files.open(path)
+    settle()
+    assert window.notice.text == ""
+    assert former in window.document.view.panels
+    assert panel.bar.settings == CompareSettings()
+    assert "Store the design" in panel.maps.content.message
 
 
 def test_a_hidden_panel_costs_nothing(window, settle, requests):
