@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import ceil, inf
 from typing import Any
 
 import numpy as np
@@ -274,6 +275,43 @@ def paint_small_map(
     painter.restore()
 
 
+#: A map is at least so high, px.
+LEAST_MAP_PX = 70.0
+# Height of a map over its width: hand and arm.
+_HIGH = 2.3
+
+
+def map_grid(
+    room: QRectF, n: int, around_px: float, *, most_px: float = inf, most_cell_px: float = inf
+) -> tuple[QRectF, ...]:
+    """Return the cells of ``n`` maps, in the fewest rows in which maps are largest.
+
+    Parameters
+    ----------
+    room
+        Area of all cells.
+    around_px
+        Height of a cell beside that of its map.
+    most_px, most_cell_px
+        Largest width of a map that counts, and of a cell; narrow cells stand in the middle.
+    """
+    if n == 0:
+        return ()
+
+    def map_width(rows: int) -> float:
+        width = min(room.width() / ceil(n / rows), (room.height() / rows - around_px) / _HIGH)
+        return min(width, most_px) - 1e-6 * rows if width > 0.0 else -float(rows)
+
+    rows = max(range(1, n + 1), key=map_width)
+    columns = ceil(n / rows)
+    width, height = min(room.width() / columns, most_cell_px), room.height() / rows
+    left = room.left() + (room.width() - width * columns) / 2.0
+    return tuple(
+        QRectF(left + width * (k % columns), room.top() + height * (k // columns), width, height)
+        for k in range(n)
+    )
+
+
 def small_frame(limb_map: LimbMap, area: QRectF) -> Frame:
     """Return the frame in which `paint_small_map` draws a map."""
     return fitted(_bounds(limb_map.outline), area, up=True)
@@ -456,9 +494,6 @@ def paint_small_bar(
 # Radius of the ring of a selected output, and of the output under the pointer.
 _OUTPUT_RING_PX, _WIDE_PX = 4.0, 7.0
 _FEW_RINGS = 12
-_EDGE_PX, _GROUND = 2.0, 0.85
-# A number stands less than so many rings from its own.
-_FARTHEST = 6
 
 
 def ring_size(n: int, spacing_px: float) -> tuple[float, float]:
@@ -488,60 +523,6 @@ def paint_rings(
     for number, pen, radius in rings:
         if is_placed(points, number):
             _paint_ring(painter, QPointF(*points[number - 1]), radius, pen, theme)
-
-
-def number_areas(
-    small: SmallMap, area: QRectF, outputs: tuple[int, ...], metrics: QFontMetricsF
-) -> list[tuple[int, QRectF]]:
-    """Return the areas of the numbers of few outputs, beside their rings, without overlaps.
-
-    Where rings are close together, some numbers stand farther away or are left out.
-    """
-    points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
-    placed = [number for number in outputs if is_placed(points, number)]
-    if len(outputs) > _FEW_RINGS:
-        return []
-    side = 2.0 * _OUTPUT_RING_PX + _EDGE_PX
-    occupied = [
-        QRectF(x - side / 2, y - side / 2, side, side)
-        for x, y in (points[number - 1] for number in placed)
-    ]
-    areas: list[tuple[int, QRectF]] = []
-    for number in placed:
-        x, y = (float(value) for value in points[number - 1])
-        width = metrics.horizontalAdvance(str(number)) + 2.0 * _EDGE_PX
-        height = metrics.height()
-        corners = [
-            (left, y - height / 2 + down * height / 2)
-            for away in (side / 2, *(rank * side for rank in range(1, _FARTHEST)))
-            for down in (0, -1, 1, -2, 2, -3, 3)
-            for left in (x + away, x - away - width)
-        ]
-        for left, top in corners:
-            place = QRectF(left, top, width, height)
-            if area.contains(place) and not any(place.intersects(other) for other in occupied):
-                occupied.append(place)
-                areas.append((number, place))
-                break
-    return areas
-
-
-def paint_numbers(
-    painter: QPainter, small: SmallMap, area: QRectF, outputs: tuple[int, ...], theme: Theme
-) -> None:
-    """Write the numbers of outputs beside their rings, each on a line in its colour."""
-    ground = QColor(theme.base)
-    ground.setAlphaF(_GROUND)
-    points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
-    for number, place in number_areas(small, area, outputs, QFontMetricsF(painter.font())):
-        x, y = (float(value) for value in points[number - 1])
-        right = place.left() > x
-        edge = QPointF(place.left() if right else place.right(), place.center().y())
-        painter.setPen(theme.output_pen(outputs.index(number), 1.0))
-        painter.drawLine(QPointF(x + (_OUTPUT_RING_PX if right else -_OUTPUT_RING_PX), y), edge)
-        painter.fillRect(place, ground)
-        painter.setPen(QColor(theme.text))
-        painter.drawText(place, Qt.AlignmentFlag.AlignCenter, str(number))
 
 
 def tick_text(

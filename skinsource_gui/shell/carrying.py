@@ -1,7 +1,7 @@
 """Pictures of panels, and the metadata that exports carry: stimulus, limbs, validity."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -202,12 +202,17 @@ class PanelPictures:
         self._in_use = in_use
 
     def picture_of(self, name: str) -> Picture:
-        """Return the picture of a panel, `PANEL_IN_USE` or `ALL_VISIBLE`, with its caption."""
+        """Return the picture of a panel, `PANEL_IN_USE` or `ALL_VISIBLE`, with its caption.
+
+        ``"panel/view"``: that of one of its views.
+        """
+        name, _, view = name.partition("/")
         panel: Panel | None = None
         if name != ALL_VISIBLE:
             panel = self._in_use.panel if name == PANEL_IN_USE else self._panels[name]
         self._catch_up()
-        caption = self._metadata.caption(*((panel,) if panel else self._docked_panels()))
+        with nullcontext() if panel is None else panel.showing(view):
+            caption = self._metadata.caption(*((panel,) if panel else self._docked_panels()))
         size: tuple[int, int] | None = None
         draw: Callable[..., None] = self._draw_all
         letters: Letters | None = None
@@ -215,7 +220,7 @@ class PanelPictures:
             size = self._frame.width(), self._frame.height()
             letters = partial(self._smallest_letters_px, caption)
         else:
-            draw = partial(self._draw_one, panel)
+            draw = partial(self._draw_one, panel, view)
             likes = panel.size() if panel.isVisible() else usual_size(panel)
             size = None if name != PANEL_IN_USE else (2 * likes.width(), 2 * likes.height())
         result = panel.map.stage.visible if isinstance(panel, SkinPanel) else None
@@ -236,15 +241,21 @@ class PanelPictures:
         ]
 
     def _draw_one(
-        self, panel: Panel, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
+        self,
+        panel: Panel,
+        view: str,
+        painter: QPainter,
+        width: int,
+        height: int,
+        theme: Theme = LIGHT,
     ) -> None:
-        """Draw a panel, which need not be in sight."""
+        """Draw a panel or one of its views, which need not be in sight."""
         if panel.isVisible():
-            with self._metadata.as_stored(), self._in_colours(theme):
+            with panel.showing(view), self._metadata.as_stored(), self._in_colours(theme):
                 panel.draw_picture(painter, width, height, theme)
             return
         stage = shown_off_screen(self._docks[panel.name], width, height)
-        with self._metadata.as_stored(), stage as make_room:
+        with panel.showing(view), self._metadata.as_stored(), stage as make_room:
             self._catch_up()
             # Parts that depend on results take their room now.
             QApplication.processEvents(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)

@@ -3,18 +3,15 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 
-from skinsource.design.panel_settings import SpectrogramSettings
 from skinsource.engine.actuator_demand import ActuatorSettings
-from skinsource.perception.thresholds import PerceptionSettings
 from skinsource.specs.models import specs_of
+from skinsource_gui.panels.analysis.settings import AnalysisSettings
+from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.panels.frequency_and_amplitude.settings import ControlSettings
-from skinsource_gui.panels.linearity.settings import LinearitySettings
-from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.spectra.panel import SpectraSettings
 from skinsource_gui.panels.timeline.content import TimelineSettings
 from skinsource_gui.panels.traces.panel import TracesSettings
-from skinsource_gui.panels.transfer.settings import TransferSettings
 from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS, Behind, Place
 from skinsource_gui.state.panel import LazyPanel, Panel
 
@@ -109,31 +106,21 @@ PANELS: tuple[PanelSpec, ...] = (
             "analysis": Behind("spectra"),
         },
     ),
-    PanelSpec(panel=LazyPanel("compare", "Compare"), places=_HIDDEN),
+    PanelSpec(panel=LazyPanel("compare", "Compare"), settings=CompareSettings, places=_HIDDEN),
     PanelSpec(panel=LazyPanel("history", "History"), places=_HIDDEN),
     PanelSpec(panel=LazyPanel("library", "Library"), places=_HIDDEN),
     PanelSpec(panel=LazyPanel("actuator", "Actuator"), settings=ActuatorSettings, places=_HIDDEN),
     PanelSpec(panel=LazyPanel("playback", "Playback"), places=_HIDDEN),
-    PanelSpec(panel=LazyPanel("statistics", "Statistics"), places=_HIDDEN),
+    PanelSpec(panel=LazyPanel("analysis", "Analysis"), settings=AnalysisSettings, places=_HIDDEN),
     PanelSpec(
-        panel=LazyPanel("spectrogram", "Spectrogram"),
-        settings=SpectrogramSettings,
-        places=_HIDDEN,
-    ),
-    PanelSpec(panel=LazyPanel("transfer", "Transfer"), settings=TransferSettings, places=_HIDDEN),
-    PanelSpec(panel=LazyPanel("main_axis", "Main axis"), places=_HIDDEN),
-    PanelSpec(panel=LazyPanel("wave", "Wave"), places=_HIDDEN),
-    PanelSpec(panel=LazyPanel("windowed", "Windows"), places=_HIDDEN),
-    PanelSpec(panel=LazyPanel("regions", "Regions"), places=_HIDDEN),
-    PanelSpec(
-        panel=LazyPanel("side_by_side", "Side by side"),
-        settings=SideBySideSettings,
-        places=_HIDDEN,
-    ),
-    PanelSpec(
-        panel=LazyPanel("linearity", "Linearity"), settings=LinearitySettings, places=_HIDDEN
-    ),
-    PanelSpec(
-        panel=LazyPanel("perception", "Perception"), settings=PerceptionSettings, places=_HIDDEN
+        panel=LazyPanel("analysis_2", "Analysis 2", folder="analysis"),
+        settings=AnalysisSettings,
+        # Where the first one is seen beside it.
+        places={
+            "design": Behind("traces"),
+            "drawing": Behind("clip_editor"),
+            "analysis": Behind("traces"),
+            "presentation": Behind("skin"),
+        },
     ),
 )

@@ -138,7 +138,12 @@ class Conductor(QObject):
             sources_shown(document.design, document.shown_view),
             perf_counter() if since_s is None else since_s,
         )
-        if self._request == request and self._needs.keys() <= self._shown.keys():
+        # A panel that needs something else than before is shown it even where it is known.
+        shown = all(
+            panel in self._shown and self._delivered_to.get(panel, ((), {}))[0] == needs
+            for panel, needs in self._needs.items()
+        )
+        if self._request == request and shown:
             return
         self._request = request
         for panel in self._needs:

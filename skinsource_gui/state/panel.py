@@ -149,6 +149,11 @@ class Panel(ShowsStaleness):
         """Return which of these designs it draws."""
         return snapshots
 
+    def showing(self, view: str) -> AbstractContextManager[None]:
+        """Return a context in which it shows one of its views, if it has some; "": as it is."""
+        del view
+        return nullcontext()
+
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
         """Draw the designs side by side; called while it is visible."""
 
@@ -291,16 +296,17 @@ class LazyPanel:
     """Name and title of a panel that is imported when it is first made.
 
     A call makes the panel: its class is called by its name, with "Panel" behind, and stands in the
-    module ``panel`` of its folder.
+    module ``panel`` of its folder, which has the same name unless another one is given.
     """
 
     name: str
     title: str
+    folder: str = ""
 
     @property
     def type(self) -> type[Panel]:
         """The class of the panel, which is imported now if it was not before."""
-        module = import_module(f"skinsource_gui.panels.{self.name}.panel")
+        module = import_module(f"skinsource_gui.panels.{self.folder or self.name}.panel")
         words = (word.capitalize() for word in self.name.split("_"))
         panel_type: type[Panel] = getattr(module, f"{''.join(words)}Panel")
         if (panel_type.name, panel_type.title) != (self.name, self.title):

@@ -7,6 +7,7 @@ import pytest
 from skinsource_gui.shell.arrangement_spec import Place
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.state.panel import Panel, PanelRegistry
+from tests.gui.analysis.analysis_bench import analysis
 
 
 @pytest.fixture
@@ -41,8 +42,7 @@ def test_a_panel_is_made_with_the_first_look_and_shows_what_is_now(window, qtbot
     document = window.document
     document.edit("louder", document.design.with_input(0, amplitude=3.25))
     assert "statistics" not in made(window)
-    window.docks["statistics"].bring_forward()
-    panel = window.panel("statistics")
+    panel = analysis(window, "statistics")
     qtbot.waitUntil(lambda: panel.isVisible() and not window.engine.busy)
     late = panel.grab().toImage()
     # One that was there from the beginning shows the same after the same edits.

@@ -54,7 +54,7 @@ def test_another_waveform_changes_nothing_on_the_skin_before_it_is_computed(qtbo
     panel.show()
     qtbot.waitExposed(panel)
     shown = []
-    panel._display.show = lambda: shown.append(1)
+    panel._show = lambda: shown.append(1)
     panel.show_state(design, view)
     panel.show_state(edits.change_field(design, view, (1,), "frequency_hz", 200.0).design, view)
     assert shown == []

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QApplication, QMenu, QToolButton
 
 from tests.gui.dock_bench import bar_with, bars, click_tab, in_sight, titles
 
-MANY = ("compare", "history", "library", "actuator", "playback", "statistics", "spectrogram")
+MANY = ("compare", "history", "library", "actuator", "playback", "analysis")
 
 
 @pytest.fixture
@@ -45,12 +45,12 @@ def test_where_tabs_do_not_fit_a_button_lists_all_and_brings_one_to_the_front(cr
     menu = open_list(crowded)
     assert entries(menu) == titles(bar)
     assert len(entries(menu)) == 1 + len(MANY)
-    assert ticked(menu) == ["Spectrogram"]
+    assert ticked(menu) == ["Analysis"]
     menu.actions()[entries(menu).index("History")].trigger()
     menu.close()
     settle()
     assert "history" in in_sight(crowded)
-    assert "spectrogram" not in in_sight(crowded)
+    assert "analysis" not in in_sight(crowded)
     assert crowded.panel("history").isAncestorOf(crowded.focusWidget())
     assert button.isVisible()
     for name in MANY[1:]:
@@ -65,7 +65,7 @@ def test_the_key_lists_the_tabs_where_the_keyboard_is(crowded, settle):
     settle()
     click_tab(crowded, "Spectra")
     crowded.panel("spectra").setFocus()
-    for name, front in (("spectra", "Spectra"), ("spectrogram", "Spectrogram")):
+    for name, front in (("spectra", "Spectra"), ("analysis", "Analysis")):
         crowded.docks[name].bring_forward()
         crowded.panel(name).setFocus()
         crowded.do("list_tabs")

@@ -88,7 +88,7 @@ class ExportSpec:
     remark
         Returns a remark on chosen options.
     panel, size_px
-        Panel whose picture is saved, and its width and height.
+        Panel whose picture is saved, or one of its views as ``"panel/view"``; width and height.
     package
         Names of the package that writes the file and of its extra; None: no extra is needed.
     enabled
@@ -246,7 +246,7 @@ EXPORTS: tuple[ExportSpec, ...] = (
         file_name="windows.png",
         kinds=_PICTURES,
         hint="Save the strip of windows as PNG, SVG or PDF, with its colour scale and the extent",
-        panel="windowed",
+        panel="analysis/windowed",
         size_px=(1600, 1100),
         keywords="image figure screenshot vector pdf svg png windowed rms strip",
     ),

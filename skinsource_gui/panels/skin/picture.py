@@ -14,14 +14,23 @@ from skinsource.design.labels import limb_label, signal_label
 from skinsource.design.view import View
 from skinsource.limbs.limb import LimbMap
 from skinsource.limbs.own_limbs import facts_of
+from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource.perception.sensation import LIMITS, LIMITS_IN_SHORT
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource_gui.panels.skin.layout import ALL, MapLayout, VisiblePart, map_layout
 from skinsource_gui.panels.skin.map import paint_map_texts
-from skinsource_gui.panels.skin.painting import MapContent, MapPainter, small_font
+from skinsource_gui.panels.skin.painting import (
+    MapContent,
+    MapPainter,
+    drawn_note_of,
+    note_of,
+    px_per_mm_of,
+    small_font,
+)
 from skinsource_gui.panels.skin.scale import paint_colour_scale
-from skinsource_gui.panels.skin.settings import LEVELS, SENSATION, MapQuantity
+from skinsource_gui.panels.skin.settings import LEVELS, SENSATION, STILL, MapQuantity, SkinSettings
 from skinsource_gui.plots.colour_maps import colour_table
+from skinsource_gui.plots.small_map import FieldImage
 from skinsource_gui.qt.frames import UncachedPicture
 from skinsource_gui.qt.theme import Theme, tabular
 
@@ -189,19 +198,54 @@ def surface_name(quantity: str) -> str:
     return _NAMES[quantity][1]
 
 
-def changes_of(quantity: str, results: Mapping[str, Any], *, interpolated: bool) -> dict[str, Any]:
-    """Return the fields of the map's content that follow from ``results``."""
-    values = results[_NAMES[quantity][0]]
+def content_of(
+    before: MapContent,
+    results: Mapping[str, Any],
+    settings: SkinSettings,
+    *,
+    limb: str,
+    surface: SurfaceOperator | None,
+    field: FieldImage | None,
+) -> MapContent:
+    """Return the content of the map with results, before design, view and playhead are known.
+
+    Parameters
+    ----------
+    before
+        What the map showed; what does not follow from results is taken over.
+    results, settings
+        Quantities by name, computed for these settings.
+    limb
+        Name of the limb.
+    surface, field
+        The interpolated map and its image; None: sensors carry the colours.
+    """
+    limb_data, shown = results["limb_data"], settings.quantity
+    content = replace(
+        before,
+        limb_map=results["limb_map"],
+        limb=limb,
+        px_per_mm=px_per_mm_of(limb_data),
+        field=field,
+        note=_with_limits(note_of(surface, limb_data), shown),
+        drawn_note=_with_limits(drawn_note_of(surface), shown),
+    )
+    if shown not in STILL:
+        return content
+    at_outputs, over_skin = _NAMES[shown]
+    values = results[at_outputs]
     if not values.size:
-        return {"values": None, "field_values": None, "message": results["sensation"].problem}
-    return {
-        "values": values,
-        "field_values": results[_NAMES[quantity][1]] if interpolated else None,
-        "message": SILENT if float(np.max(values)) <= FLOOR_DB else "",
-    }
+        problem = results["sensation"].problem
+        return replace(content, values=None, field_values=None, message=problem)
+    return replace(
+        content,
+        values=values,
+        field_values=None if surface is None else results[over_skin],
+        message=SILENT if float(np.max(values)) <= FLOOR_DB else "",
+    )
 
 
-def with_limits(note: str, quantity: str) -> str:
+def _with_limits(note: str, quantity: str) -> str:
     """Return the note below the map; of sensations, their limits come first."""
     return f"{LIMITS} {note}".strip() if quantity == SENSATION else note
 

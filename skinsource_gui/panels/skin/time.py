@@ -1,7 +1,7 @@
 """The skin map in time: its frames, and the controls for quantity, speed, playhead and limits."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import count as counted
 from itertools import pairwise
 from typing import Any
@@ -23,12 +23,13 @@ from skinsource.design.labels import signal_label
 from skinsource.design.view import View
 from skinsource.engine.time_rules import Moving, SlidingEnergy, block_of
 from skinsource.limbs.limb import LimbFacts
+from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource.signals.map_range import map_range_db
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
-from skinsource_gui.panels.skin.painting import small_font
+from skinsource_gui.panels.skin.painting import MapContent, small_font
 from skinsource_gui.panels.skin.scale import AutoButton, paint_colour_scale
 from skinsource_gui.panels.skin.settings import (
     MAGNITUDE,
@@ -154,6 +155,38 @@ class Frames:
             is_z = self._name == Z
             values = signals.acceleration(at_s)[:, 0] if is_z else decibels(signals.magnitude(at_s))
         return Frame(quantity=quantity, values=values)
+
+    def content(
+        self,
+        before: MapContent,
+        view: View,
+        settings: SkinSettings,
+        surface: SurfaceOperator | None,
+        matched: str = "",
+    ) -> MapContent:
+        """Return the content of the map at the playhead of ``view``.
+
+        Parameters
+        ----------
+        before
+            The content without values.
+        surface
+            Interpolates between outputs; None: sensors carry the colours.
+        matched
+            By how much it is louder or softer than it was stored, or "".
+        """
+        frame = self.frame(view, settings)
+        signed = frame.quantity.signed
+        chosen = settings.z_limits if signed else settings.moving_range_db
+        return replace(
+            before,
+            values=frame.values,
+            field_values=None if surface is None else surface.interpolate(frame.values),
+            quantity=replace(frame.quantity, matched=matched),
+            value_range=self.value_range(settings),
+            fixed=chosen is not None,
+            colours=DIVERGING if signed else settings.colours,
+        )
 
     def value_range(self, settings: SkinSettings) -> LevelRange:
         """Return values of the lowest and the highest colour: the same at each instant."""
@@ -491,26 +524,14 @@ class TimeView(QObject):
             self.bar.show_limits(limits, automatic=settings.z_limits is None)
             self.scrub.show_time(view.playhead_s, self.frames.end_s(view))
 
-    def changes(self, settings: SkinSettings, view: View, surface: Any) -> dict[str, Any] | None:
-        """Return the content of the map at the playhead; None: it is unknown and was requested."""
+    def has_frame(self, view: View) -> bool:
+        """Return whether the skin at the playhead is known; where it is not, it is requested."""
         self.scrub.show_time(view.playhead_s, self.frames.end_s(view))
         block = block_of(view.playhead_s)
         if self.frames.runs_out(view) and block != self._requested_block:
             self._requested_block = block
             self.part_requested.emit()
-        if not self.frames.has(view):
-            return None
-        frame = self.frames.frame(view, settings)
-        signed = frame.quantity.signed
-        chosen = settings.z_limits if signed else settings.moving_range_db
-        return {
-            "values": frame.values,
-            "field_values": None if surface is None else surface.interpolate(frame.values),
-            "quantity": frame.quantity,
-            "value_range": self.frames.value_range(settings),
-            "fixed": chosen is not None,
-            "colours": DIVERGING if signed else settings.colours,
-        }
+        return self.frames.has(view)
 
     def _leave_lists(self) -> None:
         self._parent.setFocus(Qt.FocusReason.OtherFocusReason)

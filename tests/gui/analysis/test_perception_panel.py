@@ -6,7 +6,6 @@ from itertools import groupby
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton
 
@@ -20,26 +19,21 @@ from skinsource.perception.sensation import LIMITS
 from skinsource.perception.thresholds import PerceptionSettings
 from skinsource.perception.validity import Finding
 from skinsource.signals.analysis.wave_speed import travelling_wave
-from skinsource_gui.panels.perception.panel import (
+from skinsource_gui.panels.analysis.perception import (
     contact_list,
     contact_table,
     contact_text,
     rows,
     tab_separated,
 )
+from skinsource_gui.panels.analysis.wave import wave_text
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.panels.wave.panel import wave_text
 from skinsource_gui.qt.theme import DARK
 from skinsource_gui.shell.validity_lamps import ValidityCard, ValidityLamps, _lamp_text
 from skinsource_gui.state.engine import FIRST_SLOT
+from tests.gui.analysis.analysis_bench import analysis, copied
 
 OUTPUTS = (29, 33, 57)
-
-
-@pytest.fixture
-def window(new_window):
-    """A studio of each test's own."""
-    return new_window
 
 
 def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
@@ -50,17 +44,16 @@ def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
     document.look(replace(document.view, outputs=OUTPUTS))
     settle()
     assert runs["sensation"] == 0
-    window.docks["perception"].bring_forward()
+    analysis(window, "perception")
     settle()
-    panel = window.panel("perception")
+    panel = window.panel("analysis").view
     assert runs["sensation"] == 1
-    assert panel.table.rowCount() == 3
+    assert panel.table.model().rowCount() == 3
     assert panel.limits.text() == f"{LIMITS} What lies from 25 to 600 Hz counts."
     assert "not perception" in panel.contact.text()
     assert "place 7" in panel.contact.text()
-    panel.copy.click()
-    copied, contacts = QGuiApplication.clipboard().text().split("\n\n")
-    lines = copied.splitlines()
+    numbers, contacts = copied(window).split("\n\n")
+    lines = numbers.splitlines()
     assert [line.split("\t")[0] for line in lines] == ["output", "29", "33", "57"]
     labels = [line.split("\t")[0] for line in contacts.splitlines() if line[0] != "#"]
     assert labels == ["place", "7"]
@@ -70,7 +63,7 @@ def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
     settle()
     held = settings_of(document.view, "perception", PerceptionSettings)
     assert held.thresholds == ((25.0, 0.1), (600.0, 0.1))
-    assert panel.table.columnCount() == 3
+    assert panel.table.model().columnCount() == 3
     assert "your table" in panel.limits.text()
     path.write_text("nonsense")
     messages = []
@@ -79,12 +72,12 @@ def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
     assert "line 1" in messages[0]
     panel.model.click()
     settle()
-    assert panel.table.columnCount() == 5
+    assert panel.table.model().columnCount() == 5
     document.look(replace(document.view, outputs=()))
     settle()
     assert not panel.table.isVisible()
     assert "on the skin map" in panel.message
-    window.docks["perception"].toggleViewAction().trigger()
+    window.docks["analysis"].toggleViewAction().trigger()
     before = runs["sensation"]
     louder = document.design.with_input(0, amplitude=3.0)
     document.apply(Edit(label="Louder", design=louder, view=document.view))
@@ -95,12 +88,12 @@ def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
 @pytest.mark.parametrize("style", ["interpolated", "sensors"])
 def test_the_map_shows_levels_above_threshold_with_their_limits(window, settle, style):
     document, skin = window.document, window.panel("skin")
-    level = skin._display.content.values
+    level = skin.content.values
     settings = SkinSettings(quantity="sensation", map_style=style)
     document.look(with_settings(document.view, "skin", settings))
     settle()
-    assert skin._display.content.values is not level
-    assert (skin._display.content.field_values is None) == (style == "sensors")
+    assert skin.content.values is not level
+    assert (skin.content.field_values is None) == (style == "sensors")
     assert skin.note.text().startswith("Thresholds are of glabrous skin")
     skin.note.resize(4000, 20)
     assert skin.note.shown == skin.note.text()
@@ -109,25 +102,25 @@ def test_the_map_shows_levels_above_threshold_with_their_limits(window, settle, 
         "Thresholds of glabrous skin: compare designs on one limb only."
     )
     assert "people differ" in skin.note.toolTip()
-    assert "threshold" in skin._display.content.quantity.titles[0]
+    assert "threshold" in skin.content.quantity.titles[0]
     skin.picture(300, 500)
     relative = replace(document.design, scaling="upstream")
     document.apply(Edit(label="Scaling", design=relative, view=document.view))
     settle()
-    assert "Probe acceleration" in skin._display.content.message
-    assert skin._display.content.coloured_values is None
+    assert "Probe acceleration" in skin.content.message
+    assert skin.content.coloured_values is None
     document.look(with_settings(document.view, "skin", SkinSettings()))
     settle()
-    assert skin._display.content.message == ""
-    assert skin._display.content.quantity.name == "levels"
+    assert skin.content.message == ""
+    assert skin.content.quantity.name == "levels"
 
 
 def test_words_on_the_contact_go_while_they_are_late_even_with_nothing_selected(
     window, settle, qtbot
 ):
-    window.docks["perception"].bring_forward()
+    analysis(window, "perception")
     settle()
-    panel = window.panel("perception")
+    panel = window.panel("analysis").view
     assert "place 7" in panel.contact.text()
     assert panel.contact.isVisible()
     panel.show_stale(True)
@@ -155,8 +148,8 @@ def test_what_is_not_felt_has_no_strength():
         level_db=np.array([-200.0, 12.0]), by_channel=levels, strength=np.array([0.0, 1.5])
     )
     silent, loud = rows(sensation, (1, 2))
-    assert silent[1:] == ["–"] * 4
-    assert loud[1:] == ["12.0", "12.0", "3.0", "1.5"]
+    assert silent.texts[1:] == ("–",) * 4
+    assert loud.texts[1:] == ("12.0", "12.0", "3.0", "1.5")
     _, silent, loud = (line.split("\t") for line in tab_separated(sensation, (1, 2)).splitlines())
     assert silent[2:] == [""] * 4
     assert loud[2:] == ["12.0", "12.0", "3.0", "1.5"]
@@ -166,7 +159,7 @@ def test_what_is_not_felt_has_no_strength():
 def test_why_a_table_was_refused_is_said_until_thresholds_are_taken(
     window, settle, tmp_path, repair
 ):
-    panel = window.panel("perception")
+    panel = analysis(window, "perception")
     wrong, right = tmp_path / "wrong.csv", tmp_path / "right.csv"
     wrong.write_text("nonsense")
     right.write_text("frequency_hz,threshold_m_per_s2\n25,0.1\n600,0.1\n")
@@ -232,11 +225,10 @@ def awaits(lamps):
     return lamps._staleness.is_stale or lamps._staleness._timer.isActive()
 
 
-def test_lamps_are_pale_only_until_what_they_depend_on_is_judged_anew(window, qtbot, settle):
+def test_lamps_are_pale_only_until_what_they_depend_on_is_judged_anew(window, qtbot):
     lamps, document = window.validity.lamps, window.document
     qtbot.waitUntil(lambda: state_of(window, "drive") == "kept", timeout=30_000)
-    settle()
-    assert not awaits(lamps)
+    qtbot.waitUntil(lambda: not awaits(lamps), timeout=30_000)
     window.do("store_snapshot_1")
     assert not awaits(lamps)
     document.look(replace(document.view, outputs=(3, 4)))
@@ -340,25 +332,24 @@ def the_wave():
     return travelling_wave(np.array(carried), way_mm, rate)
 
 
-def test_a_speed_is_said_where_delays_grow_with_the_way():
-    assert wave_text(the_wave()).startswith("Speed 10.0 ± ")
+NOTHING = {"speed_m_per_s": np.nan, "speed_deviation_m_per_s": np.nan}
+OUT_OF_STEP = "No speed: delays do not grow in step with the distance"
 
 
-def test_a_speed_less_sure_than_itself_is_none():
-    unsure = replace(the_wave(), speed_m_per_s=688.1, speed_deviation_m_per_s=3090.9)
-    assert wave_text(unsure).startswith("No speed: delays do not grow in step with the distance")
-    negative = replace(unsure, speed_m_per_s=-20.0, speed_deviation_m_per_s=30.0)
-    assert wave_text(negative).startswith("No speed")
-
-
-def test_a_way_to_and_fro_and_delays_out_of_step_are_said_to_have_no_speed():
-    nothing = replace(the_wave(), speed_m_per_s=np.nan, speed_deviation_m_per_s=np.nan)
-    back = wave_text(replace(nothing, straight=0.2))
-    assert back.startswith("No speed: the selected outputs do not go one way · attenuation")
-    jumping = wave_text(replace(nothing, explained=0.4))
-    assert jumping.startswith("No speed: delays do not grow in step with the distance")
-    late = wave_text(nothing)
-    assert late.startswith("No speed: the arrival is not later farther away")
+@pytest.mark.parametrize(
+    ("changes", "begin"),
+    [
+        ({}, "Speed 10.0 ± "),
+        # A speed that is less sure than itself is none.
+        ({"speed_m_per_s": 688.1, "speed_deviation_m_per_s": 3090.9}, OUT_OF_STEP),
+        ({"speed_m_per_s": -20.0, "speed_deviation_m_per_s": 30.0}, "No speed"),
+        ({**NOTHING, "straight": 0.2}, "No speed: the selected outputs do not go one way · att"),
+        ({**NOTHING, "explained": 0.4}, OUT_OF_STEP),
+        (NOTHING, "No speed: the arrival is not later farther away"),
+    ],
+)
+def test_a_speed_is_said_only_where_delays_grow_with_the_way(changes, begin):
+    assert wave_text(replace(the_wave(), **changes)).startswith(begin)
 
 
 def test_all_outputs_one_after_the_other_are_no_line():

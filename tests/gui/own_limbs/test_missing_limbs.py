@@ -41,23 +41,16 @@ def test_where_no_limb_is_named_places_and_band_are_those_of_the_published_ones(
     assert facts_of("").band_hz == (25.0, 600.0)
 
 
-def test_hand_and_inspector_show_nothing_of_another_hand(gone):
+def test_nothing_of_another_limb_is_shown_and_the_window_says_what_is_missing(gone):
     hand = gone.panel("hand")
     assert not hand.diagram.isVisibleTo(hand)
     assert hand.findChild(QLabel, "hand_missing").text() == "The limb 'lab-9' is missing"
     assert hand.drop_place(QPoint(50, 50)) is None
     assert "Place 6" in gone.panel("inspector").findChild(QLabel, "inspector_heading").text()
-
-
-def test_the_map_shows_no_outline_of_another_limb_and_says_why(gone):
     content = gone.panel("skin").map.content
-    assert content.limb_map is None
-    assert content.limb == "lab-9"
+    assert (content.limb_map, content.limb) == (None, "lab-9")
     assert "lab-9" in content.message
     assert not gone.panel("skin").grab().isNull()
-
-
-def test_the_status_bar_says_that_the_limb_is_missing_and_nothing_of_measured_ones(gone):
     note = gone.findChild(LimbNote)
     assert "LIMB MISSING" in note.text()
     assert "not here" in note.toolTip()

@@ -22,6 +22,7 @@ from skinsource_gui.fields.units import parse_number
 from skinsource_gui.plots.pictures import caption_of
 from tests.core.own_limbs.lab_bench import installed
 from tests.core.playing.synthetic_sound import SyntheticSoundLibrary, use
+from tests.gui.analysis.analysis_bench import analysis
 
 UNDRIVEN = Design(
     limb="synthetic-1",
@@ -127,9 +128,9 @@ def test_another_limb_changes_the_unit_everywhere_at_once(opened, qtbot):
 
 def test_a_transfer_function_is_per_what_is_driven(playback_in_front, qtbot):
     opened = playback_in_front
-    opened.docks["transfer"].bring_forward()
+    analysis(opened, "transfer")
     rested(playback_in_front, qtbot)
-    picture, limb = opened.panel("transfer").picture, opened.findChild(ChoiceField, "limb")
+    picture, limb = opened.panel("analysis").view.picture, opened.findChild(ChoiceField, "limb")
     assert picture.content.unit == "1 m/s² per sample of 1"
     limb.choose(PROBE)
     rested(playback_in_front, qtbot)
@@ -160,8 +161,7 @@ def test_strengths_of_snapshots_are_told_in_it(limbs, open_window, qtbot, limb, 
     designs = [design.with_input(0, amplitude=k) for k in (1.0, 2.0, 4.0)]
     snapshots = tuple(Snapshot(number=k, design=design) for k, design in enumerate(designs, 1))
     window = open_window(design, replace(view, snapshots=snapshots, levels_matched=False))
-    window.docks["linearity"].bring_forward()
-    panel = window.panel("linearity")
+    panel = analysis(window, "linearity")
     qtbot.waitUntil(lambda: panel.result is not None and not window.engine.busy, **WAIT)
     over, growth, _ = panel.picture.diagrams
     assert growth.x.title == f"Strength ({unit})"

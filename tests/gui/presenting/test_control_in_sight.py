@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QAbstractButton, QApplication
 
 from skinsource.studies.scenes.catalog import all_scenes
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.panels.side_by_side.view import MapsView
+from skinsource_gui.panels.compare.view import MapsView
 from skinsource_gui.plots.axis import PlotViewBox
 from skinsource_gui.plots.figure import Figure
 from skinsource_gui.plots.plot import Plot

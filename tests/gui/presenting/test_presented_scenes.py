@@ -43,11 +43,11 @@ def test_a_scene_that_is_open_is_presented_with_the_panels_that_show_it(
             window.do("next_scene")
     assert "2H" in title(window)
     window.do("present")
-    assert "windowed" in in_front(window)
+    assert "analysis" in in_front(window)
     window.do("present")
     window.do("new_design")
     window.do("present")
-    assert "windowed" not in in_front(window)
+    assert "analysis" not in in_front(window)
 
 
 def in_front(window):

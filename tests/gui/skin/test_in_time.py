@@ -22,12 +22,6 @@ LONG = replace(SHORT, inputs=(ss.track(7, ss.waveforms.Noise(duration_s=40.0)),)
 
 
 @pytest.fixture
-def open_window(make_window):
-    """Each test has a window of its own."""
-    return make_window
-
-
-@pytest.fixture
 def look(qtbot):
     """Change what the skin panel looks at, and wait for it."""
 
@@ -96,8 +90,9 @@ def test_each_step_is_another_frame_and_evaluates_nothing(open_window, look, qtb
 def test_levels_and_hidden_maps_make_no_frames(open_window, look):
     window = open_window(SHORT)
     frames = window.panel("skin").time.frames
+    made = frames.made
     look(window, playhead_s=0.08)
-    assert frames.made == 0
+    assert frames.made == made
     look(window, quantity=Z)
     window.docks["skin"].hide()
     made = frames.made

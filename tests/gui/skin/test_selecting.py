@@ -13,11 +13,6 @@ from skinsource_gui.qt.wheel import FREE, WHOLE
 from tests.gui.skin.bench import CONTROL, LEFT, PLAIN, SHIFT, click, drag, empty_place, place
 
 
-def test_a_click_selects_one_output(window):
-    click(window, 8)
-    assert window.view.outputs == (8,)
-
-
 @pytest.mark.parametrize("modifier", [SHIFT, CONTROL])
 def test_a_click_with_shift_or_control_adds_and_removes(window, modifier):
     click(window, 8, modifier)

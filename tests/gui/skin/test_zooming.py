@@ -103,8 +103,8 @@ def test_an_output_reached_by_arrows_comes_into_sight(window):
     assert visited & hidden
 
 
-@pytest.mark.parametrize("zoom", [1.5, 6.0, 25.0])
-@pytest.mark.parametrize("way", [(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, -1)])
+@pytest.mark.parametrize("zoom", [1.5, 25.0])
+@pytest.mark.parametrize("way", [(1, 0), (0, -1), (1, 1), (-1, -1)])
 def test_the_map_cannot_be_panned_out_of_sight(window, zoom, way):
     view = window.panel.map
     view.stage.pan_zoom.zoom(zoom, QPointF(10, 10))
