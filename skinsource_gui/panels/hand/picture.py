@@ -43,13 +43,11 @@ HINT = "Click a place on the hand"
 
 
 def caption_of(state: HandState, limb: str, fits: Callable[[str], bool]) -> str:
-    """Return the text below the hand: a note, the place pointed at, or what can be done.
+    """Return the text below the hand: the place pointed at, or what can be done.
 
     Where the pointer and the ring are at different places, both are named. The longest text that
     fits is returned, else the shortest.
     """
-    if state.note:
-        return state.note
     ringed = state.selected_site if state.cursor is None else state.cursor
     pointed = state.target or state.hovered
     if pointed is None and ringed is None:

@@ -341,7 +341,7 @@ class TimelinePanel(Panel):
         lanes = lanes_of(self._design, self._view, row_px, top, self._problems)
         self.lanes.show_state(self._design, self._view, lanes)
         content = self.lanes.content
-        self._time_bar.show_range(content.scale.shown_s, content.whole_s)
+        self._time_bar.show_range(content.scale.shown_s, content.lengths.whole_s)
 
     def _scroll(self, notches: float) -> None:
         bar = self.list.verticalScrollBar()
