@@ -251,6 +251,19 @@ class FoldedActions(QWidget):
         self.setFixedWidth((self.more if folded else self._buttons).sizeHint().width())
 
 
+class WorkspaceButtons(QWidget):
+    """Buttons beside each other, one for each workspace."""
+
+    def __init__(self, actions: Sequence[QAction], parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName("workspaces")
+        buttons = [QToolButton(self) for _ in actions]
+        for button, action in zip(buttons, actions, strict=True):
+            button.setDefaultAction(action)
+            button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        in_row(*buttons, of=self, margins=0, gap_px=2)
+
+
 class StudioBar(QToolBar):
     """Choices, transport and a few actions; the actions fold before the choices are cut short.
 

@@ -24,8 +24,8 @@ from skinsource.design.recovery import Found, UnsavedWork
 from skinsource_gui.pages.files.autosave import Autosave, Recovery, WorkPicture
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.qt.layouts import in_column
-from skinsource_gui.shell.dock_layout import DockLayout
 from skinsource_gui.shell.notices import Choice, Notice, Reports
+from skinsource_gui.shell.workspaces import Workspaces
 from skinsource_gui.state.conductor import Conductor
 from skinsource_gui.state.engine import Outcome
 from skinsource_gui.state.services import Services
@@ -136,7 +136,7 @@ class AutosaveAndRecovery(QObject):
     ----------
     document, engine, runner
         The work, its predictions, and the long jobs, before which a copy is saved.
-    files, layout
+    files, workspaces
         Before files are opened a copy is saved, with the layout of the docks.
     interval_s
         See `Autosave`.
@@ -148,7 +148,7 @@ class AutosaveAndRecovery(QObject):
         self,
         services: Services,
         files: FileActions,
-        layout: DockLayout,
+        workspaces: Workspaces,
     ) -> None:
         super().__init__(services.window)
         document, interval_s = services.document, services.preferences.autosave_s
@@ -156,7 +156,7 @@ class AutosaveAndRecovery(QObject):
         self._folder = user_folder()
         self._picture = WorkPicture()
         self.autosave = Autosave(
-            document, self._folder, interval_s, layout.content, self._picture.image, self
+            document, self._folder, interval_s, workspaces.content, self._picture.image, self
         )
         self.recovery = Recovery(
             document,
@@ -166,7 +166,7 @@ class AutosaveAndRecovery(QObject):
             self.autosave.keep_now,
             self,
         )
-        self.recovery.opened.connect(layout.put)
+        self.recovery.opened.connect(workspaces.put)
         self.recovery.belonged.connect(self._suggest)
         files.risk_ahead.connect(self.autosave.keep_now)
         services.runner.starting.connect(self.autosave.keep_now)

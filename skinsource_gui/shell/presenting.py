@@ -40,8 +40,7 @@ from skinsource_gui.plots.small_map import level_style, with_colours
 from skinsource_gui.qt.keys import KEYS, key_text, meaning_of, shortcut_text
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX
-from skinsource_gui.shell.arrangement_spec import PRESENTATION
-from skinsource_gui.shell.dock_layout import Arrangements, DockLayout
+from skinsource_gui.shell.workspaces import Workspaces
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.services import Services
 
@@ -366,21 +365,18 @@ class Presenter(QObject):
         self,
         services: Services,
         files: FileActions,
-        arrangements: Arrangements,
-        layout: DockLayout,
+        workspaces: Workspaces,
         actions: Callable[[], Mapping[str, QAction]],
     ) -> None:
         window, document, panels = services.window, services.document, services.panels
         super().__init__(window)
-        self._window, self._document, self._preferences = window, document, services.preferences
+        self._window, self._document = window, document
         self._files, self._actions = files, actions
-        self._arrangements, self._layout = arrangements, layout
+        self._workspaces = workspaces
         self.presenting = self.covered = False
         self._made = panels
         panels.each(lambda panel: panel.show_covered(self.covered))
-        self._before, self._size = b"", window.size()
         self._focused: QWidget | None = None
-        self._arranged = ""
         self._steps: tuple[Step, ...] = ()
         self._at = -1
         self._panels: tuple[str, ...] = ()
@@ -405,13 +401,11 @@ class Presenter(QObject):
         is_scene = self._at >= 0 or self._document.path is not None
         whole = is_scene and not self._document.modified
         self._unchanged = WholeScene.of(self._document) if whole else None
-        self._layout.hold()
-        self._before, self._arranged = self._layout.own(), self._preferences.arrangement
-        self._size, self._focused = window.size(), window.focusWidget()
+        self._focused = window.focusWidget()
         self.presenting_changed.emit(True)
+        self._workspaces.begin_show(self._panels)
         for bar in self._bars():
             bar.hide()
-        self._layout.show_scene(PRESENTATION, self._panels)
         # Keys of menus that are away would be dead.
         window.addActions(list(self._actions().values()))
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
@@ -429,7 +423,6 @@ class Presenter(QObject):
         """Bring back bars, panels where they stood, with those of the scene, and the map."""
         window = self._window
         self.presenting, self._unchanged = False, None
-        self._layout.release()
         for action in self._actions().values():
             window.removeAction(action)
         for key in self._keys:
@@ -445,12 +438,7 @@ class Presenter(QObject):
         for bar in self._bars():
             bar.show()
         self.presenting_changed.emit(False)
-        self._arrangements.show(self._arranged)
-        for panel in self._panels:
-            self._arrangements.bring(panel)
-        # Widths of columns are put back into a window as wide as it was, once it is.
-        window.installEventFilter(self)
-        self._put_back()
+        self._workspaces.end_show(self._panels)
         if self._focused is not None and isValid(self._focused):
             self._focused.setFocus()
         if self.covered:
@@ -487,19 +475,6 @@ class Presenter(QObject):
                 self._listen(self._notes)
         self._show_notes()
         self._notes.show_beside(self._window)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize:
-            self._put_back()
-        return super().eventFilter(watched, event)
-
-    def _put_back(self) -> None:
-        if self.presenting:
-            self._window.removeEventFilter(self)
-        elif self._window.size() == self._size:
-            self._window.removeEventFilter(self)
-            self._layout.put(self._before)
-            self._layout.settling.refit()
 
     def _bars(self) -> list[QWidget]:
         window = self._window
@@ -554,7 +529,7 @@ class Presenter(QObject):
         self._opening, self._panels = False, shown.panels
         self._unchanged = WholeScene.of(self._document) if self.presenting else None
         if shown.arrangement:
-            self._layout.show_scene(shown.arrangement, shown.panels)
+            self._workspaces.show_scene(shown.arrangement, shown.panels)
         self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {step.title}{left}")
         self._show_notes()
 

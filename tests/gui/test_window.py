@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QWidget
+from PySide6.QtWidgets import QAbstractScrollArea, QWidget
 
 from skinsource.design.design import Design, track
 from skinsource.design.edits.edit import Edit
@@ -66,20 +66,6 @@ def test_a_limb_that_is_not_installed_says_so_and_empties_the_pictures(window, s
     window.do("undo")
     settle()
     assert window.notice.text == ""
-
-
-@pytest.mark.parametrize("size", [(1366, 728), (1920, 1040)])
-def test_each_arrangement_fits_the_screen(window, size):
-    window.resize(*size)
-    for arrangement in ("design", "analysis", "presentation"):
-        window.do(f"arrange_{arrangement}")
-        QApplication.processEvents()
-        assert (window.width(), window.height()) == size, arrangement
-        for panel in window.panels:
-            if panel.isVisible():
-                smallest = panel.minimumSizeHint()
-                assert panel.width() >= smallest.width(), (arrangement, panel.name)
-                assert panel.height() >= smallest.height(), (arrangement, panel.name)
 
 
 def test_every_control_says_what_it_is(window):

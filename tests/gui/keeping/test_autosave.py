@@ -41,7 +41,7 @@ def test_work_is_kept_within_the_interval_with_arrangement_and_picture(
     content = open_design(copy)
     assert content.design == window.document.design
     assert content.view == window.document.view
-    assert content.layout == window.layout_of_docks.content()
+    assert content.layout == window.workspaces.content()
     picture = QImage(str(copy.with_suffix(".png")))
     assert {picture.pixelColor(x, y).name() for x in range(120) for y in range(180)} > {"#ffffff"}
     edit(window, 3.5)

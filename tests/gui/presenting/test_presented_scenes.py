@@ -293,7 +293,7 @@ def test_after_a_show_the_panels_of_the_scene_that_is_open_are_in_front(open_win
     qtbot.waitUntil(lambda: window.height() == 600)
     settle()
     assert "windowed" in in_front(window)
-    assert "timeline" in in_front(window)
+    assert "skin" in in_front(window)
 
 
 def settle():

@@ -87,7 +87,7 @@ from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource_gui.panels.loudest.settings import LoudestSettings
 from skinsource_gui.app.app import make_application
-from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS
+from skinsource_gui.shell.workspaces import WORKSPACES
 from skinsource_gui.shell.menus import Palette
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
@@ -112,8 +112,9 @@ def over(part, others):
             and place.intersects(QRect(widget.mapTo(window, QPoint(0, 0)), widget.size()))]
 
 facts["places"] = {}
-for arrangement in ARRANGEMENTS:
+for arrangement in WORKSPACES:
     window.do(f"arrange_{arrangement.name}")
+    dock.bring_forward()
     settle()
     place = QRect(dock.mapTo(window, QPoint(0, 0)), dock.size())
     bars = [window.menuBar(), window.findChild(object, "setup"), window.statusBar()]

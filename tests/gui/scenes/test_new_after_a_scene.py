@@ -14,7 +14,7 @@ from skinsource.limbs.catalog import default_limb
 from skinsource_gui.pages.files import file_actions
 from skinsource_gui.panels.skin.settings import SkinSettings
 
-#: On limb 4, in the arrangement for analysis.
+#: On limb 4, in the workspace Analyse.
 SCENE = "1C"
 
 
@@ -68,10 +68,10 @@ def test_of_several_scenes_it_is_the_panels_before_the_first_that_come_back(wind
 
 def test_panels_that_the_person_arranged_after_a_scene_stay(window, own):
     window.scenes.open(SCENE)
-    window.do("arrange_drawing")
-    drawing = in_sight(window)
+    window.do("arrange_presentation")
+    presented = in_sight(window)
     window.do("new_design")
-    assert in_sight(window) == drawing
+    assert in_sight(window) == presented
     window.do("arrange_design")
     assert in_sight(window) == own
 
