@@ -41,7 +41,7 @@ def page(open_window, qtbot):
 def checked(page, qtbot):
     button(page, "check_designs").click()
     assert not button(page, "check_designs").isEnabled()
-    qtbot.waitUntil(lambda: not page.run.runs, timeout=60_000)
+    qtbot.waitUntil(lambda: not page.run.busy, timeout=60_000)
     return page.list.rows
 
 

@@ -184,7 +184,7 @@ def test_without_left_over_work_the_page_says_so(window):
     window.do("show_left_over")
     (page,) = window.findChildren(UnsavedWorkPage)
     assert not page.open_button.isEnabled()
-    assert "no unsaved work" in page._text_label.text()
+    assert "no unsaved work" in page.message.text()
     page.close()
 
 

@@ -192,7 +192,7 @@ def test_a_rehearsal_with_sound_stores_nothing(sound, page, qtbot, tmp_path):
 def test_what_cannot_be_matched_is_said_and_nothing_begins(sound, page, name, text, reason):
     page.form.field(name).setText(text)
     press(page, "begin")
-    assert reason in page.findChild(type(page.view.note), "matching_problem").text()
+    assert reason in page.message.text()
     assert page.run is None
     assert not sound.streams
 
@@ -200,7 +200,7 @@ def test_what_cannot_be_matched_is_said_and_nothing_begins(sound, page, name, te
 def test_a_table_of_something_else_is_said(sound, page, tmp_path):
     (tmp_path / "matches.csv").write_text("a,b\n")
     press(page, "begin")
-    assert "no table of matches" in page.findChild(type(page.view.note), "matching_problem").text()
+    assert "no table of matches" in page.message.text()
 
 
 def test_a_table_that_cannot_be_written_stops_and_keeps_the_trial(sound, page, qtbot, tmp_path):
