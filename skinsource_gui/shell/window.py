@@ -23,6 +23,7 @@ from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.appearance import Appearance, WindowFrame
 from skinsource_gui.shell.bars import SetupBar, StudioBar, WorkspaceButtons
 from skinsource_gui.shell.carrying import PanelPictures
+from skinsource_gui.shell.conditions import Conditions
 from skinsource_gui.shell.drops import ClipDrops, ClipsAndClipboard, kind_choices
 from skinsource_gui.shell.focus import ClipDrawing, PanelFocus, ShortcutsInFields, move_focus
 from skinsource_gui.shell.keeping import AutosaveAndRecovery
@@ -34,7 +35,6 @@ from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.playing import Playback
 from skinsource_gui.shell.presenting import Presenter
 from skinsource_gui.shell.status import Accuracy, JobBar, MatchNote, StatusLine
-from skinsource_gui.shell.validity_lamps import Validity
 from skinsource_gui.shell.workspaces import WORKSPACES, Workspaces
 from skinsource_gui.state.comparison import Comparison
 from skinsource_gui.state.conductor import Conductor, PanelController
@@ -197,7 +197,7 @@ class MainWindow(QMainWindow):
         self._match_note = MatchNote([actions["keep_match_gain"], actions["match_levels"]])
         for widget in (self._match_note, self.playback.note, self.job_bar):
             self.statusBar().addPermanentWidget(widget)
-        self.validity = Validity(self.document, self.engine, self.panels, self.statusBar())
+        self.conditions = Conditions(self.document, self.engine, self.panels, self.statusBar())
         self.statusBar().addPermanentWidget(self._limb_note)
 
     def _install(self, panel: Panel) -> None:

@@ -149,7 +149,7 @@ def test_a_field_that_tab_reaches_scrolls_into_sight(at_work):
 
 def test_the_way_to_the_measured_limbs_is_followed_with_enter(at_work):
     at_work.panel("spectra").setFocus()
-    assert press(at_work, KEY.Key_Tab).objectName() == "validity_lamps"
+    assert press(at_work, KEY.Key_Tab).objectName() == "conditions"
     assert press(at_work, KEY.Key_Tab).objectName() == "limb_note"
     press(at_work, KEY.Key_Return)
     page = next(dialog for dialog in at_work.findChildren(QDialog) if dialog.isVisible())

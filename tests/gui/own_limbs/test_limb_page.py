@@ -432,5 +432,5 @@ def test_no_response_is_read_for_it_and_nothing_is_judged(large, open_window, qt
     assert shown
     assert sum(result.work.bytes_read for result in shown) == 0
     assert judged == []
-    assert window.validity.lamps.findings == ()
+    assert window.conditions.chip.findings == ()
     assert window.notice.text == ""
