@@ -76,7 +76,7 @@ class MainWindow(QMainWindow):
         self.notice = Notice(self)
         self.hints = FirstHints(preferences, self.notice, self.document)
         self.setup_bar = SetupBar()
-        self.status_line = StatusLine(self, self.engine)
+        self.status_line = StatusLine(self)
         self.job_bar = JobBar(self.runner)
         self.accuracy = Accuracy(self.engine, self)
         self.reports = Reports(
