@@ -3,9 +3,8 @@
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
 
-from skinsource.design.design import MAX_INPUTS, Design, track
+from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.timeline.heads import InputRows
@@ -56,15 +55,6 @@ def test_escape_on_the_map_is_taken_back_by_ctrl_z_and_no_input_goes(window, set
     QTest.keyClick(window.panel("skin").map, KEY.Key_Z, CONTROL)
     assert window.document.view.outputs == View().outputs
     assert len(window.document.design.inputs) == 2
-
-
-def test_a_full_design_refuses_ctrl_d_with_a_sentence(open_window):
-    inputs = tuple(track(location=1, colour=k) for k in range(MAX_INPUTS))
-    window = open_window(Design(limb="synthetic-1", inputs=inputs))
-    window.do("duplicate_input")
-    QApplication.processEvents()
-    assert f"at most {MAX_INPUTS} inputs" in window.notice.text
-    assert len(window.document.design.inputs) == MAX_INPUTS
 
 
 def in_sight(window, id):
