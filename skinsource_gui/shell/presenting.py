@@ -40,6 +40,7 @@ from skinsource_gui.plots.small_map import level_style, with_colours
 from skinsource_gui.qt.keys import KEYS, key_text, meaning_of, shortcut_text
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX
+from skinsource_gui.shell.focus import KeyboardFilter
 from skinsource_gui.shell.workspaces import Workspaces
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.services import Services
@@ -136,7 +137,7 @@ _PUSHED = (QAbstractButton, QComboBox, QAbstractItemView)
 _TEXTS = (QLineEdit, QPlainTextEdit, QTextEdit)
 
 
-class PresentingKeys(QObject):
+class PresentingKeys(KeyboardFilter):
     """Takes keys from the widget that has the keyboard, until its end.
 
     Clickers send Page Down and Page Up: plots go through time with them and numbers take large
@@ -172,19 +173,11 @@ class PresentingKeys(QObject):
             "play": play.trigger,
             "leave": leave,
         }
-        self._watched: QWidget | None = None
-        # One widget at a time: a filter on all widgets would see each event of the studio.
-        application = QApplication.instance()
-        if isinstance(application, QApplication):
-            application.focusChanged.connect(self._watch)
-        self._watch(None, QApplication.focusWidget())
+        self.follow(True)
 
     def end(self) -> None:
         """Leave the keys to the widget that has the keyboard."""
-        application = QApplication.instance()
-        if isinstance(application, QApplication):
-            application.focusChanged.disconnect(self._watch)
-        self._watch(None, None)
+        self.follow(False)
         self.deleteLater()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -203,20 +196,6 @@ class PresentingKeys(QObject):
             return super().eventFilter(watched, event)
         event.accept()
         return True
-
-    def _watch(self, _old: QWidget | None, new: QWidget | None) -> None:
-        # While a widget with the keyboard is deleted, the next one gets it before that is told.
-        if self._watched is not None and isValid(self._watched):
-            self._watched.removeEventFilter(self)
-            self._watched.destroyed.disconnect(self._forget)
-        self._watched = new
-        if new is not None:
-            new.installEventFilter(self)
-            new.destroyed.connect(self._forget)
-
-    def _forget(self) -> None:
-        if self._watched is not None and not isValid(self._watched):
-            self._watched = None
 
 
 def _belongs_to_presenter(watched: QObject, meaning: str) -> bool:

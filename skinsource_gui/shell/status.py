@@ -139,8 +139,8 @@ class StatusLine(FittingLabel):
         The window whose painting is waited for.
     """
 
-    #: Quantities that it needs beside those of the panels.
-    needs = frozenset({"streamed"})
+    #: Quantities that the status bar needs beside those of the panels; its note is on the limb.
+    needs = frozenset({"limb_data", "streamed"})
     #: Its text, the times or the error have changed; at most some times a second.
     changed = Signal()
 
