@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import cast
+from typing import Any, cast
 
 import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
@@ -46,14 +46,14 @@ from skinsource.studies.checking import (
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import minus
-from skinsource_gui.pages.page import Page
+from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
-from skinsource_gui.qt.buttons import page_button, page_label
+from skinsource_gui.qt.buttons import page_button
 from skinsource_gui.qt.fitting import LetterWidth
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, set_tone, tabular
+from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, tabular
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.job_runner import JobRunner, PageJob
+from skinsource_gui.state.job_runner import JobRunner, PageJobs
 from skinsource_gui.state.preferences import Preferences
 
 _WIDEST_PX = 40.0
@@ -475,7 +475,7 @@ _REPORTED = "The paper reports errors {0}, differences in amplitude {1} and r {2
 _SIZE_PX = (1080, 620)
 
 
-class CheckingPage(Page):
+class CheckingPage(ToolPage):
     """Compares predictions with measurements, as the paper's Fig. 4 does, and writes a report."""
 
     def __init__(
@@ -487,7 +487,7 @@ class CheckingPage(Page):
     ) -> None:
         super().__init__(parent, "checking_page", TITLE, _SIZE_PX)
         self._preferences = preferences
-        self.run = PageJob(runner, self)
+        self.run = PageJobs(runner, self)
         row = Row(name=_name_of(document), design=document.design)
         self.list = CheckList((row,), preferences)
         self.axes, self.rate = ChoiceField(_AXES), NumberField(_RATE)
@@ -497,10 +497,16 @@ class CheckingPage(Page):
             BoxFigure(f"check_boxes_{k}", f"{title} ({unit})" if unit else title)
             for k, (title, unit, _) in enumerate(FIGURES)
         )
-        self.message = page_label("check_words", _BEGIN)
-        self._check = page_button("check_designs", "Check", "Check all designs in the table")
-        self._save = page_button("save_report", "Save report…", "Save what was found as HTML")
-        self._close = page_button("close_page", "Close", "Close; what is being checked is given up")
+        self.say(_BEGIN)
+        self._check = self.add_button(
+            "check_designs", "Check", "Check all designs in the table", self.check
+        )
+        self._save = self.add_button(
+            "save_report", "Save report…", "Save what was found as HTML", self._ask_and_save
+        )
+        self._close = self.add_button(
+            "close_page", "Close", "Close; what is being checked is given up", self.close
+        )
         self._lay_out()
         self._connect()
         self._show()
@@ -509,8 +515,7 @@ class CheckingPage(Page):
         """Check all rows."""
         axes = "" if self.axes.value == _ALL else self.axes.value
         work = partial(check_rows, tuple(self.list.rows), axes, self.rate.value_si)
-        self.run.start(Job(CHECKING, work))
-        self._show()
+        self.run.add(Job(CHECKING, work))
 
     def save(self, path: Path) -> None:
         """Write the report, as the command ``check`` does."""
@@ -519,10 +524,10 @@ class CheckingPage(Page):
         try:
             write_report(path, self.list.conditions, limbs)
         except SkinSourceError as error:
-            self._complain(str(error))
+            self.complain(str(error))
             return
         self._preferences.folder = path.parent
-        self._say(f"Saved {path.name}.")
+        self.say(f"Saved {path.name}.")
 
     def _lay_out(self) -> None:
         for field, spec, width_px in ((self.axes, _AXES, 150), (self.rate, _RATE, 110)):
@@ -538,68 +543,51 @@ class CheckingPage(Page):
         in_column((self.list, 2), (plots, 3), below, of=self, gap_px=UNIT_PX)
 
     def _connect(self) -> None:
-        self._check.clicked.connect(self.check)
-        self._save.clicked.connect(self._ask_and_save)
-        self._close.clicked.connect(self.close)
         self.list.changed.connect(self._show)
-        self.list.failed.connect(self._complain)
-        self.list.recording_chosen.connect(self._say)
+        self.list.failed.connect(self.complain)
+        self.list.recording_chosen.connect(self.say)
         # Results hold for the axes and the rate that they were computed with.
         self.axes.edited.connect(self._begin_anew)
         self.rate.edited.connect(self._begin_anew)
         for box in self.boxes:
-            box.reading.connect(self._show_reading)
-        self.run.progressed.connect(lambda progress: self._say(f"{progress.text}…"))
+            box.reading.connect(self.say_reading)
+        self.run.changed.connect(self._show)
+        self.run.progressed.connect(lambda _, progress: self.say(f"{progress.text}…"))
         self.run.done.connect(self._take)
-        self.run.ended.connect(self._note_ended)
+        self.run.failed.connect(self.complain)
+        self.run.cancelled.connect(lambda: self.say("Cancelled. Nothing was changed."))
         self.finished.connect(self.run.give_up)
 
     def _begin_anew(self) -> None:
         """Clear the results and the message about them."""
         self.list.forget_results()
         has_recording = any(row.recording is not None for row in self.list.rows)
-        self._say(_AGAIN if has_recording else _BEGIN)
+        self.say(_AGAIN if has_recording else _BEGIN)
 
     def _ask_and_save(self) -> None:
-        start = str(self._preferences.folder / "check.html")
-        name, _ = QFileDialog.getSaveFileName(self, "Save the report", start, "HTML (*.html)")
-        if name:
-            self.save(Path(name))
+        start = self._preferences.folder / "check.html"
+        path = self.ask_save("Save the report", "HTML (*.html)", start)
+        if path is not None:
+            self.save(path)
 
     def _show(self) -> None:
         """Show the results, and enable what can be done now."""
-        runs, conditions = self.run.runs, self.list.conditions
+        runs, conditions = self.run.busy, self.list.conditions
         for k, box in enumerate(self.boxes):
             box.show_groups(by_frequency(conditions, k))
         self.list.show_running(runs)
         self._check.setEnabled(bool(self.list.rows) and not runs)
         self._save.setEnabled(bool(conditions) and not runs)
 
-    def _take(self, results: Sequence[Condition | str]) -> None:
+    def _take(self, _job: Job[Any], results: Sequence[Condition | str]) -> None:
         self.list.take_results(results)
         problems = [result for result in results if isinstance(result, str)]
         if problems:
-            self._complain(problems[0])
+            self.complain(problems[0])
         elif any(condition.agreement is not None for condition in self.list.conditions):
-            self._say(_REPORTED.format(*(reported for _, _, reported in FIGURES)))
+            self.say(_REPORTED.format(*(reported for _, _, reported in FIGURES)))
         else:
-            self._say("Checked. Choose a recording to hold it against.")
-
-    def _note_ended(self, reason: str) -> None:
-        self._show()
-        self._complain(reason)
-
-    def _show_reading(self, text: str) -> None:
-        if text:
-            self._say(text)
-
-    def _say(self, text: str) -> None:
-        set_tone(self.message, "")
-        self.message.setText(text)
-
-    def _complain(self, reason: str) -> None:
-        set_tone(self.message, "error")
-        self.message.setText(sentence(reason))
+            self.say("Checked. Choose a recording to hold it against.")
 
 
 def _name_of(document: Document) -> str:

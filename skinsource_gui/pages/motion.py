@@ -36,14 +36,14 @@ from skinsource.specs.numbers import ModelSpec, NumberSpec
 from skinsource.specs.spec import ChoiceSpec, Spec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
-from skinsource_gui.pages.page import Page
+from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.panels.hand.layout import HandLayout, Marker, paint_occupied
 from skinsource_gui.panels.hand.panel import HandDiagram
 from skinsource_gui.panels.hand.picture import drawing_of
 from skinsource_gui.plots.preview import ClipDrawings, ClipStrip, Lane
 from skinsource_gui.qt.buttons import page_button, page_label, scrolled
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.state.document import Document
 
 
@@ -437,7 +437,7 @@ _MOTION_KINDS = ChoiceSpec(
 _HEIGHT_PX = 660
 
 
-class MotionPage(Page):
+class MotionPage(ToolPage):
     """Makes up a motion on a path of places, shows it, and adds it in one step."""
 
     def __init__(self, document: Document, parent: QWidget) -> None:
@@ -454,18 +454,18 @@ class MotionPage(Page):
         self.waveform_fields = MotionFields(
             lambda _, spec: spec.at_rate(limb.sample_rate_hz, limb.band_hz), self
         )
-        self._summary, self._about = page_label("motion_summary"), page_label("motion_about")
-        self._buttons()
+        self._summary = page_label("motion_summary")
+        self._about = page_label("motion_about", tone="dim")
+        self._about.setTextFormat(Qt.TextFormat.RichText)
+        self._add = self.add_button(
+            "add_motion", "Add", "Add the tracks to the design, in one step", self._keep
+        )
+        self._cancel = self.add_button(
+            "cancel_motion", "Cancel", "Close; nothing is changed", self.reject
+        )
         self._lay_out()
         self._connect()
         self._show()
-
-    def _buttons(self) -> None:
-        self._add = page_button("add_motion", "Add", "Add the tracks to the design, in one step")
-        self._cancel = page_button("cancel_motion", "Cancel", "Close; nothing is changed")
-
-        self._about.setTextFormat(Qt.TextFormat.RichText)
-        set_tone(self._about, "dim")
 
     def _lay_out(self) -> None:
         left = in_column((self.hand, 1), self.path_row)
@@ -498,8 +498,6 @@ class MotionPage(Page):
         self.motion_fields.edited.connect(self.draft.change_field)
         self.waveform_fields.kind_chosen.connect(self.draft.change_waveform_kind)
         self.waveform_fields.edited.connect(self.draft.change_waveform_field)
-        self._add.clicked.connect(self._keep)
-        self._cancel.clicked.connect(self.reject)
 
     def _show_refused(self, name: str, why: str) -> None:
         self.motion_fields.show_refused(self.draft.motion, name, why)

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QEventLoop, QPoint, QRect, QRectF, Qt
+from PySide6.QtCore import QEventLoop, QPoint, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontInfo, QPainter
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QScrollArea, QVBoxLayout, QWidget
 
 from skinsource.design.comparing import EDITED, Snapshot, shown_snapshot, with_edited
 from skinsource.design.labels import short_limb_title
@@ -28,7 +28,6 @@ from skinsource_gui.plots.signal_view import SignalExports
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.qt.theme import LIGHT, Theme, apply_theme, current_theme
 from skinsource_gui.shell.appearance import Appearance
-from skinsource_gui.shell.dock_layout import shown_off_screen, usual_size
 from skinsource_gui.shell.docks import Dock, PanelInUse
 from skinsource_gui.state.comparison import Judging
 from skinsource_gui.state.document import Document
@@ -221,7 +220,7 @@ class PanelPictures:
             letters = partial(self._smallest_letters_px, caption)
         else:
             draw = partial(self._draw_one, panel, view)
-            likes = panel.size() if panel.isVisible() else usual_size(panel)
+            likes = panel.size() if panel.isVisible() else _usual_size(panel)
             size = None if name != PANEL_IN_USE else (2 * likes.width(), 2 * likes.height())
         result = panel.map.stage.visible if isinstance(panel, SkinPanel) else None
         draw = with_caption(draw, caption)
@@ -254,7 +253,7 @@ class PanelPictures:
             with panel.showing(view), self._metadata.as_stored(), self._in_colours(theme):
                 panel.draw_picture(painter, width, height, theme)
             return
-        stage = shown_off_screen(self._docks[panel.name], width, height)
+        stage = _shown_off_screen(self._docks[panel.name], width, height)
         with panel.showing(view), self._metadata.as_stored(), stage as make_room:
             self._catch_up()
             # Parts that depend on results take their room now.
@@ -326,3 +325,52 @@ def _draw_titled(painter: QPainter, panel: Panel, area: QRect, theme: Theme) -> 
     painter.setFont(QApplication.font())
     panel.draw_picture(painter, area.width(), area.height(), theme)
     painter.restore()
+
+
+def _usual_size(panel: Panel) -> QSize:
+    """Return the preferred size of a panel, px."""
+    return panel.sizeHint().expandedTo(panel.minimumSizeHint()).expandedTo(panel.minimumSize())
+
+
+@contextmanager
+def _shown_off_screen(dock: Dock, width: int, height: int) -> Iterator[Callable[[], None]]:
+    """Show the panel of a dock off the screen, for as long as it is drawn.
+
+    A panel that was never shown has no layout and no results.  Yields a function that makes room
+    for what has to be scrolled; call it once the results are there.
+
+    Parameters
+    ----------
+    dock
+        The dock, in which the panel is hidden.
+    width, height
+        Of the picture: the panel is of this shape, and as large as it likes to be at least.
+    """
+    size = _usual_size(dock.panel)
+    wide = max(size.width(), round(size.height() * width / max(height, 1)))
+    high = max(size.height(), round(wide * height / max(width, 1)))
+    stage = QWidget()
+    stage.setAttribute(Qt.WidgetAttribute.WA_DontShowOnScreen)
+    stage.setAttribute(Qt.WidgetAttribute.WA_ShowWithoutActivating)
+    column = QVBoxLayout(stage)
+    column.setContentsMargins(0, 0, 0, 0)
+    with dock.lent() as panel:
+        column.addWidget(panel)
+        panel.show()
+        stage.resize(wide, high)
+        stage.show()
+        try:
+            yield partial(_make_room, stage)
+        finally:
+            column.removeWidget(panel)
+            panel.setParent(None)
+            stage.deleteLater()
+
+
+def _make_room(stage: QWidget) -> None:
+    hidden = max(
+        (area.verticalScrollBar().maximum() for area in stage.findChildren(QScrollArea)), default=0
+    )
+    high = stage.height() + hidden
+    # The shape stays the same.
+    stage.resize(round(stage.width() * high / max(stage.height(), 1)), high)

@@ -40,8 +40,8 @@ from skinsource_gui.plots.small_map import level_style, with_colours
 from skinsource_gui.qt.keys import KEYS, key_text, meaning_of, shortcut_text
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX
-from skinsource_gui.shell.arrangement_spec import PRESENTATION
-from skinsource_gui.shell.dock_layout import Arrangements, DockLayout
+from skinsource_gui.shell.focus import KeyboardFilter
+from skinsource_gui.shell.workspaces import Workspaces
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.services import Services
 
@@ -137,7 +137,7 @@ _PUSHED = (QAbstractButton, QComboBox, QAbstractItemView)
 _TEXTS = (QLineEdit, QPlainTextEdit, QTextEdit)
 
 
-class PresentingKeys(QObject):
+class PresentingKeys(KeyboardFilter):
     """Takes keys from the widget that has the keyboard, until its end.
 
     Clickers send Page Down and Page Up: plots go through time with them and numbers take large
@@ -173,19 +173,11 @@ class PresentingKeys(QObject):
             "play": play.trigger,
             "leave": leave,
         }
-        self._watched: QWidget | None = None
-        # One widget at a time: a filter on all widgets would see each event of the studio.
-        application = QApplication.instance()
-        if isinstance(application, QApplication):
-            application.focusChanged.connect(self._watch)
-        self._watch(None, QApplication.focusWidget())
+        self.follow(True)
 
     def end(self) -> None:
         """Leave the keys to the widget that has the keyboard."""
-        application = QApplication.instance()
-        if isinstance(application, QApplication):
-            application.focusChanged.disconnect(self._watch)
-        self._watch(None, None)
+        self.follow(False)
         self.deleteLater()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -204,20 +196,6 @@ class PresentingKeys(QObject):
             return super().eventFilter(watched, event)
         event.accept()
         return True
-
-    def _watch(self, _old: QWidget | None, new: QWidget | None) -> None:
-        # While a widget with the keyboard is deleted, the next one gets it before that is told.
-        if self._watched is not None and isValid(self._watched):
-            self._watched.removeEventFilter(self)
-            self._watched.destroyed.disconnect(self._forget)
-        self._watched = new
-        if new is not None:
-            new.installEventFilter(self)
-            new.destroyed.connect(self._forget)
-
-    def _forget(self) -> None:
-        if self._watched is not None and not isValid(self._watched):
-            self._watched = None
 
 
 def _belongs_to_presenter(watched: QObject, meaning: str) -> bool:
@@ -366,21 +344,18 @@ class Presenter(QObject):
         self,
         services: Services,
         files: FileActions,
-        arrangements: Arrangements,
-        layout: DockLayout,
+        workspaces: Workspaces,
         actions: Callable[[], Mapping[str, QAction]],
     ) -> None:
         window, document, panels = services.window, services.document, services.panels
         super().__init__(window)
-        self._window, self._document, self._preferences = window, document, services.preferences
+        self._window, self._document = window, document
         self._files, self._actions = files, actions
-        self._arrangements, self._layout = arrangements, layout
+        self._workspaces = workspaces
         self.presenting = self.covered = False
         self._made = panels
         panels.each(lambda panel: panel.show_covered(self.covered))
-        self._before, self._size = b"", window.size()
         self._focused: QWidget | None = None
-        self._arranged = ""
         self._steps: tuple[Step, ...] = ()
         self._at = -1
         self._panels: tuple[str, ...] = ()
@@ -405,13 +380,11 @@ class Presenter(QObject):
         is_scene = self._at >= 0 or self._document.path is not None
         whole = is_scene and not self._document.modified
         self._unchanged = WholeScene.of(self._document) if whole else None
-        self._layout.hold()
-        self._before, self._arranged = self._layout.own(), self._preferences.arrangement
-        self._size, self._focused = window.size(), window.focusWidget()
+        self._focused = window.focusWidget()
         self.presenting_changed.emit(True)
+        self._workspaces.begin_show(self._panels)
         for bar in self._bars():
             bar.hide()
-        self._layout.show_scene(PRESENTATION, self._panels)
         # Keys of menus that are away would be dead.
         window.addActions(list(self._actions().values()))
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
@@ -429,7 +402,6 @@ class Presenter(QObject):
         """Bring back bars, panels where they stood, with those of the scene, and the map."""
         window = self._window
         self.presenting, self._unchanged = False, None
-        self._layout.release()
         for action in self._actions().values():
             window.removeAction(action)
         for key in self._keys:
@@ -445,12 +417,7 @@ class Presenter(QObject):
         for bar in self._bars():
             bar.show()
         self.presenting_changed.emit(False)
-        self._arrangements.show(self._arranged)
-        for panel in self._panels:
-            self._arrangements.bring(panel)
-        # Widths of columns are put back into a window as wide as it was, once it is.
-        window.installEventFilter(self)
-        self._put_back()
+        self._workspaces.end_show(self._panels)
         if self._focused is not None and isValid(self._focused):
             self._focused.setFocus()
         if self.covered:
@@ -487,19 +454,6 @@ class Presenter(QObject):
                 self._listen(self._notes)
         self._show_notes()
         self._notes.show_beside(self._window)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize:
-            self._put_back()
-        return super().eventFilter(watched, event)
-
-    def _put_back(self) -> None:
-        if self.presenting:
-            self._window.removeEventFilter(self)
-        elif self._window.size() == self._size:
-            self._window.removeEventFilter(self)
-            self._layout.put(self._before)
-            self._layout.settling.refit()
 
     def _bars(self) -> list[QWidget]:
         window = self._window
@@ -554,7 +508,7 @@ class Presenter(QObject):
         self._opening, self._panels = False, shown.panels
         self._unchanged = WholeScene.of(self._document) if self.presenting else None
         if shown.arrangement:
-            self._layout.show_scene(shown.arrangement, shown.panels)
+            self._workspaces.show_scene(shown.arrangement, shown.panels)
         self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {step.title}{left}")
         self._show_notes()
 

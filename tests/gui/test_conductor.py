@@ -109,13 +109,6 @@ def stage(qtbot):
     engine.close()
 
 
-def test_a_panel_is_given_the_state_before_the_results(stage):
-    stage.amplitude(2.0)
-    assert stage.loud.states[-1].inputs[0].amplitude == 2.0
-    assert stage.loud.results[-1]["loudness"].tolist() == [2.0]
-    assert not stage.loud.stale
-
-
 def test_an_edit_is_painted_once_with_its_results_if_they_are_quick(qtbot, stage):
     qtbot.waitUntil(lambda: stage.loud.story[-1] == "painted")
     stage.loud.story.clear()
@@ -174,25 +167,6 @@ def test_only_panels_whose_results_may_change_are_marked_as_stale(qtbot, stage):
     assert stage.loud.marks == [False, False, True, False]
 
 
-def test_results_that_came_late_are_not_stale_where_only_something_else_changed(qtbot, stage):
-    stage.loud.marks.clear()
-    stage.gate.clear()
-    stage.document.edit("louder", stage.document.design.with_input(0, amplitude=2.0))
-    stage.document.look(View(outputs=(3,)))
-    assert stage.loud.marks == [True, True]
-    stage.gate.set()
-    qtbot.waitUntil(lambda: not stage.engine.busy)
-    assert stage.loud.marks == [True, True, False, False]
-
-
-def test_a_panel_that_needs_something_else_than_before_is_stale(qtbot, stage):
-    stage.loud._needs = frozenset({"colours"})
-    stage.loud.marks.clear()
-    stage.document.look(View(outputs=(3,)))
-    qtbot.waitUntil(lambda: not stage.engine.busy)
-    assert stage.loud.marks == [True, False]
-
-
 def test_a_hidden_panel_costs_nothing_and_is_brought_up_to_date(qtbot, stage):
     stage.loud.hide()
     qtbot.waitUntil(lambda: not stage.engine.busy)
@@ -229,11 +203,6 @@ def test_a_fault_of_the_studio_is_told_as_one(qtbot, stage):
     with qtbot.waitSignal(stage.conductor.failed) as failed:
         stage.amplitude(14)
     assert failed.args[0].startswith("The studio made a mistake: ValueError")
-
-
-def test_a_look_elsewhere_reaches_the_panels(stage):
-    stage.loud.view_changed.emit(View(outputs=(5,)))
-    assert stage.document.view.outputs == (5,)
 
 
 def test_a_panel_begins_anew_once_before_the_results_of_an_undone_step(qtbot, stage):

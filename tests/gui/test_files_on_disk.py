@@ -4,8 +4,7 @@ import os
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QEvent, QMimeData, QPointF, Qt, QUrl
-from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from skinsource.base import files
@@ -150,25 +149,3 @@ def test_a_recent_file_that_is_missing_is_told_without_a_question(
     assert "moved or deleted" in window.notice.text
     assert gone not in window.files.recent.paths
     assert window.document.path == opened
-
-
-def test_what_was_said_about_a_file_does_not_outlive_it(window, opened, asked):
-    window.files.save()
-    assert "Saved" in window.statusBar().currentMessage()
-    window.files.new()
-    assert "Saved" not in window.statusBar().currentMessage()
-
-
-def test_a_dropped_file_is_copied_even_where_a_move_is_proposed(window, opened, asked):
-    window.files.save()
-    data = QMimeData()
-    data.setUrls([QUrl.fromLocalFile(str(opened))])
-    middle = window.rect().center()
-    both = Qt.DropAction.MoveAction | Qt.DropAction.CopyAction
-    arguments = (both, data, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier)
-    entering, dropped = QDragEnterEvent(middle, *arguments), QDropEvent(QPointF(middle), *arguments)
-    for event in (entering, dropped):
-        event.setDropAction(Qt.DropAction.MoveAction)
-        QApplication.sendEvent(window, event)
-        assert event.isAccepted()
-        assert event.dropAction() == Qt.DropAction.CopyAction

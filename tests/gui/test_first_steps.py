@@ -8,18 +8,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
 from skinsource_gui.plots.plot import Plot
-from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS
 from skinsource_gui.shell.panels import PANELS
+from skinsource_gui.shell.workspaces import WORKSPACES
 
 ANYWHERE = ("Press ", "View > Panels")
 #: Words of a sentence, and the panel that they lead to.
 LEADS = {"on the hand": "hand", "in the timeline": "timeline", "on the skin map": "skin"}
-
-
-@pytest.fixture
-def open_window(make_window):
-    """Each test has a window of its own."""
-    return make_window
 
 
 def requests_of(panel):
@@ -34,7 +28,7 @@ def test_no_words_lead_to_a_panel_that_is_not_in_sight(window, settle, state):
     if state == "empty":
         window.do("clear_inputs")
     window.document.look(replace(window.document.view, outputs=(), selected_inputs=()))
-    for arrangement in ARRANGEMENTS:
+    for arrangement in WORKSPACES:
         window.do(f"arrange_{arrangement.name}")
         settle()
         n_texts = 0
@@ -53,7 +47,7 @@ def test_no_words_lead_to_a_panel_that_is_not_in_sight(window, settle, state):
 
 def test_what_is_said_without_a_hand_adds_an_input(window, settle, qtbot):
     window.do("clear_inputs")
-    window.do("arrange_drawing")
+    window.docks["hand"].hide()
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
     settle()
@@ -65,8 +59,6 @@ def test_what_is_said_without_a_hand_adds_an_input(window, settle, qtbot):
     assert [track.location for track in window.document.design.inputs] == [7]
     assert not empty.isVisible()
     window.do("clear_inputs")
-    window.do("arrange_design")
+    window.docks["hand"].show()
     settle()
     assert empty.text() == "Click a place on the hand to add a track"
-    window.docks["hand"].hide()
-    assert empty.text() == "Press Ctrl+Shift+N to add a track"

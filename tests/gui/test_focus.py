@@ -9,16 +9,11 @@ from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.panels.timeline.head_row import InputRow
 
 KEY = Qt.Key
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 PLAIN = Qt.KeyboardModifier.NoModifier
-
-
-@pytest.fixture
-def open_window(make_window):
-    """Each test has a window of its own."""
-    return make_window
 
 
 @pytest.fixture
@@ -143,7 +138,7 @@ def test_tab_ends_typing_and_goes_on(at_work):
 
 
 def test_a_field_that_tab_reaches_scrolls_into_sight(at_work):
-    at_work.resize(1366, 500)
+    at_work.resize(1366, 620)
     QApplication.processEvents()
     at_work.panel("skin").toolbar.setFocus()
     while QApplication.focusWidget().objectName() != "location_field":
@@ -154,7 +149,7 @@ def test_a_field_that_tab_reaches_scrolls_into_sight(at_work):
 
 def test_the_way_to_the_measured_limbs_is_followed_with_enter(at_work):
     at_work.panel("spectra").setFocus()
-    assert press(at_work, KEY.Key_Tab).objectName() == "validity_lamps"
+    assert press(at_work, KEY.Key_Tab).objectName() == "conditions"
     assert press(at_work, KEY.Key_Tab).objectName() == "limb_note"
     press(at_work, KEY.Key_Return)
     page = next(dialog for dialog in at_work.findChildren(QDialog) if dialog.isVisible())
@@ -168,3 +163,22 @@ def test_f6_goes_from_panel_to_panel_in_the_same_order(at_work):
     assert went == ["timeline", "inspector", "skin", "traces", "spectra", "hand"]
     back = [region_of(at_work, press(at_work, KEY.Key_F6, SHIFT)) for _ in shown]
     assert back == ["spectra", "traces", "skin", "inspector", "timeline", "hand"]
+
+
+def test_all_is_the_text_of_a_number_and_not_all_tracks(open_window):
+    tone = Tone(frequency_hz=100.0, duration_s=0.2)
+    window = open_window(Design(limb="synthetic-1", inputs=(track(7, tone), track(13, tone))))
+    field = window.panel("timeline").findChild(InputRow).amplitude
+    window.activateWindow()
+    QTest.mouseClick(field, Qt.MouseButton.LeftButton)
+    assert window.focusWidget() is field
+    selected = window.document.view.selected_inputs
+    QTest.keyClick(field, Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    assert window.document.view.selected_inputs == selected
+    assert field.selectedText() == field.text() != ""
+    # Once more, while it is typed.
+    field.deselect()
+    QTest.keyClick(field, Qt.Key.Key_A, Qt.KeyboardModifier.ControlModifier)
+    assert field.selectedText() == field.text()
+    QTest.keyClick(field, Qt.Key.Key_Escape)
+    assert window.document.view.selected_inputs == selected

@@ -7,7 +7,6 @@ from PySide6.QtWidgets import QApplication, QComboBox
 from skinsource.limbs.dataset.install import install
 from skinsource.limbs.dataset.store import NOT_INSTALLED
 from skinsource_gui.shell.limb_note import LimbNote
-from tests.core.dataset_bench import rewrite
 
 
 @pytest.fixture
@@ -50,16 +49,6 @@ def test_limbs_that_are_installed_while_the_studio_runs_can_be_used_at_once(
     settle()
     assert "SYNTHETIC LIMB" in note.text()
     assert "computed" in note.toolTip().lower()
-
-
-def test_of_a_limb_made_from_the_published_files_there_is_nothing_to_note(
-    window, settle, synthetic_installed
-):
-    rewrite(synthetic_installed, unpublished=[])
-    come_back_to(window)
-    window.document.edit("a", replace(window.document.design, limb="measured-1"))
-    settle()
-    assert window.findChild(LimbNote).isHidden()
 
 
 def test_a_design_whose_limb_was_missing_is_shown_once_it_is_installed(

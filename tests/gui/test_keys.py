@@ -5,12 +5,12 @@ from functools import partial
 import pytest
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QAbstractButton, QTextBrowser, QWidget
+from PySide6.QtWidgets import QAbstractButton, QTextBrowser
 
 from skinsource_gui.fields.number_field import begins_typing, makes_step
 from skinsource_gui.panels.skin.scale import key_step_db
 from skinsource_gui.panels.skin.time import ScrubBar
-from skinsource_gui.qt.keys import KEYS, MOUSE, SHORTCUTS, key_text, meaning_of
+from skinsource_gui.qt.keys import KEYS, MOUSE, SHORTCUTS, meaning_of
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.playing import Transport
 from skinsource_gui.shell.status import PreparingNote
@@ -85,12 +85,6 @@ def test_a_single_key_is_called_what_stands_on_it(place):
         if len(gesture.keys) == 1:
             *held, key = gesture.keys[0].split("+")
             assert gesture.shown == "+".join((*held, ON_KEYS.get(key, key)))
-
-
-def test_tooltips_name_the_keys_of_panels(window):
-    hint = window.findChild(QWidget, "mute_button").toolTip()
-    assert hint.endswith(f"({key_text('inputs', 'mute')})")
-    assert key_text("inputs", "shift_up") in window.actions_by_name["shift_input_up"].toolTip()
 
 
 @pytest.mark.parametrize("part", [Transport, ScrubBar, PreparingNote])

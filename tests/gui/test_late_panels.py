@@ -2,18 +2,9 @@
 
 from dataclasses import replace
 
-import pytest
-
-from skinsource_gui.shell.arrangement_spec import Place
-from skinsource_gui.shell.panels import PANELS
+from skinsource_gui.shell.workspaces import WORKSPACES
 from skinsource_gui.state.panel import Panel, PanelRegistry
 from tests.gui.analysis.analysis_bench import analysis
-
-
-@pytest.fixture
-def window(new_window):
-    """A studio of each test's own."""
-    return new_window
 
 
 def made(window):
@@ -32,8 +23,8 @@ def states_shown(panel, monkeypatch):
     return states
 
 
-def test_a_window_makes_the_panels_of_its_arrangement_and_no_other(window):
-    placed = {spec.panel.name for spec in PANELS if isinstance(spec.places["design"], Place)}
+def test_a_window_makes_the_panels_of_its_workspace_and_no_other(window):
+    placed = set(WORKSPACES[0].split.panels())
     assert made(window) == placed
     assert all(dock.is_empty for name, dock in window.docks.items() if name not in placed)
 

@@ -6,7 +6,6 @@ from functools import partial
 from threading import Event
 
 import pytest
-from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.design.effects.level import Fade
 from skinsource_gui.panels.analysis.settings import VIEWS
@@ -166,23 +165,6 @@ def test_what_compares_comes_into_sight_without_what_is_older(name, studio, qtbo
         assert panel.grab().toImage() != fresh
     studio.settled()
     qtbot.waitUntil(lambda: offers(panel) == offered, timeout=30_000)
-
-
-@pytest.mark.parametrize("name", ["traces", "skin"])
-def test_curves_and_maps_that_are_late_are_not_copied_from_their_menus(name, studio):
-    panel = studio.look_at(name)
-    studio.settled()
-    studio.hide_panel(name)
-    copy = "Copy picture"
-    with held(studio):
-        studio.edit_all()
-        studio.look_at(name)
-        opened = panel._plot._open_menu if name == "traces" else panel._open_menu
-        opened(panel.mapToGlobal(panel.rect().center()))
-        menu = QApplication.activePopupWidget()
-        assert isinstance(menu, QMenu)
-        assert [action.isEnabled() for action in menu.actions() if action.text() == copy] == [False]
-        menu.close()
 
 
 def test_a_late_clip_has_no_curve_that_it_does_not_play_and_one_that_was_moved_keeps_its(

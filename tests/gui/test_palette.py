@@ -13,17 +13,9 @@ from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.qt.keys import MOUSE
 from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.shell.actions import ACTIONS
-from skinsource_gui.shell.menus import ActionSet, Palette, matching, score
+from skinsource_gui.shell.menus import ActionSet, Palette, matching
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import start_design
-
-
-@pytest.mark.parametrize(
-    ("letters", "text", "matches"),
-    [("", "Undo", True), ("ud", "Undo", True), ("und o", "Undo", True), ("du", "Undo", False)],
-)
-def test_letters_are_found_in_their_order(letters, text, matches):
-    assert (score(letters, text) is not None) == matches
 
 
 def test_letters_in_one_piece_hide_those_that_are_scattered(qapp):

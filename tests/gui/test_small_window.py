@@ -3,7 +3,6 @@
 import pytest
 from PySide6.QtWidgets import QApplication, QScrollArea
 
-from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Tap
@@ -30,11 +29,6 @@ def bring(window, name):
     return window.panel(name)
 
 
-def select(window, input_id):
-    document = window.document
-    document.look(edits.select_inputs(document.design, document.view, (input_id,)).view)
-
-
 def in_view(panel, widget):
     """Whether a widget lies within what its panel shows without scrolling."""
     area = panel.findChild(QScrollArea)
@@ -52,12 +46,3 @@ def test_what_passes_a_limit_of_the_actuator_is_seen_without_scrolling(window):
     assert in_view(panel, panel.figures.limits)
     first_rows = panel.figures.table._rows[:5]
     assert all(in_view(panel, label) for row in first_rows for label in row[:2])
-
-
-def test_why_a_drive_is_refused_is_seen_without_scrolling(window):
-    panel = bring(window, "actuator")
-    select(window, 2)
-    bring(window, "actuator")
-    assert "leaves a velocity" in panel.figures.refusal.text()
-    assert in_view(panel, panel.figures.refusal)
-    assert in_view(panel, panel.figures.centred)

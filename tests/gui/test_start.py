@@ -92,13 +92,6 @@ def test_without_a_display_the_design_that_is_named_is_rendered(tmp_path, run_wi
     assert rendered.read_bytes() == (tmp_path / "expected.csv").read_bytes()
 
 
-def test_without_a_display_a_design_that_is_missing_is_one_sentence(tmp_path, run_without_display):
-    done = run_without_display("missing.skinsource")
-    assert (done.returncode, len(done.stderr.splitlines())) == (1, 1)
-    assert done.stderr.startswith("skinsource-gui: missing.skinsource: cannot be read")
-    assert list(tmp_path.iterdir()) == []
-
-
 @pytest.mark.parametrize(
     ("content", "message"),
     [

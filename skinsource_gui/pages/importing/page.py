@@ -35,7 +35,7 @@ from skinsource_gui.pages.importing.form import (
     ImportPreview,
     OverviewStrip,
 )
-from skinsource_gui.pages.page import Page
+from skinsource_gui.pages.page import ToolPage
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.worker import Worker, fault_text
@@ -167,7 +167,7 @@ _READING = "Reading…"
 _ASSUMED = f"The file does not say its sample rate; {ASSUMED_RATE_HZ:g} Hz is assumed."
 
 
-class ImportPage(Page):
+class ImportPage(ToolPage):
     """Shows what a file holds, asks what it leaves open, and shows what will be imported.
 
     Parameters

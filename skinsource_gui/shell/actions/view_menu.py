@@ -11,7 +11,7 @@ from skinsource_gui.plots.small_map import COLOURS
 from skinsource_gui.qt.keys import KEYS, key_text
 from skinsource_gui.qt.theme import theme_label
 from skinsource_gui.shell.actions.spec import ActionSpec, action
-from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS
+from skinsource_gui.shell.workspaces import WORKSPACES
 
 
 def _presenting(name: str) -> str:
@@ -43,17 +43,27 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     *(
         ActionSpec(
-            name=f"arrange_{arrangement.name}",
+            name=f"arrange_{workspace.name}",
             menu="View",
-            text=f"Arrange for {arrangement.text}",
-            hint=arrangement.hint,
-            keys=arrangement.keys,
-            keywords="layout panels docks lecture",
-            command="layout_of_docks.choose",
-            argument=arrangement.name,
-            separated=arrangement is ARRANGEMENTS[0],
+            text=f"{workspace.text} workspace",
+            short=workspace.text,
+            hint=workspace.hint,
+            keys=(workspace.key,),
+            keywords="arrange layout panels docks lecture",
+            command="workspaces.choose",
+            argument=workspace.name,
+            group="workspace",
+            separated=workspace is WORKSPACES[0],
         )
-        for arrangement in ARRANGEMENTS
+        for workspace in WORKSPACES
+    ),
+    action(
+        "reset_workspace",
+        "View",
+        "Reset workspace",
+        "Put the panels of this workspace back where they were at first",
+        command="workspaces.reset",
+        keywords="arrange layout panels docks default",
     ),
     action(
         "show_clip_editor",

@@ -155,25 +155,6 @@ def drag(qtbot, strip, *times_s):
     qtbot.mouseRelease(strip, Qt.MouseButton.LeftButton, pos=places[-1])
 
 
-def test_where_all_is_taken_a_drag_chooses_a_part_and_a_double_click_takes_all_again(
-    page_at, qtbot, sound
-):
-    page = page_at(sound)
-    strip, form = page.findChild(object, "import_overview"), page.form
-    assert (form.choice.start_s, form.choice.duration_s) == (0.0, 0.5)
-    drag(qtbot, strip, 0.1)  # a press alone chooses nothing
-    assert (form.choice.start_s, form.choice.duration_s) == (0.0, 0.5)
-    drag(qtbot, strip, 0.4, 0.3, 0.1)
-    assert form.choice.start_s == pytest.approx(0.1, abs=0.002)
-    assert form.choice.duration_s == pytest.approx(0.3, abs=0.002)
-    drag(qtbot, strip, 0.2, 0.25)
-    assert form.choice.start_s == pytest.approx(0.15, abs=0.003)
-    assert form.choice.duration_s == pytest.approx(0.3, abs=0.002)
-    qtbot.mouseDClick(strip, Qt.MouseButton.LeftButton, pos=QPoint(3, 20))
-    assert (form.choice.start_s, form.choice.duration_s) == (0.0, 0.5)
-    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
-
-
 def test_time_stamps_say_how_long_a_table_is(page_at, qtbot, tmp_path):
     times_s = np.concatenate((np.arange(1000) / 1000, 4.0 + np.arange(1000) / 1000))
     values = np.where(times_s < 1.0, 0.2, 1.0) * np.sin(times_s * 500.0)
@@ -272,32 +253,6 @@ def form(page_on, qtbot, tmp_path):
     return page.form
 
 
-def type_in(field, seconds):
-    field.set_value(seconds)
-    field.edited.emit(seconds, None)
-
-
-def test_a_later_start_leaves_what_is_left_and_comes_back(form):
-    assert form.choice.duration_s == 2.0
-    type_in(form._start, 0.4)
-    assert form._duration.value_si == pytest.approx(1.6)
-    assert form.choice.start_s == 0.4
-    assert form.choice.duration_s == pytest.approx(1.6)
-    # A drag that goes on to an earlier start takes as much again.
-    type_in(form._start, 0.1)
-    assert form.choice.duration_s == pytest.approx(1.9)
-    type_in(form._start, 0.0)
-    assert form.choice.duration_s == 2.0
-
-
-def test_a_length_that_was_chosen_stays_where_there_is_room_for_it(form):
-    type_in(form._duration, 0.5)
-    type_in(form._start, 1.8)
-    assert form.choice.duration_s == pytest.approx(0.2)
-    type_in(form._start, 1.0)
-    assert form.choice.duration_s == 0.5
-
-
 @pytest.fixture
 def part():
     """From 2 to 4 s."""
@@ -313,11 +268,6 @@ def dragged(part, *places_px):
         part.drag(x_px)
     part.release()
     return part.start_s, part.end_s
-
-
-def test_a_press_beside_it_brings_its_middle_there(part):
-    assert part.hold(600.0)
-    assert (part.start_s, part.end_s) == (5.0, 7.0)
 
 
 def test_it_keeps_its_length_and_stays_in_the_recording(part):

@@ -9,13 +9,10 @@ from PySide6.QtWidgets import QMessageBox
 
 from skinsource.base.job import Job
 from skinsource.base.lock import Lock
-from skinsource.design import design_file
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
-from skinsource.design.recovery import Session
-from skinsource_gui.pages.files import autosave
 from skinsource_gui.pages.files.autosave import FIRST_S
-from skinsource_gui.state.preferences import AUTOSAVE_S, Preferences
+from skinsource_gui.state.preferences import AUTOSAVE_S
 from tests.gui.keeping.bench import copies, edit, saved_amplitudes
 from tests.gui.keeping.test_left_over import leave
 
@@ -41,7 +38,7 @@ def test_work_is_kept_within_the_interval_with_arrangement_and_picture(
     content = open_design(copy)
     assert content.design == window.document.design
     assert content.view == window.document.view
-    assert content.layout == window.layout_of_docks.content()
+    assert content.layout == window.workspaces.content()
     picture = QImage(str(copy.with_suffix(".png")))
     assert {picture.pixelColor(x, y).name() for x in range(120) for y in range(180)} > {"#ffffff"}
     edit(window, 3.5)
@@ -58,14 +55,6 @@ def test_saved_or_taken_back_work_has_no_copies(quick, make_window, qtbot, user_
     qtbot.waitUntil(lambda: copies(user_data) != [], timeout=30_000)
     window.document.mark_saved(tmp_path / "a.skinsource")
     qtbot.waitUntil(lambda: copies(user_data) == [], timeout=30_000)
-
-
-def test_what_is_only_looked_at_is_not_kept(quick, make_window, user_data):
-    window = make_window()
-    window.document.look(replace(window.document.view, axes="z"))
-    assert not window.keeping.autosave._timer.isActive()
-    edit(window, 2.0)
-    assert window.keeping.autosave._timer.isActive()
 
 
 def test_a_copy_is_kept_before_another_file_is_read(window, user_data, tmp_path, discard):
@@ -117,24 +106,6 @@ def test_a_folder_that_cannot_be_written_is_told_once(quick, make_window, qtbot,
     (user_data / "unsaved").unlink()
     assert window.keeping.autosave.keep_now()
     assert len(messages) == 1
-
-
-@pytest.mark.parametrize(
-    ("environment", "setting", "seconds"),
-    [
-        ("0.2", "7", 0.2),
-        (None, "7", 7.0),
-        ("never", "7", 7.0),
-        ("0", "nan", AUTOSAVE_S),
-        ("1e9", "-1", AUTOSAVE_S),
-    ],
-)
-def test_the_interval_is_a_preference(tmp_path, monkeypatch, environment, setting, seconds):
-    path = tmp_path / "studio.ini"
-    path.write_text(f"[General]\nautosave_s={setting}\n")
-    if environment:
-        monkeypatch.setenv("SKINSOURCE_AUTOSAVE_S", environment)
-    assert Preferences(path).autosave_s == seconds
 
 
 def test_the_first_copy_is_kept_soon_and_the_next_ones_by_the_interval(
@@ -189,14 +160,6 @@ def test_a_copy_that_could_not_be_written_is_tried_again_though_nothing_is_edite
     qtbot.waitUntil(lambda: saved_amplitudes(user_data) == [2.5], timeout=30_000)
 
 
-def test_a_mistake_while_a_copy_is_written_is_told(make_window, qtbot, monkeypatch):
-    window = make_window()
-    monkeypatch.setattr(autosave, "png_of", lambda _: 1 / 0)
-    edit(window, 2.5)
-    assert not window.keeping.autosave.keep_now()
-    qtbot.waitUntil(lambda: "ZeroDivisionError" in window.notice.text)
-
-
 def test_copies_go_on_where_their_folder_was_deleted(window, user_data):
     edit(window, 2.5)
     assert window.keeping.autosave.keep_now()
@@ -220,11 +183,3 @@ def test_a_file_is_given_up_when_left_over_work_takes_its_place(window, leave, t
     window.keeping.recovery.open(window.keeping.recovery.look().left[0])
     assert window.document.path is None
     assert not lock.exists()
-
-
-def test_a_session_writes_again_what_somebody_deleted(user_data, window):
-    session = Session(user_data)
-    content = design_file.DesignFile(design=window.document.design)
-    first = session.keep(content)
-    first.unlink()
-    assert session.keep(content).is_file()

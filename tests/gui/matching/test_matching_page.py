@@ -139,7 +139,7 @@ def test_without_a_device_it_is_a_rehearsal_and_nothing_is_stored(no_sound, page
 def test_what_cannot_be_matched_is_said_and_nothing_begins(sound, page, name, text, reason):
     page.form.field(name).setText(text)
     press(page, "begin")
-    assert reason in page.findChild(type(page.view.note), "matching_problem").text()
+    assert reason in page.message.text()
     assert page.run is None
     assert not sound.streams
 

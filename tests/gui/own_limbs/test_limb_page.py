@@ -25,9 +25,8 @@ from skinsource.limbs.limb_import import LimbSource, import_limb
 from skinsource.limbs.limb_layout import export_limb
 from skinsource.limbs.own_limbs import facts_of, install_limb, own_limb_names, remove_limb
 from skinsource_gui.pages.limbs import photograph
-from skinsource_gui.pages.limbs.page import PageJobs
 from skinsource_gui.state.engine import FIRST_SLOT, Purpose
-from skinsource_gui.state.job_runner import JobProgress, JobRunner
+from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
 from tests.core.own_limbs.lab_bench import N_TAPS, RATE_HZ, installed, own_limb, response
 from tests.gui.own_limbs.limb_page_bench import button, imported, opened, text_of_page
 
@@ -352,18 +351,15 @@ def test_what_is_no_photograph_is_refused_and_the_next_one_is_read(
 def test_nothing_is_said_of_a_job_of_another_page(qtbot):
     runner, gate, messages, ended = JobRunner(), Event(), [], []
     page = PageJobs(runner, runner)
-    page.progressed.connect(messages.append)
+    page.progressed.connect(lambda job, progress: messages.append((job, progress.done)))
     for signal in (page.done, page.failed, page.cancelled):
         signal.connect(lambda *_: ended.append(1))
     own = Job("Importing a limb", lambda progress, stop: gate.wait(30.0))
     other = Job("Exporting a.csv", lambda progress, stop: None)
     page.add(own)
-    messages.clear()
     for job in (other, own):
         runner.progressed.emit(job, JobProgress(done=1, total=2))
-    # How much there is to do is not known yet.
-    runner.progressed.emit(own, JobProgress())
-    assert messages == ["Importing a limb: 50 %"]
+    assert messages == [(own, 1)]
     runner.done.emit(other, None)
     runner.failed.emit(other, ValueError("x"))
     runner.cancelled.emit(other)
@@ -436,5 +432,5 @@ def test_no_response_is_read_for_it_and_nothing_is_judged(large, open_window, qt
     assert shown
     assert sum(result.work.bytes_read for result in shown) == 0
     assert judged == []
-    assert window.validity.lamps.findings == ()
+    assert window.conditions.chip.findings == ()
     assert window.notice.text == ""

@@ -59,7 +59,7 @@ def test_escape_twice_is_heard_wherever_the_keyboard_is(studio, qtbot):
     escape = EscapeTwice(studio)
     presses = []
     escape.pressed.connect(lambda: presses.append(1))
-    escape.watch(True)
+    escape.listen(True)
     for name in ("hand", "timeline"):
         studio.panel(name).setFocus()
         widget = QApplication.focusWidget()
@@ -72,7 +72,7 @@ def test_escape_twice_is_heard_wherever_the_keyboard_is(studio, qtbot):
     QTest.keyClick(widget, Qt.Key.Key_A)
     QTest.keyClick(widget, ESCAPE)
     assert presses == []
-    escape.watch(False)
+    escape.listen(False)
     QTest.keyClick(widget, ESCAPE)
     QTest.keyClick(widget, ESCAPE)
     assert presses == []

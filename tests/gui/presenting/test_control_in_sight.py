@@ -34,10 +34,9 @@ def presented(open_window, qtbot, design):
 
 
 def settle(window, qtbot):
-    settling = window.layout_of_docks.settling
-    for _ in range(2):
+    for _ in range(4):
         QApplication.processEvents()
-        qtbot.waitUntil(lambda: not (settling._widened.isActive() or settling._settled.isActive()))
+        qtbot.waitUntil(lambda: window.workspaces.settled)
 
 
 def turned(window):

@@ -13,7 +13,7 @@ from skinsource.limbs.catalog import default_limb
 from skinsource_gui.pages.files import file_actions
 from skinsource_gui.panels.skin.settings import SkinSettings
 
-#: On limb 4, in the arrangement for analysis.
+#: On limb 4, in the workspace Analyse.
 SCENE = "1C"
 
 

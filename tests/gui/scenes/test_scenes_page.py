@@ -11,8 +11,8 @@ from benchmarks.gallery import MARK, mark_of, page_of, synthetic_scene
 from skinsource.design.panel_settings import settings_of
 from skinsource_gui.qt.resources import resource_folder
 from skinsource_gui.shell.appearance import LARGEST_TEXT
-from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS
 from skinsource_gui.shell.panels import PANELS
+from skinsource_gui.shell.workspaces import WORKSPACES
 
 every = pytest.mark.parametrize("name", ss.scenes.names())
 
@@ -52,7 +52,7 @@ def test_the_page_of_the_documents_shows_every_scene():
 def test_each_names_an_arrangement_and_panels_with_settings_that_there_are(name):
     scene = ss.scenes.scene(name)
     panels = {spec.panel.name: spec for spec in PANELS}
-    assert scene.arrangement in {arrangement.name for arrangement in ARRANGEMENTS}
+    assert scene.arrangement in {arrangement.name for arrangement in WORKSPACES}
     assert set(scene.panels) <= panels.keys()
     view = synthetic_scene(name).view
     for panel, held in (panel for panel in view.panels if panel[0] in panels):

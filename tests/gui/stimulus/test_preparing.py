@@ -81,13 +81,6 @@ def test_what_is_said_of_another_order_is_as_pale_as_its_picture(page, qtbot, ga
     assert "at 8 000 Hz" in label(page, "summary")
 
 
-def test_a_refusal_is_not_pale(page, qtbot):
-    page.form.field("map").setText("1")
-    qtbot.waitUntil(lambda: "each channel" in label(page, "problem"), timeout=WAIT_MS)
-    assert not pale(page, "problem")
-    assert not computing_label(page).isVisible()
-
-
 def test_a_stimulus_is_given_up_between_two_of_its_channels():
     design = ss.Design(limb="synthetic-1", inputs=tuple(ss.track(place) for place in (7, 8, 9)))
     progress = []
