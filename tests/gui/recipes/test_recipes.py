@@ -164,6 +164,7 @@ assert cells["gap_s"].value_si == 0.04
 # The panel and its quantity, in each arrangement.
 for arrangement in WORKSPACES:
     window.do(f"arrange_{arrangement.name}")
+    dock.bring_forward()
     settle()
     assert dock.isVisible() and panel.visibleRegion().boundingRect().height() > 0
     assert panel.words.text() == f"{loudest_db:.1f} dB"
