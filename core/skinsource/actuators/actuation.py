@@ -48,7 +48,7 @@ ON = SwitchSpec(label="Predict through the actuator")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ActuatorAt:
+class ActuatorAt(fields.CheckedModel):
     """An actuator at a place.
 
     Attributes
@@ -64,9 +64,6 @@ class ActuatorAt:
     place: int | None = fields.field(PLACE, None)
     actuator: str = fields.text("", NAME)
     model: Model = fields.field(MODEL)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -351,7 +351,7 @@ NEW_QUALITY = NumberSpec(
 
 
 @dataclass(frozen=True, slots=True)
-class PolePairReplacement(Equaliser):
+class PolePairReplacement(fields.CheckedModel, Equaliser):
     """(s² + s w / Q + w²) / (s² + s w / Q' + w²): a resonance is taken out, a damped one put in.
 
     All else of the actuator stays as it is: below its resonance it still moves little.  One
@@ -370,9 +370,6 @@ class PolePairReplacement(Equaliser):
     resonance_hz: float = fields.number(170.0, RESONANCE)
     quality: float = fields.number(10.0, QUALITY)
     new_quality: float = fields.number(0.7, NEW_QUALITY)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def filter(
         self, actuator: Actuator, frequency_hz: ArrayLike, band_hz: Band = BAND_HZ
@@ -445,7 +442,7 @@ _OF_BAND = 4.0
 
 
 @dataclass(frozen=True, slots=True)
-class RegularisedInverse(Equaliser):
+class RegularisedInverse(fields.CheckedModel, Equaliser):
     """W = T H* / (|H|² + beta max|H|²), beta such that |W| is at most the boost over 1 / max|H|.
 
     T is 1 in the band of the limb, 25 to 600 Hz of the published ones, H the response of the
@@ -471,9 +468,6 @@ class RegularisedInverse(Equaliser):
 
     boost_db: float = fields.number(20.0, BOOST)
     phase: str = fields.choice("linear", PHASE)
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
     def filter(
         self, actuator: Actuator, frequency_hz: ArrayLike, band_hz: Band = BAND_HZ

@@ -32,7 +32,7 @@ def _limit(label: str, unit: str, hint: str, most: float = float("inf")) -> Opti
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Limits:
+class Limits(fields.CheckedModel):
     """What must not be passed; None: nothing is known, and nothing is limited.
 
     Attributes
@@ -68,9 +68,6 @@ class Limits:
         _limit("Duty", "", "Largest share of the time in which it is driven", 1.0), None
     )
 
-    def __post_init__(self) -> None:
-        fields.check(self)
-
 
 def limit_text(name: str) -> str:
     """Return the name of a field of `Limits` for the middle of a sentence."""
@@ -91,7 +88,7 @@ def _spec_of(name: str) -> NumberSpec:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Thermal:
+class Thermal(fields.CheckedModel):
     """How the coil warms: one heat capacity behind one thermal resistance.
 
     Attributes
@@ -108,9 +105,6 @@ class Thermal:
     time_constant_s: float = fields.field(
         NumberSpec(label="Thermal time constant", unit="s", minimum=SMALLEST)
     )
-
-    def __post_init__(self) -> None:
-        fields.check(self)
 
 
 #: Motion is computed at this rate at least.
