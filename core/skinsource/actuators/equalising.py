@@ -498,10 +498,23 @@ def _minimum_phase(
     length, rate_hz = higher * _LENGTH, higher * _RATE_HZ
     frequency_hz = np.arange(length // 2 + 1) * rate_hz / length
     gain = np.abs(equaliser._inverse(actuator, frequency_hz, band_hz))
-    cepstrum = scipy.fft.irfft(np.log(np.maximum(gain, _FLOOR * gain.max())), length)
+    logarithms = np.log(np.maximum(gain, _FLOOR * gain.max()))
+    return frequency_hz, minimum_phase_of(logarithms, length)
+
+
+def minimum_phase_of(logarithms: Floats, length: int) -> Floats:
+    """Return the phase, rad, of the minimum-phase system with these logarithms of its gain.
+
+    Parameters
+    ----------
+    logarithms : (length // 2 + 1,)
+        Natural logarithms at equal steps, from 0 to half the rate.
+    """
+    cepstrum = scipy.fft.irfft(logarithms, length)
     cepstrum[1 : length // 2] *= 2.0
     cepstrum[length // 2 + 1 :] = 0.0
-    return frequency_hz, scipy.fft.rfft(cepstrum).imag
+    phase: Floats = scipy.fft.rfft(cepstrum).imag
+    return phase
 
 
 #: Every kind, in the order in which a user meets them.

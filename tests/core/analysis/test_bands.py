@@ -5,7 +5,8 @@ import pytest
 
 from skinsource.base.measurement_conditions import BAND_HZ
 from skinsource.signals.analysis import statistics
-from skinsource.studies.validation import linear_fit, straight_lines
+from skinsource.studies.checking import straightness
+from skinsource.studies.validation import straight_lines
 
 RATE_HZ = 1300.0
 
@@ -45,8 +46,8 @@ def test_only_whole_bins_are_told():
 def test_equal_levels_make_no_line():
     x = np.array([1.0, 2.0, 3.0])
     assert np.isnan(straight_lines(x, np.full(3, 0.1))[2])
-    saturated = np.stack([0.1 * tone(100.0, 1300)[None]] * 3)
-    assert np.isnan(linear_fit(x, saturated, RATE_HZ)[1]).all()
+    saturated = band_rms(0.1 * tone(100.0, 1300)[None, None])
+    assert np.isnan(straightness(x, [saturated] * 3).adjusted_r2).all()
     slope, offset, r2 = straight_lines(x, 2.0 + 1e-12 * x)
     assert slope == pytest.approx(1e-12, rel=1e-3)
     assert offset == pytest.approx(2.0)

@@ -132,7 +132,6 @@ def mend(design: Design, view: View, finding: Finding) -> Edit | Refusal:
     return _NO_REPAIR
 
 
-@refusing
 def _band_limited(design: Design, view: View) -> Edit | Refusal:
     """Add a band limit as last effect to each clip of the audible inputs."""
     audible_ids = {track.id for track in audible_inputs(design.inputs)}
