@@ -24,7 +24,7 @@ from skinsource.actuators.equalising import (
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import BAND_HZ, MOST_LOCATIONS, Band
-from skinsource.base.quoting import quoted
+from skinsource.base.quoting import lowered, quoted
 from skinsource.specs import fields
 from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, OptionalSpec
 from skinsource.specs.spec import SwitchSpec, TextSpec
@@ -134,12 +134,8 @@ class Actuation:
     @property
     def words(self) -> str:
         """What it is, in a few words: "Example voice coil, regularised inverse"."""
-        how = "no equaliser" if self.equaliser is None else _lower(self.equaliser.title)
+        how = "no equaliser" if self.equaliser is None else lowered(self.equaliser.title)
         return f"{self.title}, {how}"
-
-
-def _lower(text: str) -> str:
-    return f"{text[:1].lower()}{text[1:]}"
 
 
 # Length of responses before they are trimmed: twelve seconds at the rate of the published limbs,

@@ -14,6 +14,7 @@ from skinsource.base.arguments import checking, finite_array, integer
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import LARGEST_VELOCITY_M_PER_S
+from skinsource.base.quoting import lowered
 from skinsource.signals.loudest_window import loudest_energy
 from skinsource.signals.resampling import MAX_RATE_HZ, resample
 from skinsource.specs import fields
@@ -72,7 +73,7 @@ class Limits(fields.CheckedModel):
 def limit_text(name: str) -> str:
     """Return the name of a field of `Limits` for the middle of a sentence."""
     label = _spec_of(name).label
-    return label if label[1].isupper() else label[0].lower() + label[1:]
+    return label if label[1].isupper() else lowered(label)
 
 
 def with_unit(name: str, value: float) -> str:

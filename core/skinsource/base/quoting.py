@@ -55,6 +55,11 @@ def sentence(text: str) -> str:
     return f"{text.rstrip().rstrip('.')}."
 
 
+def lowered(text: str) -> str:
+    """Return ``text`` for the middle of a sentence, with a small first letter."""
+    return f"{text[:1].lower()}{text[1:]}"
+
+
 def first_sentence(text: str) -> str:
     """Return the first sentence of ``text``, with its full stop.
 

@@ -120,7 +120,7 @@ def write_parquet(table: SweepTable, path: Path) -> None:
     """
     arrow: Any = package_of_extra("pyarrow", "parquet")
     parquet: Any = package_of_extra("pyarrow.parquet", "parquet")
-    columns = {name: _uniform(table.column(name)) for name in table.columns}
+    columns = {name: table.column(name).tolist() for name in table.columns}
     with replacing(path) as temporary:
         parquet.write_table(arrow.table(columns), temporary)
 
@@ -145,11 +145,6 @@ def _as_text(value: Cell) -> str:
         return str(value)
     # The shortest digits that read back as the same number.
     return str(int(value)) if value.is_integer() and abs(value) < 2**53 else repr(value)
-
-
-def _uniform(values: np.ndarray) -> list[Any]:
-    plain: list[Any] = values.tolist()
-    return plain
 
 
 _MOST_BYTES = 2**32
@@ -201,12 +196,6 @@ class Journal:
             self._file.seek(n_complete)
         if not content:
             self._write(first)
-
-    def __enter__(self) -> "Journal":
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
 
     def add(self, number: int, outcome: Metrics | str) -> None:
         """Store the metrics, or error, of a stimulus, from 1; a second time changes nothing."""
