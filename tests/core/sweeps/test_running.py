@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from contextlib import closing
 from dataclasses import replace
 
 import numpy as np
@@ -85,7 +86,7 @@ def test_stopped_it_goes_on_where_it_ended(tmp_path):
 def test_a_damaged_byte_costs_the_journal_no_line_but_its_own(tmp_path):
     path = tmp_path / JOURNAL
     rows = {1: {"rms": 1.5}, 2: "too loud", 3: {"rms": 3.0}, 4: {"rms": 4.0}}
-    with Journal(path, "a" * 64) as journal:
+    with closing(Journal(path, "a" * 64)) as journal:
         for number, row in rows.items():
             journal.add(number, row)
     content = path.read_bytes()
@@ -94,7 +95,7 @@ def test_a_damaged_byte_costs_the_journal_no_line_but_its_own(tmp_path):
         damaged = bytearray(content)
         damaged[at] ^= 2
         path.write_bytes(damaged)
-        with Journal(path, "a" * 64) as journal:
+        with closing(Journal(path, "a" * 64)) as journal:
             left = dict(journal.rows)
         # The first line names the sweep; the end of a line is also the beginning of the next.
         line = sum(end < at for end in ends)
