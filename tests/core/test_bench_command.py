@@ -1,8 +1,6 @@
 """The command ``skinsource bench``, from end to end."""
 
 import csv
-import subprocess
-import sys
 
 import pytest
 
@@ -114,12 +112,3 @@ def test_what_cannot_be_done_is_told_before_the_work(
     assert main(["bench", *arguments]) == 1
     assert message in capsys.readouterr().err
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
-
-
-def test_the_command_line_starts_without_what_only_the_benchmark_needs():
-    code = (
-        "import sys, skinsource.cli.command_line;"
-        "print(sorted({'scipy.signal', 'matplotlib', 'PySide6'} & set(sys.modules)))"
-    )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert done.stdout == "[]\n"

@@ -5,8 +5,7 @@ import sys
 import pytest
 
 from skinsource.base import extras
-from skinsource.base.errors import MissingExtraError, NothingToPlayOnError
-from skinsource.lab.playing.devices import sound_library
+from skinsource.base.errors import MissingExtraError
 
 
 @pytest.mark.parametrize("editable", [True, False])
@@ -27,10 +26,3 @@ def test_the_line_fits_how_the_studio_is_installed(monkeypatch, tmp_path, editab
 def test_a_python_in_a_folder_with_a_space_is_quoted(monkeypatch):
     monkeypatch.setattr(sys, "executable", "/my python/python")
     assert extras.extra_line("gui").startswith('"/my python/python" -m pip install ')
-
-
-def test_without_sound_what_to_type_comes_first(monkeypatch):
-    monkeypatch.setitem(sys.modules, "sounddevice", None)
-    with pytest.raises(NothingToPlayOnError) as error:
-        sound_library()
-    assert str(error.value).startswith(f"To play, type: {extras.extra_line('audio')} and ")

@@ -98,47 +98,11 @@ def test_one_input_alone_is_the_convolution_however_it_is_cut_into_parts(limb, n
         np.testing.assert_allclose(response, expected, rtol=0, atol=1e-13 * np.abs(expected).max())
 
 
-def test_one_input_alone_asks_for_no_second_thread(limb, monkeypatch):
-    asked = []
-    submit = ThreadPoolExecutor.submit
-    monkeypatch.setattr(
-        ThreadPoolExecutor, "submit", lambda *task: (asked.append("one"), submit(*task))[1]
-    )
-    for _ in range(3):
-        ss.predict(limb, DRIVES[:1], [7])
-    assert not asked
-    ss.predict(limb, DRIVES[:2], [7, 8])
-    assert asked
-
-
-def test_one_input_alone_has_its_amplitude_as_beside_a_silent_one(limb):
-    alone = ss.predict(limb, DRIVES[:1], [7], [-2.5])
-    beside = ss.predict(limb, np.vstack((DRIVES[:1], DRIVES[:1])), [7, 8], [-2.5, 1e-30])
-    np.testing.assert_allclose(alone, beside, rtol=0, atol=1e-13)
-    # To a unit in the last place: the gain is one over the maximum, rounded.
-    assert alone.min() == pytest.approx(-2.5, rel=1e-15)
-
-
-@pytest.mark.parametrize("n_inputs", [1, 3])
-def test_before_anything_sounds_and_after_it_has_faded_there_is_exactly_nothing(limb, n_inputs):
-    drives = np.zeros((n_inputs, 2000))
-    drives[:, 100:200] = DRIVES[:n_inputs, :100]
-    response = ss.predict(limb, drives, PLACES[:n_inputs])
-    assert not response[..., :100].any()
-    assert response[..., 100:721].any()
-    assert not response[..., 721:].any()
-
-
 def test_what_is_predicted_may_be_written_to_without_effect_on_the_next(limb):
     first = ss.predict(limb, DRIVES[:1], [7])
     copy = first.copy()
     first[...] = 0.0
     assert (ss.predict(limb, DRIVES[:1], [7]) == copy).all()
-
-
-def test_twenty_places_of_one_second_take_half_of_the_budget(limb):
-    ss.predict(limb, np.ones((20, 1300)), PLACES, scaling="relative")
-    assert 60e6 < prediction._cached_spectra().held_bytes < 70e6
 
 
 ONE = 216 * (576 // 2 + 1) * 16

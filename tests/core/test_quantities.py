@@ -152,14 +152,6 @@ def test_selecting_no_output_gives_no_trace(studio):
     assert magnitudes.shape == (0, frequency_hz.size)
 
 
-def test_the_graph_of_the_studio_knows_every_field_of_design_and_view():
-    given = sources(FOUR, View())
-    assert {"limb", "inputs", "scaling", "axes", "method", "outputs"} <= set(given)
-    results = new_graph().evaluate(["voices", "other_voices"], given)
-    assert [voice.location for voice in results["voices"]] == [7, 8, 7, 16]
-    assert results["other_voices"] == results["voices"][1:]
-
-
 def test_results_cannot_be_written_to(studio):
     quantities = ("others_spectrum", "axis_traces", "output_rms", "selected_traces")
     for array in studio.show(FOUR, *quantities):
