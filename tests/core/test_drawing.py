@@ -5,7 +5,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource.base.errors import InvalidInputError
 from skinsource.signals.drawing import Stroke, bounded_to_band, drawn_over, zeroed
 
 RATE_HZ = 1300.0
@@ -104,8 +103,3 @@ def test_bounding_twice_changes_nothing_more(n, seed):
     twice = bounded_to_band(once.samples, RATE_HZ)
     np.testing.assert_allclose(twice.samples, once.samples, atol=1e-12)
     assert 0.0 <= once.removed <= 1.0
-
-
-def test_a_stroke_of_nothing_is_refused():
-    with pytest.raises(InvalidInputError, match="no points"):
-        Stroke().samples(RATE_HZ)

@@ -82,13 +82,6 @@ def test_between_samples_a_tone_is_the_tone(frequency_hz):
         assert moving_.acceleration(at / RATE)[0, 0] == pytest.approx(exact, abs=3e-6)
 
 
-def test_a_vector_that_turns_keeps_its_length_between_samples():
-    angle = 2 * np.pi * 300.0 * np.arange(300) / RATE
-    moving_ = moving(np.array([[np.cos(angle), np.sin(angle)]]))
-    for at in (120.25, 140.5, 150.75):
-        assert moving_.magnitude(at / RATE)[0] == pytest.approx(1.0, abs=3e-6)
-
-
 def test_outside_of_the_response_there_is_silence():
     moving_ = moving(np.ones((2, 3, 50)))
     for at in (-1.0, 50.0, 70.0, -64.5, 114.5):
@@ -98,13 +91,6 @@ def test_outside_of_the_response_there_is_silence():
             abs(acceleration).max() < 1e-3 if at in (-64.5, 114.5) else (acceleration == 0.0).all()
         )
     assert (values_at(np.ones((2, 50)), 1e6) == 0.0).all()
-
-
-def test_a_part_is_read_where_it_begins():
-    signals = np.arange(100.0)[None, None, :]
-    moving_ = moving(signals, first=500, n_times=10_000)
-    assert moving_.acceleration(530 / RATE)[0, 0] == 30.0
-    assert moving_.end == 600
 
 
 def test_the_sliding_rms_is_that_of_the_samples_in_the_window():
@@ -197,13 +183,6 @@ def test_windows_overlap_by_a_block():
         assert first <= max(block * BLOCK_S - 0.9, 0.0) * RATE
     assert window_of(9, 1000, RATE) == (1000, 1000)
     assert [block_of(time_s) for time_s in (-1.0, 0.0, BLOCK_S, 2.5 * BLOCK_S)] == [0, 0, 1, 2]
-
-
-def test_silence_is_silent():
-    silent = replace(SHORT, inputs=())
-    values = new_graph().evaluate({"moving_z", "moving_energy"}, sources(silent, VIEW))
-    assert values["moving_z"].largest == 0.0
-    assert not values["moving_energy"].rms(0.1, 0.02).any()
 
 
 def test_a_limb_without_z_says_what_can_be_seen_of_it():

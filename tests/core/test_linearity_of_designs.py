@@ -8,8 +8,6 @@ import pytest
 
 import skinsource as ss
 from skinsource.design.clips import Marker
-from skinsource.design.view import View
-from skinsource.engine.evaluation import evaluate
 from skinsource.studies.checking import joint_of, proportion, strengths_of, superposition
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.1)
@@ -146,12 +144,3 @@ def test_differences_are_a_part_of_the_peak_of_either_sign():
     result = proportion([1.0, 2.0, 4.0], down * [[[1.0]], [[2.0]], [[4.2]]], RATE_HZ, None)
     assert result.largest_difference == pytest.approx(0.05 * 4.0 / (1.05 * 4.0))
     assert math.isnan(superposition([0.0 * down], 0.0 * down).largest_difference)
-
-
-def test_the_prediction_adds_up():
-    view = View(axes="z", outputs=(20, 26))
-    parts = [
-        evaluate(played(*places), "axis_traces", view=view)["axis_traces"][:, 0]
-        for places in ((8,), (13,), (8, 13))
-    ]
-    assert superposition(parts[:2], parts[2]).largest_difference < 1e-9

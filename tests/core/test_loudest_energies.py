@@ -98,9 +98,8 @@ def test_the_loudest_level_does_not_change_when_the_onset_moves(method, waveform
     assert np.ptp(levels_db, axis=0).max() < limit
 
 
-@pytest.mark.parametrize("frequency_hz", [60.0, 100.0, 250.0])
-@pytest.mark.parametrize("window", ["none", "tukey"])
-@pytest.mark.parametrize("scaling", ["upstream", "probe"])
+@pytest.mark.parametrize("frequency_hz", [60.0, 250.0])
+@pytest.mark.parametrize(("window", "scaling"), [("none", "upstream"), ("tukey", "probe")])
 def test_the_loudest_level_of_a_tone_hardly_changes_with_its_length(frequency_hz, window, scaling):
     graph, levels_db = new_graph(), []
     for duration_s in (0.2, 0.3, 0.5, 1.0, 3.0):
@@ -123,13 +122,6 @@ def test_nothing_of_it_runs_where_the_whole_record_counts():
     assert graph.work.inverse_transforms == 0
 
 
-def test_what_it_takes_is_counted():
-    for axes, method, transforms in (("xyz", "pca", 72), ("z", "mag", 72), ("xyz", "mag", 216)):
-        graph = new_graph()
-        shown(SHORT, View(axes=axes, method=method), "output_rms", graph=graph)
-        assert graph.work.inverse_transforms == transforms
-
-
 class Countdown:
     def __init__(self, times: int) -> None:
         self.left = times
@@ -147,7 +139,7 @@ def test_it_stops_when_it_is_asked_to_and_is_right_afterwards(design):
     shown(design, View(), "output_rms", stop=asked, graph=graph)
     needed = 10**9 - asked.left
     assert needed >= 4
-    for times in range(1, needed):
+    for times in range(1, needed, max(1, needed // 8)):
         graph = new_graph()
         shown(design, View(), "output_rms", graph=graph, span="record")
         with pytest.raises(Stopped):

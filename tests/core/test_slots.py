@@ -10,7 +10,6 @@ from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.design.waveforms.tones import Tone
-from skinsource.engine.memory import SURFACES_BYTES
 from skinsource.engine.quantities import graphs_that_share, new_graph, sources
 from skinsource.engine.shared import Shared
 
@@ -122,14 +121,3 @@ def test_a_limb_that_no_graph_looks_at_is_freed_with_its_spectra():
     assert limb() is None
     costs(left, [OTHER.with_input(0, location=11)])
     assert spectra.held_bytes < held
-
-
-def test_operators_of_maps_are_few_enough_to_be_kept():
-    held = []
-    for limb in ("synthetic-1", "synthetic-2"):
-        graph = new_graph()
-        weights = graph.evaluate({"surface"}, sources(replace(ONE, limb=limb), VIEW))[
-            "surface"
-        ].weights
-        held.append(weights.data.nbytes + weights.indices.nbytes + weights.indptr.nbytes)
-    assert sum(held) <= SURFACES_BYTES
