@@ -82,18 +82,16 @@ def test_a_missing_row_is_named(refused_rows, complete_rows):
     assert "has 79 of 80 rows, the first missing one is model 4, location 5" in message
 
 
-def test_a_table_without_the_columns_is_refused(download, refused):
+def test_a_variable_that_is_no_table_with_the_columns_is_refused(download, refused):
     matio = pytest.importorskip("matio")
     pandas = pytest.importorskip("pandas")
     table = pandas.DataFrame({"Model": [1.0], "Other": [2.0]})
-    matio.save_to_mat(str(download / "impulseResponses.mat"), {"dataTable": table})
-    assert "dataTable has no column Data, Location" in refused()
-
-
-def test_a_variable_that_is_no_table_is_refused(download, refused):
-    matio = pytest.importorskip("matio")
-    matio.save_to_mat(str(download / "impulseResponses.mat"), {"dataTable": np.eye(3)})
-    assert "expected a table with the columns Data, Model, Location" in refused()
+    for variable, message in (
+        (table, "dataTable has no column Data, Location"),
+        (np.eye(3), "expected a table with the columns Data, Model, Location"),
+    ):
+        matio.save_to_mat(str(download / "impulseResponses.mat"), {"dataTable": variable})
+        assert message in refused()
 
 
 def test_a_matlab_file_with_something_else_in_it_is_refused(download, refused):

@@ -58,12 +58,6 @@ def test_points_on_samples_are_met_exactly(numbers):
     np.testing.assert_allclose(samples[np.array(numbers) - first], values, atol=1e-12)
 
 
-def test_between_two_points_a_stroke_neither_rises_nor_falls_alone():
-    _, samples = Stroke.through([(0.0, 0.0), (0.05, 1.0), (0.1, 1.0)]).samples(RATE_HZ)
-    assert (np.diff(samples) >= -1e-15).all()
-    assert samples.max() == 1.0
-
-
 def test_a_stroke_covers_its_own_time_and_nothing_else():
     before = np.full(100, 0.25)
     stroke = Stroke.through([(10 / RATE_HZ, 1.0), (19 / RATE_HZ, 1.0)])

@@ -52,13 +52,6 @@ def test_of_a_place_that_is_used_alone_spectra_are_kept_from_the_second_time_on(
     assert responses[0] == responses[1] == responses[2]
 
 
-def test_a_place_that_was_used_beside_others_is_known_alone(limb):
-    ss.predict(limb, DRIVES[:2], [7, 8])
-    with counting() as work:
-        ss.predict(limb, DRIVES[:1], [8])
-    assert work.forward_transforms == 1
-
-
 def test_where_one_drive_of_several_changed_only_its_maximum_is_searched_for(limb):
     ss.predict(limb, DRIVES, PLACES)
     changed = DRIVES.copy()

@@ -95,14 +95,6 @@ def test_a_muted_input_that_cannot_be_sampled_changes_nothing(design):
     assert np.array_equal(values["input_waveforms"][0], expected["input_waveforms"][0])
 
 
-def test_of_a_muted_input_that_cannot_be_sampled_there_is_no_waveform():
-    bad = track(8, BEYOND_HALF_THE_RATE)
-    design = Design(limb="synthetic-1", inputs=(TONE, replace(bad, muted=True)))
-    assert ss.evaluate(design, "input_waveforms")["input_waveforms"][1] is None
-    with pytest.raises(InvalidInputError, match="Input at place 8, Chirplet"):
-        ss.evaluate(design.with_input(1, muted=False), "input_waveforms")
-
-
 def test_of_clips_that_cannot_be_sampled_there_are_no_pictures():
     clips = (Clip(), Clip(waveform=BEYOND_HALF_THE_RATE, muted=True))
     design = Design(limb="synthetic-1", inputs=(Input(location=7, clips=clips),))
