@@ -63,6 +63,18 @@ def test_inputs_add_up_also_at_the_same_place_and_in_opposite_polarity(limb, sca
     assert_close(response, direct_sum(places, drives, amplitudes, scaling), 1e-14)
 
 
+@pytest.mark.parametrize("scaling", SCALINGS)
+def test_an_amplitude_of_zero_and_a_silent_drive_contribute_nothing(limb, scaling):
+    drives = np.random.default_rng(SEED).standard_normal((3, 65))
+    drives[2] = 0.0
+    alone = predict(limb, drives[:1], [5], [2.0], scaling)
+    response = predict(limb, drives, [5, 6, 7], [2.0, 0.0, 9.0], scaling)
+    np.testing.assert_array_equal(response, alone)
+    silent = predict(limb, np.zeros((1, 65)), [5], scaling=scaling)
+    assert silent.shape == (72, 3, 586)
+    assert not silent.any()
+
+
 def test_upstream_amplitude_is_the_signed_maximum_of_each_input(limb):
     drives = np.random.default_rng(SEED).standard_normal((2, 99))
     assert predict(limb, drives[:1], [1], [2.5]).max() == pytest.approx(2.5, rel=1e-14)
