@@ -33,12 +33,6 @@ def test_a_change_of_one_input_leaves_the_others_the_very_same():
     assert THREE.inputs[1].amplitude == 1.0
 
 
-def test_removing_an_input_keeps_the_order_and_the_colours_of_the_rest():
-    rest = THREE.without_input(1)
-    assert places(rest) == [1, 3]
-    assert [track.colour for track in rest.inputs] == [1, 3]
-
-
 def test_a_new_input_goes_to_the_end_in_the_first_colour_that_is_free():
     design = THREE.adding(track(location=9, colour=1)).adding(track(location=9))
     assert places(design) == [1, 2, 3, 9, 9]

@@ -138,13 +138,6 @@ def test_a_sum_of_harmonics_takes_no_more_memory_than_a_few_of_its_results():
 FIVE_HZ = (50.0, 84.1, 141.4, 237.8, 400.0)
 
 
-def test_a_train_starts_with_five_frequencies_in_slots_of_their_own():
-    recipe = WaveletTrain()
-    assert recipe.frequencies_hz == FIVE_HZ
-    assert recipe.duration_s == pytest.approx(0.6)
-    assert recipe.middles_s() == pytest.approx((0.06, 0.18, 0.30, 0.42, 0.54))
-
-
 @pytest.mark.parametrize("family", ["gabor", "ricker", "hann"])
 def test_wavelets_of_a_train_have_equal_energies_where_that_is_asked(family):
     recipe = WaveletTrain(equalise="energy", family=family)
