@@ -5,8 +5,7 @@ import sys
 import pytest
 
 from skinsource.base import extras
-from skinsource.base.errors import MissingExtraError, NothingToPlayOnError
-from skinsource.lab.playing.devices import sound_library
+from skinsource.base.errors import MissingExtraError
 
 
 @pytest.mark.parametrize("editable", [True, False])
