@@ -240,7 +240,7 @@ class TransferPanel(FigurePanel):
         return "\n".join(lines) + "\n"
 
     def _show_empty(self) -> None:
-        self.say_instead(self.no_outputs if self._has_inputs else how_to_add(self.in_sight))
+        self.say_instead(self.no_outputs if self._has_inputs else how_to_add())
 
     def say_instead(self, message: str) -> None:
         self._results = None

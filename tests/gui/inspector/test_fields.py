@@ -16,6 +16,7 @@ from skinsource.specs.samples import Samples
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.fields.text_field import LiveText
+from skinsource_gui.qt.labels import how_to_add
 from tests.gui.inspector.bench import Bench, design_of
 
 
@@ -24,7 +25,7 @@ def test_without_a_selected_input_it_says_what_to_do(bench):
     assert bench.label("inspector_empty").isVisible()
     assert "Select an input" in bench.label("inspector_empty").text()
     bench.show(Design(limb="synthetic-1"), selected_inputs=(4,))
-    assert bench.label("inspector_empty").text() == "Click a place on the hand to add an input"
+    assert bench.label("inspector_empty").text() == how_to_add()
     assert not bench.preview.isVisible()
 
 

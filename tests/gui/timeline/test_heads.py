@@ -19,6 +19,7 @@ from skinsource_gui.fields.inputs import FieldChanges
 from skinsource_gui.panels.timeline.content import shown_gain_curves
 from skinsource_gui.panels.timeline.head_row import row_places
 from skinsource_gui.qt.keys import key_text
+from skinsource_gui.qt.labels import how_to_add
 from tests.gui.timeline.bench import (
     ALT,
     CONTROL,
@@ -48,7 +49,7 @@ def test_there_is_one_row_for_each_input_and_without_any_it_says_what_to_do(benc
     bench.show(Design(limb="synthetic-1"))
     label = bench.panel.findChild(QLabel, "inputs_empty")
     assert label.isVisible()
-    assert label.text() == "Click a place on the hand to add a track"
+    assert label.text() == how_to_add("a track")
     assert bench.rows.rows == ()
 
 
