@@ -130,10 +130,3 @@ def test_the_menu_of_a_point_removes_it_or_bends_the_curve_and_beside_it_adds_on
     lines["Add point here"].trigger()
     menu.close()
     assert (field.place_of(1) - beside).manhattanLength() < 2.0
-
-
-def test_the_menu_key_is_about_the_chosen_point_and_the_only_one_stays(field):
-    field.set_value(START[:1])
-    menu, lines = lines_of_menu(field, QPointF(1, 1), QContextMenuEvent.Reason.Keyboard)
-    assert not lines["Remove point"].isEnabled()
-    menu.close()

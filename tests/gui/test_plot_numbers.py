@@ -115,16 +115,6 @@ def test_peaks_survive_when_a_long_signal_is_drawn_with_few_points():
     assert close.x.size <= 103
 
 
-def test_strokes_of_a_dense_signal_stand_in_the_middle_of_their_columns():
-    x = np.linspace(0.0, 1.0, 5001)
-    few = visible_points(x, np.sin(900 * x)[np.newaxis], (0.0, 1.0), 100)
-    assert np.allclose(few.x[:200:2] * 100, np.arange(100) + 0.5)
-    assert np.array_equal(few.x[::2], few.x[1::2])
-    spans = np.abs(np.diff(few.y[0, :200]))
-    # One stroke for each column, and a short way to the next.
-    assert spans[1::2].max() < 0.1 * spans[::2].min()
-
-
 @pytest.mark.parametrize(("columns", "size"), [(64, 2600), (325, 13_000), (333, 78_000)])
 def test_every_column_has_its_stroke_even_where_samples_lie_on_its_edge(columns, size):
     samples = np.random.default_rng(size + columns).uniform(-1, 1, (1, size))

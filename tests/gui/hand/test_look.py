@@ -152,17 +152,6 @@ def test_no_marker_covers_another_however_many_there_are(with_places, n):
     assert hand.radii_px.max() > 2.0 * hand.radii_px.min()
 
 
-def test_numbers_stand_where_they_fit_and_come_as_one_looks_closer(with_places, numbered):
-    studio = with_places(crowd(128))
-    stage = studio.diagram.stage
-    few = numbered(studio)
-    assert len(few) < 32
-    assert all(stage.layout.radius_px(site) >= 4.5 for site in few)
-    for _ in range(8):
-        stage.pan_zoom.step("zoom_in")
-    assert len(numbered(studio)) > 3 * len(few)
-
-
 def test_what_is_pointed_at_or_in_use_has_its_number_and_lies_above(with_places, numbered):
     studio = with_places(crowd(256))
     stage = studio.diagram.stage

@@ -60,12 +60,6 @@ def test_the_place_can_be_chosen_by_its_number(bench):
     assert bench.label("inspector_heading").text() == "Digit V, base"
 
 
-def test_choosing_what_is_chosen_already_edits_nothing(bench):
-    bench.choice("location").activated.emit(bench.choice("location").currentIndex())
-    bench.choice("kind").activated.emit(bench.choice("kind").currentIndex())
-    assert bench.edits == []
-
-
 def test_another_kind_of_waveform_keeps_what_both_share(bench):
     bench.type("duration_s", "350")
     bench.choose("window", "Han")
@@ -74,13 +68,6 @@ def test_another_kind_of_waveform_keeps_what_both_share(bench):
     assert bench.labels[-1] == "Change waveform of input at 7 (II pad)"
     assert bench.number("frequency_hz") is None or not bench.number("frequency_hz").isVisible()
     assert bench.number("seed").isVisible()
-
-
-def test_a_whole_number_stays_whole(bench):
-    bench.show(selected_inputs=(2,))
-    bench.type("seed", "12")
-    assert bench.track.clips[0].waveform.seed == 12
-    assert isinstance(bench.track.clips[0].waveform.seed, int)
 
 
 @pytest.mark.parametrize(
