@@ -641,12 +641,11 @@ class Remark:
 
     Attributes
     ----------
-    warns, refuses
-        Whether the picture will have a flaw; whether it cannot be written at all.
+    refuses
+        Whether it says that the picture cannot be written at all.
     """
 
     text: str
-    warns: bool = False
     refuses: bool = False
 
 
@@ -768,8 +767,7 @@ class PictureDialog(QDialog):
             self._form.setRowVisible(cell, name not in self.options.unused)
         self.pixels.setText(self.options.pixels_text)
         remark = Remark("") if self._remark is None else self._remark(self.options)
-        tones = {(True, False): "warning", (False, True): "error"}
-        set_tone(self.remark_label, tones.get((remark.warns, remark.refuses), ""))
+        set_tone(self.remark_label, "error" if remark.refuses else "")
         self.remark_label.setText(remark.text)
         self._form.setRowVisible(self.remark_label, bool(remark.text))
         self._save.setEnabled(not remark.refuses)

@@ -43,34 +43,19 @@ HINT = "Click a place on the hand"
 
 
 def caption_of(state: HandState, limb: str, fits: Callable[[str], bool]) -> str:
-    """Return the text below the hand: a note, the place pointed at, or what can be done.
+    """Return the text below the hand: a note, the place pointed at or ringed, or what can be done.
 
-    Where the pointer and the ring are at different places, both are named. The longest text that
-    fits is returned, else the shortest.
+    The whole name of a place is returned where it fits, else the short one.
     """
     if state.note:
         return state.note
     ringed = state.selected_site if state.cursor is None else state.cursor
-    pointed = state.target or state.hovered
-    if pointed is None and ringed is None:
+    site = state.target or state.hovered or ringed
+    if site is None:
         return HINT if not state.marks else ""
-    if state.target is None and pointed and ringed and pointed != ringed:
-        phrases = _pointer_and_ring(pointed, ringed, "Keys" if state.cursor else "Selected", limb)
-    else:
-        site = pointed or ringed or 0
-        place = input_name(site, limb)
-        phrases = (f"{site} · {place.name}", f"{site} · {place.short_name}")
-    return next((phrase for phrase in phrases if fits(phrase)), phrases[-1])
-
-
-def _pointer_and_ring(pointed: int, ringed: int, ring: str, limb: str) -> tuple[str, ...]:
-    at, rung = input_name(pointed, limb), input_name(ringed, limb)
-    return (
-        f"Pointer: {pointed} · {at.name}  |  {ring}: {ringed} · {rung.name}",
-        f"Pointer: {pointed} · {at.short_name}  |  {ring}: {ringed} · {rung.short_name}",
-        f"Pointer: {pointed} · {at.short_name}  |  {ring}: {ringed}",
-        f"Pointer: {pointed}  |  {ring}: {ringed}",
-    )
+    place = input_name(site, limb)
+    whole = f"{site} · {place.name}"
+    return whole if fits(whole) else f"{site} · {place.short_name}"
 
 
 # Outline pixels in one hand length, as in the project's own hand.
