@@ -317,8 +317,6 @@ class Picture:
 _MOST_CLIPS, _MOST_INPUTS = 3, 6
 #: Where a line may break: a number stays with its unit.
 BREAKS = re.compile(r"(?<!\d) | (?![^\W\d]|°)")
-# The unit after a number, and the punctuation after a number or word.
-_UNIT_AND_PUNCTUATION = re.compile(r"(?<=\d)(?:\s[^\d]*|[^\w.]*)$|[,;:.()]*$")
 
 #: A design with the name under which it is shown.
 Named = tuple[str, Design]
@@ -334,20 +332,10 @@ def stimulus_text(design: Design) -> str:
 
 
 def stimuli_text(named: Sequence[Named]) -> str:
-    """Describe the stimuli of several designs.
-
-    Where only numbers differ, they stand side by side in the order of the names, as in
-    ``"Tone 50/100 Hz"``; else each design has a sentence of its own.
-    """
-    texts = [stimulus_text(design) for _, design in named]
+    """Describe the stimuli of several designs, each after its name."""
     if len(named) == 1:
-        return texts[0]
-    names = [name for name, _ in named]
-    rows = [BREAKS.split(text) for text in texts]
-    if len({len(row) for row in rows}) == 1:
-        combined = " ".join(_side_by_side(column) for column in zip(*rows, strict=True))
-        return f"{_listed(names)}: {combined}"
-    return ". ".join(f"{name}: {text}" for name, text in zip(names, texts, strict=True))
+        return stimulus_text(named[0][1])
+    return ". ".join(f"{name}: {stimulus_text(design)}" for name, design in named)
 
 
 def common_title(titles: Sequence[str]) -> str:
@@ -359,32 +347,6 @@ def common_title(titles: Sequence[str]) -> str:
             break
         common.append(column[0])
     return " · ".join(common)
-
-
-def _listed(names: Sequence[str]) -> str:
-    """List names; a common first word of the last ones stands once: "Edited, Snapshots 1, 2"."""
-    first = names[-1].partition(" ")[0]
-    numbers = [name.removeprefix(f"{first} ") for name in names if name.startswith(f"{first} ")]
-    before = names[: len(names) - len(numbers)]
-    if len(numbers) < 2 or any(name.startswith(f"{first} ") for name in before):
-        return ", ".join(names)
-    return ", ".join((*before, f"{first}s {', '.join(numbers)}"))
-
-
-def _side_by_side(words: Sequence[str]) -> str:
-    """``"50/100 Hz,"`` of ``"50 Hz,"`` and ``"100 Hz,"``."""
-    if len(set(words)) == 1:
-        return words[0]
-    endings = {_unit_and_punctuation(word) for word in words}
-    if len(endings) > 1:
-        return "/".join(words)
-    [last] = endings
-    return "/".join(word.removesuffix(last) for word in words) + last
-
-
-def _unit_and_punctuation(word: str) -> str:
-    match = _UNIT_AND_PUNCTUATION.search(word)
-    return match[0] if match else ""
 
 
 def _input_text(track: Input, design: Design) -> str:

@@ -161,9 +161,8 @@ _SIDE_ALIGNMENT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
 _ROOMY_PX = 300
 # With large letters the text on the side takes at most this share of the width.
 _MOST_SIDE = 0.35
-# Text that is this much larger than usual is meant for an audience. Then numbers of empty sites
-# with a smaller radius, in lines of text, are left out: they would only hide the fingers.
-_ENLARGED, _FROM_AFAR = 1.1, 1.2
+# Text that is this much larger than usual is meant for an audience.
+_ENLARGED = 1.1
 # Pixels of the hand in a px on paper, for 600 dots per inch.
 _PAPER_RATIO = 6.25
 _LEGEND = (("perpendicular", None), ("in-axis", QPointF(0.0, 1.0)))
@@ -209,8 +208,6 @@ class HandStage(QObject):
         self._size = QSize()
         self._line_px = 0.0
         self._lines = 2
-        # Smallest radius at which empty sites have numbers.
-        self._readable_px = 0.0
         self.pan_zoom = PanZoom(widget)
         self.pan_zoom.changed.connect(self._lay_out)
 
@@ -237,7 +234,6 @@ class HandStage(QObject):
         self._line_px = metrics.height() + 2.0
         general = QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont)
         enlarged = metrics.height() > _ENLARGED * QFontMetricsF(general).height()
-        self._readable_px = _FROM_AFAR * metrics.height() if enlarged else 0.0
         # Where there is little room, the hand needs it more than the legend.
         width, height = self._size.width(), self._size.height()
         legend = sum(_widths(metrics)) + 2 * UNIT_PX
@@ -328,10 +324,9 @@ class HandStage(QObject):
         front, chosen = state.front_at(site), site in (state.hovered, state.target)
         place = self._place(site, in_use=front is not None or chosen or site == state.cursor)
         if front is None:
-            small = place.radius_px < self._readable_px and site != state.cursor
             if chosen:
                 paint_hovered(painter, place, current_theme())
-            elif not has_room(place) or (small and state.moving is None):
+            elif not has_room(place):
                 paint_dot(painter, place, current_theme())
             else:
                 paint_empty(painter, place, current_theme(), inviting=state.moving is not None)
@@ -367,8 +362,8 @@ class HandStage(QObject):
         metrics = QFontMetricsF(painter.font())
         lines = self.drawing.side.split("\n")
         width = 1.0 + max(metrics.horizontalAdvance(line) for line in lines)
-        if self._readable_px and width > _MOST_SIDE * self._size.width():
-            return  # large letters would cover the fingers
+        if width > _MOST_SIDE * self._size.width():
+            return  # it would cover the fingers
         area = QRectF(bottom - QPointF(width, 4 * self._line_px), bottom)
         painter.setPen(QColor(current_theme().dim))
         painter.drawText(area, _SIDE_ALIGNMENT, self.drawing.side)

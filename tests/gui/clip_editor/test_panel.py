@@ -89,15 +89,6 @@ def test_a_drag_moves_what_is_seen_as_far_as_the_pointer_goes(near):
     assert length_of(shown_s(near)) == pytest.approx(length_of(closer))
 
 
-def test_nothing_moves_under_the_pen(flat):
-    flat.key(Qt.Key.Key_Plus)
-    before, reach = shown_s(flat), flat.canvas.content.high
-    middle_s = sum(before) / 2
-    flat.drag((middle_s, 0.0), (middle_s + 0.001, 1.05), release=False)
-    turn(flat, 1)
-    assert (shown_s(flat), flat.canvas.content.high) == (before, reach)
-
-
 POINTS = ((0.0, 100.0, 0.5), (0.2, 300.0, 0.5), (0.4, 300.0, 0.9))
 
 

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent, QMouseEvent
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QMenu, QToolButton
 
@@ -158,17 +158,6 @@ def test_keys_act_on_all_that_are_selected_in_one_step(bench, key, modifiers, la
     assert bench.labels == [label]
 
 
-def test_buttons_act_on_all_selected_rows_or_on_their_own_alone(bench):
-    bench.key(KEY.Key_Down, SHIFT)
-    click(bench.row(0).mute)
-    assert [track.muted for track in bench.design.inputs] == [True, True, False]
-    click(bench.row(2).solo)
-    assert [track.solo for track in bench.design.inputs] == [False, False, True]
-    assert bench.view.selected_inputs == (1, 2)
-    click(bench.row(0).remove)
-    assert bench.places == list(PLACES[1:])
-
-
 @pytest.mark.parametrize("given_up", [False, True])
 def test_a_row_is_dragged_between_two_others_unless_escape_gives_it_up(bench, given_up):
     rows, start = bench.rows, bench.row(0).mapTo(bench.rows, WORDS)
@@ -200,30 +189,6 @@ def test_an_amplitude_is_typed_for_its_row_or_for_all_selected_ones(bench):
     QTest.keyClicks(bench.row(0).amplitude, "4")
     bench.key(KEY.Key_Return)
     assert [track.amplitude for track in bench.design.inputs] == [4.0, 4.0, 1.0]
-
-
-def test_a_drag_of_the_amplitude_is_one_gesture_and_ends_when_its_input_goes(bench):
-    row = bench.row(0)
-    field = row.amplitude
-    start = field.rect().center()
-
-    def move(way):
-        here = QPointF(start + QPoint(way, 0))
-        on_screen = QPointF(field.mapToGlobal(here.toPoint()))
-        kind, no_button = QEvent.Type.MouseMove, Qt.MouseButton.NoButton
-        QApplication.sendEvent(field, QMouseEvent(kind, here, on_screen, no_button, LEFT, NONE))
-
-    QTest.mousePress(field, LEFT, pos=start)
-    for way in (20, 40, 60):
-        move(way)
-    assert len(bench.edits) == 3
-    assert len({gesture for _, _, gesture in bench.edits}) == 1
-    assert bench.design.inputs[0].amplitude == 1.75
-    assert bench.row(0) is row
-    bench.show(bench.design.without_input(0))
-    move(80)
-    QTest.mouseRelease(field, LEFT, pos=start)
-    assert len(bench.edits) == 3
 
 
 def test_tab_leads_through_the_selected_row_only_and_keys_stay_when_that_goes(bench):

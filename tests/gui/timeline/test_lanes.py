@@ -2,15 +2,12 @@
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QInputDialog, QMenu
 
-from skinsource.base.errors import InvalidInputError
-from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.timeline.content import overlapping, overlaps_of
-from tests.gui.timeline.bench import CONTROL, SHIFT
+from tests.gui.timeline.bench import SHIFT
 
 _Key = Qt.Key
 
@@ -31,18 +28,6 @@ def test_keys_act_on_the_clip_that_the_inspector_shows_where_none_is_selected(la
     assert lanes.view.selected_clips == ()
     lanes.key(_Key.Key_M)
     assert [clip.muted for clip in lanes.design.inputs[0].clips] == [True, False, False]
-
-
-def test_what_could_not_be_copied_is_not_cut(lanes, monkeypatch):
-    def refuse(*_):
-        raise InvalidInputError("too many bytes")
-
-    monkeypatch.setattr(edits, "fragment_text", refuse)
-    lanes.click(lanes.middle(3))
-    before = lanes.design
-    QTest.keyClick(lanes.lanes, _Key.Key_X, CONTROL)
-    assert lanes.design == before
-    assert lanes.refusals == ["too many bytes."]
 
 
 @pytest.fixture
