@@ -36,7 +36,8 @@ class PlotToolbar(QWidget):
     """Buttons for the layout, switches of one plot, and a button that leaves a zoom.
 
     Signals tell what the user wants; the owner sets what the buttons show.  In a narrow toolbar
-    letters shrink.  Switches go into a second row before letters are hard to read.
+    letters shrink.  Switches go into a second row before letters are hard to read, if they may, and
+    in any case before texts are cut.
     """
 
     #: ``"overlaid"``, ``"stacked"``, or a layout that was added.
@@ -45,6 +46,7 @@ class PlotToolbar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._may_fold = True
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._rows = QBoxLayout(_BESIDE, self)
         self._rows.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
@@ -102,6 +104,12 @@ class PlotToolbar(QWidget):
         button.setChecked(on)
         self._show(button, on)
 
+    def let_fold(self, may_fold: bool) -> None:
+        """Allow or forbid a second row: a low plot needs the room."""
+        if may_fold != self._may_fold:
+            self._may_fold = may_fold
+            self._fit()
+
     def sizeHint(self) -> QSize:
         # Large letters and two rows need more height.
         return super().sizeHint().expandedTo(QSize(0, TOOLBAR_HEIGHT_PX))
@@ -126,8 +134,11 @@ class PlotToolbar(QWidget):
         first = list(self._layout_buttons.values())
         others = [button for button in self._with_room if button not in first]
         buttons, room_px = [*first, *others], self._room_px(others)
+        smallest = smallest_font(self.font())
         # Without the scroll bar: a row that folded for it would be higher, and keep it.
-        folds = width_in(readable_of(self.font()), buttons) > room_px + bars_px(self)
+        tight = width_in(readable_of(self.font()), buttons) > room_px + bars_px(self)
+        # Texts must not be cut, even if a plot needs the room.
+        folds = width_in(smallest, buttons) > room_px or (tight and self._may_fold)
         rows = (first, others) if folds else (buttons,)
         set_fonts(fitting_font(rows, self.font(), room_px), buttons)
         direction = _BELOW if folds else _BESIDE
@@ -135,7 +146,7 @@ class PlotToolbar(QWidget):
             self._rows.setDirection(direction)
             self._rows.activate()
             self.updateGeometry()
-        least = max(width_in(smallest_font(self.font()), row) for row in (first, others))
+        least = max(width_in(smallest, row) for row in (first, others))
         self.setMinimumWidth(least + self.width() - room_px)
 
     @property

@@ -155,7 +155,7 @@ _SCALES = (1.0, 0.9, 0.8, 0.7, 0.6)
 _SCALES_OF_LARGE, _LEAST_PX = (0.55, 0.5, 0.45, 0.4), 12
 # Letters of texts that may be cut shrink no further than this.
 _WORTH_READING = 0.7
-# Smaller letters are hard to read: a second row is better.
+# Smaller letters are hard to read: a second row is better, if it is possible.
 _READABLE = 0.8
 
 
@@ -205,7 +205,7 @@ def smallest_font(font: QFont) -> QFont:
 
 
 def readable_of(font: QFont) -> QFont:
-    """Return the smallest font for a single row."""
+    """Return the smallest font for a single row, as long as a second row is possible."""
     return scaled(font, _READABLE)
 
 

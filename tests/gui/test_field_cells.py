@@ -111,6 +111,9 @@ def test_why_a_value_was_refused_is_said_until_the_field_is_used_again(make_cell
     assert cell.note == "Too many."
     QTest.keyClick(cell.field, Qt.Key.Key_Up)
     assert cell.note == remark
+    cell.show_reason("Too many.")
+    cell.set_value(615.0)
+    assert cell.note == remark
 
 
 def test_a_refused_text_that_still_stands_there_keeps_its_reason_and_escape_takes_both(make_cell):
