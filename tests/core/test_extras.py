@@ -5,7 +5,8 @@ import sys
 import pytest
 
 from skinsource.base import extras
-from skinsource.base.errors import MissingExtraError
+from skinsource.base.errors import MissingExtraError, NothingToPlayOnError
+from skinsource.lab.playing.devices import sound_library
 
 
 @pytest.mark.parametrize("editable", [True, False])
