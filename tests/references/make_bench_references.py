@@ -1,7 +1,7 @@
 """Exact values of the cases of ``skinsource bench`` with mpmath: ``data/bench-references.npz``.
 
-Convolutions are sums of products, resampled signals their formula, and coils the exponential of
-their equations: no engine of the library is involved.
+Convolutions are sums of products, resampled signals their formula, and actuators the exponential
+of their equations in ``check_actuators.py``: no engine of the library is involved.
 
     PYTHONPATH=core:. python tests/references/make_bench_references.py
 
@@ -12,7 +12,7 @@ import io
 from dataclasses import asdict
 
 import numpy as np
-from mpmath import expm, matrix, mp, mpf
+from mpmath import mp, mpf
 
 from skinsource.base.assets import data_folder
 from skinsource.base.files import write_bytes
@@ -27,6 +27,7 @@ from skinsource.studies.accuracy.cases import (
     Resampling,
     cases_without_reference,
 )
+from tests.references.check_actuators import motion
 
 
 def convolved(problem: Convolution, samples: np.ndarray) -> np.ndarray:
@@ -51,31 +52,6 @@ def resampled(problem: Resampling, samples: np.ndarray) -> np.ndarray:
     return np.array([[float(a * b) for a, b in zip(bells, tones, strict=True)]])
 
 
-def moved(problem: Actuation, samples: np.ndarray) -> np.ndarray:
-    """Acceleration, velocity, displacement and current of a coil at some samples.
-
-    States are current, velocity and displacement; the held voltage stands beside them in one
-    matrix, whose exponential is one step.
-    """
-    p = {name: mpf(value) for name, value in asdict(problem.coil).items()}
-    m, bl, ind = p["moving_mass_kg"], p["force_factor_n_per_a"], p["inductance_h"]
-    c = p["damping_n_s_per_m"] + p["skin_damping_n_s_per_m"]
-    k = p["stiffness_n_per_m"] + p["skin_stiffness_n_per_m"]
-    rows = [
-        [-p["resistance_ohm"] / ind, -bl / ind, mpf(0), 1 / ind],
-        [bl / m, -c / m, -k / m, mpf(0)],
-        [mpf(0), mpf(1), mpf(0), mpf(0)],
-    ]
-    step = expm(matrix([*rows, [mpf(0)] * 4]) / mpf(problem.sample_rate_hz))
-    state, motion = [mpf(0)] * 3, []
-    for volts in problem.voltage:
-        known = matrix([*state, mpf(volts)])
-        acceleration = sum(a * b for a, b in zip(rows[1], known, strict=True))
-        motion.append([acceleration, state[1], state[2], state[0]])
-        state = list(step * known)[:3]
-    return np.array([[float(value) for value in line] for line in motion]).T[:, samples]
-
-
 def reference_of(case: Case) -> np.ndarray:
     """Exact values, (n_rows, n_samples), rounded once."""
     problem = case.problem
@@ -84,7 +60,8 @@ def reference_of(case: Case) -> np.ndarray:
     if isinstance(problem, Resampling):
         return resampled(problem, case.samples)
     assert isinstance(problem, Actuation)
-    return moved(problem, case.samples)
+    coil = {"kind": "VoiceCoil", **asdict(problem.coil)}
+    return np.array(motion(coil, problem.voltage, "zero"))[:, case.samples]
 
 
 def main() -> None:

@@ -131,11 +131,6 @@ class AnalysisPanel(Panel):
     def show_newer(self) -> None:
         self.view.show_newer()
 
-    def show_in_sight(self, names: frozenset[str]) -> None:
-        super().show_in_sight(names)
-        for view in self._views.values():
-            view.show_in_sight(names)
-
     def show_covered(self, covered: bool) -> None:
         self._covered = covered
         for view in self._views.values():
@@ -200,7 +195,6 @@ class AnalysisPanel(Panel):
             view.copy_requested.connect(self.copy.click)
             view.hide()
             self._column.addWidget(view, 1)
-            view.show_in_sight(self.in_sight)
             view.show_covered(self._covered)
             if self._folder is not None:
                 view.show_folder(self._folder)
