@@ -6,6 +6,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, ClassVar
 
+from PySide6.QtCore import QEvent
 from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QWidget
 
@@ -19,10 +20,12 @@ from skinsource_gui.panels.analysis.view import AnalysisView
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import CopyButton
-from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, letter_scale
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.panel import Panel
 
+# How much larger than usual letters are in which the view's answer is not shown.
+_LARGE_LETTERS = 2.0
 _ANSWERS = {spec.name: spec.answer for spec in VIEWS}
 # Signals of a view that are those of the panel.
 _FORWARDED = (
@@ -91,6 +94,12 @@ class AnalysisPanel(Panel):
 
     def snapshots_drawn(self, snapshots: Sequence[Snapshot]) -> Sequence[Snapshot]:
         return self.view.snapshots_drawn(snapshots)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            # In the largest letters, the room is that of the view.
+            self.answer.setHidden(letter_scale(self.font()) > _LARGE_LETTERS)
 
     def heightForWidth(self, width: int) -> int:
         # The view shrinks before it has to be scrolled.
