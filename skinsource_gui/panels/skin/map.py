@@ -57,23 +57,6 @@ from skinsource_gui.qt.wheel import FREE, WHOLE, PanZoom
 _NAMED = 3
 
 
-class InputPointer(QObject):
-    """Emits which input is pointed at, once for each."""
-
-    #: Its id, or None.
-    pointed_at = Signal(object)
-
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self._now: int | None = None
-
-    def follow(self, input_id: int | None) -> None:
-        """Take over the input under the pointer."""
-        if input_id != self._now:
-            self._now = input_id
-            self.pointed_at.emit(input_id)
-
-
 def input_at(content: MapContent, layout: MapLayout | None, at: QPointF) -> int | None:
     """Return the id of the input whose mark is at a place of the screen."""
     marks = _inputs_at(content, layout, at)
@@ -422,8 +405,7 @@ class SkinMap(QWidget):
         super().__init__(parent)
         self.content = MapContent()
         self._painter: MapPainter | None = None
-        self._pointer = InputPointer(self)
-        self._pointer.pointed_at.connect(self.input_pointed_at)
+        self._input_under_pointer: int | None = None
         # What was selected here last, "input" or "outputs": keys act on that.
         self._last = ""
         # Outputs that were selected here last.
@@ -522,7 +504,7 @@ class SkinMap(QWidget):
         self.stage.pan_zoom.move(event)
         if self.stage.layout is not None:
             self.picker.move(event.position(), self.stage.layout.points)
-            self._pointer.follow(input_at(self.content, self.stage.layout, event.position()))
+            self._point_at(input_at(self.content, self.stage.layout, event.position()))
             self.readout_changed.emit(self.readout())
             self.update()
 
@@ -554,7 +536,7 @@ class SkinMap(QWidget):
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
         self.picker.leave()
-        self._pointer.follow(None)
+        self._point_at(None)
         self.readout_changed.emit(self.readout())
         self.update()
 
@@ -584,6 +566,11 @@ class SkinMap(QWidget):
             self.update()
         else:
             super().keyPressEvent(event)
+
+    def _point_at(self, input_id: int | None) -> None:
+        if input_id != self._input_under_pointer:
+            self._input_under_pointer = input_id
+            self.input_pointed_at.emit(input_id)
 
     def _choose_inputs(self, ids: tuple[int, ...]) -> None:
         self._last = "input"
