@@ -62,7 +62,7 @@ class AnalysisPanel(Panel):
         self._covered = False
         # Whether the view was chosen since results came.
         self._just_chosen = False
-        self._folder: Path | None = None
+        self._folder = Path()
         self.choice = ChoiceField(SHOWN, self)
         self.choice.setObjectName(f"{self.name}_view")
         self.choice.edited.connect(self._choose)
@@ -142,18 +142,15 @@ class AnalysisPanel(Panel):
 
     def show_in_sight(self, names: frozenset[str]) -> None:
         super().show_in_sight(names)
-        for view in self._views.values():
-            view.show_in_sight(names)
+        self.view.show_in_sight(names)
 
     def show_covered(self, covered: bool) -> None:
         self._covered = covered
-        for view in self._views.values():
-            view.show_covered(covered)
+        self.view.show_covered(covered)
 
     def show_folder(self, folder: Path) -> None:
         self._folder = folder
-        for view in self._views.values():
-            view.show_folder(folder)
+        self.view.show_folder(folder)
 
     def draw_picture(
         self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
@@ -209,16 +206,15 @@ class AnalysisPanel(Panel):
             view.copy_requested.connect(self.copy.click)
             view.hide()
             self._column.addWidget(view, 1)
-            view.show_in_sight(self.in_sight)
-            view.show_covered(self._covered)
-            if self._folder is not None:
-                view.show_folder(self._folder)
             view.copy_changed.connect(self._offer_copy)
         return view
 
     def _show_view(self, view: AnalysisView) -> None:
         self.view.hide()
         self.view = view
+        view.show_in_sight(self.in_sight)
+        view.show_covered(self._covered)
+        view.show_folder(self._folder)
         self.setFocusProxy(view)
         self.answer.say(_ANSWERS[view.name])
         self.copy.setVisible(view.copies)

@@ -1,6 +1,6 @@
 """The skin panel: the map of levels or of motion, its toolbar, its choices and its results."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
@@ -28,11 +28,12 @@ from skinsource.design.view import View
 from skinsource.engine.time_rules import block_of
 from skinsource.limbs.own_limbs import facts_of, own_map
 from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource.perception.sensation import LIMITS, LIMITS_IN_SHORT
 from skinsource_gui.panels.skin import picture
 from skinsource_gui.panels.skin.layout import HAND
 from skinsource_gui.panels.skin.map import NoteLine, ReadoutLines, SkinMap, selection_readout
 from skinsource_gui.panels.skin.painting import MapContent, marks_of
-from skinsource_gui.panels.skin.picture import heading_of, paint_picture, short_note
+from skinsource_gui.panels.skin.picture import heading_of, paint_picture
 from skinsource_gui.panels.skin.scale import ColourBar
 from skinsource_gui.panels.skin.settings import (
     LEVELS,
@@ -56,62 +57,6 @@ from skinsource_gui.state.panel import Panel
 NO_OUTPUTS = Refusal(
     sentence="Outputs cannot be removed; click an input, a dashed ring on the map, to remove it."
 )
-
-
-def open_map_menu(
-    shown: SkinMap,
-    at: QPoint,
-    picture: Callable[[], QImage],
-    save: Callable[[], None],
-    export: Callable[[], None],
-    colours: tuple[str, Callable[[str], None]],
-) -> None:
-    """Open the menu of the map at a point of the screen: fits, colours, picture and data.
-
-    Parameters
-    ----------
-    shown
-        The map.
-    at
-        Point of the screen.
-    picture, save, export
-        Make a picture; ask for a file and save a picture; ask for a file and save the numbers.
-    colours
-        Name of the colour map of levels, and what is called with another one.
-    """
-    menu = passing_menu(shown, "skin_menu")
-    for title, fit, key in (("Fit hand", HAND, "hand"), ("Fit hand and arm", WHOLE, "whole")):
-        menu.addAction(f"{title}\t{key_text('skin', key)}", partial(shown.stage.pan_zoom.show, fit))
-    menu.addSeparator()
-    _add_colours(menu.addMenu("Colours"), *colours)
-    menu.addSeparator()
-    # A file waits for new results; the clipboard gets what is drawn now.
-    menu.addAction("Copy picture", partial(_copy, picture)).setEnabled(not shown.content.outdated)
-    menu.addAction("Save picture as…", save)
-    menu.addAction("Export data…", export)
-    menu.popup(at)
-
-
-def open_colours_menu(
-    over: QWidget, at: QPoint, chosen: str, choose: Callable[[str], None]
-) -> None:
-    """Open the menu of colour maps over a widget, at a point of the screen."""
-    menu = passing_menu(over, "colours_menu")
-    _add_colours(menu, chosen, choose)
-    menu.popup(at)
-
-
-def _add_colours(menu: QMenu, chosen: str, choose: Callable[[str], None]) -> None:
-    group = QActionGroup(menu)
-    for name, title in COLOURS.options:
-        action = menu.addAction(title, partial(choose, name))
-        action.setCheckable(True)
-        action.setChecked(name == chosen)
-        group.addAction(action)
-
-
-def _copy(picture: Callable[[], QImage]) -> None:
-    QGuiApplication.clipboard().setImage(picture())
 
 
 def sensors_icon() -> QIcon:
@@ -523,7 +468,7 @@ class SkinPanel(Panel):
         marks = () if levels is None else marks_of_levels(levels, content.outputs)
         self.colour_bar.strip.show_marks(marks)
         self._show_map()
-        self.note.show_text(content.note, short_note(content.note))
+        self.note.show_text(content.note, content.note.replace(LIMITS, LIMITS_IN_SHORT))
         self._show_readout(self.map.readout())
 
     def _show_map(self) -> None:
@@ -574,12 +519,9 @@ class SkinPanel(Panel):
         self.scrub.time_requested.connect(self.playhead_requested)
         self.scrub.play.clicked.connect(lambda: self.action_requested.emit("play"))
 
-    def _change(self, **changes: Any) -> None:
+    def _change(self, _checked: bool = False, **changes: Any) -> None:
         settings = replace(self.settings, **changes)
         self.view_changed.emit(with_settings(self._view, self.name, settings))
-
-    def _choose_colours(self, name: str) -> None:
-        self._change(colours=name)
 
     def _choose_range(self, range_db: tuple[float, float] | None) -> None:
         """Let colours span these levels, or follow the loudest output."""
@@ -606,12 +548,33 @@ class SkinPanel(Panel):
             self.edited.emit(edits.play_slower(self._design, self._view, slow_motion), None)
 
     def _open_menu(self, at: QPoint) -> None:
-        save = partial(self.action_requested.emit, "export_picture")
-        export = partial(self.action_requested.emit, "export_levels")
-        colours = self.settings.colours, self._choose_colours
-        open_map_menu(self.map, at, partial(self.picture, *PICTURE_PX), save, export, colours)
+        """Open the menu of the map at a point of the screen: fits, colours, picture and data."""
+        menu, show = passing_menu(self.map, "skin_menu"), self.map.stage.pan_zoom.show
+        for title, fit, key in (("Fit hand", HAND, "hand"), ("Fit hand and arm", WHOLE, "whole")):
+            menu.addAction(f"{title}\t{key_text('skin', key)}", partial(show, fit))
+        menu.addSeparator()
+        self._offer_colours(menu.addMenu("Colours"))
+        menu.addSeparator()
+        # A file waits for new results; the clipboard gets what is drawn now.
+        copy = menu.addAction("Copy picture", self._copy_picture)
+        copy.setEnabled(not self.content.outdated)
+        menu.addAction("Save picture as…", partial(self.action_requested.emit, "export_picture"))
+        menu.addAction("Export data…", partial(self.action_requested.emit, "export_levels"))
+        menu.popup(at)
 
     def _open_colours(self, at: QPoint) -> None:
         strip = self.colour_bar.strip
-        over = strip.mapToGlobal(at)
-        open_colours_menu(strip, over, self.settings.colours, self._choose_colours)
+        menu = passing_menu(strip, "colours_menu")
+        self._offer_colours(menu)
+        menu.popup(strip.mapToGlobal(at))
+
+    def _offer_colours(self, menu: QMenu) -> None:
+        group = QActionGroup(menu)
+        for name, title in COLOURS.options:
+            action = menu.addAction(title, partial(self._change, colours=name))
+            action.setCheckable(True)
+            action.setChecked(name == self.settings.colours)
+            group.addAction(action)
+
+    def _copy_picture(self) -> None:
+        QGuiApplication.clipboard().setImage(self.picture(*PICTURE_PX))
