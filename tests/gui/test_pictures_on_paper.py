@@ -7,10 +7,12 @@ import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QContextMenuEvent, QPainter, QPdfWriter
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QMenu
-from skinsource_gui.panels.transfer.panel import TransferPanel
 
 import skinsource as ss
+from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
+from skinsource_gui.panels.analysis.transfer import TransferView
+from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.plots.pictures import (
     drawn_image,
@@ -18,6 +20,7 @@ from skinsource_gui.plots.pictures import (
 )
 from skinsource_gui.plots.small_map import FieldImage
 from skinsource_gui.qt.theme import LIGHT
+from tests.gui.analysis.analysis_bench import analysis
 from tests.gui.pages_of_paper import Paper
 from tests.gui.test_pictures_out import texts_of
 
@@ -28,8 +31,9 @@ DESIGN = ss.Design(
 SLIDE_PX = (1280, 720)
 #: What can be read in the picture of a panel only once it was laid out and told results.
 SAYS = {
-    "side_by_side": ("Synthetic 1", "Synthetic 4", "dB re 1 m/s²"),
-    "wave": ("Way along the line (mm)", "Speed"),
+    "analysis/regions": ("Back of the hand", "Forearm", "Mean"),
+    "compare": ("Ctrl+1", "Ctrl+4"),
+    "analysis/wave": ("Way along the line (mm)", "Speed"),
     "history": ("New design",),
 }
 
@@ -53,11 +57,12 @@ def test_what_nobody_looked_at_is_drawn_whole_and_stays_where_it_was(make_window
     window.panel("hand").setFocus()
     focused = window.focusWidget()
     for name, expected in SAYS.items():
-        assert name not in window.panels
+        assert name.partition("/")[0] not in window.panels or name == "analysis/wave"
         picture = window.pictures.picture_of(name)
         save_drawing(tmp_path / "a.svg", picture.draw, *(picture.size_px or (900, 700)))
         drawn_text = texts_of(tmp_path / "a.svg").replace("\N{NO-BREAK SPACE}", " ")
         assert [text for text in expected if text not in drawn_text] == [], name
+        name = name.partition("/")[0]
         panel, dock = window.panel(name), window.docks[name]
         assert dock.isAncestorOf(panel)
         assert not panel.isVisible()
@@ -67,9 +72,9 @@ def test_what_nobody_looked_at_is_drawn_whole_and_stays_where_it_was(make_window
     slots = window.engine._graphs
     qtbot.waitUntil(lambda: not any("limb" in slot.name for slot in slots), timeout=10_000)
     # They come into the window as ever.
-    dock = window.docks["side_by_side"]
+    dock = window.docks["analysis"]
     dock.bring_forward()
-    panel = window.panel("side_by_side")
+    panel = window.panel("analysis")
     qtbot.waitUntil(panel.isVisible)
     assert panel.window() is window
 
@@ -78,7 +83,7 @@ def test_text_in_a_pdf_is_text_and_colours_are_not_packed_with_loss(shown, tmp_p
     for name, titles in (
         ("skin", ("Skin acceleration, RMS over the whole record",)),
         ("traces", ("Time (ms)",)),
-        ("regions", ("Back of the hand",)),
+        ("analysis/regions", ("Back of the hand",)),
         ("timeline", ("100150200", "Tone")),
         ("clip_editor", ("0.8", "200 ms", "−60")),
     ):
@@ -100,8 +105,10 @@ def test_the_hand_is_printed_finer_than_it_is_shown(shown, tmp_path):
     assert max(widths) >= 6 * shown.panel("hand").width()
 
 
-@pytest.mark.parametrize(("name", "bars"), [("side_by_side", 4), ("windowed", 1)])
+@pytest.mark.parametrize(("name", "bars"), [("compare", 4), ("analysis/windowed", 1)])
 def test_each_limb_has_a_bar_of_millimetres_on_paper(shown, tmp_path, name, bars):
+    of_limbs = with_settings(shown.document.view, "compare", CompareSettings(of="limbs"))
+    shown.document.look(of_limbs)
     page = page_of(shown, name, tmp_path / "a.pdf")
     assert len(re.findall(r"0 mm(?!\))", page.text())) == bars
 
@@ -130,8 +137,7 @@ def inked(image):
 
 def open_figure(open_window, qtbot, name):
     window = open_window(DESIGN, View(selected_inputs=(1,), outputs=(20, 26)))
-    window.docks[name].bring_forward()
-    panel = window.panel(name)
+    panel = analysis(window, name)
     qtbot.waitUntil(panel.isVisible)
     qtbot.waitUntil(lambda: not window.engine.busy and not panel.figure.message, timeout=30_000)
     return window, panel
@@ -142,7 +148,7 @@ def test_a_picture_of_a_figure_has_no_controls_and_fills_the_slide(
     open_window, qtbot, tmp_path, name
 ):
     window, panel = open_figure(open_window, qtbot, name)
-    save_drawing(tmp_path / "a.svg", window.pictures.picture_of(name).draw, *SLIDE_PX)
+    save_drawing(tmp_path / "a.svg", window.pictures.picture_of(f"analysis/{name}").draw, *SLIDE_PX)
     texts = texts_of(tmp_path / "a.svg")
     assert panel._result.split(" · ")[0].split()[0] in texts
     for control in (*panel.findChildren(QAbstractButton), *panel.findChildren(QComboBox)):
@@ -158,7 +164,7 @@ def test_a_picture_of_a_figure_has_no_controls_and_fills_the_slide(
 
 
 def test_the_right_button_on_a_figure_offers_its_picture_and_numbers(qtbot):
-    panel, asked = TransferPanel(), []
+    panel, asked = TransferView(), []
     qtbot.addWidget(panel)
     panel.action_requested.connect(asked.append)
     panel.show()
