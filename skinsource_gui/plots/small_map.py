@@ -276,7 +276,7 @@ def paint_small_map(
 
 
 #: A map is at least so high, px.
-LEAST_MAP_PX = 70.0
+LEAST_MAP_PX = 64.0
 # Height of a map over its width: hand and arm.
 _HIGH = 2.3
 

@@ -97,7 +97,10 @@ WORKSPACES: tuple[Workspace, ...] = (
         ),
         host="timeline",
         hosts=dict.fromkeys(
-            ("frequency_and_amplitude", "compare", "history", "library", "analysis_2"),
+            (
+                *("frequency_and_amplitude", "compare", "history", "library", "analysis_2"),
+                *("actuator", "playback"),
+            ),
             "inspector",
         ),
         tabs=("clip_editor",),

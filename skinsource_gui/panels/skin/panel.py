@@ -526,7 +526,8 @@ class SkinPanel(Panel):
     def _choose_range(self, range_db: tuple[float, float] | None) -> None:
         """Let colours span these levels, or follow the loudest output."""
         own = {LEVELS: "map_range_db", SENSATION: "sensation_range_db"}
-        self._change(**{own.get(self.settings.quantity, "moving_range_db"): range_db})
+        changes: dict[str, Any] = {own.get(self.settings.quantity, "moving_range_db"): range_db}
+        self._change(**changes)
 
     def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
         if self._design is not None:

@@ -422,10 +422,10 @@ def test_no_response_is_read_for_it_and_nothing_is_judged(large, open_window, qt
     window = open_window(large.design, large.view)
     window.engine.finished.connect(results.append)
     rested(window, qtbot)
-    window.validity._judge()
+    window.conditions._judge()
     window.document.edit("Softer", window.document.design.with_input(0, amplitude=0.5))
     rested(window, qtbot)
-    window.validity._judge()
+    window.conditions._judge()
     rested(window, qtbot)
     judged = [result for result in results if result.request.purpose is Purpose.JUDGE]
     shown = [result for result in results if result.request.place == (FIRST_SLOT, Purpose.SHOW)]
