@@ -51,6 +51,7 @@ from skinsource_gui.qt.buttons import passing_menu, tool_button
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, current_theme, drawn_icon
 from skinsource_gui.qt.wheel import WHOLE
+from skinsource_gui.state.compared import SILENT
 from skinsource_gui.state.panel import Panel
 
 #: Refusal where Delete is pressed after outputs were selected.
@@ -312,7 +313,7 @@ class SkinPanel(Panel):
             self.frames.update(results, self.settings.quantity, self._view)
             self._requested_block = -1
             self.colour_bar.follow(self.frames.largest_db)
-            message = "" if self.frames.largest > 0.0 else picture.SILENT
+            message = "" if self.frames.largest > 0.0 else SILENT
             self.content = replace(self.content, message=message)
             self._show_time()
         else:
@@ -525,8 +526,11 @@ class SkinPanel(Panel):
 
     def _choose_range(self, range_db: tuple[float, float] | None) -> None:
         """Let colours span these levels, or follow the loudest output."""
-        own = {LEVELS: "map_range_db", SENSATION: "sensation_range_db"}
-        self._change(**{own.get(self.settings.quantity, "moving_range_db"): range_db})
+        of_quantity = {LEVELS: "map_range_db", SENSATION: "sensation_range_db"}
+        changes: dict[str, Any] = {
+            of_quantity.get(self.settings.quantity, "moving_range_db"): range_db
+        }
+        self._change(**changes)
 
     def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
         if self._design is not None:
