@@ -262,20 +262,6 @@ def test_no_label_of_x_reaches_beyond_the_room(qapp, width, lowest, highest, sca
     assert fitted.frame.width() > 0.3 * width
 
 
-@pytest.mark.parametrize("width", [120, 170, 400])
-def test_the_title_of_x_is_whole_where_the_frame_is_narrower_than_it(qapp, width):
-    metrics = QFontMetricsF(QApplication.font())
-    x = Axis(shown=(0.0, 60.0), title="Strength (m/s²)")
-    fitted = fitted_axes(QRectF(0, 0, width, 200), x, Axis(shown=(-1.0, 0.0), title="dB"), metrics)
-    place = fitted.title_place(metrics)
-    assert place.width() >= metrics.horizontalAdvance(x.title)
-    assert (place.left() >= 0.0, place.right() <= width) == (True, True)
-    if width == 120:
-        assert fitted.frame.width() < place.width()
-    if width == 400:
-        assert place.center().x() == pytest.approx(fitted.frame.center().x(), abs=1.0)
-
-
 def numbers_below(width, scale):
     """Numbers below an axis, each with where it begins and ends, from left to right."""
     written = []

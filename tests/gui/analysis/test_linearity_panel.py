@@ -16,7 +16,6 @@ from skinsource.design.view import View
 from skinsource.engine.evaluation import evaluate
 from skinsource.perception.validity import probe_velocity
 from skinsource.studies.checking import Proportion, Superposition
-from skinsource.studies.figures.figures import lines_of
 from skinsource_gui.panels.analysis.linearity_content import diagrams_of_proportion, of_amplitudes
 from skinsource_gui.panels.analysis.settings import LinearitySettings
 from skinsource_gui.state.compared import Compared
@@ -265,25 +264,6 @@ def test_outputs_are_drawn_band_by_band_over_logarithmic_axes(show, qtbot):
     panel.grab()
     origin, axes = panel.picture._placed[1]
     assert "In the band (m/s²)" in panel.picture.read(origin + axes.frame.center())
-
-
-def test_the_copied_bands_are_those_of_the_printed_figure(window, qtbot):
-    window.scenes.open("5D")
-    panel = window.panel("analysis").view
-    qtbot.waitUntil(lambda: not window.engine.busy and len(panel._outputs) == 2, timeout=60_000)
-    qtbot.waitUntil(lambda: not panel.is_stale and panel.result is not None)
-    assert panel.bands.isChecked()
-    head, *rows = (line.split("\t") for line in panel.table_text().splitlines())
-    fits = lines_of(ss.scenes.open_scene("5D"))
-    numbers = np.array([[float(cell) for cell in row] for row in rows])
-    assert numbers[:, 0] == pytest.approx(fits.frequency_hz)
-    for level, strength in enumerate((0.75, 1.5, 3.0, 6.0)):
-        for output in (20, 26):
-            column = head.index(f"band_rms_{output}_z_m_per_s2 at strength {strength:g}")
-            expected = fits.output_rms[level, output - 1]
-            assert numbers[:, column] == pytest.approx(expected, rel=1e-6)
-    assert numbers[:, head.index("adjusted_r2_26_z")] == pytest.approx(1.0)
-    assert "RMS over all bands" not in window.document.design.notes
 
 
 def test_the_switches_compute_no_prediction_and_are_about_strengths(show, qtbot, monkeypatch):

@@ -91,7 +91,11 @@ def test_how_long_windows_are_is_said_where_only_their_begins_are(studio, tmp_pa
     printed = (tmp_path / "a.svg").read_text("utf-8")
     assert f"Windows of {length}; above each when it begins, in ms of the stimulus; " in printed
     assert "the traces show it about 52 ms later" in printed
+    levels_db = panel.strip.content.levels_db
     content = studio(count, delay_removed=True).strip.content
+    # Only texts change.
+    assert content.levels_db is levels_db
+    assert "52 ms" not in panel.strip.head_text
     assert not any("traces" in begin_phrase for begin_phrase in content.begin_phrases)
 
 

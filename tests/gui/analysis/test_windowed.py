@@ -107,23 +107,3 @@ def test_where_there_is_nothing_to_show_it_says_why(panel, studio, qtbot, design
     assert text in panel.strip.message
     assert panel.strip.text_at(panel.strip.rect().toRectF().center()) == ""
     panel.strip.grab()
-
-
-def test_its_head_says_that_the_traces_show_it_later_unless_their_delay_is_taken_away(
-    panel, studio, qtbot
-):
-    assert "traces" in panel.strip.head_text.lower()
-    assert "52 ms" in panel.strip.head_text
-    content = panel.strip.content
-    studio.document.look(replace(studio.document.view, delay_removed=True))
-    settle(studio, qtbot)
-    assert "52 ms" not in panel.strip.head_text
-    assert panel.strip.head_text
-    assert "traces" not in panel.strip.head_text
-    assert panel.strip.content.levels_db is content.levels_db
-    longest = panel.strip.content.time_phrases[0]
-    panel.strip.resize(1400, 400)
-    assert panel.strip.head_text == longest
-    panel.strip.resize(220, 400)
-    metrics = panel.strip.fontMetrics()
-    assert metrics.horizontalAdvance(panel.strip.head_text + "SYNTHETIC") < 220

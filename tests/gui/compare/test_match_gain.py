@@ -19,7 +19,7 @@ from skinsource_gui.plots.pictures import ALL_VISIBLE, drawn_image
 from skinsource_gui.shell.status import MatchNote
 from skinsource_gui.state.playing import played_of
 from tests.gui.analysis.analysis_bench import analysis
-from tests.gui.compare.compare_bench import choose, edit, levels, show_matched, shown_levels
+from tests.gui.compare.compare_bench import choose, levels, show_matched, shown_levels
 
 OTHER = Design(limb="synthetic-1", inputs=(track(3),))
 
@@ -99,15 +99,6 @@ def test_what_is_opened_is_shown_with_the_gain_that_it_was_left_with(window, set
     settle()
     assert messages != []
     assert document.view.match_gain(document.design) != matched
-
-
-def test_an_edit_is_shown_as_it_is(window, settle, matched):
-    edit(window, 2.0)
-    settle()
-    design = window.document.design
-    np.testing.assert_allclose(shown_levels(window), levels(design), rtol=0, atol=1e-9)
-    assert not window.findChild(object, "match_note").isVisible()
-    assert not window.actions_by_name["keep_match_gain"].isEnabled()
 
 
 def test_a_gain_that_is_kept_is_an_edit_that_undo_takes_back(window, settle, matched):

@@ -2,7 +2,6 @@
 
 import struct
 import zlib
-from dataclasses import replace
 from threading import Event
 
 import h5py
@@ -343,35 +342,9 @@ def large(user_data):
     return edits.change_limb(PLAYED, View(outputs=(3,)), "lab-1")
 
 
-@pytest.fixture
-def large_window(large, open_window, qtbot):
-    window = open_window(large.design, large.view)
-    rested(window, qtbot)
-    return window
-
-
 def rested(window, qtbot):
     qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
     window.catch_up()
-
-
-def test_clips_have_their_waveforms_and_follow_edits(large_window, qtbot):
-    window = large_window
-    lanes = window.panel("timeline").lanes
-    tone, noise = (track.clips[0].id for track in window.document.design.inputs)
-    assert set(lanes.content.waveforms) == {tone, noise}
-    before = lanes.content.waveforms[tone]
-    # 100 ms at the rate of the limb.
-    assert before.size == 400
-    assert "follow edits up to" in window.panel("skin").map.content.message
-    assert window.panel("timeline")._foot.text() == ""
-    clip = window.document.design.inputs[0].clips[0]
-    slower = replace(clip, waveform=replace(clip.waveform, frequency_hz=100.0))
-    window.document.edit("Slower", window.document.design.with_input(0, clips=(slower,)))
-    rested(window, qtbot)
-    after = lanes.content.waveforms[tone]
-    assert not np.array_equal(after, before)
-    assert "follow edits up to" in window.panel("skin").map.content.message
 
 
 def test_no_response_is_read_for_it_and_nothing_is_judged(large, open_window, qtbot):

@@ -100,15 +100,6 @@ def test_length_frames_and_size_follow_what_is_chosen(form):
     assert remark(form) != small
 
 
-def test_what_is_too_fast_for_its_waves_says_how_fast_it_will_run(form):
-    choose(form, "pace", "1")
-    assert "It runs at 1/20: at 1/1 it would have fewer than two frames" in remark(form)
-    choose(form, "quantity", "magnitude")
-    assert "It runs at 1/50: at 1/1" in remark(form)
-    choose(form, "pace", "200")
-    assert "It runs" not in remark(form)
-
-
 def test_what_cannot_be_written_says_why_and_cannot_be_saved(qtbot):
     long = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tone(duration_s=60.0)),))
     view = shown("z", View(), slow_motion=200.0)
