@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from math import ceil, inf
 from typing import Any
 
@@ -155,8 +156,12 @@ class FieldImage:
 
 def field_image(surface: SurfaceOperator, limb: Limb) -> FieldImage:
     """Return the image of the surface of ``limb``."""
-    px_per_mm = limb.map.hand_length_px / limb.hand_length_mm
-    return FieldImage(surface.mask, surface.x_mm, surface.y_mm, px_per_mm)
+    return FieldImage(surface.mask, surface.x_mm, surface.y_mm, px_per_mm_of(limb))
+
+
+def px_per_mm_of(limb: Limb) -> float:
+    """Return the number of outline pixels in a millimetre."""
+    return limb.map.hand_length_px / limb.hand_length_mm
 
 
 def _inside_pixels(mask: NDArray[np.bool_]) -> NDArray[np.intp]:
@@ -314,7 +319,7 @@ def map_grid(
 
 def small_frame(limb_map: LimbMap, area: QRectF) -> Frame:
     """Return the frame in which `paint_small_map` draws a map."""
-    return fitted(_bounds(limb_map.outline), area, up=True)
+    return fitted(bounds_of(limb_map.outline), area, up=True)
 
 
 def _paint_levels(
@@ -343,9 +348,10 @@ def _paint_levels(
                 painter.drawEllipse(QPointF(*place), _DISC_PX, _DISC_PX)
 
 
-def spacing_px(limb_map: LimbMap, frame: Frame) -> float:
-    """Return the smallest distance between two outputs on a small map, px; 0: there are no two."""
-    places = frame.to_screen(limb_map.output_positions)
+@lru_cache(maxsize=8)
+def smallest_spacing(limb_map: LimbMap) -> float:
+    """Return the smallest distance between outputs, in outline pixels; 0 for a single one."""
+    places = limb_map.output_positions
     places = places[np.isfinite(places).all(axis=1)]
     distances = np.linalg.norm(places[:, None] - places[None], axis=-1)
     return float(distances[distances > 0].min(initial=np.inf)) if distances.any() else 0.0
@@ -354,7 +360,7 @@ def spacing_px(limb_map: LimbMap, frame: Frame) -> float:
 def _paint_noise(painter: QPainter, frame: Frame, outline: QPainterPath, shown: SmallMap) -> None:
     places = frame.to_screen(shown.limb_map.output_positions)
     placed = [QPointF(*places[number - 1]) for number in shown.noisy if is_placed(places, number)]
-    reach = max(_NOISE_SPACINGS * spacing_px(shown.limb_map, frame), _DISC_PX)
+    reach = max(_NOISE_SPACINGS * smallest_spacing(shown.limb_map) * frame.scale, _DISC_PX)
     paint_strokes(painter, placed, reach, outline)
 
 
@@ -367,19 +373,30 @@ def _paint_inputs(
         if index in audible and is_placed(places, track.location):
             centre = QPointF(*places[track.location - 1])
             pen = QPen(theme.input_colour(track.colour), 1.5)
-            _paint_ring(painter, centre, _RING_PX, pen, theme)
+            paint_ring(painter, centre, _RING_PX, pen, theme)
 
 
-def _paint_ring(painter: QPainter, centre: QPointF, radius: float, pen: QPen, theme: Theme) -> None:
+def paint_ring(painter: QPainter, centre: QPointF, radius: float, pen: QPen, theme: Theme) -> None:
     """Draw a ring on a wider one in the colour of the background, to be visible on any colour."""
+    painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(QPen(QColor(theme.base), 2.0 * pen.widthF()))
     painter.drawEllipse(centre, radius, radius)
     painter.setPen(pen)
     painter.drawEllipse(centre, radius, radius)
 
 
-def _bounds(outline: Floats) -> QRectF:
-    (x0, y0), (x1, y1) = outline.min(axis=0), outline.max(axis=0)
+def paint_band(painter: QPainter, band: QRectF, theme: Theme) -> None:
+    """Draw a rubber band."""
+    fill = QColor(theme.accent)
+    painter.setPen(QPen(fill, 1))
+    fill.setAlphaF(0.15)
+    painter.setBrush(fill)
+    painter.drawRect(band)
+
+
+def bounds_of(points: Floats) -> QRectF:
+    """Return the box around points, in outline pixels; its top is the lowest y."""
+    (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
     return QRectF(float(x0), float(y0), float(x1 - x0), float(y1 - y0))
 
 
@@ -516,13 +533,13 @@ def paint_rings(
     frame = small_frame(limb_map, area)
     points = frame.to_screen(limb_map.output_positions)
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    radius, width = ring_size(len(outputs), spacing_px(limb_map, frame))
+    radius, width = ring_size(len(outputs), smallest_spacing(limb_map) * frame.scale)
     rings = [(number, theme.output_pen(rank, width), radius) for rank, number in enumerate(outputs)]
     if pointed_at is not None:
         rings.append((pointed_at, QPen(QColor(theme.text), 1.5), _WIDE_PX))
     for number, pen, radius in rings:
         if is_placed(points, number):
-            _paint_ring(painter, QPointF(*points[number - 1]), radius, pen, theme)
+            paint_ring(painter, QPointF(*points[number - 1]), radius, pen, theme)
 
 
 def tick_text(

@@ -42,12 +42,12 @@ from skinsource_gui.panels.analysis.settings import (
     VELOCITY,
     LinearitySettings,
 )
-from skinsource_gui.panels.analysis.view import SILENT, FigureView
+from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.fitting import ButtonRow
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.questions import copied_number
-from skinsource_gui.state.compared import Compared
+from skinsource_gui.state.compared import SILENT, Compared
 
 _STORED_ALONE = "snapshots alone"
 

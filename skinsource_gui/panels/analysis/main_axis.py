@@ -14,10 +14,11 @@ from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource.limbs.locations import output_name
 from skinsource.signals.projection import MainAxes, ellipse
-from skinsource_gui.panels.analysis.view import SILENT, FigureView
+from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.plots.figure import Figure
 from skinsource_gui.qt.questions import copied_number
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
+from skinsource_gui.state.compared import SILENT
 
 _LEAST_ROW_PX = 66.0
 _LEAST_SIDE_PX = 40.0

@@ -29,12 +29,13 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import axis_unit, minus, output_text
-from skinsource_gui.panels.analysis.view import SILENT, FigureView
+from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.plots.colour_maps import colour_indices, colour_table
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.plots.ranges import Range, SteadyRange
 from skinsource_gui.qt.fitting import FoldingGroups, LetterWidth
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
+from skinsource_gui.state.compared import SILENT
 
 #: How far below its loudest the colours go.
 SPAN_DB = 60.0

@@ -11,9 +11,6 @@ from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.state.panel import COMPUTING, OutputsPanel
 
-#: Message where nothing moves.
-SILENT = "Silent: nothing is driven"
-
 
 class AnalysisView(OutputsPanel):
     """One view of Analysis: a panel inside of the panel, which shows and hides it.

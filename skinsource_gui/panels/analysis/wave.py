@@ -16,10 +16,11 @@ from skinsource.design.view import View
 from skinsource.engine.analysis_rules import LineWave
 from skinsource.signals.analysis.wave_speed import LEAST_EXPLAINED, LEAST_STRAIGHT, TravellingWave
 from skinsource_gui.fields.units import minus
-from skinsource_gui.panels.analysis.view import SILENT, FigureView
+from skinsource_gui.panels.analysis.view import FigureView
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.qt.questions import copied_level, copied_number
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
+from skinsource_gui.state.compared import SILENT
 
 _DOT_PX, _REACH_PX = 4.0, 14.0
 _DISTANCE_TITLE = "Way along the line (mm)"

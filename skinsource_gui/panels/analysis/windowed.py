@@ -28,10 +28,10 @@ from skinsource_gui.plots.small_map import SmallMaps, level_style
 from skinsource_gui.qt.fitting import FoldingGroups
 from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper
+from skinsource_gui.state.compared import SILENT
 
 # Height of a picture in lines of text, so that maps and plot have room in a flat picture.
 _LINES_OF_PICTURE = 26
-_SILENT = "Silent: nothing is driven"
 _TOO_SHORT = "No whole window fits into the response. Choose shorter ones."
 
 
@@ -117,7 +117,7 @@ class WindowedView(AnalysisView):
         if content.windows.count == 0:
             message = _TOO_SHORT
         elif float(np.max(levels)) <= FLOOR_DB:
-            message = _SILENT
+            message = SILENT
         self.strip.show_content(content, message)
         self.strip.show_time(self._view.playhead_s)
 

@@ -27,6 +27,7 @@ from skinsource_gui.plots.outputs import OutputPicker
 from skinsource_gui.plots.small_map import (
     LEAST_MAP_PX,
     map_grid,
+    paint_band,
     paint_rings,
     paint_scale_row,
     paint_small_bar,
@@ -187,7 +188,7 @@ def _with_joined_numbers(text: str) -> str:
     return _BEFORE_NUMBER.sub("\N{NO-BREAK SPACE}", text)
 
 
-_PALE, _BAND_ALPHA = 0.5, 0.15
+_PALE = 0.5
 
 
 def paint_content(
@@ -373,11 +374,7 @@ class MapsView(QWidget):
         paint_content(painter, content, places, theme, self.output)
         painter.setOpacity(1.0)
         if band is not None:
-            fill = QColor(theme.accent)
-            painter.setPen(fill)
-            fill.setAlphaF(_BAND_ALPHA)
-            painter.setBrush(fill)
-            painter.drawRect(band)
+            paint_band(painter, band, theme)
 
     def _look_at(self, point: QPointF) -> None:
         """Note the map under a point; where there is none it stays the one before."""

@@ -25,7 +25,7 @@ from skinsource.perception.validity import Findings, Judged, in_short
 from skinsource.specs import fields
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.panels.skin.layout import ALL, HAND, VisiblePart
-from skinsource_gui.panels.skin.painting import MapContent, px_per_mm_of
+from skinsource_gui.panels.skin.painting import MapContent
 from skinsource_gui.panels.skin.picture import Heading, heading_of, paint_picture
 from skinsource_gui.panels.skin.settings import (
     MAGNITUDE,
@@ -38,7 +38,7 @@ from skinsource_gui.panels.skin.settings import (
 )
 from skinsource_gui.panels.skin.time import NEEDS, PACES, Frames, slow_down_factor
 from skinsource_gui.plots.pictures import PER_INCH, PictureOptions, Remark, caption_of, with_caption
-from skinsource_gui.plots.small_map import field_image
+from skinsource_gui.plots.small_map import field_image, px_per_mm_of
 from skinsource_gui.qt.theme import Theme
 from skinsource_gui.qt.wheel import WHOLE
 

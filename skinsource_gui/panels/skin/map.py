@@ -31,7 +31,6 @@ from skinsource_gui.panels.skin.layout import (
     fitted_beside_cards,
     hand_bounds,
     map_layout,
-    outline_bounds,
     visible_part,
 )
 from skinsource_gui.panels.skin.painting import (
@@ -40,13 +39,12 @@ from skinsource_gui.panels.skin.painting import (
     MapPainter,
     letters_for,
     marks_at,
-    paint_band,
     paint_mark,
     small_font,
 )
 from skinsource_gui.panels.skin.settings import LEVELS, time_text
 from skinsource_gui.plots.outputs import ADDS, OutputPicker, output_at
-from skinsource_gui.plots.small_map import FIXED_MARK
+from skinsource_gui.plots.small_map import FIXED_MARK, bounds_of, paint_band
 from skinsource_gui.qt.frames import paint_focus_frame
 from skinsource_gui.qt.keys import KEYS, claims_shortcut, meaning_of
 from skinsource_gui.qt.theme import Theme, current_theme, tabular
@@ -181,17 +179,13 @@ def paint_map_texts(
         _paint_message(painter, inner, content.message, layout, theme)
 
 
-def message_place(preferred: QRectF, room: QRectF, layout: MapLayout) -> QRectF | None:
-    """Return ``preferred``, moved as little as needed to hide no output and no card in ``room``.
-
-    None: there is no such place.
-    """
-    return _nearest(preferred, room, layout, free_of_outputs=True)
-
-
 def _nearest(
     preferred: QRectF, room: QRectF, layout: MapLayout, *, free_of_outputs: bool
 ) -> QRectF | None:
+    """Return ``preferred``, moved as little as needed to hide no card, and no output, in ``room``.
+
+    None: there is no such place.
+    """
     radius = layout.disc_radius
     outputs = [QPointF(x, y) for x, y in layout.points] if free_of_outputs else []
 
@@ -268,7 +262,7 @@ def message_card(
         narrow.setWidth(max(inside.width() if lines == 1 else wide.width() / lines, widest_word))
         narrow.moveCenter(inside.center())
         needed = metrics.boundingRect(narrow, flags, text).adjusted(-10, -7, 10, 7)
-        place = message_place(needed, area, layout)
+        place = _nearest(needed, area, layout, free_of_outputs=True)
         if place is not None:
             return place
     return _nearest(wide, area, layout, free_of_outputs=False) or wide
@@ -356,7 +350,7 @@ class MapStage(QObject):
             self.pan_zoom.arrange({}, np.zeros((0, 2)), room)
             return
         fits = {
-            WHOLE: fitted_beside_cards(limb_map, outline_bounds(limb_map), room, self._metrics),
+            WHOLE: fitted_beside_cards(limb_map, bounds_of(limb_map.outline), room, self._metrics),
             HAND: fitted_beside_cards(limb_map, hand_bounds(limb_map), room, self._metrics),
         }
         self.pan_zoom.arrange(fits, limb_map.outline, room)

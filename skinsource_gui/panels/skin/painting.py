@@ -18,11 +18,9 @@ from PySide6.QtGui import (
 )
 
 from skinsource.base.arrays import Floats
-from skinsource.base.quoting import sentence
 from skinsource.design.design import Design, audible_indices
 from skinsource.design.view import View
-from skinsource.limbs.limb import Limb, LimbMap
-from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource.limbs.limb import LimbMap
 from skinsource_gui.panels.skin.layout import TEXT_LINES, MapLayout, paint_triad
 from skinsource_gui.panels.skin.settings import LEVELS, SILENT_RANGE, LevelRange, MapQuantity
 from skinsource_gui.plots.colour_maps import VIRIDIS, colour_table, is_light, level_colours
@@ -31,6 +29,7 @@ from skinsource_gui.plots.small_map import (
     FieldImage,
     bar_length_mm,
     paint_dark_strokes,
+    paint_ring,
     paint_strokes,
 )
 from skinsource_gui.qt.frames import CachedPicture, UncachedPicture
@@ -455,22 +454,6 @@ class MapContent:
         return None if self.message or self.field_values is None else self.field
 
 
-def px_per_mm_of(limb: Limb) -> float:
-    """Return the number of outline pixels in a millimetre."""
-    return limb.map.hand_length_px / limb.hand_length_mm
-
-
-def note_of(surface: SurfaceOperator | None, limb: Limb) -> str:
-    """Return the notes on the map and on the source of its numbers."""
-    last = sentence(f"{limb.note[:1].upper()}{limb.note[1:]}") if limb.note else ""
-    return " ".join(part for part in (drawn_note_of(surface), last) if part)
-
-
-def drawn_note_of(surface: SurfaceOperator | None) -> str:
-    """Return the notes on the map itself."""
-    return "" if surface is None else " ".join(surface.warnings)
-
-
 _OUTPUT_RING_PX, _THIN_PX = 2.2, 1.2
 # A map is at least this many lines of text high, and wide, if a line is larger than the last, px.
 _MAP_LINES, _MAP_WIDTH_LINES, _USUAL_PX = 12.0, 9.0, 18.0
@@ -521,7 +504,13 @@ class MapPainter:
             _paint_cards(painter, layout, theme)
         self._paint_palmar(painter, content, layout, theme)
         if content.hatched:
-            self._paint_hatch(painter, content, layout)
+            hatched = content.noisy, layout, self._screen_outline
+            self._hatch.paint(
+                painter,
+                layout.room,
+                (content.noisy,),
+                lambda on_image: paint_hatch(on_image, *hatched),
+            )
         if content.inputs:
             self._paint_inputs(painter, content, layout, theme)
         self._bar_card = bar_card(
@@ -564,14 +553,6 @@ class MapPainter:
                 _paint_cards(on_image, layout, theme)
 
         self._still.paint(painter, layout.room, (theme.name, dots, on_field), paint)
-
-    def _paint_hatch(self, painter: QPainter, content: MapContent, layout: MapLayout) -> None:
-        """Hatch what is mostly noise."""
-
-        def paint(on_image: QPainter) -> None:
-            paint_hatch(on_image, content.noisy, layout, self._screen_outline)
-
-        self._hatch.paint(painter, layout.room, (content.noisy,), paint)
 
     def _paint_inputs(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -639,17 +620,6 @@ def ring_radius(number: int, content: MapContent, layout: MapLayout) -> float:
     return max(layout.dot_radius + 2.5 * layout.unit, 4.5 * layout.unit)
 
 
-def paint_ring(
-    painter: QPainter, centre: QPointF, radius: float, pen: QPen, ground: QColor
-) -> None:
-    """Draw a ring that stands out from any colour under it."""
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.setPen(QPen(ground, 2 * pen.widthF()))
-    painter.drawEllipse(centre, radius, radius)
-    painter.setPen(pen)
-    painter.drawEllipse(centre, radius, radius)
-
-
 def paint_mark(
     painter: QPainter,
     number: int,
@@ -662,16 +632,7 @@ def paint_mark(
     radius = ring_radius(number, content, layout) + 3.5 * layout.unit
     centre = QPointF(*layout.points[number - 1])
     pen = QPen(QColor(colour), 0.8 * _OUTPUT_RING_PX * layout.unit)
-    paint_ring(painter, centre, radius, pen, QColor(theme.base))
-
-
-def paint_band(painter: QPainter, band: QRectF, theme: Theme) -> None:
-    """Draw a rubber band."""
-    fill = QColor(theme.accent)
-    painter.setPen(QPen(fill, 1))
-    fill.setAlphaF(0.15)
-    painter.setBrush(fill)
-    painter.drawRect(band)
+    paint_ring(painter, centre, radius, pen, theme)
 
 
 def letters_for(font: QFont, room: QRectF) -> QFont:
@@ -726,7 +687,7 @@ def _paint_dots(painter: QPainter, layout: MapLayout) -> None:
 
 def _paint_rings(painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme) -> None:
     """Paint rings in the colours of the curves around the selected outputs."""
-    ground, crowded = QColor(theme.base), is_crowded(len(content.outputs), layout)
+    crowded = is_crowded(len(content.outputs), layout)
     for rank, number in enumerate(content.outputs):
         if number > len(layout.points) or is_on_card(number, layout):
             continue  # not on this limb, or hidden
@@ -734,4 +695,4 @@ def _paint_rings(painter: QPainter, content: MapContent, layout: MapLayout, them
         radius = ring_radius(number, content, layout)
         width = (_THIN_PX if crowded else _OUTPUT_RING_PX) * layout.unit
         pen = theme.output_pen(rank, width, layout.unit)
-        paint_ring(painter, centre, radius, pen, ground)
+        paint_ring(painter, centre, radius, pen, theme)

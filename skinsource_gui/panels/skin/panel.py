@@ -51,6 +51,7 @@ from skinsource_gui.qt.buttons import passing_menu, tool_button
 from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, current_theme, drawn_icon
 from skinsource_gui.qt.wheel import WHOLE
+from skinsource_gui.state.compared import SILENT
 from skinsource_gui.state.panel import Panel
 
 #: Refusal where Delete is pressed after outputs were selected.
@@ -312,7 +313,7 @@ class SkinPanel(Panel):
             self.frames.update(results, self.settings.quantity, self._view)
             self._requested_block = -1
             self.colour_bar.follow(self.frames.largest_db)
-            message = "" if self.frames.largest > 0.0 else picture.SILENT
+            message = "" if self.frames.largest > 0.0 else SILENT
             self.content = replace(self.content, message=message)
             self._show_time()
         else:

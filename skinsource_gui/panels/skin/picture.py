@@ -9,6 +9,7 @@ from PySide6.QtCore import QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from skinsource.base.decibels import FLOOR_DB
+from skinsource.base.quoting import sentence
 from skinsource.design.design import Design
 from skinsource.design.labels import limb_label, signal_label
 from skinsource.design.view import View
@@ -19,20 +20,14 @@ from skinsource.perception.sensation import LIMITS
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource_gui.panels.skin.layout import ALL, MapLayout, VisiblePart, map_layout
 from skinsource_gui.panels.skin.map import paint_map_texts
-from skinsource_gui.panels.skin.painting import (
-    MapContent,
-    MapPainter,
-    drawn_note_of,
-    note_of,
-    px_per_mm_of,
-    small_font,
-)
+from skinsource_gui.panels.skin.painting import MapContent, MapPainter, small_font
 from skinsource_gui.panels.skin.scale import paint_colour_scale
 from skinsource_gui.panels.skin.settings import LEVELS, SENSATION, STILL, MapQuantity, SkinSettings
 from skinsource_gui.plots.colour_maps import colour_table
-from skinsource_gui.plots.small_map import FieldImage
+from skinsource_gui.plots.small_map import FieldImage, px_per_mm_of
 from skinsource_gui.qt.frames import UncachedPicture
 from skinsource_gui.qt.theme import Theme, tabular
+from skinsource_gui.state.compared import SILENT
 
 #: What strokes over a map mean.
 HATCHED = f"hatched: less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise"
@@ -174,7 +169,6 @@ def _paint_map(
     return layout
 
 
-SILENT = "Silent: nothing is driven"
 #: By quantity: names of the results at the outputs and over the skin.
 _NAMES = {
     LEVELS: ("output_levels_db", "surface_levels_db"),
@@ -216,14 +210,17 @@ def content_of(
         The interpolated map and its image; None: sensors carry the colours.
     """
     limb_data, shown = results["limb_data"], settings.quantity
+    limits = LIMITS if shown == SENSATION else ""
+    drawn_note = " ".join(filter(None, (limits, *(() if surface is None else surface.warnings))))
+    source = sentence(f"{limb_data.note[:1].upper()}{limb_data.note[1:]}") if limb_data.note else ""
     content = replace(
         before,
         limb_map=results["limb_map"],
         limb=limb,
         px_per_mm=px_per_mm_of(limb_data),
         field=field,
-        note=_with_limits(note_of(surface, limb_data), shown),
-        drawn_note=_with_limits(drawn_note_of(surface), shown),
+        note=" ".join(filter(None, (drawn_note, source))),
+        drawn_note=drawn_note,
     )
     if shown not in STILL:
         return content
@@ -238,8 +235,3 @@ def content_of(
         field_values=None if surface is None else results[over_skin],
         message=SILENT if float(np.max(values)) <= FLOOR_DB else "",
     )
-
-
-def _with_limits(note: str, quantity: str) -> str:
-    """Return the note below the map; of sensations, their limits come first."""
-    return f"{LIMITS} {note}".strip() if quantity == SENSATION else note

@@ -15,6 +15,7 @@ from skinsource.design.edits.edit import Edit
 from skinsource.design.panel_settings import SpectrogramSettings, settings_of
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.engine.evaluation import evaluate
+from skinsource_gui.panels.analysis.table import OutputTableView
 from skinsource_gui.plots import figure
 from skinsource_gui.plots.figure import Axis, fitted_axes
 from skinsource_gui.qt.theme import LIGHT, scaled
@@ -28,6 +29,7 @@ RULES_OF = {
     "transfer": "transfer",
     "main_axis": "output_main_axes",
     "wave": "line_wave",
+    "perception": "sensation",
 }
 
 
@@ -81,7 +83,7 @@ def test_without_outputs_it_says_how_to_select_some_and_then_shows_them(show, wi
         assert "on the skin map" in panel.message, name
         window.document.look(replace(window.document.view, outputs=OUTPUTS))
         settle()
-        if name == "statistics":
+        if isinstance(panel, OutputTableView):
             assert panel.table.model().rowCount() == 4
         else:
             assert panel.figure.message == "", name
@@ -102,7 +104,7 @@ def test_silence_and_many_inputs_are_shown_without_a_fault(show, window, settle)
         document.apply(changed("Many", replace(silent, inputs=many), document.view))
         settle()
         panel.grab()
-        assert panel.message == "" or name == "statistics", name
+        assert panel.message == "" or isinstance(panel, OutputTableView), name
         document.apply(changed("None", Design(limb="synthetic-1"), document.view))
         settle()
         panel.grab()
@@ -136,24 +138,6 @@ def test_the_table_is_copied_with_numbers_that_read_back(show, window):
     assert QGuiApplication.clipboard().text().splitlines() == [header, *below]
 
 
-def test_the_spectrogram_reads_what_is_under_the_cursor(show, window):
-    panel = show("spectrogram")
-    picture = panel.picture
-    panel.grab()
-    spectrogram = picture.content.spectrogram
-    row, column = np.unravel_index(np.argmax(spectrogram.amplitude), spectrogram.amplitude.shape)
-    time_s, frequency_hz = spectrogram.time_s[column], spectrogram.frequency_hz[row]
-    place = picture.axes.to_screen(np.array([time_s]), np.array([frequency_hz]))[0]
-    picture.move_cursor(QPointF(*place))
-    level = 20 * np.log10(spectrogram.amplitude.max())
-    assert panel.note_label.text.startswith(f"{time_s * 1e3:.1f} ms")
-    assert f"{abs(level):.1f} dB" in panel.note_label.text
-    # The tone of the start design.
-    assert abs(frequency_hz - 100.0) < 10.0 or abs(frequency_hz - 200.0) < 10.0
-    picture.move_cursor(QPointF(0, 0))
-    assert panel.note_label.text.startswith("Output 26")
-
-
 def test_floor_and_ceiling_zoom_without_computing(show, window, settle):
     panel = show("spectrogram")
     runs = window.engine._graphs[FIRST_SLOT].runs
@@ -184,19 +168,6 @@ def test_another_output_and_window_are_computed(show, window, settle):
     assert panel.picture.content.spectrogram.time_s.size < columns
 
 
-def test_the_cursor_of_a_figure_follows_the_keys(show):
-    panel = show("transfer")
-    panel.grab()
-    panel.figure.setFocus()
-    QTest.keyClick(panel.figure, Qt.Key.Key_Home)
-    assert panel.note_label.text.startswith("0.0 Hz")
-    QTest.keyClick(panel.figure, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
-    assert not panel.note_label.text.startswith("0.0 Hz")
-    assert "coherence" in panel.note_label.text
-    QTest.keyClick(panel.figure, Qt.Key.Key_Escape)
-    assert panel.note_label.text.startswith("Coherence ≥ 0.75")
-
-
 def test_transfer_functions_are_of_the_selected_input(show, window, settle):
     panel = show("transfer")
     assert panel.place.text.startswith("From place 7")
@@ -206,6 +177,15 @@ def test_transfer_functions_are_of_the_selected_input(show, window, settle):
     document.apply(changed("Add", added, selected))
     settle()
     assert panel.place.text.startswith("From place 13")
+    panel.grab()
+    panel.figure.setFocus()
+    QTest.keyClick(panel.figure, Qt.Key.Key_Home)
+    assert panel.note_label.text.startswith("0.0 Hz")
+    QTest.keyClick(panel.figure, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
+    assert not panel.note_label.text.startswith("0.0 Hz")
+    assert "coherence" in panel.note_label.text
+    QTest.keyClick(panel.figure, Qt.Key.Key_Escape)
+    assert panel.note_label.text.startswith("Coherence ≥ 0.75")
     panel.coherence.click()
     settle()
     panel.grab()
@@ -262,7 +242,7 @@ def test_the_wave_cautions_where_inputs_at_several_places_sound(show, window, se
 
 
 @pytest.mark.parametrize("scale", [1.0, 1.75])
-@pytest.mark.parametrize("width", [200, 240, 303, 480, 900])
+@pytest.mark.parametrize("width", [200, 303, 900])
 @pytest.mark.parametrize(
     ("lowest", "highest"),
     [(0.0, 650.0), (0.0, 2000.0), (0.0, 2001.0), (0.0, 24_000.0), (10.0, 2000.0), (1.0, 110.0)],
@@ -280,20 +260,6 @@ def test_no_label_of_x_reaches_beyond_the_room(qapp, width, lowest, highest, sca
     ]
     assert max(ends) <= width
     assert fitted.frame.width() > 0.3 * width
-
-
-@pytest.mark.parametrize("width", [120, 170, 400])
-def test_the_title_of_x_is_whole_where_the_frame_is_narrower_than_it(qapp, width):
-    metrics = QFontMetricsF(QApplication.font())
-    x = Axis(shown=(0.0, 60.0), title="Strength (m/s²)")
-    fitted = fitted_axes(QRectF(0, 0, width, 200), x, Axis(shown=(-1.0, 0.0), title="dB"), metrics)
-    place = fitted.title_place(metrics)
-    assert place.width() >= metrics.horizontalAdvance(x.title)
-    assert (place.left() >= 0.0, place.right() <= width) == (True, True)
-    if width == 120:
-        assert fitted.frame.width() < place.width()
-    if width == 400:
-        assert place.center().x() == pytest.approx(fitted.frame.center().x(), abs=1.0)
 
 
 def numbers_below(width, scale):

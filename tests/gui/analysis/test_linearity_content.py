@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from skinsource.studies.checking import proportion, superposition
+from skinsource_gui.panels.analysis.linearity import tab_separated
 from skinsource_gui.panels.analysis.linearity_content import (
     diagrams_of_proportion,
     diagrams_of_superposition,
@@ -115,3 +116,15 @@ def test_the_sum_is_wide_below_the_joint_response_and_they_are_held_against_each
         np.testing.assert_array_equal(dots.y, joint[row, first:end])
     assert against.x.title.startswith("Sum")
     assert against.y.title.startswith("Joint")
+
+
+def test_bands_are_copied_by_strength_output_and_axis():
+    fits = bent()
+    text = tab_separated(fits, (20, 26), ("x", "z"), of_amplitudes("m/s²"), bands=True)
+    head, *rows = (line.split("\t") for line in text.splitlines())
+    columns = dict(zip(head, np.array(rows, float).T, strict=True))
+    np.testing.assert_allclose(columns["frequency_hz"], fits.frequency_hz)
+    for level, strength in enumerate(STRENGTHS):
+        column = columns[f"band_rms_26_z_m_per_s2 at strength {strength:g}"]
+        np.testing.assert_allclose(column, fits.band_rms[level, 3])
+    np.testing.assert_allclose(columns["adjusted_r2_20_z"], fits.adjusted_r2[1])

@@ -15,7 +15,7 @@ from skinsource_gui.panels.analysis.linearity_diagram import (
 from skinsource_gui.plots.figure import Axis, fitted_axes, legend_texts
 from skinsource_gui.plots.pictures import save_drawing
 from skinsource_gui.qt.theme import LIGHT
-from tests.gui.analysis.test_linearity_panel import OUTPUTS, PARTS, STRENGTHS, show
+from tests.gui.analysis.test_linearity_panel import OUTPUTS, STRENGTHS, show
 from tests.gui.test_pictures_out import texts_of
 
 __all__ = ["show"]
@@ -75,9 +75,8 @@ def test_a_legend_has_all_outputs_or_counts_those_without_room(painter):
     assert few[-1] == f"+{59 - len(few) + 2}"
 
 
-@pytest.mark.parametrize("designs", [STRENGTHS, PARTS])
-def test_the_picture_says_which_output_has_which_colour(show, tmp_path, designs):
-    window, panel = show(designs)
+def test_the_picture_says_which_output_has_which_colour(show, tmp_path):
+    window, panel = show(STRENGTHS)
     assert panel.picture.outputs == OUTPUTS
     path = tmp_path / "a.svg"
     save_drawing(path, window.pictures.picture_of("analysis/linearity").draw, 900, 500)

@@ -16,7 +16,6 @@ from skinsource.design.view import View
 from skinsource.engine.evaluation import evaluate
 from skinsource.perception.validity import probe_velocity
 from skinsource.studies.checking import Proportion, Superposition
-from skinsource.studies.figures.figures import lines_of
 from skinsource_gui.panels.analysis.linearity_content import diagrams_of_proportion, of_amplitudes
 from skinsource_gui.panels.analysis.settings import LinearitySettings
 from skinsource_gui.state.compared import Compared
@@ -84,40 +83,22 @@ def test_strengths_of_one_stimulus_lie_on_each_other_once_divided(show):
     assert panel.picture.read(QPointF(-5.0, -5.0)) == ""
 
 
-def test_inputs_alone_add_up_to_all_of_them(show):
-    _, panel = show(PARTS)
-    assert isinstance(panel.result, Superposition)
-    assert panel.result.largest_difference < 1e-9
-    assert "Sum of separate and joint" in panel.note_label.text
-    panel.grab()
+def test_snapshots_count_alone_where_the_design_in_the_window_is_something_else(show, qtbot):
+    window, panel = show(PARTS)
     head, *rows = panel.table_text().splitlines()
     assert head == "output\taxis\tpearson_r"
     assert [row.split("\t")[:2] for row in rows] == [["20", "z"], ["26", "z"]]
     assert [float(row.split("\t")[2]) for row in rows] == pytest.approx([1.0, 1.0])
-
-
-def test_the_design_in_the_window_counts_though_it_is_no_snapshot(show, qtbot):
-    window, panel = show(STRENGTHS)
-    document = window.document
-    document.edit("Louder", document.design.with_input(0, amplitude=9.0))
-    qtbot.waitUntil(lambda: panel.result is not None and len(panel.result.strengths) == 4)
-    assert panel.result.strengths[-1] == 9.0
-    assert len(panel.table_text().splitlines()) == 5
-
-
-@pytest.mark.parametrize(("designs", "kind"), [(STRENGTHS, Proportion), (PARTS, Superposition)])
-def test_snapshots_count_alone_where_the_design_in_the_window_is_something_else(
-    show, qtbot, designs, kind
-):
-    window, panel = show(designs)
+    assert "Sum of separate and joint" in panel.note_label.text
     assert "alone" not in panel.about.text
     result = panel.result
     window.document.edit("Elsewhere", played(3))
     qtbot.waitUntil(lambda: "snapshots alone" in panel.about.text)
-    assert isinstance(panel.result, kind)
+    assert isinstance(panel.result, Superposition)
+    assert panel.result.largest_difference < 1e-9
     assert panel.result.largest_difference == result.largest_difference
     assert panel.figure.message == ""
-    window.document.edit("Again", designs[0])
+    window.document.edit("Again", PARTS[0])
     qtbot.waitUntil(lambda: "alone" not in panel.about.text)
 
 
@@ -138,27 +119,8 @@ def test_while_snapshots_are_computed_anew_what_is_drawn_is_told_to_be_of_others
     assert not panel.is_stale
 
 
-def test_other_outputs_are_shown_as_soon_as_they_are_selected(show, qtbot):
-    window, panel = show(STRENGTHS)
-    window.document.look(replace(window.document.view, outputs=(30,)))
-    qtbot.waitUntil(lambda: len(panel.picture.diagrams[0].curves) == 3)
-    assert panel.result.rms.shape == (3, 1)
-    window.document.look(replace(window.document.view, outputs=()))
-    qtbot.waitUntil(lambda: "elect" in panel.figure.message)
-    assert not window.panel("analysis").copy.isEnabled()
-
-
-def test_the_part_to_which_traces_are_zoomed_is_drawn(show, qtbot):
-    window, panel = show(PARTS)
-    window.document.look(replace(window.document.view, time_range_s=(0.08, 0.1)))
-    qtbot.waitUntil(
-        lambda: panel.picture.diagrams[0].x.shown == pytest.approx((0.08, 0.1), abs=1e-3)
-    )
-
-
-@pytest.mark.parametrize("designs", [STRENGTHS, PARTS])
-def test_a_part_is_the_same_whether_the_delay_is_removed_or_not(show, qtbot, designs):
-    window, panel = show(designs, time_range_s=(0.06, 0.08))
+def test_a_part_is_the_same_whether_the_delay_is_removed_or_not(show, qtbot):
+    window, panel = show(PARTS, time_range_s=(0.06, 0.08))
     before = panel.picture.diagrams[0].curves
     # Traces have the window say the instants that its time axes have.
     window.docks["traces"].bring_forward()
@@ -207,21 +169,6 @@ def test_what_is_too_long_for_a_picture_says_where_it_is_checked(show, monkeypat
 def test_strengths_on_a_limb_that_is_missing_say_so(show):
     _, panel = show([replace(design, limb="lab-9", limb_digest="0" * 64) for design in STRENGTHS])
     assert "lab-9" in panel.figure.message
-
-
-def test_hidden_it_has_no_traces_computed(show, qtbot, monkeypatch):
-    window, _ = show(STRENGTHS)
-    asked = []
-    ask = window.engine.request
-    monkeypatch.setattr(
-        window.engine,
-        "request",
-        lambda request: (asked.append(request.slot.name), ask(request)),
-    )
-    window.docks["analysis"].hide()
-    window.document.look(replace(window.document.view, outputs=(30, 31)))
-    qtbot.waitUntil(lambda: not window.engine.busy)
-    assert not any("snapshot" in request for request in asked)
 
 
 __all__ = ["show"]
@@ -276,10 +223,6 @@ def switch(window, panel, qtbot, name):
 
 
 def test_a_divided_response_has_the_unit_of_response_and_strength(show):
-    _, panel = show(STRENGTHS)
-    over, growth, _ = panel.picture.diagrams
-    assert over.y.title == "Divided (m/s² per m/s²)"
-    assert growth.x.title == "Strength (m/s²)"
     _, panel = show([replace(design, scaling="relative") for design in STRENGTHS])
     assert panel.picture.diagrams[0].y.title == "Divided (m/s²)"
     assert not panel.velocity.isVisible()
@@ -307,12 +250,6 @@ def test_strengths_are_velocities_of_the_probe_where_these_are_known(show, qtbot
     assert [float(row.split("\t")[0]) for row in rows] == pytest.approx(fastest)
 
 
-@pytest.mark.parametrize("scaling", ["relative", "upstream"])
-def test_no_velocity_is_known_in_other_scalings(scaling):
-    design = replace(STRENGTHS[0], scaling=scaling)
-    assert evaluate(design, "fastest_probe_m_per_s")["fastest_probe_m_per_s"] is None
-
-
 def test_outputs_are_drawn_band_by_band_over_logarithmic_axes(show, qtbot):
     window, panel = show(STRENGTHS)
     switch(window, panel, qtbot, "bands")
@@ -327,25 +264,6 @@ def test_outputs_are_drawn_band_by_band_over_logarithmic_axes(show, qtbot):
     panel.grab()
     origin, axes = panel.picture._placed[1]
     assert "In the band (m/s²)" in panel.picture.read(origin + axes.frame.center())
-
-
-def test_the_copied_bands_are_those_of_the_printed_figure(window, qtbot):
-    window.scenes.open("5D")
-    panel = window.panel("analysis").view
-    qtbot.waitUntil(lambda: not window.engine.busy and len(panel._outputs) == 2, timeout=60_000)
-    qtbot.waitUntil(lambda: not panel.is_stale and panel.result is not None)
-    assert panel.bands.isChecked()
-    head, *rows = (line.split("\t") for line in panel.table_text().splitlines())
-    fits = lines_of(ss.scenes.open_scene("5D"))
-    numbers = np.array([[float(cell) for cell in row] for row in rows])
-    assert numbers[:, 0] == pytest.approx(fits.frequency_hz)
-    for level, strength in enumerate((0.75, 1.5, 3.0, 6.0)):
-        for output in (20, 26):
-            column = head.index(f"band_rms_{output}_z_m_per_s2 at strength {strength:g}")
-            expected = fits.output_rms[level, output - 1]
-            assert numbers[:, column] == pytest.approx(expected, rel=1e-6)
-    assert numbers[:, head.index("adjusted_r2_26_z")] == pytest.approx(1.0)
-    assert "RMS over all bands" not in window.document.design.notes
 
 
 def test_the_switches_compute_no_prediction_and_are_about_strengths(show, qtbot, monkeypatch):

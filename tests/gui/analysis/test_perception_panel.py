@@ -5,12 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.design.design import Design, track
 from skinsource.design.edits.edit import Edit
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource.design.view import View
 from skinsource.engine.analysis_rules import Sensation
-from skinsource.engine.evaluation import evaluate
 from skinsource.perception.sensation import LIMITS
 from skinsource.perception.thresholds import PerceptionSettings
 from skinsource.signals.analysis.wave_speed import travelling_wave
@@ -23,24 +20,17 @@ from skinsource_gui.panels.analysis.perception import (
 )
 from skinsource_gui.panels.analysis.wave import wave_text
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.state.engine import FIRST_SLOT
 from tests.gui.analysis.analysis_bench import analysis, copied
 
 OUTPUTS = (29, 33, 57)
 
 
-def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
-    window, settle, tmp_path
-):
+def test_the_panel_shows_levels_limits_and_the_contact(window, settle, tmp_path):
     document = window.document
-    runs = window.engine._graphs[FIRST_SLOT].runs
     document.look(replace(document.view, outputs=OUTPUTS))
-    settle()
-    assert runs["sensation"] == 0
     analysis(window, "perception")
     settle()
     panel = window.panel("analysis").view
-    assert runs["sensation"] == 1
     assert panel.table.model().rowCount() == 3
     assert panel.limits.text() == f"{LIMITS} What lies from 25 to 600 Hz counts."
     assert "not perception" in panel.contact.text()
@@ -70,12 +60,6 @@ def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
     settle()
     assert not panel.table.isVisible()
     assert "on the skin map" in panel.message
-    window.docks["analysis"].toggleViewAction().trigger()
-    before = runs["sensation"]
-    louder = document.design.with_input(0, amplitude=3.0)
-    document.apply(Edit(label="Louder", design=louder, view=document.view))
-    settle()
-    assert runs["sensation"] == before
 
 
 @pytest.mark.parametrize("style", ["interpolated", "sensors"])
@@ -108,21 +92,6 @@ def test_the_map_shows_levels_above_threshold_with_their_limits(window, settle, 
     assert skin.content.quantity.name == "levels"
 
 
-def test_words_on_the_contact_go_while_they_are_late_even_with_nothing_selected(
-    window, settle, qtbot
-):
-    analysis(window, "perception")
-    settle()
-    panel = window.panel("analysis").view
-    assert "place 7" in panel.contact.text()
-    assert panel.contact.isVisible()
-    panel.show_stale(True)
-    panel.show_state(window.document.design, window.document.view)
-    qtbot.waitUntil(lambda: not panel.contact.isVisible())
-    panel.show_stale(False)
-    assert panel.contact.isVisible()
-
-
 def test_of_many_contacts_the_largest_is_said_and_all_are_listed():
     weighted = tuple((place, 0.5 + 0.1 * (place == 4)) for place in range(1, 21))
     text = contact_text(weighted)
@@ -148,26 +117,21 @@ def test_what_is_not_felt_has_no_strength():
     assert loud[2:] == ["12.0", "12.0", "3.0", "1.5"]
 
 
-@pytest.mark.parametrize("repair", ["the right table", "the model"])
-def test_why_a_table_was_refused_is_said_until_thresholds_are_taken(
-    window, settle, tmp_path, repair
-):
+def test_why_a_table_was_refused_is_said_until_thresholds_are_taken(window, settle, tmp_path):
     panel = analysis(window, "perception")
     wrong, right = tmp_path / "wrong.csv", tmp_path / "right.csv"
     wrong.write_text("nonsense")
     right.write_text("frequency_hz,threshold_m_per_s2\n25,0.1\n600,0.1\n")
-    panel.import_thresholds(right)
-    panel.import_thresholds(wrong)
-    assert "line 1" in window.notice.text
-    settle()
-    assert "line 1" in window.notice.text
-    if repair == "the model":
-        panel.model.click()
-    else:
-        panel.import_thresholds(right)
-    assert window.notice.text == ""
-    source = "the model" if repair == "the model" else "right.csv"
-    assert window.statusBar().currentMessage() == f"Thresholds are those of {source}"
+    for repair, source in (
+        (lambda: panel.import_thresholds(right), "right.csv"),
+        (panel.model.click, "the model"),
+    ):
+        panel.import_thresholds(wrong)
+        settle()
+        assert "line 1" in window.notice.text
+        repair()
+        assert window.notice.text == ""
+        assert window.statusBar().currentMessage() == f"Thresholds are those of {source}"
 
 
 def the_wave():
@@ -199,14 +163,6 @@ OUT_OF_STEP = "No speed: delays do not grow in step with the distance"
 )
 def test_a_speed_is_said_only_where_delays_grow_with_the_way(changes, begin):
     assert wave_text(replace(the_wave(), **changes)).startswith(begin)
-
-
-def test_all_outputs_one_after_the_other_are_no_line():
-    design = Design(limb="synthetic-1", inputs=(track(7),))
-    every = evaluate(design, "line_wave", view=View(outputs=tuple(range(1, 73))))["line_wave"]
-    assert every.wave.straight < 0.5
-    assert np.isnan(every.wave.speed_m_per_s)
-    assert wave_text(every.wave).startswith("No speed: the selected outputs do not go one way")
 
 
 def test_one_output_above_the_noise_has_neither_speed_nor_attenuation():

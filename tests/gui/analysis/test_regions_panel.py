@@ -12,7 +12,7 @@ from skinsource.design.design import Design, track
 from skinsource.design.edits.edit import Edit
 from skinsource.engine.evaluation import evaluate
 from skinsource_gui.panels.analysis.regions import columns_of_people, tab_separated
-from skinsource_gui.qt.labels import SHORT_NAME, fit_name_column, set_table_look
+from skinsource_gui.qt.labels import fit_name_column, set_table_look
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.engine import Slot
 from tests.gui.analysis.analysis_bench import analysis, copied
@@ -107,25 +107,6 @@ def test_matched_levels_of_snapshots_are_said_above_the_table_and_never_copied(
     assert copied(window) == text
 
 
-def test_a_limb_that_is_missing_is_said_to_be_so_and_has_no_level_that_is_matched(
-    window, qtbot, settle
-):
-    document = window.document
-    document.look(replace(document.view, levels_matched=True))
-    panel = analysis(window, "regions")
-    window.do("store_snapshot_1")
-    document.edit("Limb", Design(limb="lab-nowhere", inputs=(track(7),)))
-    window.do("store_snapshot_2")
-    qtbot.waitUntil(lambda: len(panel.columns) == 2 and "limb" in panel.columns[1].hint)
-    settle()
-    assert "'lab-nowhere' of this design is not here" in panel.about.text
-    assert "own limb it is not known" not in panel.about.text
-    here, missing = panel.columns
-    assert here.hint.endswith(", levels matched (+0.0 dB)")
-    assert "not available" in missing.hint
-    assert "matched" not in missing.hint
-
-
 def test_silence_has_no_spread():
     def person(k, rms):
         snapshot = Snapshot(number=k, design=Design(limb=f"synthetic-{k}"))
@@ -155,18 +136,6 @@ def test_what_is_copied_says_whether_limbs_were_measured_and_what_is_a_deviation
         "Mean over 3 people",
         "Standard deviation over 3 people, dB",
     ]
-
-
-@pytest.fixture
-def table(qtbot):
-    table = QTableWidget(2, 1)
-    qtbot.addWidget(table)
-    set_table_look(table)
-    for row, name in enumerate(("8  hand V", "12  IV middle ulnar")):
-        item = QTableWidgetItem(name)
-        item.setData(SHORT_NAME, name.split()[0])
-        table.setItem(row, 0, item)
-    return table
 
 
 @pytest.fixture

@@ -4,12 +4,10 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QImage, QPainter
 
 import skinsource as ss
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
-from skinsource.engine import window_rules
 from tests.gui.analysis.analysis_bench import analysis
 
 TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
@@ -43,28 +41,6 @@ def test_it_shows_what_was_computed_in_one_scale(panel, studio):
     assert content.synthetic
 
 
-def test_every_map_has_a_cell_of_its_own_within_the_panel(panel):
-    places = panel.strip.places
-    assert len(places.cells) == 5
-    room = panel.strip.rect().toRectF()
-    areas = [*places.cells, places.scale, places.plot]
-    assert all(room.contains(area) for area in areas)
-    for k, cell in enumerate(areas):
-        assert not any(cell.adjusted(1, 1, -1, -1).intersects(other) for other in areas[k + 1 :])
-
-
-@pytest.mark.parametrize("count", [1, 7, 24, 60])
-def test_any_number_of_windows_fits(panel, studio, qtbot, count):
-    view = replace(studio.document.view, windows_cut="count", window_count=count)
-    studio.document.look(view)
-    settle(studio, qtbot)
-    places = panel.strip.places
-    assert len(places.cells) == count
-    room = panel.strip.rect().toRectF().adjusted(-0.5, -0.5, 0.5, 0.5)
-    assert all(room.contains(cell) for cell in places.cells)
-    panel.strip.grab()
-
-
 def test_windows_that_are_noise_are_hatched_and_have_no_extent(panel, studio):
     content = panel.strip.content
     assert content.shown_extents == content.extents
@@ -74,29 +50,6 @@ def test_windows_that_are_noise_are_hatched_and_have_no_extent(panel, studio):
     assert noisy.map_of(0).noisy == (4, 5)
     assert noisy.extent_text(0) == "Mostly noise of the measurement: its extent means nothing"
     assert "Mean distance" in noisy.extent_text(1)
-
-
-def test_it_follows_a_drag(panel, studio, qtbot):
-    before = panel.strip.content
-    studio.document.edit("Later", TRAIN.with_clip(1, onset_s=0.2), gesture=1)
-    settle(studio, qtbot)
-    after = panel.strip.content
-    assert after is not before
-    assert after.windows.count == 7
-    assert after.extents[0] is None
-
-
-def test_hidden_it_costs_nothing(panel, studio, qtbot, monkeypatch):
-    asked = []
-    studio.docks["analysis"].hide()
-    settle(studio, qtbot)
-    content = panel.strip.content
-
-    monkeypatch.setattr(window_rules, "rms_within", lambda *arguments: asked.append(arguments))
-    studio.document.edit("Softer", TRAIN.with_input(0, amplitude=0.5))
-    settle(studio, qtbot)
-    assert asked == []
-    assert panel.strip.content is content
 
 
 def test_windows_are_cut_by_number_or_by_length(panel, studio, qtbot):
@@ -154,33 +107,3 @@ def test_where_there_is_nothing_to_show_it_says_why(panel, studio, qtbot, design
     assert text in panel.strip.message
     assert panel.strip.text_at(panel.strip.rect().toRectF().center()) == ""
     panel.strip.grab()
-
-
-def test_its_picture_has_the_maps_and_says_what_they_are(panel):
-    image = QImage(1600, 1100, QImage.Format.Format_RGB32)
-    painter = QPainter(image)
-    panel.draw_picture(painter, 1600, 1100)
-    painter.end()
-    colours = {image.pixel(x, y) for x in range(0, 1600, 7) for y in range(0, 1100, 7)}
-    assert len(colours) > 200
-    assert "SYNTHETIC" in panel._heading()
-    assert "magnitude" in panel._heading()
-
-
-def test_its_head_says_that_the_traces_show_it_later_unless_their_delay_is_taken_away(
-    panel, studio, qtbot
-):
-    assert "traces" in panel.strip.head_text.lower()
-    assert "52 ms" in panel.strip.head_text
-    content = panel.strip.content
-    studio.document.look(replace(studio.document.view, delay_removed=True))
-    settle(studio, qtbot)
-    assert "52 ms" not in panel.strip.head_text
-    assert panel.strip.head_text
-    assert panel.strip.content.levels_db is content.levels_db
-    longest = panel.strip.content.time_phrases[0]
-    panel.strip.resize(1400, 400)
-    assert panel.strip.head_text == longest
-    panel.strip.resize(220, 400)
-    metrics = panel.strip.fontMetrics()
-    assert metrics.horizontalAdvance(panel.strip.head_text + "SYNTHETIC") < 220

@@ -47,17 +47,6 @@ def ring(maps, index, output):
     return [image.pixel(x + dx, y + dy) for dx in range(-9, 10) for dy in range(-9, 10)]
 
 
-def test_all_of_it_is_seen_in_a_narrow_dock_whatever_it_reads(window, panel, qtbot):
-    shown(panel, qtbot, 4)
-    dock = window.docks["compare"]
-    point_at(panel.maps, 0, 23)
-    QApplication.processEvents()
-    assert panel.text_label.shown == panel.text_label.text
-    room = dock.widget().height()
-    assert panel.minimumSizeHint().height() <= panel.height() <= room
-    QApplication.sendEvent(panel.maps, QEvent(QEvent.Type.Leave))
-
-
 def test_four_limbs_have_their_own_levels_one_scale_one_pointer_and_one_selection(
     window, panel, qtbot
 ):
@@ -191,29 +180,6 @@ def test_each_axis_has_the_levels_that_the_skin_map_has_along_it(window, panel, 
         assert window.panel("skin").map.content.values == pytest.approx(values[axis], abs=1e-9)
 
 
-def test_only_who_looks_at_axes_pays_for_them(window, panel, qtbot, settle, requests):
-    document = window.document
-    amplitudes = iter((2.0, 3.0, 4.0))
-
-    def quantities_of_an_edit():
-        requests.clear()
-        document.edit("Louder", document.design.with_input(0, amplitude=next(amplitudes)))
-        settle()
-        wanted = frozenset().union(*(request.wanted for request in requests))
-        return wanted & {"axis_levels_db", "axis_surface_levels_db", "axis_above_noise_db"}
-
-    shown(panel, qtbot, 4)
-    assert not quantities_of_an_edit()
-    choose(window, of="axes")
-    shown(panel, qtbot, 3)
-    assert len(quantities_of_an_edit()) == 3
-    # In one slot: no limb or snapshot is predicted beside the window.
-    assert {request.slot.name for request in requests} == {"A"}
-    window.docks["compare"].toggleViewAction().trigger()
-    settle()
-    assert not quantities_of_an_edit()
-
-
 def test_two_to_four_limbs_are_chosen_from_those_there_are(window, panel, qtbot):
     shown(panel, qtbot, 4)
 
@@ -288,13 +254,6 @@ def test_a_snapshot_on_a_limb_without_the_axes_of_the_view_shows_those_it_has(
     view = View(axes="xz", method=document.view.method)
     expected = evaluate(on_lab, "output_levels_db", view=view)["output_levels_db"]
     assert lab.values_db == pytest.approx(expected, abs=1e-9)
-
-
-def test_silence_is_said(window, panel, qtbot):
-    shown(panel, qtbot, 4)
-    window.do("clear_inputs")
-    qtbot.waitUntil(lambda: panel.maps.content.message.startswith("Silent"), timeout=30_000)
-    assert not panel.grab().isNull()
 
 
 def test_a_range_that_is_fixed_on_the_skin_map_holds_for_maps_in_the_same_unit(

@@ -19,7 +19,7 @@ from skinsource_gui.plots.pictures import ALL_VISIBLE, drawn_image
 from skinsource_gui.shell.status import MatchNote
 from skinsource_gui.state.playing import played_of
 from tests.gui.analysis.analysis_bench import analysis
-from tests.gui.compare.compare_bench import choose, edit, levels, show_matched, shown_levels
+from tests.gui.compare.compare_bench import choose, levels, show_matched, shown_levels
 
 OTHER = Design(limb="synthetic-1", inputs=(track(3),))
 
@@ -49,6 +49,9 @@ def test_amplitudes_come_back_to_the_last_bit_however_often_one_goes_to_and_fro(
 
 
 def test_a_file_holds_the_amplitudes_that_were_stored(window, matched, tmp_path):
+    expected = levels(window.document.design) + 20 * np.log10(matched)
+    np.testing.assert_allclose(shown_levels(window), expected, rtol=0, atol=1e-9)
+    assert played_of(window.document) == louder(window.document.design, matched)
     window.files._save_to(tmp_path / "a.skinsource")
     saved = open_design(tmp_path / "a.skinsource")
     stored = next(
@@ -59,35 +62,6 @@ def test_a_file_holds_the_amplitudes_that_were_stored(window, matched, tmp_path)
     assert not window.document.modified
     # Opened again it is shown as it was left.
     assert saved.view.match_gain(saved.design) == matched
-
-
-def test_what_is_seen_has_exactly_the_gain_and_what_is_played_too(window, matched):
-    design = window.document.design
-    expected = levels(design) + 20 * np.log10(matched)
-    np.testing.assert_allclose(shown_levels(window), expected, rtol=0, atol=1e-9)
-    assert played_of(window.document) == louder(design, matched)
-
-
-def test_the_map_and_the_status_bar_say_it(window, matched):
-    text = f"\N{MINUS SIGN}{-20 * np.log10(matched):.1f} dB, matched"
-    assert text in window.panel("skin").map.content.quantity.titles[0]
-    note = window.findChild(object, "match_note")
-    assert note.isVisible()
-    assert note.text() == text
-
-
-def test_switched_off_it_is_shown_as_stored_at_once_and_matched_again_when_switched_on(
-    window, settle, matched
-):
-    window.do("match_levels")
-    settle()
-    design = window.document.design
-    np.testing.assert_allclose(shown_levels(window), levels(design), rtol=0, atol=1e-9)
-    assert not window.findChild(object, "match_note").isVisible()
-    assert window.panel("skin").map.content.quantity.matched == ""
-    window.do("match_levels")
-    settle()
-    assert window.document.view.match_gain(design) == matched
 
 
 def test_it_stays_as_loud_where_levels_are_taken_otherwise(window, settle, matched):
@@ -125,15 +99,6 @@ def test_what_is_opened_is_shown_with_the_gain_that_it_was_left_with(window, set
     settle()
     assert messages != []
     assert document.view.match_gain(document.design) != matched
-
-
-def test_an_edit_is_shown_as_it_is(window, settle, matched):
-    edit(window, 2.0)
-    settle()
-    design = window.document.design
-    np.testing.assert_allclose(shown_levels(window), levels(design), rtol=0, atol=1e-9)
-    assert not window.findChild(object, "match_note").isVisible()
-    assert not window.actions_by_name["keep_match_gain"].isEnabled()
 
 
 def test_a_gain_that_is_kept_is_an_edit_that_undo_takes_back(window, settle, matched):
@@ -178,6 +143,7 @@ def gain_text(window, settle, monkeypatch):
     document.look(replace(document.view, outputs=OUTPUTS))
     show_matched(window, settle)
     text = match_text(document.view.match_gain(document.design))
+    assert window.findChild(MatchNote).text() == text
     assert text.endswith(" dB, matched")
     return text
 

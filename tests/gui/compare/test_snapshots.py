@@ -18,7 +18,6 @@ from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.compare.content import tab_separated
 from skinsource_gui.panels.compare.settings import CompareSettings
 from skinsource_gui.state.compared import ELSEWHERE, SILENCE
-from skinsource_gui.state.engine import FIRST_SLOT
 from tests.core.own_limbs.lab_bench import installed
 from tests.gui.compare.compare_bench import (
     ALT,
@@ -56,17 +55,6 @@ def test_keys_store_and_toggle_and_arrangements_have_moved(window, qtbot, settle
     assert not window.docks["hand"].isVisible()
 
 
-def test_snapshots_are_shown_as_they_were_stored_unless_that_is_asked_for(window, settle):
-    window.do("store_snapshot_1")
-    two_places(window)
-    window.do("store_snapshot_2")
-    for _ in range(2):
-        window.do("toggle_snapshots")
-        settle()
-        stored = levels(window.document.design)
-        np.testing.assert_allclose(shown_levels(window), stored, rtol=0, atol=1e-9)
-
-
 def test_snapshots_are_shown_as_loud_as_each_other(window, settle):
     window.do("match_levels")
     window.do("store_snapshot_1")
@@ -92,21 +80,6 @@ def test_snapshots_are_shown_as_loud_as_each_other(window, settle):
         window.do("toggle_snapshots")
         settle()
     assert window.document.design == shown_before
-
-
-def test_what_is_edited_is_matched_by_the_others_and_comes_back_as_it_was(window, settle):
-    window.do("match_levels")
-    window.do("store_snapshot_1")
-    two_places(window)
-    settle()
-    edited = window.document.design
-    window.do("toggle_snapshots")
-    settle()
-    assert len(window.document.design.inputs) == 1
-    assert loudest_db(shown_levels(window)) == pytest.approx(loudest_db(levels(edited)), abs=1e-6)
-    window.do("toggle_snapshots")
-    settle()
-    assert window.document.design == edited
 
 
 def test_an_edit_while_levels_are_predicted_is_not_lost(window, settle):
@@ -352,22 +325,6 @@ def test_a_file_with_settings_of_the_former_panel_opens_without_harm(
     assert former in window.document.view.panels
     assert panel.bar.settings == CompareSettings()
     assert "Store the design" in panel.maps.content.message
-
-
-def test_a_hidden_panel_costs_nothing(window, settle, requests):
-    window.do("match_levels")
-    window.do("store_snapshot_1")
-    edit(window, 2.0)
-    window.do("store_snapshot_2")
-    edit(window, 3.0)
-    settle()
-    assert set(names_of(requests)) == {FIRST_SLOT.name}
-    window.do("toggle_snapshots")
-    settle()
-    assert any(name.startswith("snapshot") for name in names_of(requests))
-    edit(window, 4.0)
-    settle()
-    assert list(window.engine._graphs) == [FIRST_SLOT]
 
 
 def test_a_snapshot_is_predicted_once_however_long_one_edits(window, panel, settle, requests):

@@ -55,15 +55,6 @@ def test_a_handle_pulled_past_the_other_stops_before_it(window):
     assert window.settings.map_range_db == (-11.0, -10.0)
 
 
-def test_a_drag_between_the_handles_moves_both(window):
-    strip = window.panel.colour_bar.strip
-    middle = QPoint(17, strip.height() // 2)
-    drag(strip, middle, middle - QPoint(0, 30))
-    low, high = window.settings.map_range_db
-    assert high > -10.0
-    assert high - low == pytest.approx(50.0)
-
-
 def test_a_double_click_brings_the_automatic_range_back(window):
     window.show(map_range_db=(-30.0, -20.0))
     QTest.mouseDClick(window.panel.colour_bar.strip, LEFT, PLAIN, QPoint(17, 200))
@@ -109,14 +100,6 @@ def test_an_end_that_leaves_no_room_for_the_other_is_refused_with_a_sentence(win
         "Level of the highest colour: −200 dB is too low. Allowed: −199 to 200 dB."
     )
     assert window.views == []
-
-
-def test_the_switch_holds_the_range_and_frees_it(window):
-    button = window.panel.colour_bar.auto_button
-    QTest.mouseClick(button, LEFT)
-    assert window.settings.map_range_db == (-60.0, -10.0)
-    QTest.mouseClick(button, LEFT)
-    assert window.settings.map_range_db is None
 
 
 def test_ticks_are_round_and_apart():

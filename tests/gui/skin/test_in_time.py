@@ -104,19 +104,6 @@ def test_levels_and_hidden_maps_make_no_frames(open_window, look):
     assert content.quantity.time_s == 0.11
 
 
-def test_what_is_needed_is_what_is_shown_and_no_more(open_window, look):
-    window = open_window(SHORT)
-    panel = window.panel("skin")
-    levels = panel.needs
-    assert "surface_levels_db" in levels
-    look(window, quantity=Z)
-    always = {"limb_map", "limb_data", "match_gain"}
-    assert panel.needs == always | {"moving_z", "surface"}
-    look(window, quantity=RMS, map_style="sensors")
-    assert panel.needs == always | {"moving_energy"}
-    assert panel.map.content.field_values is None
-
-
 def test_with_the_delay_removed_the_wave_comes_so_much_earlier(open_window, look):
     window = open_window(SHORT)
     there = look(window, playhead_s=0.08, quantity=Z).values
@@ -192,11 +179,3 @@ def test_what_is_chosen_in_the_row_is_what_is_shown(open_window, look):
     # Space plays then, and opens no list.
     assert window.focusWidget() is window.panel("skin").map
     assert window.document.undo_stack.count() == 0
-
-
-def test_an_edit_changes_the_frame(open_window, look, qtbot):
-    window = open_window(SHORT)
-    before = look(window, playhead_s=0.08, quantity=Z).values
-    window.document.edit("Louder", SHORT.with_input(0, amplitude=2.0))
-    after = look(window).values
-    assert after == pytest.approx(2.0 * before)
