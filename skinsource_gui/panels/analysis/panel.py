@@ -98,8 +98,11 @@ class AnalysisPanel(Panel):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
-            # In the largest letters, the room is that of the view.
-            self.answer.setHidden(letter_scale(self.font()) > _LARGE_LETTERS)
+            self._fit_answer()
+
+    def _fit_answer(self) -> None:
+        # In the largest letters, the room is that of the view.
+        self.answer.setHidden(letter_scale(self.font()) > _LARGE_LETTERS)
 
     def heightForWidth(self, width: int) -> int:
         # The view shrinks before it has to be scrolled.
@@ -212,6 +215,7 @@ class AnalysisPanel(Panel):
         view.show_folder(self._folder)
         self.setFocusProxy(view)
         self.answer.say(_ANSWERS[view.name])
+        self._fit_answer()
         self.copy.setVisible(view.copies)
         view.show()
         self._offer_copy()
