@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-import pytest
 from PySide6.QtWidgets import QMainWindow, QPushButton
 
 import skinsource as ss
@@ -10,12 +9,6 @@ from skinsource.design.edits.edit import Edit
 from skinsource_gui.shell.notices import HINTS, FirstHints, Notice
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
-
-
-@pytest.fixture
-def window(new_window):
-    """A studio of each test's own."""
-    return new_window
 
 
 def window_of(qtbot):

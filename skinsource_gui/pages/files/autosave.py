@@ -26,7 +26,7 @@ from skinsource_gui.plots.small_map import SmallMap, SmallMaps, paint_small_map
 from skinsource_gui.qt.theme import LIGHT
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Engine
-from skinsource_gui.state.worker import Worker
+from skinsource_gui.state.worker import Worker, fault_text
 
 #: Width and height, px.
 SIZE = QSize(120, 180)
@@ -185,12 +185,8 @@ class Autosave(QObject):
         try:
             content = DesignFile(design=state.design, view=state.view, layout=layout)
             self._session.keep(content, state.path, png_of(picture))
-        except SkinSourceError as error:
-            self._worker.tell(self._report, str(error))
-            return False
         except Exception as error:  # noqa: BLE001  it would be lost in the thread
-            reason = f"The studio made a mistake: {type(error).__name__}: {error}."
-            self._worker.tell(self._report, reason)
+            self._worker.tell(self._report, fault_text(error))
             return False
         self._worker.tell(self._report, None)
         return True

@@ -245,15 +245,6 @@ def test_three_axes_are_offered_as_one(desk, page_at, qtbot, tmp_path):
 
 
 @pytest.fixture
-def form(page_on, qtbot, tmp_path):
-    """Fields of a recording of 2 s."""
-    soundfile.write(tmp_path / "two.wav", 0.5 * np.sin(np.arange(16_000) * 0.1), 8000)
-    page = page_on(tmp_path / "two.wav")
-    qtbot.waitUntil(lambda: page.ready, timeout=60_000)
-    return page.form
-
-
-@pytest.fixture
 def part():
     """From 2 to 4 s."""
     made = DraggedPart(5.0, lambda: 800)
@@ -281,14 +272,6 @@ def test_where_all_is_taken_a_drag_chooses_a_part_and_a_press_alone_does_not(par
     assert not part.hold(400.0)
     assert not part.drag(401.0)
     assert dragged(part, 400.0, 300.0) == (1.5, 2.0)
-
-
-def test_all_is_as_much_as_may_be_taken(part):
-    part.take_all()
-    assert (part.start_s, part.end_s) == (0.0, 5.0)
-    part.show(3.0, 1.0, 1.0)
-    part.take_all()
-    assert (part.start_s, part.end_s) == (0.0, 3.0)
 
 
 def test_a_rate_that_is_assumed_is_said_so_until_it_is_typed(page_at, qtbot, tmp_path):

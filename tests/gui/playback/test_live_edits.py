@@ -47,8 +47,8 @@ def clock(monkeypatch):
 def test_an_edit_that_waits_for_the_one_before_it_is_late_by_that_too(qapp, clock):
     document, owner, thread = Document(start_design("synthetic-1")), QObject(), HeldThread(clock)
     playing = object()
-    session = SimpleNamespace(made=SimpleNamespace(change=lambda *_, **__: playing))
-    edits = LiveEdits(document, session, thread, owner)
+    session = SimpleNamespace(change=lambda *_, **__: playing)
+    edits = LiveEdits(document, lambda: session, thread, owner)
     design = document.design
     edits.begin(playing, design, Output(), None, loops=True)
 

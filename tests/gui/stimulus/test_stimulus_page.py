@@ -111,8 +111,8 @@ def test_a_rig_says_what_is_wired_and_an_equaliser_makes_volts(
     assert metadata["equaliser"]["phase"] == "linear"
 
 
-def test_where_nothing_is_heard_there_is_nothing_to_export(make_window):
-    quiet = make_window(ss.Design(limb="synthetic-1", inputs=(ss.track(7, muted=True),)))
+def test_where_nothing_is_heard_there_is_nothing_to_export(open_window):
+    quiet = open_window(ss.Design(limb="synthetic-1", inputs=(ss.track(7, muted=True),)))
     assert not quiet.actions_by_name["export_stimulus"].isEnabled()
 
 
