@@ -9,10 +9,10 @@ import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QContextMenuEvent, QFont, QPainter, QPdfWriter
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QMenu
-from skinsource_gui.panels.transfer.panel import TransferPanel
 
 import skinsource as ss
 from skinsource.design.view import View
+from skinsource_gui.panels.transfer.panel import TransferPanel
 from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.plots.pictures import (
     ALL_VISIBLE,
