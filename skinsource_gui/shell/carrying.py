@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QEventLoop, QPoint, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QFontInfo, QPainter
+from PySide6.QtGui import QColor, QFont, QPainter
 from PySide6.QtWidgets import QApplication, QScrollArea, QVBoxLayout, QWidget
 
 from skinsource.design.comparing import EDITED, Snapshot, shown_snapshot, with_edited
@@ -17,10 +17,8 @@ from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.plots.pictures import (
     ALL_VISIBLE,
     PANEL_IN_USE,
-    Letters,
     Picture,
     caption_of,
-    height_above,
     stimulus_text,
     with_caption,
 )
@@ -166,8 +164,6 @@ def _drawn(panel: Panel) -> frozenset[str]:
 
 
 _TITLE_PX, _EDGE_PX = 22, 6
-# The smallest letters of panels, as a part of usual ones: those of notes on the skin map.
-_SMALLEST_LETTERS = 2 / 3
 
 
 class PanelPictures:
@@ -214,10 +210,8 @@ class PanelPictures:
             caption = self._metadata.caption(*((panel,) if panel else self._docked_panels()))
         size: tuple[int, int] | None = None
         draw: Callable[..., None] = self._draw_all
-        letters: Letters | None = None
         if panel is None:
             size = self._frame.width(), self._frame.height()
-            letters = partial(self._smallest_letters_px, caption)
         else:
             draw = partial(self._draw_one, panel, view)
             likes = panel.size() if panel.isVisible() else _usual_size(panel)
@@ -230,7 +224,6 @@ class PanelPictures:
             caption=caption,
             size_px=size,
             visible=result,
-            letters_px=letters,
         )
 
     def _docked_panels(self) -> list[Panel]:
@@ -288,14 +281,6 @@ class PanelPictures:
         for area in places.values():
             bounds = bounds.united(area.adjusted(0, -_TITLE_PX, 0, 0))
         return places, bounds
-
-    def _smallest_letters_px(self, caption: str, width: int, height: int) -> float:
-        """Return the height of the smallest letters of panels in a picture of all."""
-        _, bounds = self._places()
-        font = QApplication.font()
-        above = height_above(caption, font, width, height)
-        scale = min(width / max(bounds.width(), 1), above / max(bounds.height(), 1))
-        return scale * _SMALLEST_LETTERS * QFontInfo(font).pixelSize()
 
     @contextmanager
     def _in_colours(self, theme: Theme) -> Iterator[None]:

@@ -275,13 +275,10 @@ class DockTabs(QObject):
             self._enter(dock, Qt.FocusReason.MouseFocusReason)
 
     def _tell(self) -> None:
-        names = frozenset(name for name, dock in self._docks.items() if dock.in_sight)
-        for name, dock in self._docks.items():
-            if name in names:  # of the others no title is seen, and to ask Qt takes long
+        for dock in self._docks.values():
+            if dock.in_sight:  # of the others no title is seen, and to ask Qt takes long
                 others = self._window.tabifiedDockWidgets(dock)
                 dock.show_tabbed(any(not other.isHidden() for other in others))
-            if not dock.is_empty and dock.panel.in_sight != names:
-                dock.panel.show_in_sight(names)
 
     def _go(self, step: int) -> None:
         bar = self._bar_in_use()

@@ -27,7 +27,6 @@ from skinsource.limbs.dataset.store import StoreInfo
 from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
-from skinsource_gui.qt.tooltips import ClickGuard
 from skinsource_gui.qt.window_events import WindowEvents
 from skinsource_gui.shell.status import Accuracy, StatusLine
 from skinsource_gui.state.conductor import UNPLAYABLE
@@ -88,7 +87,6 @@ class Notice(QObject):
         self._passing, self._watches = QTimer(self), False
         self._passing.setSingleShot(True)
         self._passing.timeout.connect(self.be_quiet)
-        self._guard = ClickGuard(window)
         self.be_quiet()
         WindowEvents.follow(window, self._fit, *_LAID_OUT)
 
@@ -176,7 +174,6 @@ class Notice(QObject):
             self._choices.append(button)
 
     def _choose(self, act: Callable[[], object] | None = None, _checked: bool = False) -> None:
-        self._guard.cover(self.buttons.geometry())
         self.be_quiet()
         if act:
             act()

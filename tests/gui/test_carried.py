@@ -127,12 +127,14 @@ def tones(open_window, settle):
     return window
 
 
-FOUR = "Snapshots 1, 2, 3, 4: Place 7, 1 m/s²: Tone 50/100/200/400 Hz, 200 ms."
+FOUR = ". ".join(
+    f"Snapshot {1 + k}: Place 7, 1 m/s²: Tone {50 * 2**k} Hz, 200 ms" for k in range(4)
+)
 
 
 def test_compared_designs_are_told_with_what_differs(tones):
     caption = tones.pictures.picture_of("compare").caption
-    assert caption.startswith(f"Fig. 2B: Low frequencies reach farther. {FOUR} Limb: Synthetic 1")
+    assert caption.startswith(f"Fig. 2B: Low frequencies reach farther. {FOUR}. Limb: Synthetic 1")
     assert "Other panels" not in caption
 
 
@@ -152,7 +154,7 @@ def test_a_scene_that_was_changed_is_not_called_what_it_was(tones, settle):
     assert tones.windowTitle().startswith(f"{title} · edited[*]")
     assert tones.pictures.picture_of("skin").caption.startswith(f"{title} · edited. Place 7")
     assert tones.pictures.picture_of("compare").caption.startswith(
-        f"{title}. Edited, Snapshots 1, 2, 3, 4: Place 7, 1 m/s²: Tone 300/50/100/200/400 Hz,"
+        f"{title}. Edited: Place 7, 1 m/s²: Tone 300 Hz, 200 ms. {FOUR}"
     )
     tones.document.undo_stack.undo()
     settle()

@@ -117,7 +117,7 @@ def test_the_row_that_is_selected_has_the_stops(open_window, qtbot):
     qtbot.waitUntil(window.isActiveWindow)
     window.panel("timeline").setFocus()
     amplitude = press(window, KEY.Key_Tab)
-    assert amplitude is window.panel("timeline").findChildren(InputRow)[1].amplitude
+    assert amplitude is window.panel("timeline").list.rows.rows[1].amplitude
 
 
 def test_tab_ends_typing_and_goes_on(at_work):

@@ -8,6 +8,7 @@ from threading import Event
 import pytest
 
 from skinsource.design.effects.level import Fade
+from skinsource_gui.panels.analysis.panel import AnalysisPanel
 from skinsource_gui.panels.analysis.settings import VIEWS
 from skinsource_gui.qt.questions import CopyButton
 from skinsource_gui.shell.panels import PANELS
@@ -101,7 +102,7 @@ def offers(panel):
 
 def looks_late(panel):
     """Whether lateness is seen: the panel looks otherwise without it."""
-    shown = getattr(panel, "view", panel)
+    shown = panel.view if isinstance(panel, AnalysisPanel) else panel
     late = panel.grab().toImage()
     shown._staleness.set_stale(False)
     without = panel.grab().toImage()

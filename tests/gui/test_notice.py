@@ -1,7 +1,6 @@
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QCursor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton
 
 from skinsource.design.edits.edit import Refusal
 from skinsource_gui.shell import notices
@@ -118,21 +117,3 @@ def test_what_failed_stays_through_clicks_also_after_a_refusal(window, qtbot):
     QTest.mouseClick(window.panel("hand"), Qt.MouseButton.LeftButton, pos=QPoint(3, 3))
     assert window.notice.text == "The disk is full."
     assert not window.notice._passing.isActive()
-
-
-def test_a_click_where_a_button_was_reaches_nothing_until_the_pointer_has_moved(
-    window, settle, monkeypatch, qtbot
-):
-    monkeypatch.setattr(QApplication, "doubleClickInterval", lambda: 10)
-    window.notice.say("Done?", choices=(("Done", lambda: None),))
-    settle()
-    button = window.findChild(QPushButton, "notice_choice")
-    QCursor.setPos(button.mapToGlobal(button.rect().center()))
-    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-    guard = window.findChild(QWidget, "click_guard")
-    rounds = []
-    window.notice._guard.interval.timeout.connect(lambda: rounds.append(guard.isVisible()))
-    qtbot.waitUntil(lambda: len(rounds) >= 2, timeout=2000)
-    assert rounds[:2] == [True, True]
-    QCursor.setPos(QCursor.pos() + QPoint(3, 0))
-    qtbot.waitUntil(guard.isHidden, timeout=2000)

@@ -40,7 +40,6 @@ from skinsource_gui.plots.pictures import (
     PictureOptions,
     ask_picture_options,
     caption_px,
-    letters_remark,
     save_drawing,
 )
 from skinsource_gui.qt.error_label import VISIBLE
@@ -389,10 +388,10 @@ class ExportActions(QObject):
             spec = replace(
                 spec, title=f"picture of the panel {picture.title}…", file_name=f"{name}.png"
             )
-        size, remark = picture.size_px or spec.size_px, letters_remark(picture)
+        size = picture.size_px or spec.size_px
         below = partial(caption_px, picture.caption)
-        about = {"kinds": spec.kinds_text, "remark": remark, "below": below}
-        options = self._ask_options(spec, self._usual_options(spec, size), size, **about)
+        usual = self._usual_options(spec, size)
+        options = self._ask_options(spec, usual, size, kinds=spec.kinds_text, below=below)
         path = None if options is None else self._ask_where(spec)
         if options is None or path is None:
             return

@@ -410,7 +410,7 @@ class LimbForm(QObject):
         values = {**header, **dict(zip(_BAND, header["band_hz"] or (0.0, 0.0), strict=True))}
         for name, field in self.numbers.items():
             field.set_value(float(values[name]) * (_METRES if name == "hand_length_mm" else 1.0))
-        self.left.setChecked(header["hand"] == "left")
+        self.left.setChecked(header["left"])
         self.synthetic.setChecked(bool(header["synthetic"]))
         self._from_file = {field: _value_of(field) for field in self._filled()}
 

@@ -6,6 +6,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, ClassVar
 
+from PySide6.QtCore import QEvent
 from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QWidget
 
@@ -19,10 +20,12 @@ from skinsource_gui.panels.analysis.view import AnalysisView
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.layouts import in_column, in_row
 from skinsource_gui.qt.questions import CopyButton
-from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, letter_scale
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.panel import Panel
 
+# How much larger than usual letters are in which the view's answer is not shown.
+_LARGE_LETTERS = 2.0
 _ANSWERS = {spec.name: spec.answer for spec in VIEWS}
 # Signals of a view that are those of the panel.
 _FORWARDED = (
@@ -59,7 +62,7 @@ class AnalysisPanel(Panel):
         self._covered = False
         # Whether the view was chosen since results came.
         self._just_chosen = False
-        self._folder: Path | None = None
+        self._folder = Path()
         self.choice = ChoiceField(SHOWN, self)
         self.choice.setObjectName(f"{self.name}_view")
         self.choice.edited.connect(self._choose)
@@ -91,6 +94,12 @@ class AnalysisPanel(Panel):
 
     def snapshots_drawn(self, snapshots: Sequence[Snapshot]) -> Sequence[Snapshot]:
         return self.view.snapshots_drawn(snapshots)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            # In the largest letters, the room is that of the view.
+            self.answer.setHidden(letter_scale(self.font()) > _LARGE_LETTERS)
 
     def heightForWidth(self, width: int) -> int:
         # The view shrinks before it has to be scrolled.
@@ -131,20 +140,13 @@ class AnalysisPanel(Panel):
     def show_newer(self) -> None:
         self.view.show_newer()
 
-    def show_in_sight(self, names: frozenset[str]) -> None:
-        super().show_in_sight(names)
-        for view in self._views.values():
-            view.show_in_sight(names)
-
     def show_covered(self, covered: bool) -> None:
         self._covered = covered
-        for view in self._views.values():
-            view.show_covered(covered)
+        self.view.show_covered(covered)
 
     def show_folder(self, folder: Path) -> None:
         self._folder = folder
-        for view in self._views.values():
-            view.show_folder(folder)
+        self.view.show_folder(folder)
 
     def draw_picture(
         self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
@@ -200,16 +202,15 @@ class AnalysisPanel(Panel):
             view.copy_requested.connect(self.copy.click)
             view.hide()
             self._column.addWidget(view, 1)
-            view.show_in_sight(self.in_sight)
-            view.show_covered(self._covered)
-            if self._folder is not None:
-                view.show_folder(self._folder)
             view.copy_changed.connect(self._offer_copy)
         return view
 
     def _show_view(self, view: AnalysisView) -> None:
         self.view.hide()
         self.view = view
+        view.show_in_sight(self.in_sight)
+        view.show_covered(self._covered)
+        view.show_folder(self._folder)
         self.setFocusProxy(view)
         self.answer.say(_ANSWERS[view.name])
         self.copy.setVisible(view.copies)

@@ -238,7 +238,7 @@ class TransferView(FigureView):
         return "\n".join(lines) + "\n"
 
     def _show_empty(self) -> None:
-        self.say_instead(self.no_outputs if self._has_inputs else how_to_add(self.in_sight))
+        self.say_instead(self.no_outputs if self._has_inputs else how_to_add())
 
     def say_instead(self, message: str) -> None:
         self._results = None

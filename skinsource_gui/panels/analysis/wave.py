@@ -18,7 +18,6 @@ from skinsource.signals.analysis.wave_speed import LEAST_EXPLAINED, LEAST_STRAIG
 from skinsource_gui.fields.units import minus
 from skinsource_gui.panels.analysis.view import SILENT, FigureView
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
-from skinsource_gui.qt.labels import SKIN
 from skinsource_gui.qt.questions import copied_level, copied_number
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 
@@ -209,12 +208,10 @@ class WaveView(FigureView):
 
     @property
     def no_outputs(self) -> str:
-        if SKIN in self.in_sight:
-            return (
-                "Select two or more outputs on the skin map, one after the other along a line: "
-                "Shift+click adds one"
-            )
-        return "Show the skin map (View > Panels) to select outputs along a line"
+        return (
+            "Select two or more outputs on the skin map, one after the other along a line: "
+            "Shift+click adds one"
+        )
 
 
 def wave_text(wave: TravellingWave) -> str:

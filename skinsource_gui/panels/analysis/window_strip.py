@@ -90,35 +90,25 @@ class WindowedContent:
     def time_phrases(self) -> tuple[str, ...]:
         """Texts that say what the times of the windows are, the longest first."""
         if not self.traces_delay_s:
-            return "Times of the stimulus, as in the traces", "Times of the stimulus"
-        delay = f"{self.traces_delay_s * 1e3:.0f} ms"
-        return (
-            f"Times of the stimulus; the traces show it about {delay} later",
-            f"Stimulus time; traces {delay} later",
-            f"Traces: +{delay}",
-        )
+            return ("Times of the stimulus, as in the traces", "Times of the stimulus")
+        whole = f"Times of the stimulus; the traces show it about {self._delay} later"
+        return whole, f"Traces: +{self._delay}"
 
     @property
     def begin_phrases(self) -> tuple[str, ...]:
         """Texts for windows that have only their begins above them, the longest first."""
         length = window_length_text(self.windows.window_samples / self.sample_rate_hz)
         unit, _ = axis_unit(self.bounds_s[-1][1])
-        plain = (
-            f"Windows of {length}, begins in {unit}",
-            f"{length} each, begins in {unit}",
-            f"{length} each",
-        )
         whole = f"Windows of {length}; above each when it begins, in {unit} of the stimulus"
+        short, later = f"{length} each, begins in {unit}", f"; traces +{self._delay}"
         if not self.traces_delay_s:
-            return whole, *plain, unit
-        delay = f"{self.traces_delay_s * 1e3:.0f} ms"
-        return (
-            f"{whole}; the traces show it about {delay} later",
-            f"{plain[0]}; traces {delay} later",
-            *(f"{phrase}; traces +{delay}" for phrase in plain[1:]),
-            *plain,
-            unit,
-        )
+            return whole, short, unit
+        whole_later = f"{whole}; the traces show it about {self._delay} later"
+        return whole_later, f"{short}{later}", f"{length} each{later}", unit
+
+    @property
+    def _delay(self) -> str:
+        return f"{self.traces_delay_s * 1e3:.0f} ms"
 
     @property
     def shown_extents(self) -> tuple[Extent | None, ...]:
@@ -321,12 +311,8 @@ _DOT_PX = 2.5
 _RING_PX = 4.0
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-#: Names of the curves of the extent, the longest first, and which colour of outputs each has.
-CURVES = (
-    (("mean distance", "mean", "mean"), 0),
-    (("90 % of the energy within", "90 % within", "90 %"), 1),
-)
-_BELOW = ("mm from {}, window by window", "mm from {}", "mm")
+#: Names of the curves of the extent, and shorter ones; each has the colour of an output.
+CURVES = (("mean distance", "90 % of the energy within"), ("mean", "90 %"))
 
 
 def paint_strip(
@@ -382,7 +368,7 @@ def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, the
     line = painter.fontMetrics().height()
     _paint_axis(painter, area, top, content.origin, theme)
     n = max(len(content.extents), 1)
-    for _, rank in CURVES:
+    for rank in range(2):
         colour = theme.output_colour(rank)
         painter.setPen(QPen(colour, 1.5))
         painter.setBrush(colour)
@@ -399,21 +385,17 @@ def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, the
             painter.drawEllipse(at, _DOT_PX, _DOT_PX)
             before = at
     x, metrics = area.left(), painter.fontMetrics()
-    for name, rank in curve_names(area.width(), metrics.horizontalAdvance, line):
+    for rank, name in enumerate(curve_names(area.width(), metrics.horizontalAdvance, line)):
         painter.setPen(theme.output_colour(rank))
         room = metrics.horizontalAdvance(name) + line
         painter.drawText(QRectF(x, area.top() - 1.2 * line, room, line), Qt.AlignmentFlag(0), name)
         x += room
 
 
-def curve_names(
-    room: float, width_of: Callable[[str], float], gap: float
-) -> tuple[tuple[str, int], ...]:
-    """Return names of the curves and their colours: the longest names that fit, or the shortest."""
-    for names in zip(*(names for names, _ in CURVES), strict=True):
-        if sum(width_of(name) + gap for name in names) - gap <= room:
-            break
-    return tuple(zip(names, (rank for _, rank in CURVES), strict=True))
+def curve_names(room: float, width_of: Callable[[str], float], gap: float) -> tuple[str, str]:
+    """Return the names of the curves, or shorter ones where these do not fit."""
+    names, shorter = CURVES
+    return names if sum(map(width_of, names)) + gap <= room else shorter
 
 
 def _paint_axis(painter: QPainter, area: QRectF, top: float, origin: str, theme: Theme) -> None:
@@ -427,10 +409,9 @@ def _paint_axis(painter: QPainter, area: QRectF, top: float, origin: str, theme:
         painter.drawText(beside, _RIGHT, f"{part * top:g}")
     painter.setPen(QColor(theme.dim))
     below = QRectF(area.left(), area.bottom() + 0.15 * line, area.width(), line)
-    width_of = painter.fontMetrics().horizontalAdvance
-    phrases = [phrase.format(origin) for phrase in _BELOW]
-    fitting = (phrase for phrase in phrases if width_of(phrase) <= below.width())
-    painter.drawText(below, _CENTRE, next(fitting, phrases[-1]))
+    text = f"mm from {origin}"
+    fits = painter.fontMetrics().horizontalAdvance(text) <= below.width()
+    painter.drawText(below, _CENTRE, text if fits else "mm")
 
 
 def _rounded_up(value: float) -> float:

@@ -187,68 +187,7 @@ def _with_joined_numbers(text: str) -> str:
     return _BEFORE_NUMBER.sub("\N{NO-BREAK SPACE}", text)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class VisibleMaps:
-    """What is shown, and where."""
-
-    content: CompareContent
-    places: Places
-
-    def points_of(self, index: int) -> Floats:
-        """Return the places of the outputs in one of the maps, (n_outputs, 2); NaN: not drawn."""
-        cells = self.content.cells
-        small = cells[index].small if index < len(cells) else None
-        if small is None or self.content.message:
-            return np.full((1, 2), np.nan)
-        limb_map = small.limb_map
-        return small_frame(limb_map, self.places.cells[index].map).to_screen(
-            limb_map.output_positions
-        )
-
-    def map_at(self, point: QPointF, before: int) -> int:
-        """Return the map under a point; where there is none the one before."""
-        cells = enumerate(self.places.cells)
-        return next((k for k, place in cells if place.whole.contains(point)), before)
-
-
 _PALE, _BAND_ALPHA = 0.5, 0.15
-
-
-def paint_view(
-    painter: QPainter,
-    visible: VisibleMaps,
-    theme: Theme,
-    pointed_at: int | None,
-    *,
-    stale: bool,
-    band: QRectF | None,
-) -> None:
-    """Draw what a widget shows; the painter's font is that of all text.
-
-    Parameters
-    ----------
-    stale
-        Whether the maps belong to an older design.
-    band
-        The rectangle that is dragged around outputs, if any.
-    """
-    content, places = visible.content, visible.places
-    if stale:
-        painter.setPen(QColor(theme.dim))
-        painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, "Computing…")
-    if any(cell.synthetic for cell in content.cells):
-        painter.setPen(QColor(theme.warning))
-        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        painter.drawText(places.head, right, "SYNTHETIC")
-    painter.setOpacity(_PALE if stale else 1.0)
-    paint_content(painter, content, places, theme, pointed_at)
-    painter.setOpacity(1.0)
-    if band is not None:
-        fill = QColor(theme.accent)
-        painter.setPen(fill)
-        fill.setAlphaF(_BAND_ALPHA)
-        painter.setBrush(fill)
-        painter.drawRect(band)
 
 
 def paint_content(
@@ -371,10 +310,20 @@ class MapsView(QWidget):
         return self.picker.pointed_at(focused=self.hasFocus())
 
     @property
-    def visible_maps(self) -> VisibleMaps:
-        """What is shown, and where."""
-        places = places_for(QRectF(self.rect()), self.content, tabular(self.font()))
-        return VisibleMaps(content=self.content, places=places)
+    def places(self) -> Places:
+        """Where the maps are."""
+        return places_for(QRectF(self.rect()), self.content, tabular(self.font()))
+
+    def points_of(self, index: int) -> Floats:
+        """Return the places of the outputs in one of the maps, (n_outputs, 2); NaN: not drawn."""
+        cells = self.content.cells
+        small = cells[index].small if index < len(cells) else None
+        if small is None or self.content.message:
+            return np.full((1, 2), np.nan)
+        limb_map = small.limb_map
+        return small_frame(limb_map, self.places.cells[index].map).to_screen(
+            limb_map.output_positions
+        )
 
     def minimumSizeHint(self) -> QSize:
         return QSize(200, ceil(least_height(self.fontMetrics().height())))
@@ -405,26 +354,50 @@ class MapsView(QWidget):
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(QRectF(self.rect()).adjusted(8, 8, -8, -8), flags, content.message)
         else:
-            stale, band = self._stale, self.picker.band
-            paint_view(painter, self.visible_maps, theme, self.output, stale=stale, band=band)
+            self._paint_maps(painter, theme)
         if self.hasFocus():
             paint_focus_frame(painter, QRectF(self.rect()), theme)
         painter.end()
 
+    def _paint_maps(self, painter: QPainter, theme: Theme) -> None:
+        """Draw the maps, paler where they belong to an older design, and the rubber band."""
+        content, places, band = self.content, self.places, self.picker.band
+        if self._stale:
+            painter.setPen(QColor(theme.dim))
+            painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, "Computing…")
+        if any(cell.synthetic for cell in content.cells):
+            painter.setPen(QColor(theme.warning))
+            right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+            painter.drawText(places.head, right, "SYNTHETIC")
+        painter.setOpacity(_PALE if self._stale else 1.0)
+        paint_content(painter, content, places, theme, self.output)
+        painter.setOpacity(1.0)
+        if band is not None:
+            fill = QColor(theme.accent)
+            painter.setPen(fill)
+            fill.setAlphaF(_BAND_ALPHA)
+            painter.setBrush(fill)
+            painter.drawRect(band)
+
+    def _look_at(self, point: QPointF) -> None:
+        """Note the map under a point; where there is none it stays the one before."""
+        cells = enumerate(self.places.cells)
+        self._at = next((k for k, place in cells if place.whole.contains(point)), self._at)
+
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
-            self._at = self.visible_maps.map_at(event.position(), self._at)
+            self._look_at(event.position())
         self.picker.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if not event.buttons():
-            self._at = self.visible_maps.map_at(event.position(), self._at)
-        self.picker.move(event.position(), self.visible_maps.points_of(self._at))
+            self._look_at(event.position())
+        self.picker.move(event.position(), self.points_of(self._at))
         self._emit_pointed_at()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
-            self.picker.release(event, self.visible_maps.points_of(self._at))
+            self.picker.release(event, self.points_of(self._at))
             self.update()
 
     def leaveEvent(self, event: QEvent) -> None:
@@ -433,7 +406,7 @@ class MapsView(QWidget):
         self._emit_pointed_at()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        points = self.visible_maps.points_of(self._at)
+        points = self.points_of(self._at)
         unplaced = tuple(int(k) + 1 for k in np.flatnonzero(np.isnan(points[:, 0])))
         middle = QRectF(self.rect()).center()
         if len(unplaced) == len(points) or meaning_of("skin", event) not in _KEYS:

@@ -137,49 +137,15 @@ def _centre(mark: InputMark, limb_map: LimbMap, layout: MapLayout) -> QPointF | 
     return QPointF(float(x), float(y)) if np.isfinite((x, y)).all() else None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class LengthBar:
-    """Place, text and length of the bar that shows some millimetres, px."""
-
-    card: QRectF
-    text: str
-    length_px: float
-    line_px: float
-    unit: float
-
-
-def length_bar(
-    layout: MapLayout, px_per_mm: float, skin: QPainterPath, metrics: QFontMetrics
-) -> LengthBar:
-    """Return the length bar in a corner, the lower left one unless skin lies there.
-
-    Parameters
-    ----------
-    layout
-        Where the map lies.
-    px_per_mm
-        Outline pixels in a millimetre; 0: that is not known, and the bar is empty.
-    skin
-        The outline on the screen.
-    metrics
-        Of the font of labels.
-    """
-    on_screen = px_per_mm * layout.frame.scale
-    if on_screen <= 0.0:
-        return LengthBar(card=QRectF(), text="", length_px=0.0, line_px=0.0, unit=0.0)
-    length_mm = bar_length_mm(on_screen, layout.room.width())
-    line, unit = metrics.height(), layout.unit
-    text = f"{length_mm} mm"
-    width = max(length_mm * on_screen, metrics.horizontalAdvance(text))
-    card = bar_card(layout, QSizeF(width + 8 * unit, 1.5 * line + 3 * unit), line, skin)
-    return LengthBar(card=card, text=text, length_px=length_mm * on_screen, line_px=line, unit=unit)
-
-
-def paint_length_bar(painter: QPainter, bar: LengthBar, theme: Theme) -> None:
-    """Draw the bar in the font of labels, which the painter has."""
-    card, line, unit = bar.card, bar.line_px, bar.unit
+def paint_length_bar(
+    painter: QPainter, layout: MapLayout, px_per_mm: float, card: QRectF, theme: Theme
+) -> None:
+    """Draw the bar into its card, in the font of labels, which the painter has."""
     if card.isEmpty():
         return
+    line, unit = painter.fontMetrics().height(), layout.unit
+    on_screen = px_per_mm * layout.frame.scale
+    length_mm = bar_length_mm(on_screen, layout.room.width())
     left, bottom = card.left() + 4 * unit, card.bottom() - 3 * unit
     ground = QColor(theme.base)
     ground.setAlphaF(0.88)
@@ -187,17 +153,37 @@ def paint_length_bar(painter: QPainter, bar: LengthBar, theme: Theme) -> None:
     pen = QPen(QColor(theme.text), 2 * unit)
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
     painter.setPen(pen)
-    painter.drawLine(QLineF(left, bottom, left + bar.length_px, bottom))
+    painter.drawLine(QLineF(left, bottom, left + length_mm * on_screen, bottom))
     painter.setPen(QColor(theme.text))
     above = QRectF(left, bottom - 1.4 * line, card.width() - 8 * unit, 1.2 * line)
-    painter.drawText(above, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, bar.text)
+    left_middle = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+    painter.drawText(above, left_middle, f"{length_mm} mm")
 
 
-def bar_card(layout: MapLayout, size: QSizeF, line: float, skin: QPainterPath) -> QRectF:
+def bar_card(
+    layout: MapLayout, px_per_mm: float, skin: QPainterPath, metrics: QFontMetrics
+) -> QRectF:
     """Return the first corner in which the bar hides neither skin nor a card.
 
     Where there is none, as on a magnified hand, return the lower left one.
+
+    Parameters
+    ----------
+    layout
+        Where the map lies.
+    px_per_mm
+        Outline pixels in a millimetre; 0: that is not known, and the card is empty.
+    skin
+        The outline on the screen.
+    metrics
+        Of the font of labels.
     """
+    on_screen = px_per_mm * layout.frame.scale
+    if on_screen <= 0.0:
+        return QRectF()
+    length_mm, line = bar_length_mm(on_screen, layout.room.width()), metrics.height()
+    width = max(length_mm * on_screen, metrics.horizontalAdvance(f"{length_mm} mm"))
+    size = QSizeF(width + 8 * layout.unit, 1.5 * line + 3 * layout.unit)
     room, unit = layout.room, layout.unit
     cards = [card for card in (layout.palmar_card, layout.triad_card) if not card.isEmpty()]
     left, top = room.left() + 4 * unit, room.top() + TEXT_LINES * line
@@ -285,9 +271,6 @@ def output_labels(
     occupied: QRectF,
 ) -> tuple[OutputLabel, ...]:
     """Return labels of dorsal outputs beside their rings, or farther off where there is no room.
-
-    A label that would cover another one or a ring is left out: a pile of numbers tells less than
-    the output that is pointed at.
 
     One that would cover another label or a ring is left out: a pile of numbers says less than the
     output that is pointed at.
@@ -541,11 +524,11 @@ class MapPainter:
             self._paint_hatch(painter, content, layout)
         if content.inputs:
             self._paint_inputs(painter, content, layout, theme)
-        metrics = painter.fontMetrics()
-        bar = length_bar(layout, content.px_per_mm, self._screen_outline, metrics)
-        self._bar_card = bar.card
+        self._bar_card = bar_card(
+            layout, content.px_per_mm, self._screen_outline, painter.fontMetrics()
+        )
         self._paint_selection(painter, content, layout, theme)
-        paint_length_bar(painter, bar, theme)
+        paint_length_bar(painter, layout, content.px_per_mm, self._bar_card, theme)
 
     def _paint_ground(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme

@@ -1,11 +1,12 @@
 """The skin panel: the map of levels or of motion, its toolbar, its choices and its results."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 from typing import Any, ClassVar
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, QSizeF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import (
     QActionGroup,
     QGuiApplication,
@@ -24,13 +25,15 @@ from skinsource.design.design import Design
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
+from skinsource.engine.time_rules import block_of
 from skinsource.limbs.own_limbs import facts_of, own_map
 from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource.perception.sensation import LIMITS, LIMITS_IN_SHORT
 from skinsource_gui.panels.skin import picture
 from skinsource_gui.panels.skin.layout import HAND
 from skinsource_gui.panels.skin.map import NoteLine, ReadoutLines, SkinMap, selection_readout
 from skinsource_gui.panels.skin.painting import MapContent, marks_of
-from skinsource_gui.panels.skin.picture import heading_of, paint_picture, short_note
+from skinsource_gui.panels.skin.picture import heading_of, paint_picture
 from skinsource_gui.panels.skin.scale import ColourBar
 from skinsource_gui.panels.skin.settings import (
     LEVELS,
@@ -41,7 +44,7 @@ from skinsource_gui.panels.skin.settings import (
     SkinSettings,
     Z,
 )
-from skinsource_gui.panels.skin.time import TimeView
+from skinsource_gui.panels.skin.time import NEEDS, Frames, QuantityRow, ScrubBar, SignedBar
 from skinsource_gui.plots.pictures import with_caption
 from skinsource_gui.plots.small_map import COLOURS, field_image
 from skinsource_gui.qt.buttons import passing_menu, tool_button
@@ -54,62 +57,6 @@ from skinsource_gui.state.panel import Panel
 NO_OUTPUTS = Refusal(
     sentence="Outputs cannot be removed; click an input, a dashed ring on the map, to remove it."
 )
-
-
-def open_map_menu(
-    shown: SkinMap,
-    at: QPoint,
-    picture: Callable[[], QImage],
-    save: Callable[[], None],
-    export: Callable[[], None],
-    colours: tuple[str, Callable[[str], None]],
-) -> None:
-    """Open the menu of the map at a point of the screen: fits, colours, picture and data.
-
-    Parameters
-    ----------
-    shown
-        The map.
-    at
-        Point of the screen.
-    picture, save, export
-        Make a picture; ask for a file and save a picture; ask for a file and save the numbers.
-    colours
-        Name of the colour map of levels, and what is called with another one.
-    """
-    menu = passing_menu(shown, "skin_menu")
-    for title, fit, key in (("Fit hand", HAND, "hand"), ("Fit hand and arm", WHOLE, "whole")):
-        menu.addAction(f"{title}\t{key_text('skin', key)}", partial(shown.stage.pan_zoom.show, fit))
-    menu.addSeparator()
-    _add_colours(menu.addMenu("Colours"), *colours)
-    menu.addSeparator()
-    # A file waits for new results; the clipboard gets what is drawn now.
-    menu.addAction("Copy picture", partial(_copy, picture)).setEnabled(not shown.content.outdated)
-    menu.addAction("Save picture as…", save)
-    menu.addAction("Export data…", export)
-    menu.popup(at)
-
-
-def open_colours_menu(
-    over: QWidget, at: QPoint, chosen: str, choose: Callable[[str], None]
-) -> None:
-    """Open the menu of colour maps over a widget, at a point of the screen."""
-    menu = passing_menu(over, "colours_menu")
-    _add_colours(menu, chosen, choose)
-    menu.popup(at)
-
-
-def _add_colours(menu: QMenu, chosen: str, choose: Callable[[str], None]) -> None:
-    group = QActionGroup(menu)
-    for name, title in COLOURS.options:
-        action = menu.addAction(title, partial(choose, name))
-        action.setCheckable(True)
-        action.setChecked(name == chosen)
-        group.addAction(action)
-
-
-def _copy(picture: Callable[[], QImage]) -> None:
-    QGuiApplication.clipboard().setImage(picture())
 
 
 def sensors_icon() -> QIcon:
@@ -163,12 +110,6 @@ _ICON_BUTTON_PX = 33
 class MapToolbar(QWidget):
     """Buttons for the style of the map, its sensors, and its visible part."""
 
-    #: ``"interpolated"`` or ``"sensors"``.
-    style_chosen = Signal(str)
-    sensors_switched = Signal(bool)
-    #: `WHOLE` or `HAND`.
-    fit_chosen = Signal(str)
-
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.interpolated = self._button(
@@ -201,11 +142,6 @@ class MapToolbar(QWidget):
         row.addStretch(1)
         row.addWidget(self.all)
         row.addWidget(self.hand)
-        self.interpolated.clicked.connect(self._choose_interpolated)
-        self.sensors_only.clicked.connect(self._choose_sensors)
-        self.sensors.clicked.connect(self.sensors_switched)
-        self.all.clicked.connect(self._choose_all)
-        self.hand.clicked.connect(self._choose_hand)
 
     def show_settings(self, settings: SkinSettings) -> None:
         """Show the present choice."""
@@ -246,18 +182,6 @@ class MapToolbar(QWidget):
         button.setIconSize(QSize(16, 16))
         return button
 
-    def _choose_interpolated(self) -> None:
-        self.style_chosen.emit("interpolated")
-
-    def _choose_sensors(self) -> None:
-        self.style_chosen.emit("sensors")
-
-    def _choose_all(self) -> None:
-        self.fit_chosen.emit(WHOLE)
-
-    def _choose_hand(self) -> None:
-        self.fit_chosen.emit(HAND)
-
 
 def marks_of_levels(levels: Floats, outputs: tuple[int, ...]) -> tuple[tuple[float, int], ...]:
     """Return the levels of the selected outputs, each with its rank, for the colour bar."""
@@ -283,7 +207,9 @@ class SkinPanel(Panel):
         Those of the panel.
     content
         What is shown, also while it is covered.
-    toolbar, time, map, colour_bar, note, readout
+    frames
+        Makes the content at an instant, where the map moves.
+    toolbar, quantity_row, map, colour_bar, signed_bar, scrub, note, readout
         What is seen, from top to bottom.
     """
 
@@ -296,12 +222,15 @@ class SkinPanel(Panel):
         self._view, self.settings = View(), SkinSettings()
         # The parts of design and view that were shown last.
         self._visible: tuple[object, ...] = ()
-        self.content = MapContent()
+        self.content, self.frames = MapContent(), Frames()
+        # The part of the response for which signals were requested last.
+        self._requested_block = -1
         self._covered = False
         self._surface: SurfaceOperator | None = None
         self._matched = ""
         # The Tab key goes through them in this order.
-        self.toolbar, self.time = MapToolbar(self), TimeView(self)
+        self.toolbar, self.quantity_row = MapToolbar(self), QuantityRow(self)
+        self.scrub, self.signed_bar = ScrubBar(self), SignedBar(self)
         self.map, self.colour_bar = SkinMap(self), ColourBar(self)
         self.note, self.readout = NoteLine(self), ReadoutLines(self)
         self.map.setObjectName("skin_map")
@@ -309,7 +238,15 @@ class SkinPanel(Panel):
         self.note.setObjectName("skin_note")
         self.readout.setObjectName("skin_readout")
         self.readout.setAccessibleName("Under the pointer")
-        self.time.put_behind(self.colour_bar.auto_button)
+        tab_order = (
+            self.colour_bar.auto_button,
+            self.signed_bar.limit,
+            self.signed_bar.auto_button,
+            self.scrub.play,
+            self.scrub.slider,
+        )
+        for before, after in pairwise(tab_order):
+            self.setTabOrder(before, after)
         self._lay_out()
         self._connect()
         self._show_settings()
@@ -317,14 +254,11 @@ class SkinPanel(Panel):
 
     @property
     def needs(self) -> frozenset[str]:
-        moving, shown = self.time.needs(self.settings), self.settings.quantity
-        always = frozenset({"limb_map", "limb_data", "match_gain"}) | (
-            moving or picture.needs_of(shown)
-        )
+        shown, always = self.settings.quantity, frozenset({"limb_map", "limb_data", "match_gain"})
+        needed = always | ({NEEDS[shown]} if self.moves else picture.needs_of(shown))
         if self.settings.map_style == "sensors":
-            return always
-        on_surface = always | {"surface"}
-        return on_surface if moving else on_surface | {picture.surface_name(shown)}
+            return needed
+        return needed | {"surface"} | (set() if self.moves else {picture.surface_name(shown)})
 
     @property
     def moves(self) -> bool:
@@ -367,7 +301,6 @@ class SkinPanel(Panel):
     def show_results(self, results: Mapping[str, Any]) -> None:
         surface = results.get("surface") if "surface" in self.needs else None
         self._matched = match_text(results["match_gain"])
-        self.time.bar.strip.show_matched(self._matched)
         field = self.content.field
         if surface is not None and surface is not self._surface:
             self._surface, field = surface, field_image(surface, results["limb_data"])
@@ -375,13 +308,15 @@ class SkinPanel(Panel):
         self.content = picture.content_of(
             self.content, results, self.settings, limb=limb, surface=surface, field=field
         )
-        self.time.update(results, self.settings, self._view)
         if self.moves:
-            frames = self.time.frames
-            self.colour_bar.follow(frames.largest_db)
-            message = "" if frames.largest > 0.0 else picture.SILENT
+            self.frames.update(results, self.settings.quantity, self._view)
+            self._requested_block = -1
+            self.colour_bar.follow(self.frames.largest_db)
+            message = "" if self.frames.largest > 0.0 else picture.SILENT
             self.content = replace(self.content, message=message)
-            self.time.show_state(self.settings, self._view)
+            self._show_time()
+        else:
+            self.frames.forget()
         self._follow()
         self._show_choice()
 
@@ -440,10 +375,20 @@ class SkinPanel(Panel):
         """Show the settings, and of the two colour bars the one that they need."""
         signed = self.settings.quantity == Z
         self.toolbar.show_settings(self.settings)
-        self.time.show_state(self.settings, self._view)
-        self.time.bar.setVisible(signed)
+        self.quantity_row.show_settings(self.settings, self._view.slow_motion)
+        self.scrub.setVisible(self.moves)
+        self._show_time()
+        self.signed_bar.setVisible(signed)
         self.colour_bar.setVisible(not signed)
         self.colour_bar.choose(self.chosen_range)
+
+    def _show_time(self) -> None:
+        """Show the playhead, and the limits of what moves."""
+        if self.moves:
+            settings, limits = self.settings, self.frames.value_range(self.settings)
+            automatic = settings.z_limits is None
+            self.signed_bar.show_limits(limits, automatic=automatic, matched=self._matched)
+            self.scrub.show_time(self._view.playhead_s, self.frames.end_s(self._view))
 
     def _follow(self) -> None:
         """Show the skin at the playhead, or let the range of colours follow the levels."""
@@ -457,12 +402,17 @@ class SkinPanel(Panel):
 
     def _show_frame(self) -> None:
         """Take over the skin at the playhead; where it is not known yet the map is stale."""
-        if self.time.has_frame(self._view):
+        self.scrub.show_time(self._view.playhead_s, self.frames.end_s(self._view))
+        block = block_of(self._view.playhead_s)
+        if self.frames.runs_out(self._view) and block != self._requested_block:
+            self._requested_block = block
+            self.visibility_changed.emit()
+        if self.frames.has(self._view):
             surface = self._surface if self.settings.map_style == "interpolated" else None
-            self.content = self.time.frames.content(
+            self.content = self.frames.content(
                 self.content, self._view, self.settings, surface, self._matched
             )
-        elif self.time.frames.known:
+        elif self.frames.known:
             self._staleness.set_stale(True)
 
     def _show_choice(self) -> None:
@@ -488,7 +438,7 @@ class SkinPanel(Panel):
 
     def _forget(self, message: str = "") -> None:
         """Drop all results; ``message`` says why."""
-        self.time.frames.forget()
+        self.frames.forget()
         self.content = replace(self.content, values=None, field_values=None, message=message)
 
     def _show_bare(self) -> None:
@@ -516,9 +466,9 @@ class SkinPanel(Panel):
         self.colour_bar.strip.show_quantity(content.quantity, content.colours)
         levels = None if self._covered else content.coloured_values
         marks = () if levels is None else marks_of_levels(levels, content.outputs)
-        self.colour_bar.show_marks(marks)
+        self.colour_bar.strip.show_marks(marks)
         self._show_map()
-        self.note.show_text(content.note, short_note(content.note))
+        self.note.show_text(content.note, content.note.replace(LIMITS, LIMITS_IN_SHORT))
         self._show_readout(self.map.readout())
 
     def _show_map(self) -> None:
@@ -532,11 +482,11 @@ class SkinPanel(Panel):
         grid.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
         grid.setSpacing(UNIT_PX // 2)
         grid.addWidget(self.toolbar, 0, 0, 1, 2)
-        grid.addWidget(self.time.row, 1, 0, 1, 2)
+        grid.addWidget(self.quantity_row, 1, 0, 1, 2)
         grid.addWidget(self.map, 2, 0)
         grid.addWidget(self.colour_bar, 2, 1)
-        grid.addWidget(self.time.bar, 2, 1)
-        grid.addWidget(self.time.scrub, 3, 0, 1, 2)
+        grid.addWidget(self.signed_bar, 2, 1)
+        grid.addWidget(self.scrub, 3, 0, 1, 2)
         grid.addWidget(self.note, 4, 0, 1, 2)
         grid.addWidget(self.readout, 5, 0, 1, 2)
         grid.setRowStretch(2, 1)
@@ -544,13 +494,12 @@ class SkinPanel(Panel):
         self.setFocusProxy(self.map)
 
     def _connect(self) -> None:
-        self.toolbar.style_chosen.connect(
-            lambda style: self._change(replace(self.settings, map_style=style))
-        )
-        self.toolbar.sensors_switched.connect(
-            lambda shown: self._change(replace(self.settings, sensors_shown=shown))
-        )
-        self.toolbar.fit_chosen.connect(self.map.stage.pan_zoom.show)
+        toolbar, row, pan_zoom = self.toolbar, self.quantity_row, self.map.stage.pan_zoom
+        toolbar.interpolated.clicked.connect(lambda: self._change(map_style="interpolated"))
+        toolbar.sensors_only.clicked.connect(lambda: self._change(map_style="sensors"))
+        toolbar.sensors.clicked.connect(lambda shown: self._change(sensors_shown=shown))
+        toolbar.all.clicked.connect(lambda: pan_zoom.show(WHOLE))
+        toolbar.hand.clicked.connect(lambda: pan_zoom.show(HAND))
         self.colour_bar.range_chosen.connect(self._choose_range)
         self.colour_bar.strip.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.colour_bar.strip.customContextMenuRequested.connect(self._open_colours)
@@ -560,34 +509,24 @@ class SkinPanel(Panel):
         self.map.removal_requested.connect(self._remove_inputs)
         self.map.outputs_chosen.connect(self._choose_outputs)
         self.map.menu_requested.connect(self._open_menu)
-        self.time.bar.limits_chosen.connect(
-            lambda limits: self._change(replace(self.settings, z_limits=limits))
-        )
-        self.time.row.quantity_chosen.connect(
-            lambda name: self._change(replace(self.settings, quantity=name))
-        )
-        self.time.row.window_chosen.connect(
-            lambda window_s: self._change(replace(self.settings, rms_window_s=window_s))
-        )
-        self.time.row.pace_chosen.connect(self._choose_pace)
-        self.time.scrub.time_requested.connect(self.playhead_requested)
-        self.time.scrub.play_requested.connect(partial(self.action_requested.emit, "play"))
-        self.time.part_requested.connect(self.visibility_changed)
+        self.signed_bar.limits_chosen.connect(lambda limits: self._change(z_limits=limits))
+        row.rms_window.edited.connect(lambda window_s, _: self._change(rms_window_s=window_s))
+        row.quantity.edited.connect(lambda name, _: self._change(quantity=name))
+        row.pace.edited.connect(lambda pace, _: self._choose_pace(float(pace)))
+        # Otherwise Space, which plays, would open the list again.
+        for choice in (row.quantity, row.pace):
+            choice.edited.connect(lambda *_: self.setFocus(Qt.FocusReason.OtherFocusReason))
+        self.scrub.time_requested.connect(self.playhead_requested)
+        self.scrub.play.clicked.connect(lambda: self.action_requested.emit("play"))
 
-    def _change(self, settings: SkinSettings) -> None:
+    def _change(self, _checked: bool = False, **changes: Any) -> None:
+        settings = replace(self.settings, **changes)
         self.view_changed.emit(with_settings(self._view, self.name, settings))
-
-    def _choose_colours(self, name: str) -> None:
-        self._change(replace(self.settings, colours=name))
 
     def _choose_range(self, range_db: tuple[float, float] | None) -> None:
         """Let colours span these levels, or follow the loudest output."""
-        if self.settings.quantity == LEVELS:
-            self._change(replace(self.settings, map_range_db=range_db))
-        elif self.settings.quantity == SENSATION:
-            self._change(replace(self.settings, sensation_range_db=range_db))
-        else:
-            self._change(replace(self.settings, moving_range_db=range_db))
+        own = {LEVELS: "map_range_db", SENSATION: "sensation_range_db"}
+        self._change(**{own.get(self.settings.quantity, "moving_range_db"): range_db})
 
     def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
         if self._design is not None:
@@ -609,12 +548,33 @@ class SkinPanel(Panel):
             self.edited.emit(edits.play_slower(self._design, self._view, slow_motion), None)
 
     def _open_menu(self, at: QPoint) -> None:
-        save = partial(self.action_requested.emit, "export_picture")
-        export = partial(self.action_requested.emit, "export_levels")
-        colours = self.settings.colours, self._choose_colours
-        open_map_menu(self.map, at, partial(self.picture, *PICTURE_PX), save, export, colours)
+        """Open the menu of the map at a point of the screen: fits, colours, picture and data."""
+        menu, show = passing_menu(self.map, "skin_menu"), self.map.stage.pan_zoom.show
+        for title, fit, key in (("Fit hand", HAND, "hand"), ("Fit hand and arm", WHOLE, "whole")):
+            menu.addAction(f"{title}\t{key_text('skin', key)}", partial(show, fit))
+        menu.addSeparator()
+        self._offer_colours(menu.addMenu("Colours"))
+        menu.addSeparator()
+        # A file waits for new results; the clipboard gets what is drawn now.
+        copy = menu.addAction("Copy picture", self._copy_picture)
+        copy.setEnabled(not self.content.outdated)
+        menu.addAction("Save picture as…", partial(self.action_requested.emit, "export_picture"))
+        menu.addAction("Export data…", partial(self.action_requested.emit, "export_levels"))
+        menu.popup(at)
 
     def _open_colours(self, at: QPoint) -> None:
         strip = self.colour_bar.strip
-        over = strip.mapToGlobal(at)
-        open_colours_menu(strip, over, self.settings.colours, self._choose_colours)
+        menu = passing_menu(strip, "colours_menu")
+        self._offer_colours(menu)
+        menu.popup(strip.mapToGlobal(at))
+
+    def _offer_colours(self, menu: QMenu) -> None:
+        group = QActionGroup(menu)
+        for name, title in COLOURS.options:
+            action = menu.addAction(title, partial(self._change, colours=name))
+            action.setCheckable(True)
+            action.setChecked(name == self.settings.colours)
+            group.addAction(action)
+
+    def _copy_picture(self) -> None:
+        QGuiApplication.clipboard().setImage(self.picture(*PICTURE_PX))

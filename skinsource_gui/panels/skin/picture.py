@@ -15,7 +15,7 @@ from skinsource.design.view import View
 from skinsource.limbs.limb import LimbMap
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.limbs.surface.operator import SurfaceOperator
-from skinsource.perception.sensation import LIMITS, LIMITS_IN_SHORT
+from skinsource.perception.sensation import LIMITS
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource_gui.panels.skin.layout import ALL, MapLayout, VisiblePart, map_layout
 from skinsource_gui.panels.skin.map import paint_map_texts
@@ -53,11 +53,6 @@ class Heading:
     title: str
     details: str
     note: str = ""
-
-    @property
-    def with_hatching(self) -> "Heading":
-        """The heading with an explanation of the hatching."""
-        return replace(self, details=f"{self.details} · {HATCHED}")
 
 
 def heading_of(design: Design | None, view: View, quantity: MapQuantity | None = None) -> Heading:
@@ -98,7 +93,7 @@ def paint_picture(
         What part of the map; all of it unless given.
     """
     if content.hatched:
-        heading = heading.with_hatching
+        heading = replace(heading, details=f"{heading.details} · {HATCHED}")
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     page = QRectF(0, 0, size.width(), size.height())
     painter.fillRect(page, QColor(theme.base))
@@ -248,8 +243,3 @@ def content_of(
 def _with_limits(note: str, quantity: str) -> str:
     """Return the note below the map; of sensations, their limits come first."""
     return f"{LIMITS} {note}".strip() if quantity == SENSATION else note
-
-
-def short_note(note: str) -> str:
-    """Return the note where there is little room for it."""
-    return note.replace(LIMITS, LIMITS_IN_SHORT)

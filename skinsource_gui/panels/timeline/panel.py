@@ -211,8 +211,8 @@ class TimelinePanel(Panel):
         grid.addWidget(self._time_bar, 2, 1)
         grid.setColumnStretch(1, 1)
         grid.setRowStretch(1, 1)
-        how_to = how_to_add(self.in_sight, "a track")
-        self._empty = page_label("inputs_empty", how_to, tone="dim", centred=True)
+        hint = how_to_add("a track")
+        self._empty = page_label("inputs_empty", hint, tone="dim", centred=True)
         self._foot = page_label("inputs_problem", tone="error")
         self._foot.setMargin(UNIT_PX)
         self._foot.hide()
@@ -243,10 +243,6 @@ class TimelinePanel(Panel):
         self._place_lanes()
         if self.is_stale:
             self.show_staleness(True)
-
-    def show_in_sight(self, names: frozenset[str]) -> None:
-        super().show_in_sight(names)
-        self._empty.setText(how_to_add(names, "a track"))
 
     def show_playhead(self, view: View) -> None:
         self._view = view

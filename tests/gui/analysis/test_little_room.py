@@ -6,7 +6,12 @@ from PySide6.QtCore import QRectF
 import skinsource as ss
 from skinsource.design.design import Design, track
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
-from skinsource_gui.panels.analysis.window_strip import curve_names, least_height, strip_layout
+from skinsource_gui.panels.analysis.window_strip import (
+    CURVES,
+    curve_names,
+    least_height,
+    strip_layout,
+)
 from skinsource_gui.shell.appearance import LARGEST_TEXT
 from tests.gui.analysis.analysis_bench import analysis
 
@@ -59,9 +64,5 @@ def test_in_the_largest_letters_windows_are_drawn_and_the_rest_scrolls(
 
 
 def test_names_of_curves_are_as_long_as_they_fit():
-    def names(room):
-        return [name for name, _ in curve_names(room, lambda text: 10.0 * len(text), 20.0)]
-
-    assert names(500.0) == ["mean distance", "90 % of the energy within"]
-    assert names(180.0) == ["mean", "90 % within"]
-    assert names(100.0) == names(10.0) == ["mean", "90 %"]
+    for room, names in ((500.0, ("mean distance", "90 % of the energy within")), (9.0, CURVES[1])):
+        assert curve_names(room, lambda text: 10.0 * len(text), 20.0) == names

@@ -67,7 +67,7 @@ def shown(panel, qtbot, n):
 
 
 def point_at(maps, index, output):
-    at = QPointF(*maps.visible_maps.points_of(index)[output - 1])
+    at = QPointF(*maps.points_of(index)[output - 1])
     no = Qt.MouseButton.NoButton
     event = QMouseEvent(
         QEvent.Type.MouseMove,

@@ -43,7 +43,7 @@ def levels(window, limb):
 def ring(maps, index, output):
     """Pixels around an output in one of the maps, as they are painted."""
     image = maps.grab().toImage()
-    x, y = (round(coordinate) for coordinate in maps.visible_maps.points_of(index)[output - 1])
+    x, y = (round(coordinate) for coordinate in maps.points_of(index)[output - 1])
     return [image.pixel(x + dx, y + dy) for dx in range(-9, 10) for dy in range(-9, 10)]
 
 
@@ -85,7 +85,7 @@ def test_four_limbs_have_their_own_levels_one_scale_one_pointer_and_one_selectio
     QTest.keyClick(maps, Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
     chosen = window.document.view.outputs
     assert len(chosen) == 2
-    points = maps.visible_maps.points_of(2)
+    points = maps.points_of(2)
     assert points[chosen[1] - 1][1] > points[output - 1][1]
     panel.copy.click()
     copied = QGuiApplication.clipboard().text().splitlines()

@@ -234,7 +234,7 @@ def test_the_colour_bar_of_the_map_says_it_whatever_it_shows(window, settle, gai
         metrics = QFontMetrics(panel.font())
         assert fitting_title(shown, metrics, metrics.horizontalAdvance(gain_text)) == gain_text
         if quantity == "z":
-            assert panel.time.bar.strip._matched == gain_text
+            assert panel.signed_bar.strip._matched == gain_text
 
 
 @pytest.mark.parametrize(

@@ -70,11 +70,6 @@ def test_what_cannot_be_kept_says_why_and_the_page_stays(window, user_data):
     page.reject()
 
 
-def test_there_is_nothing_to_keep_in_an_empty_design(window):
-    window.do("clear_inputs")
-    assert not window.actions_by_name["save_to_library"].isEnabled()
-
-
 MINE = Preset(
     name="My tap",
     tags=("mine", "quick"),

@@ -79,7 +79,7 @@ def pictures(panel):
     for figure in panel.findChildren(Figure):
         yield figure, figure.rect()
     for maps in panel.findChildren(MapsView):
-        for place in maps.visible_maps.places.cells:
+        for place in maps.places.cells:
             yield maps, place.map.toRect()
 
 

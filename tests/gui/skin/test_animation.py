@@ -98,13 +98,13 @@ def test_a_stopped_animation_leaves_what_stood_there(tmp_path, small):
 
 def test_frames_are_taken_at_their_instants_and_told_as_progress(tmp_path, small, monkeypatch):
     looks, reports = [], []
-    frame = time.Frames.frame
+    content = time.Frames.content
 
-    def note(self, view, settings):
+    def note(self, before, view, settings, surface):
         looks.append((view.playhead_s, settings.quantity))
-        return frame(self, view, settings)
+        return content(self, before, view, settings, surface)
 
-    monkeypatch.setattr(time.Frames, "frame", note)
+    monkeypatch.setattr(time.Frames, "content", note)
     path = tmp_path / "a.mp4"
     export_animation(path, DESIGN, VIEW, progress=lambda *now: reports.append(now))
     times = np.array([time_s for time_s, _ in looks])

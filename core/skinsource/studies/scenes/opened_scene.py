@@ -75,11 +75,6 @@ class Scene:
         return "\n".join(lines)
 
 
-def design_title(scene: Scene, label: str) -> str:
-    """Return the title of the design of a scene with this label."""
-    return f"Fig. {scene.name}: {scene.title}{' · ' if label else ''}{label}"
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Condition:
     """One of the designs that a scene compares.
@@ -205,7 +200,7 @@ def opened_on(
         return replace(
             changed.design,
             inputs=inputs,
-            title=design_title(scene, label),
+            title=f"Fig. {scene.name}: {scene.title}{' · ' if label else ''}{label}",
             notes=f"{scene.notes}\n{note}",
         )
 
