@@ -157,7 +157,7 @@ class LiveEdits(QObject):
     Attributes
     ----------
     render_s
-        Time from the last edit until it was rendered; 0 before the first edit.
+        How long rendering the last edit took; 0 before the first edit.
     """
 
     #: The `Playing` of the edited design.
@@ -176,15 +176,13 @@ class LiveEdits(QObject):
         self._rig: Rig | None = None
         self._busy = False
         self._edited_s = self.render_s = 0.0
-        # When the first edit was made that waits until the edit before it is rendered.
-        self._waiting_s: float | None = None
 
     def begin(
         self, playing: "Playing", design: Design, output: Output, rig: "Rig | None", *, loops: bool
     ) -> None:
         """Follow the document, whose ``design`` is played now."""
         self._playing, self._output, self._loops, self._rig = playing, output, loops, rig
-        self._rendered, self.render_s, self._waiting_s = (design, loops), 0.0, None
+        self._rendered, self.render_s = (design, loops), 0.0
         self._document.changed.connect(self._follow)
         self._follow()
 
@@ -202,16 +200,10 @@ class LiveEdits(QObject):
 
     def _follow(self) -> None:
         latest = played_of(self._document), self._loops
-        if self._playing is None or self._rendered == latest:
-            self._waiting_s = None if self._rendered == latest else self._waiting_s
-            return
-        since_s = perf_counter() if self._waiting_s is None else self._waiting_s
-        if self._busy:
-            # The delay of this edit begins now, not when it is rendered.
-            self._waiting_s = since_s
+        if self._playing is None or self._busy or self._rendered == latest:
             return
         self._busy, self._rendered = True, latest
-        self._edited_s, self._waiting_s = since_s, None
+        self._edited_s = perf_counter()
         change = partial(
             self._session().change,
             self._playing,

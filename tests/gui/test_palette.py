@@ -2,7 +2,6 @@ from collections import defaultdict
 from functools import partial
 from unittest.mock import Mock
 
-import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMenu, QTextBrowser, QWidget
@@ -11,7 +10,6 @@ from shiboken6 import isValid
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.qt.keys import MOUSE
-from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.menus import ActionSet, Palette, matching
 from skinsource_gui.state.document import Document
@@ -145,13 +143,6 @@ def test_where_nothing_is_found_the_palette_says_so_and_enter_does_nothing(windo
     qtbot.keyClicks(palette.line, "qqqq")
     qtbot.keyClick(palette.line, Qt.Key.Key_Return)
     assert palette.isVisible()
-
-
-@pytest.mark.parametrize("name", ["light", "dark"])
-def test_themes_are_remembered(window, name):
-    window.actions_by_name[f"use_{name}_theme"].trigger()
-    assert current_theme().name == name
-    assert window.preferences.theme_name == name
 
 
 def test_the_colours_in_use_are_checked_however_they_were_chosen(window):

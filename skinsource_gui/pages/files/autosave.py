@@ -107,7 +107,6 @@ class Autosave(QObject):
 
     #: Why no copy can be written, as a sentence; once, until a copy is written again.
     failed = Signal(str)
-    _written = Signal(object)  # the reason or None, from the worker thread
 
     def __init__(
         self,

@@ -208,7 +208,6 @@ class AnalysisPanel(Panel):
     def _show_view(self, view: AnalysisView) -> None:
         self.view.hide()
         self.view = view
-        view.show_in_sight(self.in_sight)
         view.show_covered(self._covered)
         view.show_folder(self._folder)
         self.setFocusProxy(view)
