@@ -153,13 +153,6 @@ def test_what_is_too_inaccurate_is_written_only_if_the_user_agrees(
     assert "about 0.002" in (tmp_path / "levels.csv").read_text(encoding="utf-8")
 
 
-def test_a_folder_that_cannot_be_written_is_one_clear_error(window, wait, answers, tmp_path):
-    answers["save"] = str(tmp_path / "nowhere" / "levels.csv")
-    window.do("export_levels")
-    wait()
-    assert "levels.csv: cannot be written" in window.notice.text
-
-
 def test_a_mistake_of_the_studio_is_told_and_the_studio_lives(
     window, wait, answers, tmp_path, write_with, caplog
 ):

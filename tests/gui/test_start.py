@@ -10,11 +10,8 @@ import skinsource as ss
 from skinsource.base.extras import extra_line
 from skinsource.design.view import View
 from skinsource.export.tables import export_levels
-from skinsource.limbs.catalog import available_limbs
 from skinsource_gui import __main__ as start
 from skinsource_gui.qt import system_libraries
-from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.preferences import start_design
 
 UNNEEDED = (
     # What opens a page, reads a file, plays or exports comes with that.
@@ -218,30 +215,3 @@ def test_qt_reads_the_source_of_nothing_that_is_imported_after_it(tmp_path):
     # What was read before it could be told is of Qt and Python alone.
     others = ("skinsource", "pyqtgraph", "numpy", "scipy")
     assert not [name for name in read.split() if name.startswith(others)]
-
-
-def test_until_there_are_results_every_picture_says_so(qtbot, preferences):
-    window = MainWindow(
-        start_design("synthetic-1"), preferences=preferences, available_limbs=available_limbs()
-    )
-    qtbot.addWidget(window)
-    for panel in (window.panel("skin"), window.panel("traces"), window.panel("spectra")):
-        panel.resize(400, 400)
-        assert shows_something(panel), panel.name
-        panel.show_problem("")
-        assert not shows_something(panel), panel.name
-    window.close()
-
-
-def shows_something(panel):
-    """Whether the middle of the panel's picture has more than one colour."""
-    picture = panel.focusProxy()
-    image = picture.grab().toImage()
-    middle = image.rect().center()
-    colours = {
-        image.pixel(middle.x() + x, middle.y() + y)
-        for x in range(-40, 40)
-        for y in range(-40, 40)
-        if image.rect().contains(middle.x() + x, middle.y() + y)
-    }
-    return len(colours) > 1

@@ -169,15 +169,6 @@ def test_time_stamps_say_how_long_a_table_is(page_at, qtbot, tmp_path):
     assert page.form.choice.duration_s == pytest.approx(0.6, abs=0.02)
 
 
-def test_a_track_that_has_gone_meanwhile_is_said_to_be_gone(window, page_on, sound):
-    page = page_on(sound)
-    window.do("clear_inputs")
-    before = window.document.design
-    page.accept()
-    assert window.document.design is before
-    assert "no longer there" in window.notice.text
-
-
 def test_a_page_that_is_closed_while_it_reads_leaves_nothing(desk, sound):
     desk.imports.open_page(sound)
     page = desk.imports.pages[-1]

@@ -62,14 +62,6 @@ def assert_control_is_whole(window, scene):
     assert area.verticalScrollBar().maximum() == 0, scene.name
 
 
-def test_the_one_control_of_each_scene_is_whole_in_a_small_window(presented, qtbot):
-    window = presented((800, 600), 1.0)
-    for scene in all_scenes():
-        window.do("next_scene")
-        settle(window, qtbot)
-        assert_control_is_whole(window, scene)
-
-
 def pictures(panel):
     """What is drawn in a panel, without numbers and titles of axes: widgets, and where in them."""
     for plot in panel.findChildren(Plot):
