@@ -12,12 +12,8 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt, SignalInstance
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QShowEvent
 from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QHeaderView,
     QLabel,
     QSplitter,
-    QTableWidget,
-    QTableWidgetItem,
     QWidget,
 )
 
@@ -37,11 +33,11 @@ from skinsource.studies.accuracy.measuring import (
     table_csv,
 )
 from skinsource_gui.fields.choice_field import DropDown
-from skinsource_gui.pages.page import ToolPage
+from skinsource_gui.pages.page import RowTable, ToolPage
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
 from skinsource_gui.qt.buttons import page_label
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
+from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJobs
 from skinsource_gui.state.preferences import Preferences
@@ -174,7 +170,10 @@ class AccuracyPage(ToolPage):
         self._preferences, self._document = preferences, document
         self.run = PageJobs(runner, self)
         self.rows: tuple[Row, ...] = ()
-        self.table, self.plot = _table(), AccuracyPlot()
+        self.table = RowTable(
+            "accuracy_table", "Errors and run times", dict.fromkeys(COLUMNS, ""), wide=(1,)
+        )
+        self.plot = AccuracyPlot()
         self.now = page_label("accuracy_now")
         self.say(_BEGIN)
         self._limb = DropDown()
@@ -270,7 +269,7 @@ class AccuracyPage(ToolPage):
         self.rows = rows
         self._save.setEnabled(bool(rows))
         self.plot.show_rows(rows)
-        _fill(self.table, rows)
+        self.table.fill([[(text, "") for text in cells_of(row)] for row in rows])
 
     def _choose(self, line: int, *_: int) -> None:
         if 0 <= line < len(self.rows):
@@ -281,36 +280,3 @@ class AccuracyPage(ToolPage):
         path = self.ask_save("Save the table", "CSV (*.csv)", start)
         if path is not None:
             self.save(path)
-
-
-def _table() -> QTableWidget:
-    table = QTableWidget(0, len(COLUMNS))
-    table.setObjectName("accuracy_table")
-    table.setAccessibleName("Errors and run times")
-    table.setHorizontalHeaderLabels(COLUMNS)
-    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-    table.setTabKeyNavigation(False)
-    table.setShowGrid(False)
-    table.setFont(tabular(table.font()))
-    table.verticalHeader().hide()
-    table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + UNIT_PX)
-    header = table.horizontalHeader()
-    header.setHighlightSections(False)
-    header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-    header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
-    return table
-
-
-def _fill(table: QTableWidget, rows: Sequence[Row]) -> None:
-    table.setRowCount(len(rows))
-    right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-    for line, row in enumerate(rows):
-        for column, text in enumerate(cells_of(row)):
-            item = QTableWidgetItem(text)
-            if column > 1:
-                item.setTextAlignment(right)
-            table.setItem(line, column, item)
-    if rows:
-        table.setCurrentCell(0, 0)

@@ -10,16 +10,12 @@ from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
-from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QLineF, QPointF, QRectF, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import (
-    QAbstractItemView,
     QFileDialog,
     QHBoxLayout,
-    QHeaderView,
     QLabel,
-    QTableWidget,
-    QTableWidgetItem,
     QWidget,
 )
 
@@ -46,18 +42,30 @@ from skinsource.studies.checking import (
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.units import minus
-from skinsource_gui.pages.page import ToolPage
+from skinsource_gui.pages.page import RowTable, ToolPage
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
+from skinsource_gui.plots.ranges import Tick
 from skinsource_gui.qt.buttons import page_button
 from skinsource_gui.qt.fitting import LetterWidth
 from skinsource_gui.qt.layouts import in_column, in_row
-from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, tabular
+from skinsource_gui.qt.theme import UNIT_PX, current_theme
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner, PageJobs
 from skinsource_gui.state.preferences import Preferences
 
 _WIDEST_PX = 40.0
 _NOTHING = "Channels above twice the noise appear here"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _GroupAxis(Axis):
+    """An axis with a label in the middle of each group."""
+
+    labels: tuple[str, ...]
+
+    def ticks(self, length_px: float, each_px: float) -> tuple[Tick, ...]:
+        del length_px, each_px
+        return tuple(Tick(value=rank + 0.5, label=label) for rank, label in enumerate(self.labels))
 
 
 class BoxFigure(Figure):
@@ -85,16 +93,15 @@ class BoxFigure(Figure):
         self.read_again()
 
     def draw(self, painter: QPainter, room: QRectF) -> None:
-        theme = current_theme()
         boxes = [quartiles(values) for _, values in self.groups]
         low = min(0.0, *(box[0] for box in boxes))
         high = max(1e-9, *(box[4] for box in boxes))
         edge = 0.05 * (high - low)
-        line = QFontMetricsF(painter.font()).height()
-        x = Axis(shown=(0.0, float(len(boxes))), title="Main frequency (Hz)")
+        labels = tuple(label for label, _ in self.groups)
+        x = _GroupAxis(shown=(0.0, float(len(boxes))), title="Main frequency (Hz)", labels=labels)
         y = Axis(shown=(low - (edge if low < 0.0 else 0.0), high + edge), title=self._title)
         self.axes = axes = fitted_axes(room, x, y, QFontMetricsF(painter.font()))
-        _paint_frame(painter, axes, theme, [label for label, _ in self.groups], line)
+        axes.paint(painter, current_theme(), grid=False)
         for rank, box in enumerate(boxes):
             self._paint_box(painter, axes, rank, box)
 
@@ -141,37 +148,6 @@ class BoxFigure(Figure):
         painter.drawRect(box)
         painter.setPen(QPen(QColor(theme.text), 2.0))
         painter.drawLine(QLineF(x - wide / 2, middle, x + wide / 2, middle))
-
-
-def _paint_frame(
-    painter: QPainter, axes: Axes, theme: Theme, labels: Sequence[str], line: float
-) -> None:
-    """Paint the frame and the numbers of y as on all figures, and a label below each box."""
-    frame = axes.frame
-    right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-    for tick in axes.y.ticks(frame.height(), 34.0):
-        y = float(axes.to_screen(np.zeros(1), np.array([tick.value]))[0, 1])
-        painter.setPen(QPen(QColor(theme.grid), 1))
-        painter.drawLine(QLineF(frame.left(), y, frame.right(), y))
-        painter.setPen(QColor(theme.dim))
-        left = QRectF(0.0, y - line / 2, frame.left() - 4.0, line)
-        painter.drawText(left, right, tick.label)
-    painter.setPen(QPen(QColor(theme.border), 1))
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.drawRect(frame)
-    painter.setPen(QColor(theme.dim))
-    step = frame.width() / len(labels)
-    for rank, label in enumerate(labels):
-        below = QRectF(frame.left() + rank * step, frame.bottom() + 2.0, step, line)
-        painter.drawText(below, Qt.AlignmentFlag.AlignCenter, label)
-    title = QRectF(frame.left(), frame.bottom() + line + 2.0, frame.width(), line)
-    painter.drawText(title, Qt.AlignmentFlag.AlignCenter, axes.x.title)
-    painter.save()
-    painter.translate(line / 2 + 1, frame.center().y())
-    painter.rotate(-90.0)
-    side = QRectF(-frame.height() / 2, -line / 2, frame.height(), line)
-    painter.drawText(side, Qt.AlignmentFlag.AlignCenter, axes.y.title)
-    painter.restore()
 
 
 TITLE = "Check against a recording"
@@ -253,75 +229,35 @@ def check_rows(
     return tuple(results)
 
 
-_ERROR = "|p/P - m/M|; p predicted, m measured, P and M their RMS, mean over all channels"
-_AMPLITUDE = "100 |RMS(p/P) - RMS(m/M)| / RMS(m/M); letters as of Error"
-_COLUMNS = (
-    ("Design", "What is predicted"),
-    ("Recording", "What was measured of it"),
-    ("Hz", "Frequency with the most power in the prediction"),
-    ("Linear", "Smallest adjusted R² of outputs over the level of the inputs; 1: in proportion"),
-    ("Superposed", "Smallest Pearson's r between the sum of the inputs and all together"),
-    ("Channels", "How many are above twice the noise, and so count"),
-    (
-        "Error",
-        f"Normalised mean absolute error, median over the channels: mean over time of {_ERROR}",
-    ),
-    ("Amplitude %", f"Difference in amplitude, median over the channels: {_AMPLITUDE}"),
-    ("r", "Pearson's r over time, median over the channels"),
-    ("Shift", "By how many samples the recording was moved onto the prediction"),
+_ERROR = (
+    "Normalised mean absolute error, median over the channels: mean over time of |p/P - m/M|; p "
+    "predicted, m measured, P and M their RMS, mean over all channels"
 )
+_AMPLITUDE = "100 |RMS(p/P) - RMS(m/M)| / RMS(m/M); letters as of Error"
+_CHANNELS = "Channels"
+_COLUMNS = {
+    "Design": "What is predicted",
+    "Recording": "What was measured of it",
+    "Hz": "Frequency with the most power in the prediction",
+    "Linear": "Smallest adjusted R² of outputs over the level of the inputs; 1: in proportion",
+    "Superposed": "Smallest Pearson's r between the sum of the inputs and all together",
+    _CHANNELS: "How many are above twice the noise, and so count",
+    "Error": _ERROR,
+    "Amplitude %": f"Difference in amplitude, median over the channels: {_AMPLITUDE}",
+    "r": "Pearson's r over time, median over the channels",
+    "Shift": "By how many samples the recording was moved onto the prediction",
+}
 
 
-class CheckTable(QTableWidget):
-    """Shows a row for each design: two wide columns of names, then numbers."""
-
-    def __init__(self) -> None:
-        super().__init__(0, len(_COLUMNS))
-        self.setObjectName("check_table")
-        self.setAccessibleName("Designs that are checked")
-        for k, (title, hint) in enumerate(_COLUMNS):
-            item = QTableWidgetItem(title)
-            item.setToolTip(hint)
-            self.setHorizontalHeaderItem(k, item)
-        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        self.setTabKeyNavigation(False)
-        self.setShowGrid(False)
-        self.setWordWrap(False)
-        self.setFont(tabular(self.font()))
-        self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + UNIT_PX)
-        header = self.horizontalHeader()
-        header.setHighlightSections(False)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        for wide in (0, 1):
-            header.setSectionResizeMode(wide, QHeaderView.ResizeMode.Stretch)
-
-    def show_rows(self, rows: Sequence[Row]) -> None:
-        """Show ``rows``; the selected row stays selected."""
-        chosen = max(self.currentRow(), 0)
-        self.setRowCount(len(rows))
-        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        for k, row in enumerate(rows):
-            for column, text in enumerate(_texts(row)):
-                item = QTableWidgetItem(text)
-                item.setToolTip(_hint(row, column) or text)
-                if column > 1:
-                    item.setTextAlignment(right)
-                self.setItem(k, column, item)
-        if rows:
-            self.setCurrentCell(min(chosen, len(rows) - 1), 0)
-
-
-def _hint(row: Row, column: int) -> str:
-    """Return what the tooltip of a cell adds to its text; "": nothing."""
-    result = row.result
+def _cells(row: Row) -> list[tuple[str, str]]:
+    """Return text and tooltip of each cell."""
+    result, hints = row.result, dict.fromkeys(_COLUMNS, "")
     if isinstance(result, str):
-        return sentence(result)
-    if result is None or result.agreement is None or _COLUMNS[column][0] != "Channels":
-        return ""
-    return f"{result.noise_text[0].upper()}{result.noise_text[1:]}"
+        hints = dict.fromkeys(_COLUMNS, sentence(result))
+    elif result is not None and result.agreement is not None:
+        hints[_CHANNELS] = f"{result.noise_text[0].upper()}{result.noise_text[1:]}"
+    texts = zip(_texts(row), hints.values(), strict=True)
+    return [(text, hint or text) for text, hint in texts]
 
 
 def _texts(row: Row) -> list[str]:
@@ -374,7 +310,7 @@ class CheckList(QWidget):
     def __init__(self, rows: Sequence[Row], preferences: Preferences) -> None:
         super().__init__()
         self.rows, self._preferences = tuple(rows), preferences
-        self.table = CheckTable()
+        self.table = RowTable("check_table", "Designs that are checked", _COLUMNS, wide=(0, 1))
         recording = page_button(
             "choose_recording", "Recording…", "Choose what was recorded of the selected design"
         )
@@ -429,7 +365,8 @@ class CheckList(QWidget):
         self._add.setEnabled(not runs)
         for button in self._row_buttons:
             button.setEnabled(bool(self.rows) and not runs)
-        self.table.show_rows(self.rows)
+        chosen = max(self.table.currentRow(), 0)
+        self.table.fill([_cells(row) for row in self.rows], chosen)
 
     def _ask_recording(self) -> None:
         folder = str(self._preferences.folder)

@@ -375,33 +375,28 @@ class MotionFields(QObject):
     def __init__(self, adapt: Adapt, parent: QObject) -> None:
         super().__init__(parent)
         self._adapt = adapt
-        self._cells: tuple[FieldCell, ...] = ()
+        self.cells: tuple[FieldCell, ...] = ()
         self._built_for: tuple[type, ChoiceSpec] | None = None
         self.grid = FieldGrid()
-
-    @property
-    def cells(self) -> tuple[FieldCell, ...]:
-        """The kind, and the fields."""
-        return self._cells
 
     def show_model(self, model: Any, kinds: ChoiceSpec) -> None:
         """Show the values of a model; ``kinds`` is the choice of its kinds."""
         if self._built_for != (type(model), kinds):
             self._build(model, kinds)
-        kind, *others = self._cells
+        kind, *others = self.cells
         kind.set_value(type(model).__name__)
         for cell in others:
             cell.set_value(getattr(model, cell.name))
 
     def show_refused(self, model: Any, name: str, reason: str) -> None:
         """Show the value of ``model`` in a field again, and why it was not changed."""
-        for cell in self._cells:
+        for cell in self.cells:
             if cell.name == name:
-                kept = type(model).__name__ if cell is self._cells[0] else getattr(model, name)
+                kept = type(model).__name__ if cell is self.cells[0] else getattr(model, name)
                 cell.refuse(kept, reason)
 
     def _build(self, model: Any, kinds: ChoiceSpec) -> None:
-        old = self._cells
+        old = self.cells
         # The list in which a kind was just chosen keeps the keyboard.
         if self._built_for is not None and self._built_for[1] == kinds:
             kind = old[0]
@@ -412,12 +407,12 @@ class MotionFields(QObject):
             adapted = self._adapt(name, spec)
             if adapted is not None:
                 cells.append(FieldCell(name, adapted, edited=self._tell))
-        self._cells, self._built_for = tuple(cells), (type(model), kinds)
+        self.cells, self._built_for = tuple(cells), (type(model), kinds)
         removed = [cell for cell in old if cell not in cells]
         focused = QApplication.focusWidget()
         if focused is not None and any(cell.isAncestorOf(focused) for cell in removed):
             kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
-        self.grid.show_cells(self._cells)
+        self.grid.show_cells(self.cells)
         for part in (widget for cell in removed for widget in (cell.label, cell)):
             part.deleteLater()
 

@@ -1,14 +1,23 @@
-"""The base of the pages that a menu opens."""
+"""The base of the pages that a menu opens, and of their tables."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QFileDialog, QPushButton, QWidget
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QFileDialog,
+    QHeaderView,
+    QPushButton,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
 
 from skinsource.base.quoting import sentence
 from skinsource_gui.qt.buttons import page_button, page_label
-from skinsource_gui.qt.theme import set_tone
+from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
 
 
 class ToolPage(QDialog):
@@ -71,3 +80,55 @@ class ToolPage(QDialog):
         """Ask for a file to write; None where the user has chosen none."""
         name, _ = QFileDialog.getSaveFileName(self, title, str(start), kinds)
         return Path(name) if name else None
+
+
+class RowTable(QTableWidget):
+    """A table of which rows are chosen; two columns of words, then numbers.
+
+    Parameters
+    ----------
+    name, title
+        Object name and accessible name.
+    columns
+        Hints of the columns, by their titles.
+    wide
+        Numbers of the columns that get the room that is left.
+    """
+
+    def __init__(
+        self, name: str, title: str, columns: Mapping[str, str], wide: Collection[int]
+    ) -> None:
+        super().__init__(0, len(columns))
+        self.setObjectName(name)
+        self.setAccessibleName(title)
+        header = self.horizontalHeader()
+        for k, (heading, hint) in enumerate(columns.items()):
+            item = QTableWidgetItem(heading)
+            item.setToolTip(hint)
+            self.setHorizontalHeaderItem(k, item)
+            mode = QHeaderView.ResizeMode
+            header.setSectionResizeMode(k, mode.Stretch if k in wide else mode.ResizeToContents)
+        header.setHighlightSections(False)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setTabKeyNavigation(False)
+        self.setShowGrid(False)
+        self.setWordWrap(False)
+        self.setFont(tabular(self.font()))
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + UNIT_PX)
+
+    def fill(self, rows: Sequence[Sequence[tuple[str, str]]], chosen: int = 0) -> None:
+        """Show rows of cells, each a text and its tooltip, and choose one of them."""
+        self.setRowCount(len(rows))
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        for line, cells in enumerate(rows):
+            for column, (text, hint) in enumerate(cells):
+                item = QTableWidgetItem(text)
+                item.setToolTip(hint)
+                if column > 1:
+                    item.setTextAlignment(right)
+                self.setItem(line, column, item)
+        if rows:
+            self.setCurrentCell(min(chosen, len(rows) - 1), 0)

@@ -34,6 +34,7 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Outcome
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import INSTALLATIONS, InstalledLimbs, Preferences
+from skinsource_gui.state.worker import fault_text
 
 #: How long a message stays in the status bar.
 PASSING_MS = 5000
@@ -448,8 +449,7 @@ class Installations(QObject):
 
     def _note_failed(self, job: Job[Any], error: Exception) -> None:
         if job.title in INSTALLATIONS:
-            mistake = f"The studio made a mistake: {type(error).__name__}: {error}"
-            self._reports.complain(str(error) if isinstance(error, SkinSourceError) else mistake)
+            self._reports.complain(fault_text(error))
 
 
 def _title(limb: str) -> str:
@@ -468,19 +468,19 @@ class RunningJobs(QObject):
         In front of which questions are asked; also the parent.
     """
 
-    #: Whether there is something to cancel.
-    can_cancel = Signal(bool)
-
     def __init__(self, runner: JobRunner, window: QWidget) -> None:
         super().__init__(window)
         self._runner, self._window = runner, window
         self._ended = False
-        runner.changed.connect(self._emit_can_cancel)
 
     def show_on(self, cancel: QAction) -> None:
         """Enable that action only while there is something to cancel."""
-        cancel.setEnabled(self._runner.current is not None)
-        self.can_cancel.connect(cancel.setEnabled)
+
+        def show() -> None:
+            cancel.setEnabled(self._runner.current is not None)
+
+        self._runner.changed.connect(show)
+        show()
 
     def cancel(self) -> None:
         """Stop the running job; the next one begins."""
@@ -501,6 +501,3 @@ class RunningJobs(QObject):
             # It can take a second to clear away a gigabyte.
             self._window.hide()
         self._runner.close()
-
-    def _emit_can_cancel(self) -> None:
-        self.can_cancel.emit(self._runner.current is not None)

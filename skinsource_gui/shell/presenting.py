@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
@@ -207,76 +206,26 @@ def _belongs_to_presenter(watched: QObject, meaning: str) -> bool:
     return True
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class PresentedScene:
-    """A scene once it is opened.
-
-    Attributes
-    ----------
-    design, view
-        What the window shows.
-    arrangement, panels
-        Arrangement of the window that shows it, and the panels that are brought in sight there;
-        empty: the window stays as it is.
-    of_file
-        Whether it was saved: then it has colours that it was saved with, or that were chosen in
-        this show, but none of the file before.
-    """
-
-    design: Design
-    view: View
-    arrangement: str = ""
-    panels: tuple[str, ...] = ()
-    of_file: bool = False
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Step:
-    """One scene of a list.
-
-    Attributes
-    ----------
-    title
-        What it is called.
-    open
-        Opens it; may raise a `SkinSourceError`.
-    """
-
-    title: str
-    open: Callable[[], PresentedScene]
+#: One scene of a list: the file of a design, or the name of a scene of the paper.
+Step = Path | str
 
 
 def steps_of_folder(folder: Path) -> tuple[Step, ...]:
     """Return the designs of a folder in the order of their names."""
     try:
-        paths = sorted(path for path in folder.iterdir() if path.suffix == SUFFIX)
+        return tuple(sorted(path for path in folder.iterdir() if path.suffix == SUFFIX))
     except OSError:
         return ()
-    return tuple(Step(title=path.stem, open=partial(_of_file, path)) for path in paths)
 
 
 def steps_of_paper() -> tuple[Step, ...]:
     """Return the scenes of the paper, in the order of the figures."""
-    return tuple(
-        Step(title=scene.heading, open=partial(_of_paper, scene.name))
-        for scene in scenes.all_scenes()
-    )
+    return tuple(scene.name for scene in scenes.all_scenes())
 
 
-def _of_file(path: Path) -> PresentedScene:
-    content = open_design(path)
-    return PresentedScene(design=content.design, view=content.view, of_file=True)
-
-
-def _of_paper(name: str) -> PresentedScene:
-    opened = scenes.open_scene(name)
-    known = opened.scene
-    return PresentedScene(
-        design=opened.design,
-        view=opened.view,
-        arrangement=known.arrangement,
-        panels=known.panels,
-    )
+def step_title(step: Step) -> str:
+    """Return what a scene of a list is called."""
+    return step.stem if isinstance(step, Path) else scenes.scene(step).heading
 
 
 @dataclass(frozen=True, slots=True)
@@ -481,9 +430,9 @@ class Presenter(QObject):
         if not self._steps:
             path = self._document.path
             self._steps = (() if path is None else steps_of_folder(path.parent)) or steps_of_paper()
-            titles = [step.title for step in self._steps]
+            stems = [step_title(step) for step in self._steps]
             here = "" if path is None else path.stem
-            self._at = titles.index(here) if here in titles else -1
+            self._at = stems.index(here) if here in stems else -1
         target = self._at + by
         if not 0 <= target < len(self._steps):
             self.done.emit("This is the last scene" if by > 0 else "This is the first scene")
@@ -494,22 +443,31 @@ class Presenter(QObject):
 
     def _open(self, number: int) -> None:
         step = self._steps[number]
+        title = step_title(step)
+        arrangement = ""
+        panels: tuple[str, ...] = ()
         try:
-            shown = step.open()
+            if isinstance(step, Path):
+                content = open_design(step)
+                design, view = content.design, content.view
+            else:
+                opened = scenes.open_scene(step)
+                design, view = opened.design, opened.view
+                arrangement, panels = opened.scene.arrangement, opened.scene.panels
         except SkinSourceError as error:
             self.failed.emit(str(error))
             return
         left = "" if self._unchanged is None else self._unchanged.left(self._document)
         self._at, self._opening = number, True
         # Colours chosen in front of an audience stay, unless a file has others.
-        view = self._colours.on(shown.view, self._document.view, of_file=shown.of_file)
-        self._document.start_over(shown.design, view, None, scene=step.title)
+        view = self._colours.on(view, self._document.view, of_file=isinstance(step, Path))
+        self._document.start_over(design, view, None, scene=title)
         self._files.leave_file()
-        self._opening, self._panels = False, shown.panels
+        self._opening, self._panels = False, panels
         self._unchanged = WholeScene.of(self._document) if self.presenting else None
-        if shown.arrangement:
-            self._workspaces.show_scene(shown.arrangement, shown.panels)
-        self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {step.title}{left}")
+        if arrangement:
+            self._workspaces.show_scene(arrangement, panels)
+        self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {title}{left}")
         self._show_notes()
 
     def _look(self) -> None:
@@ -522,7 +480,7 @@ class Presenter(QObject):
         if self._notes is None:
             return
         design, following = self._document.design, self._at + 1
-        titles = [step.title for step in self._steps]
+        titles = [step_title(step) for step in self._steps]
         heading = titles[self._at] if 0 <= self._at < len(titles) else design.title or "Notes"
         after = titles[following] if 0 < following < len(titles) else ""
         self._notes.show_scene(heading, design.notes, after)

@@ -76,6 +76,11 @@ class SharedWindow:
             rest(window)
         return self._window
 
+    def pause(self) -> None:
+        """Leave nothing in the window that would be kept while other tests run."""
+        if self._window is not None and isValid(self._window):
+            self._window.document.mark_saved(self._window.document.path)
+
     def end(self) -> None:
         """Close the window."""
         window, self._window = self._window, None

@@ -40,14 +40,9 @@ EVERY = (
 
 
 @pytest.fixture
-def open_window(make_window):
-    """Each test has a window of its own."""
-    return make_window
-
-
-@pytest.fixture
-def window(open_window):
-    return open_window(DESIGN)
+def window(make_window):
+    """A studio of each test's own."""
+    return make_window(DESIGN)
 
 
 def drawn(window, name, path, size=(900, 700)):

@@ -57,18 +57,6 @@ def test_nothing_is_computed_for_a_panel_behind_another_one(window, settle, requ
     assert len(drawn) == 1
 
 
-def test_snapshots_are_not_predicted_for_a_comparison_behind_another_panel(window, settle):
-    window.docks["compare"].bring_forward()
-    settle()
-    click_tab(window, "Inspector")
-    deliveries = []
-    window.panel("compare").show_snapshots = deliveries.append
-    window.do("store_snapshot_1")
-    window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
-    settle()
-    assert not deliveries
-
-
 def test_whatever_is_done_to_docks_just_those_in_front_are_shown(window, settle):
     chance = random.Random(1)  # noqa: S311
     docks = list(window.docks.values())[:12]

@@ -68,14 +68,6 @@ def test_an_error_is_an_outcome_and_the_engine_goes_on(qtbot, engine, gate):
     assert second.args[0].values == {"answer": 10}
 
 
-def test_a_closed_engine_takes_no_requests_and_leaves_no_thread(qtbot, engine, gate, evaluated):
-    gate.set()
-    engine.close()
-    engine.request(request(1))
-    assert not engine.busy
-    assert evaluated == []
-
-
 class Slow:
     """A rule that goes on until it is to stop; if nobody ever says so, for some seconds only."""
 

@@ -5,22 +5,18 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QEvent
-from PySide6.QtWidgets import QApplication, QMessageBox
+from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from skinsource.base import files
 from skinsource.design import design_file
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
 from skinsource_gui.pages.files import file_actions
+from skinsource_gui.pages.files.file_actions import FileActions
+from skinsource_gui.state.document import Document
 
 YES, CANCEL = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
 OTHER = Design(limb="synthetic-2", inputs=(track(location=13),))
-
-
-@pytest.fixture
-def open_window(make_window):
-    """Each test has a window of its own."""
-    return make_window
 
 
 @pytest.fixture
@@ -100,11 +96,13 @@ def test_a_file_that_was_only_touched_is_saved_unasked(window, opened, asked):
     assert window.notice.text == ""
 
 
-def test_two_windows_on_one_file_notice_each_other(window, open_window, opened, asked):
-    other = open_window()
-    other.files.open(opened)
-    place(other, 9)
-    assert other.files.save()
+def test_two_windows_on_one_file_notice_each_other(window, opened, asked, preferences, qtbot):
+    frame, document = QWidget(), Document(OTHER)
+    qtbot.addWidget(frame)
+    other = FileActions(document, preferences, frame, lambda: b"")
+    other.open(opened)
+    document.edit("Place", document.design.adding(track(location=9)))
+    assert other.save()
     activate(window)
     assert "was changed by another program, or in another window" in window.notice.text
     assert not window.files.save()
@@ -138,9 +136,7 @@ def test_closing_looks_once_more_whether_the_file_is_there(window, opened, asked
     assert not window.isVisible()
 
 
-def test_a_recent_file_that_is_missing_is_told_without_a_question(
-    window, opened, asked, preferences
-):
+def test_a_recent_file_that_is_missing_is_told_without_a_question(window, opened, asked):
     gone = opened.with_name("gone.skinsource")
     window.files.recent.remember(gone)
     window.files.open(gone)

@@ -59,8 +59,9 @@ def in_turn(names):
     return [region for k, region in enumerate(regions) if k == 0 or regions[k - 1] != region]
 
 
-def test_tab_goes_through_all_panels_in_the_order_of_the_work(at_work):
+def test_tab_goes_through_all_panels_in_the_order_of_the_work_and_shift_tab_back(at_work):
     names = walk(at_work)
+    assert walk(at_work, SHIFT)[:-1] == names[-2::-1]
     assert in_turn(names) == [
         "timeline",
         "inspector",
@@ -91,11 +92,6 @@ def test_tab_goes_through_all_panels_in_the_order_of_the_work(at_work):
     } <= set(names)
 
 
-def test_shift_tab_goes_the_same_way_back(at_work):
-    there, back = walk(at_work), walk(at_work, SHIFT)
-    assert back[:-1] == there[-2::-1]
-
-
 def test_what_is_disabled_or_hidden_is_left_out(at_work, settle):
     at_work.document.look(replace(at_work.document.view, axes="z"))
     at_work.docks["inspector"].close()
@@ -106,9 +102,8 @@ def test_what_is_disabled_or_hidden_is_left_out(at_work, settle):
     assert "inspector" not in in_turn(names)
 
 
-@pytest.mark.parametrize("arrangement", ["design", "analysis", "presentation"])
-def test_each_arrangement_has_its_own_round(at_work, arrangement):
-    at_work.do(f"arrange_{arrangement}")
+def test_each_workspace_has_its_own_round(at_work):
+    at_work.do("arrange_presentation")
     QApplication.processEvents()
     at_work.panel("skin").setFocus()
     visible = {panel.name for panel in at_work.panels if panel.isVisible()}

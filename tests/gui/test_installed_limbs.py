@@ -1,18 +1,11 @@
 from dataclasses import replace
 
-import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QApplication, QComboBox
 
 from skinsource.limbs.dataset.install import install
 from skinsource.limbs.dataset.store import NOT_INSTALLED
 from skinsource_gui.shell.limb_note import LimbNote
-
-
-@pytest.fixture
-def window(new_window):
-    """A studio of each test's own."""
-    return new_window
 
 
 def come_back_to(window):
@@ -71,9 +64,3 @@ def test_the_way_to_measured_limbs_is_told_until_they_are_there(window, syntheti
     come_back_to(window)
     assert "SYNTHETIC LIMB" in note.text()
     assert "not installed" not in note.text()
-
-
-def test_coming_back_to_the_window_without_news_computes_nothing(window, qtbot):
-    qtbot.waitUntil(lambda: not window.engine.busy)
-    come_back_to(window)
-    assert not window.engine.busy

@@ -9,9 +9,7 @@ import pytest
 
 from skinsource.design.effects.level import Fade
 from skinsource_gui.panels.analysis.panel import AnalysisPanel
-from skinsource_gui.panels.analysis.settings import VIEWS
 from skinsource_gui.qt.questions import CopyButton
-from skinsource_gui.shell.panels import PANELS
 from tests.gui.analysis.analysis_bench import analysis
 
 SELECTED = (3, 9, 15, 21)
@@ -83,17 +81,6 @@ def studio(open_window, qtbot):
     window.look_at, window.hide_panel = look_at, hide
     window.settled, window.edit_all = settle, make_louder
     return window
-
-
-def asks_for_results(panel):
-    return bool(panel.needs or panel.needs_on_limbs or panel.needs_of_snapshots)
-
-
-def test_each_panel_that_asks_for_results_is_looked_at_here(studio):
-    names = {spec.panel.name for spec in PANELS} - {"analysis", "analysis_2"}
-    names |= {f"analysis/{view.name}" for view in VIEWS}
-    computed = {name for name in names if asks_for_results(studio.look_at(name))}
-    assert computed == {*COMPUTED, *OF_LIMBS, *OF_SNAPSHOTS}
 
 
 def offers(panel):

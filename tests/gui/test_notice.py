@@ -1,4 +1,3 @@
-import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton
@@ -18,10 +17,9 @@ def lies_over(window, part):
     return [dock.objectName() for dock in shown_docks(window) if dock.geometry().intersects(part)]
 
 
-@pytest.mark.parametrize("text", ["short", LONG])
-def test_a_notice_that_stays_gets_room_of_its_own(window, settle, text):
+def test_a_notice_that_stays_gets_room_of_its_own(window, settle):
     places = [dock.geometry() for dock in shown_docks(window)]
-    window.reports.complain(text)
+    window.reports.complain(LONG)
     settle()
     label = window.findChild(QLabel, "notice")
     assert label.isVisible()
@@ -44,9 +42,8 @@ def test_a_notice_that_passes_moves_nothing_and_lies_over_the_status_bar(window,
     assert label.geometry() == window.statusBar().geometry()
 
 
-@pytest.mark.parametrize("scale", [1.0, 3.0])
-def test_a_notice_while_presenting_is_one_line_high_in_letters_of_any_size(window, settle, scale):
-    window.appearance._scale_text(scale)
+def test_a_notice_while_presenting_is_one_line_high_in_the_largest_letters(window, settle):
+    window.appearance._scale_text(3.0)
     try:
         window.do("present")
         window.showNormal()

@@ -12,12 +12,6 @@ LEFT = Qt.MouseButton.LeftButton
 
 
 @pytest.fixture
-def window(new_window):
-    """A studio of each test's own."""
-    return new_window
-
-
-@pytest.fixture
 def studio(window, qtbot):
     """A window whose keyboard is in the panel Hand."""
     window.activateWindow()

@@ -21,7 +21,7 @@ def test_conditions_follow_the_document(window):
 
 
 def test_an_action_is_a_command_or_an_edit_not_both_and_not_neither():
-    fields = {"name": "a", "menu": "File", "text": "A", "hint": "A"}
+    fields = {"name": "a", "text": "A", "hint": "A"}
     for more in ({}, {"command": "files.new", "edit": lambda design, view: None}):
         with pytest.raises(ValueError, match="either a command or an edit"):
             ActionSpec(**fields, **more)

@@ -115,9 +115,7 @@ def test_in_compose_the_skin_is_a_column_of_the_full_height_beside_the_rest(wind
         assert not window.docks["clip_editor"].isHidden()
 
 
-@pytest.mark.parametrize(
-    ("size", "scale"), [(SMALL, 1.0), (SMALL, 1.5), (SMALL, 3.0), (LARGE, 1.0), (LARGE, 1.5)]
-)
+@pytest.mark.parametrize(("size", "scale"), [(SMALL, 1.0), (SMALL, 3.0), (LARGE, 1.5)])
 def test_nothing_is_cut_or_scrolls_sideways(window, settle, size, scale):
     window.resize(*size)
     window.preferences.text_scale = scale

@@ -487,21 +487,13 @@ class LimbForm(QObject):
         for name, field in self.numbers.items():
             field.setObjectName(f"limb_{name}")
             field.set_value(_STARTS.get(name, 0.0))
-            field.edited.connect(self._take_number(field))
+            field.edited.connect(self.changed)
             self._rows.addRow(_NUMBERS[name].label, field)
         for box in (self.left, self.mirrored):
             box.toggled.connect(self.changed)
         self._rows.addRow("Hand", in_row(self.left, self.mirrored, None))
         for what in ("outline", "inputs", "outputs", "photograph"):
             self._add_file(what)
-
-    def _take_number(self, field: NumberField) -> Any:
-        def take(value: float, gesture: object) -> None:
-            del gesture
-            field.set_value(value)
-            self.changed.emit()
-
-        return take
 
     def _add_file(self, what: str) -> None:
         label, hint = _FILES[what]

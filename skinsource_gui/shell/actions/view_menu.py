@@ -33,7 +33,6 @@ def _has_clip(design: Design, view: View) -> bool:
 VIEW: tuple[ActionSpec, ...] = (
     action(
         "remove_delay",
-        "View",
         "Remove pre-trigger delay",
         "Shift time axes so that the response starts with the stimulus",
         "Ctrl+T",
@@ -44,7 +43,6 @@ VIEW: tuple[ActionSpec, ...] = (
     *(
         ActionSpec(
             name=f"arrange_{workspace.name}",
-            menu="View",
             text=f"{workspace.text} workspace",
             short=workspace.text,
             hint=workspace.hint,
@@ -59,7 +57,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "reset_workspace",
-        "View",
         "Reset workspace",
         "Put the panels of this workspace back where they were at first",
         command="workspaces.reset",
@@ -67,7 +64,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "show_clip_editor",
-        "View",
         "Edit clip",
         "Show the selected clip large, to draw and to shape it; again: go back",
         "F4",
@@ -78,7 +74,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "draw_clip",
-        "View",
         "Draw clip",
         "Show the selected clip large, and take the pen",
         command="clip_drawing.begin",
@@ -87,7 +82,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "next_panel",
-        "View",
         "Go to next panel",
         "Give the keyboard to it",
         "F6",
@@ -96,7 +90,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "previous_panel",
-        "View",
         "Go to previous panel",
         "Give the keyboard to it",
         "Shift+F6",
@@ -105,7 +98,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "next_tab",
-        "View",
         "Show next tab",
         "Bring the next of the panels that share a place to the front",
         "Ctrl+Tab",
@@ -115,7 +107,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "previous_tab",
-        "View",
         "Show previous tab",
         "Bring the one before of the panels that share a place to the front",
         "Ctrl+Shift+Tab",
@@ -125,7 +116,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "list_tabs",
-        "View",
         "List tabs",
         "List the panels that share a place, to bring one of them to the front",
         "Ctrl+F6",
@@ -135,7 +125,6 @@ VIEW: tuple[ActionSpec, ...] = (
     *(
         action(
             f"use_{name}_theme",
-            "View",
             f"{theme_label(name)} theme",
             hint,
             command="appearance.use_theme",
@@ -157,7 +146,6 @@ VIEW: tuple[ActionSpec, ...] = (
     *(
         ActionSpec(
             name=f"use_{colours.lower().replace('-', '_')}_colours",
-            menu="View",
             submenu="Colours of levels",
             text=f"Colours: {title}",
             hint=COLOURS.hint,
@@ -170,7 +158,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "enlarge_text",
-        "View",
         "Larger text",
         "Make all words larger, for a lecture hall or tired eyes",
         "Ctrl++",
@@ -181,7 +168,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "shrink_text",
-        "View",
         "Smaller text",
         "Make all words smaller",
         "Ctrl+-",
@@ -190,7 +176,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "reset_text",
-        "View",
         "Normal text",
         "Make words as large as the desktop has them",
         "Ctrl+0",
@@ -199,7 +184,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "present",
-        "View",
         "Present, or end it",
         "The panels alone over the whole screen, in large words; "
         f"{_presenting('previous')} and {_presenting('next')}, or a clicker, step through the "
@@ -211,7 +195,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "next_scene",
-        "View",
         "Next scene",
         "Open the next design of this folder, or the next scene of the paper",
         "Ctrl+Alt+PgDown",
@@ -220,7 +203,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "previous_scene",
-        "View",
         "Previous scene",
         "Open the design before this one in its folder, or the scene before",
         "Ctrl+Alt+PgUp",
@@ -229,7 +211,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "cover_map",
-        "View",
         "Cover the map, or reveal it",
         "Hide what was computed, so that people guess first",
         "Ctrl+Shift+B",
@@ -238,7 +219,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "show_notes",
-        "View",
         "Notes of the scene",
         "Notes and the next scene in a window of their own, for another screen",
         command="presenter.show_notes",
@@ -246,7 +226,6 @@ VIEW: tuple[ActionSpec, ...] = (
     ),
     action(
         "toggle_full_screen",
-        "View",
         "Full screen",
         "The window over the whole screen",
         "F11",

@@ -161,15 +161,12 @@ def test_a_file_that_could_not_be_opened_at_the_start_is_said_with_the_offer(
     assert window.document.design.inputs[0].amplitude == 2.5
 
 
-def test_without_left_over_work_the_page_says_so(window):
+def test_without_left_over_work_nothing_is_offered_and_the_page_says_so(window):
     window.do("show_left_over")
     (page,) = window.findChildren(UnsavedWorkPage)
     assert not page.open_button.isEnabled()
     assert "no unsaved work" in page.message.text()
     page.close()
-
-
-def test_without_left_over_work_nothing_is_offered(window):
     window.keeping.offer(window.notice)
     assert window.notice.text == ""
 

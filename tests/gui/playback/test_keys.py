@@ -20,7 +20,7 @@ def pressed(studio, monkeypatch, qtbot):
     return played
 
 
-@pytest.mark.parametrize("name", ["hand", "skin", "timeline", "traces"])
+@pytest.mark.parametrize("name", ["hand", "timeline"])
 def test_space_plays_from_the_pictures(studio, pressed, name):
     panel = studio.panel(name)
     panel.setFocus()

@@ -68,7 +68,6 @@ class LoudestPanel(Panel):
 '''
 ACTION = """    action(
         "silence_all",
-        "Edit",
         "Silence all",
         "Mute every input",
         "Ctrl+Alt+M",

@@ -43,8 +43,8 @@ def order_of(form):
     return changes[-1]
 
 
-def test_what_was_chosen_in_the_panel_is_exported_and_said(make_window, qtbot, save_as):
-    window = make_window(DESIGN)
+def test_what_was_chosen_in_the_panel_is_exported_and_said(open_window, qtbot, save_as):
+    window = open_window(DESIGN)
     choose_in_panel(brought_forward(window, qtbot), "actuator", FINGERTIP)
     assert window.document.design.actuated is None
     window.do("export_stimulus")

@@ -122,29 +122,17 @@ def test_a_design_that_is_predicted_through_an_equaliser_is_offered_as_predicted
     assert not form.field("scale").isHidden()
 
 
-@pytest.fixture
-def window(make_window):
-    return make_window(DESIGN)
-
-
-@pytest.mark.parametrize(
-    ("typed", "written"), [("x", "x_stim.tsv.gz"), ("x.tsv", "x_stim.tsv.gz"),
-                           ("sub-1_stim.tsv.gz", "sub-1_stim.tsv.gz")],
-)  # fmt: skip
-def test_a_name_without_an_ending_gets_all_of_it(
-    window, qtbot, monkeypatch, tmp_path, typed, written
+def test_a_name_without_an_ending_gets_all_of_it_and_the_format_is_remembered(
+    make_desk, qtbot, monkeypatch, tmp_path
 ):
-    name = str(tmp_path / typed)
+    desk, name = make_desk(DESIGN), str(tmp_path / "x.tsv")
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (name, ""))
-    window.do("export_stimulus")
-    page = window.findChild(StimulusPage)
+    desk.stimuli.show()
+    page = desk.stimuli.page
     page.form.field("format").choose("bids")
     qtbot.waitUntil(lambda: page.ready and not page.busy, **WAIT)
     page.accept()
-    qtbot.waitUntil(lambda: (tmp_path / written).exists(), **WAIT)
-    window.do("export_stimulus")
-    again = [
-        other_page for other_page in window.findChildren(StimulusPage) if other_page is not page
-    ][-1]
-    assert again.form.field("format").value == "bids"
-    again.reject()
+    qtbot.waitUntil(lambda: (tmp_path / "x_stim.tsv.gz").exists(), **WAIT)
+    desk.stimuli.show()
+    assert desk.stimuli.page.form.field("format").value == "bids"
+    desk.stimuli.end()

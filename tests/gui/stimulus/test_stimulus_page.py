@@ -111,11 +111,6 @@ def test_a_rig_says_what_is_wired_and_an_equaliser_makes_volts(
     assert metadata["equaliser"]["phase"] == "linear"
 
 
-def test_where_nothing_is_heard_there_is_nothing_to_export(make_window):
-    quiet = make_window(ss.Design(limb="synthetic-1", inputs=(ss.track(7, muted=True),)))
-    assert not quiet.actions_by_name["export_stimulus"].isEnabled()
-
-
 def test_every_format_of_the_table_is_offered_and_shown(page, qtbot):
     for file_format in FORMATS:
         choose(page, qtbot, "format", file_format.name)

@@ -106,9 +106,3 @@ def test_what_would_clip_is_shown_and_must_be_confirmed(page, desk, qtbot, save_
     path = save_as("loud.wav")
     export(desk, page, qtbot)
     assert json.loads((path.parent / "loud.wav.json").read_text())["clip_count"] > 0
-
-
-def test_closing_the_studio_closes_the_page(page_in_window, window):
-    page_in_window.form.field("format").choose("csv")
-    window.close_unasked()
-    assert window.stimuli.page is None
