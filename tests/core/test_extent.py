@@ -100,7 +100,7 @@ def test_the_default_train_contracts_as_measured(installed_dataset, monkeypatch)
     monkeypatch.setenv("SKINSOURCE_DATA", str(installed_dataset))
     limb = ss.load_limb("measured-4")
     train = ss.waveforms.WaveletTrain().samples(1300.0)
-    field = ss.predict(limb, [train], [7])
+    field = ss.predict(limb, [train], [7], scaling="upstream")
     length = np.sqrt(np.sum(field**2, axis=1))
     windows = ss.windowed_rms(length, 156, first_sample=67)
     distances_mm = [ss.extent(window, limb, 7).mean_distance_mm for window in windows[:5]]

@@ -165,7 +165,7 @@ def predict(
     drives: ArrayLike,
     locations: Sequence[int] | int,
     amplitudes: ArrayLike | None = None,
-    scaling: Scaling = "upstream",
+    scaling: Scaling = "probe",
     actuation: Actuation | None = None,
 ) -> Floats:
     """Return the skin acceleration at all outputs, for drives at some input locations.
@@ -175,16 +175,16 @@ def predict(
     limb
         From `load_limb`.  Only the responses to the locations in use are read.
     drives : (n_inputs, n_times)
-        Samples of each input.  Dimensionless; with ``scaling="probe"`` probe acceleration, m/s².
+        Samples of each input: probe acceleration, m/s²; dimensionless in the other scalings.
     locations : (n_inputs,)
         Input location of each drive, from 1.  A location may occur more than once.
     amplitudes : (n_inputs,), optional
         Factor of each input, 1 by default; may be negative or zero.
     scaling
-        ``"upstream"``: the vibration by each input is divided by its signed maximum over all
-        outputs, axes and times: an amplitude is that maximum in m/s².  ``"relative"``: no division;
-        1 is the measuring pulse, sample by sample.  ``"probe"``: responses calibrated to probe
-        acceleration (`skinsource.limbs.scaling`).
+        As that of a design.  ``"probe"``: responses calibrated to probe acceleration
+        (`skinsource.limbs.scaling`).  ``"upstream"``: the vibration by each input is divided by its
+        signed maximum over all outputs, axes and times: an amplitude is that maximum in m/s².
+        ``"relative"``: no division; 1 is the measuring pulse, sample by sample.
     actuation
         Actuators between drives and skin, under ``"probe"`` scaling; drives are then in the unit
         that `Actuation` states.
