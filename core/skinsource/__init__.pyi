@@ -25,6 +25,8 @@ from .design.signal_path import actuation_of_rig as actuation_of_rig
 from .design.view import View as View
 from .engine.evaluation import evaluate as evaluate
 from .engine.prediction import predict as predict
+from .engine.quantity_list import Quantity as Quantity
+from .engine.quantity_list import quantities as quantities
 from .engine.stimulus import Stimulus as Stimulus
 from .engine.stimulus import stimulus_of as stimulus_of
 from .export import plot as plot
@@ -33,6 +35,7 @@ from .export.stimulus_export.export import export_stimulus as export_stimulus
 from .export.stimulus_export.options import StimulusOptions as StimulusOptions
 from .lab import matching as matching
 from .lab import rig_measuring as rig_measuring
+from .limbs import locations as locations
 from .limbs.catalog import available_limbs as available_limbs
 from .limbs.catalog import load_limb as load_limb
 from .limbs.extent import Extent as Extent

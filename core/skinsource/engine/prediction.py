@@ -18,7 +18,6 @@ from skinsource.base.arguments import checking, real_array
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import check_input_location
-from skinsource.base.quoting import quoted
 from skinsource.base.work import tally
 from skinsource.design.signal_path import LARGEST, Drive, check_drive, drive_of, first_unusable
 from skinsource.engine.drives import active_samples
@@ -42,6 +41,7 @@ from skinsource.engine.transforms import (
     parts_of,
     run_on_two_threads,
 )
+from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling, check_scaling
 
@@ -161,7 +161,7 @@ def _gains_of(
 
 @checking
 def predict(
-    limb: Limb,
+    limb: Limb | str,
     drives: ArrayLike,
     locations: Sequence[int] | int,
     amplitudes: ArrayLike | None = None,
@@ -173,7 +173,8 @@ def predict(
     Parameters
     ----------
     limb
-        From `load_limb`.  Only the responses to the locations in use are read.
+        From `load_limb`, or its name, which opens it anew in each call.  Only the responses to the
+        locations in use are read.
     drives : (n_inputs, n_times)
         Samples of each input: probe acceleration, m/s²; dimensionless in the other scalings.
     locations : (n_inputs,)
@@ -200,8 +201,7 @@ def predict(
         Drives are empty or of unequal length, a value is not finite, or a location or the scaling
         is unknown.
     """
-    if not isinstance(limb, Limb):
-        raise InvalidInputError(f"limb is {quoted(limb)}, expected a Limb, see load_limb")
+    limb = limb_of(limb)
     check_scaling(scaling)
     samples = _checked_drives(drives)
     checked_locations = _checked_locations(locations, len(samples), limb.n_inputs)

@@ -32,7 +32,7 @@ from skinsource.design.design import Design, audible_inputs
 from skinsource.design.labels import signal_label
 from skinsource.design.view import View
 from skinsource.engine.evaluation import evaluate
-from skinsource.limbs.catalog import load_limb
+from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.extent import Extent
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import facts_of
@@ -205,9 +205,7 @@ def levels_of(shown: Design | ArrayLike, limb: Limb | str | None, view: View | N
         raise InvalidInputError(
             "levels need the limb that they belong to: map(levels_db, limb=...); a Design knows it"
         )
-    loaded = load_limb(limb) if isinstance(limb, str) else limb
-    if not isinstance(loaded, Limb):
-        raise InvalidInputError(f"limb is {quoted(limb)}, expected a Limb or the name of one")
+    loaded = limb_of(limb)
     values = finite_array("levels", shown)
     if values.shape != (loaded.n_outputs,):
         raise InvalidInputError(

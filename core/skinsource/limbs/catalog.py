@@ -59,6 +59,21 @@ def load_limb(name: str, digest: str = "") -> Limb:
     return load(int(number))
 
 
+def limb_of(limb: Limb | str) -> Limb:
+    """Return a limb, which is opened where only its name is given.
+
+    Raises
+    ------
+    InvalidInputError
+        It is neither a limb nor the name of one.
+    """
+    if isinstance(limb, str):
+        return load_limb(limb)
+    if not isinstance(limb, Limb):
+        raise InvalidInputError(f"limb is {quoted(limb)}, expected a Limb or the name of one")
+    return limb
+
+
 def default_limb() -> str:
     """Return the name of the limb to start on: measured where installed, else synthetic."""
     return available_limbs()[0]

@@ -9,6 +9,7 @@ from typing import Literal
 
 import numpy as np
 
+from skinsource.base.arguments import checking
 from skinsource.base.assets import data_folder
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import N_OUTPUTS, check_input_location
@@ -121,11 +122,12 @@ def output_place(number: int) -> OutputPlace:
     if not is_integer or not 1 <= number <= N_OUTPUTS:
         raise InvalidInputError(
             f"output location {quoted(number)} does not exist: locations are the whole numbers "
-            f"1 to {N_OUTPUTS}. See skinsource.limbs.locations for the list."
+            f"1 to {N_OUTPUTS}. See skinsource.locations for the list."
         )
     return OUTPUTS[number - 1]
 
 
+@checking
 def input_name(number: int, limb: str = "") -> LocationNames:
     """Return the names of input place ``number`` of a limb, whether or not it is known here.
 
@@ -150,6 +152,7 @@ def input_name(number: int, limb: str = "") -> LocationNames:
     )
 
 
+@checking
 def output_name(number: int, limb: str = "") -> LocationNames:
     """Return the names of output place ``number`` of a limb, whether or not it is known here.
 
@@ -178,3 +181,17 @@ def _own_names(number: int, names: tuple[str, ...], long: str, short: str) -> Lo
         short_name=name or f"{short} {number}",
         kind="",
     )
+
+
+__all__ = [
+    "INPUTS",
+    "OUTPUTS",
+    "REGIONS",
+    "InputPlace",
+    "LocationNames",
+    "OutputPlace",
+    "input_name",
+    "input_place",
+    "output_name",
+    "output_place",
+]

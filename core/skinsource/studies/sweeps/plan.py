@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
 from hashlib import sha256
 from itertools import groupby
 from typing import Any, Literal, get_args
@@ -163,6 +164,22 @@ def names_in(design: Design) -> tuple[str, ...]:
         *(OF_CLIP if design.clips else ()),
         *of_waveforms,
     )
+
+
+def _check_variable(name: str, designs: Sequence[Design]) -> None:
+    """Raise `InvalidInputError` where ``name`` can be varied in none of the designs."""
+    number, dot, field = name.rpartition(_NUMBER_SEPARATOR)
+    known = list(dict.fromkeys(each for design in designs for each in names_in(design)))
+    if dot:
+        _target_of(name, max(len(design.inputs) for design in designs))
+        known = [each for each in known if each not in OF_DESIGN]
+    if field not in known:
+        close = get_close_matches(field, known, n=1)
+        nearest = f"perhaps {quoted(f'{number}{dot}{close[0]}')} is meant; " if close else ""
+        raise InvalidInputError(
+            f"nothing in the design has {quoted(name)}; {nearest}a sweep can vary "
+            f"{', '.join(known)}"
+        )
 
 
 def _actuation(design: Design, value: Value) -> Actuation:
@@ -385,6 +402,8 @@ class Plan:
         self._set_level()
         # A view checks axes, method and outputs.
         View(axes=self.axes, method=self.method, outputs=self.outputs)
+        for name, _ in self.variables:
+            _check_variable(name, [design for _, design in self.designs])
 
     def _set_level(self) -> None:
         default: Level = "drive"
