@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.actuators.rigs import open_rig
+from skinsource.base.files import make_folder
 from skinsource.design.design_file import open_design
 from skinsource.design.view import view_on
 from skinsource.export.packing import pack
@@ -29,6 +30,7 @@ def _pack(arguments: argparse.Namespace) -> int:
     content = open_design(arguments.design)
     rig = None if arguments.rig is None else open_rig(arguments.rig)
     view = view_on(content.design.limb, content.view)
+    make_folder(arguments.out.parent)
     pack(arguments.out, content.design, view, rig=rig)
     sys.stdout.write(f"{arguments.out}\n")
     return 0
