@@ -31,6 +31,8 @@ from .engine.stimulus import Stimulus as Stimulus
 from .engine.stimulus import stimulus_of as stimulus_of
 from .export import plot as plot
 from .export.formats import export_formats as export_formats
+from .export.result import Result as Result
+from .export.result import result as result
 from .export.stimulus_export.export import export_stimulus as export_stimulus
 from .export.stimulus_export.options import StimulusOptions as StimulusOptions
 from .lab import matching as matching
