@@ -10,6 +10,8 @@ as a limited boost reaches.
 True
 """
 
+from __future__ import annotations
+
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import lru_cache
@@ -154,6 +156,12 @@ def followed_band(band_hz: Band | None, sample_rate_hz: float) -> Band:
 
     It ends at 12/13 of half the rate at most.  Where its lab does not say one, None, it is all up
     to there.  What begins at 0 is followed from 25 Hz on, or over its upper octave if that is less.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.equalising.followed_band((25.0, 600.0), 1300.0))
+    (25.0, 600.0)
     """
     low, high = (0.0, np.inf) if band_hz is None else band_hz
     positive_number("sample_rate_hz", sample_rate_hz)

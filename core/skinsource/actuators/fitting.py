@@ -1,5 +1,7 @@
 """Fit a voice coil to a measured response."""
 
+from __future__ import annotations
+
 from itertools import product
 
 import numpy as np

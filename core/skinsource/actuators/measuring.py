@@ -4,6 +4,8 @@ Sweeps are recorded several times, with an unknown delay, by a clock of its own,
 Spectra are added up over bands a tenth of an octave wide, which averages noise out.
 """
 
+from __future__ import annotations
+
 import os
 from dataclasses import dataclass, replace
 from math import floor
@@ -46,7 +48,7 @@ class Bands:
     last: Indices
 
     @classmethod
-    def between(cls, band_hz: tuple[float, float], step_hz: float, n: int) -> "Bands":
+    def between(cls, band_hz: tuple[float, float], step_hz: float, n: int) -> Bands:
         """Make bands of spectra of ``n`` frequencies with a distance of ``step_hz``."""
         centre_hz = np.geomspace(*band_hz, _POINTS)
         middle = np.rint(centre_hz / step_hz).astype(np.intp)

@@ -4,6 +4,8 @@ A rig is a JSON file of its own beside designs, made by hand or from measurement
 it, and in nothing that a design holds: no design can loosen them.
 """
 
+from __future__ import annotations
+
 import os
 from collections import Counter
 from collections.abc import Sequence
@@ -295,7 +297,15 @@ class RigBreach:
 
 @checking
 def strictest(*several: Limits) -> Limits:
-    """Return for each limit the least of those that are known."""
+    """Return for each limit the least of those that are known.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> first, second = (ss.actuators.Limits(peak_voltage_v=volts) for volts in (2.0, 1.0))
+    >>> print(ss.rigs.strictest(first, second).peak_voltage_v)
+    1.0
+    """
     least = {}
     for limit in dataclass_fields(Limits):
         known = [value for limits in several if (value := getattr(limits, limit.name)) is not None]
@@ -453,6 +463,17 @@ def save_rig(path: str | os.PathLike[str], rig: Rig) -> None:
         The folder cannot be written, or the disk is full.
     InvalidInputError
         It holds so much that it could not be read again.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "lab.skinrig"
+    ...     ss.save_rig(path, ss.rigs.Rig())
+    ...     print(path.exists())
+    True
     """
     write_bytes(Path(path), to_plain_text(models.encode(rig), FORMAT, VERSION).encode())
 
@@ -467,6 +488,17 @@ def open_rig(path: str | os.PathLike[str]) -> Rig:
         The file cannot be read.
     FileFormatError
         It holds no rig, or what no rig can be: the message says where.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "lab.skinrig"
+    ...     ss.save_rig(path, ss.rigs.Rig())
+    ...     print(ss.open_rig(path) == ss.rigs.Rig())
+    True
     """
     place = Path(path)
     try:

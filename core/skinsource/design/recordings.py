@@ -9,6 +9,8 @@ process of their own; `taken` converts the raw numbers and is a pure function.
 ['full scale', 'm/s²', 'g', 'mm/s', 'µm', 'N', 'V']
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction

@@ -4,6 +4,8 @@ The skin answers with the sum of the convolutions of drives and responses (eq. 1
 paper).  Spectra of responses and gains of drives are remembered for all threads, in bounded memory.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cache, partial
 from hashlib import sha256
@@ -200,6 +202,13 @@ def predict(
     InvalidInputError
         Drives are empty or of unequal length, a value is not finite, or a location or the scaling
         is unknown.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> acceleration = ss.predict("synthetic-1", [ss.sinusoid(100.0)], [7])
+    >>> levels_db = ss.decibels(ss.rms(ss.project_axes(acceleration, "xyz", "mag")))
+    >>> figure = ss.plot.map(levels_db, limb="synthetic-1")
     """
     limb = limb_of(limb)
     check_scaling(scaling)

@@ -4,6 +4,8 @@ Functions return a changed stimulus: other order, fades, scale, part of time, le
 and polarity, volts and delays of the channels of a rig.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -124,7 +126,7 @@ class Stimulus:
         """Rows of the channels that drive an actuator."""
         return tuple(row for row, channel in enumerate(self.channels) if channel.place is not None)
 
-    def with_samples(self, samples: Floats, **changes: object) -> "Stimulus":
+    def with_samples(self, samples: Floats, **changes: object) -> Stimulus:
         """Return a copy that holds other samples."""
         return replace(self, samples=samples, **changes)  # type: ignore[arg-type]
 

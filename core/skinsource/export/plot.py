@@ -383,13 +383,12 @@ def draw_map(
     Outputs of ``levels`` that are mostly noise are hatched.
     """
     limb = levels.limb
-    scale = limb.hand_length_mm / limb.map.hand_length_px
     table = _COLOUR_MAPS["diverging" if signed else "sequential"]
     image, outline = _draw_field(ax, levels, colours, table)
     reach_mm = _NOISE_REACH * limb.hand_length_mm
-    _hatch(ax, limb.map.output_positions * scale, levels.noisy, reach_mm, outline)
-    _mark(ax, limb.map.input_positions * scale, levels.places, "input")
-    _mark(ax, limb.map.output_positions * scale, outputs, "output")
+    _hatch(ax, limb.output_positions_mm, levels.noisy, reach_mm, outline)
+    _mark(ax, limb.input_positions_mm, levels.places, "input")
+    _mark(ax, limb.output_positions_mm, outputs, "output")
     low, high = _bounds(limb, part)
     ax.set_xlim(low[0] - 4.0, high[0] + 4.0)
     ax.set_ylim(low[1] - (4.0 if bar == "none" else _BELOW_MM), high[1] + 4.0)
@@ -645,6 +644,13 @@ def traces(
         There is nothing to draw, or the limb does not have such outputs.
     MissingExtraError
         matplotlib is not installed.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+    >>> design = ss.Design(limb="synthetic-1", inputs=(tone,))
+    >>> figure = ss.plot.traces(design, outputs=(19, 29))
     """
     designs, view = _designs(shown, labels), _checked_view(view, outputs)
     results = [evaluate(design, *_TRACE_QUANTITIES, view=view) for design in designs]
@@ -686,6 +692,13 @@ def spectra(
         There is nothing to draw, or the limb does not have such outputs.
     MissingExtraError
         matplotlib is not installed.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+    >>> design = ss.Design(limb="synthetic-1", inputs=(tone,))
+    >>> figure = ss.plot.spectra(design, outputs=(19, 29))
     """
     designs, view = _designs(shown, labels), _checked_view(view, outputs)
     results = [
@@ -1062,6 +1075,17 @@ def film(
         matplotlib or imageio-ffmpeg is not installed.
     StorageError, Stopped
         It cannot be written; ``stop`` said so.  Nothing is left then.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> tap = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
+    >>> moment = ss.View(time_range_s=(0.06, 0.061))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     print(ss.plot.film(tap, Path(folder) / "tap.gif", view=moment).name)
+    tap.gif
     """
     target = Path(path)
     per_s = frames_per_s(target)

@@ -1,5 +1,7 @@
 """The distance that a vibration reaches from the contact."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -62,6 +64,14 @@ def extent(rms: ArrayLike, limb: Limb | str, location: int | Sequence[int]) -> E
     InvalidInputError
         ``rms`` does not fit the limb, is negative or not finite, or is zero throughout: nothing
         has an extent then; or the limb has no such place.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> import numpy as np
+    >>> reach = ss.extent(np.linspace(0.0, 1.0, 72), "synthetic-1", 7)
+    >>> print(f"{reach.d90_mm:.0f} mm")
+    405 mm
     """
     limb = limb_of(limb)
     values = finite_array("rms", rms)

@@ -105,6 +105,12 @@ def input_place(number: int) -> InputPlace:
     ------
     InvalidInputError
         There is no such place.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.locations.input_place(7).name)
+    Digit II, pad
     """
     check_input_location(number)
     return INPUTS[number - 1]
@@ -117,6 +123,12 @@ def output_place(number: int) -> OutputPlace:
     ------
     InvalidInputError
         There is no such place.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.locations.output_place(29).name)
+    Digit II, beside the nail, radial
     """
     is_integer = isinstance(number, int | np.integer) and not isinstance(number, bool)
     if not is_integer or not 1 <= number <= N_OUTPUTS:

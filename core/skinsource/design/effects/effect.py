@@ -4,6 +4,8 @@
 the one before best.
 """
 
+from __future__ import annotations
+
 from typing import ClassVar, Protocol, runtime_checkable
 
 import numpy as np

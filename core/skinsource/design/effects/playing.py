@@ -3,6 +3,8 @@
 Own time of a waveform starts at 0 with its onset, which can lie between two samples.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from math import ceil
 

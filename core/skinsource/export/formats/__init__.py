@@ -38,7 +38,14 @@ FORMATS: tuple[StimulusFormat, ...] = (
 
 
 def export_formats() -> tuple[str, ...]:
-    """Return the names of the formats of stimulus files, see `skinsource.export_stimulus`."""
+    """Return the names of the formats of stimulus files, see `skinsource.export_stimulus`.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(", ".join(ss.export_formats()[:4]))
+    wav, flac, csv, npz
+    """
     return tuple(known.name for known in FORMATS)
 
 

@@ -75,6 +75,14 @@ def surface_operator(
     ------
     InvalidInputError
         The spacing or the limb's map cannot be used.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> import numpy as np
+    >>> heatmap = ss.surface_operator("synthetic-1", 2.0).interpolate(np.arange(72.0))
+    >>> print(heatmap.shape)
+    (230, 76)
     """
     limb = limb_of(limb)
     return surface_operator_from_map(limb.map, limb.hand_length_mm, spacing_mm, stop)

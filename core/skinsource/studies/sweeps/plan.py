@@ -1,5 +1,7 @@
 """The plan of a sweep: its stimuli, their levels, and the order of their presentation."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
@@ -127,6 +129,14 @@ def varied(design: Design, name: str, value: Value) -> Design:
     ------
     InvalidInputError
         Nothing in the design has such a field, or the value does not fit it.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+    >>> design = ss.Design(limb="synthetic-1", inputs=(tone,))
+    >>> print(ss.sweeps.varied(design, "frequency_hz", 50.0).clips[0].waveform.frequency_hz)
+    50.0
     """
     if name == "limb":
         # Any limb of this name: the digest is that of the limb before.
@@ -300,6 +310,13 @@ def trials(order: Order, stimuli: Sequence[int]) -> tuple[Trial, ...]:
     ------
     InvalidInputError
         There would be too many.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> order = ss.sweeps.Order(kind="counterbalanced")
+    >>> print([trial.stimulus for trial in ss.sweeps.trials(order, [1, 2, 3, 4])])
+    [3, 1, 4, 2]
     """
     n_stimuli = len(stimuli)
     n_blocks = order.participants * order.blocks

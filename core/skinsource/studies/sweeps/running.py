@@ -1,5 +1,7 @@
 """Runs a sweep, or the rest of it, in processes and into a folder; reads sweeps from TOML."""
 
+from __future__ import annotations
+
 import os
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -12,7 +14,7 @@ from typing import Any, Protocol
 from skinsource.actuators.prediction import Limits
 from skinsource.base.arguments import checking, integer, one_of, real_number
 from skinsource.base.errors import FileFormatError, InvalidInputError
-from skinsource.base.files import path_text, read_bytes
+from skinsource.base.files import FilePath, path_text, read_bytes
 from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.base.measurement_conditions import AXES, Axes
 from skinsource.base.quoting import printable, quoted, sentence
@@ -41,6 +43,12 @@ from skinsource.studies.sweeps.workers import Row, measured
 _MOST_PROCESSES = 256
 #: Fewer stimuli are measured faster than a second process starts.
 _WORTH_PROCESSES = 50
+
+
+#: A design or the path of a design file, or several.
+Designs = Design | FilePath | Sequence[Design | FilePath]
+#: Values by the name of the variable.
+Variables = Mapping[str, Iterable[Any]]
 
 
 class Measuring(Protocol):
@@ -74,14 +82,14 @@ class Sweep:
 
 @checking
 def sweep(
-    designs: Design | str | os.PathLike[str] | Sequence[Design | str | os.PathLike[str]],
-    vary: Mapping[str, Iterable[Any]] | None = None,
+    designs: Designs,
+    vary: Variables | None = None,
     *,
-    out: str | os.PathLike[str] | None = None,
+    out: FilePath | None = None,
     outputs: Iterable[int] = (),
     axes: Axes = "xyz",
     method: Method = "pca",
-    level: Level | str | os.PathLike[str] | None = None,
+    level: Level | FilePath | None = None,
     level_db: float | None = None,
     limits: Limits | None = None,
     order: Order | None = None,
@@ -137,7 +145,7 @@ def sweep(
 @checking
 def run(
     wanted: Sweep,
-    out: str | os.PathLike[str] | None,
+    out: FilePath | None,
     *,
     processes: int | None = None,
     measuring: Measuring | None = None,
@@ -190,7 +198,7 @@ def _measuring(n_left: int, processes: int | None) -> Measuring:
 
 
 def named_designs(
-    designs: Design | str | os.PathLike[str] | Sequence[Design | str | os.PathLike[str]],
+    designs: Designs,
 ) -> tuple[tuple[str, Design], ...]:
     """Return each design with a unique name: its file, its title, or a number."""
     several = [designs] if isinstance(designs, Design | str | os.PathLike) else list(designs)
@@ -212,13 +220,13 @@ def named_designs(
 
 
 def variables_of(
-    vary: Mapping[str, Iterable[Any]] | None,
+    vary: Variables | None,
 ) -> tuple[tuple[str, tuple[Value, ...]], ...]:
     """Return variables and their values for a plan."""
     return tuple((name, values_of(name, values)) for name, values in (vary or {}).items())
 
 
-def level_of(level: str | os.PathLike[str] | None) -> dict[str, Any]:
+def level_of(level: FilePath | None) -> dict[str, Any]:
     """Return the fields of a plan for a level: its name, or the strengths of a table of matches.
 
     Raises
