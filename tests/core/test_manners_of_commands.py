@@ -87,3 +87,20 @@ def test_a_check_tells_the_frequency_that_is_played(run, tmp_path):
     code, out, _ = run("check", tmp_path / "2F.skinsource")
     assert code == 0
     assert ": 200.0 Hz;" in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("export", "--format", "flac", "--out", "d.wav"), "d.wav ends as files of wav do"),
+        (("export", "--format", "wav", "--out", "d.csv"), "d.csv ends as files of csv do"),
+        (("pack", "--out", "p.txt"), "p.txt is no name of a zip file"),
+    ],
+)
+def test_an_ending_that_says_something_else_is_refused(run, tmp_path, arguments, message):
+    ss.save_design(tmp_path / "a.skinsource", DESIGN)
+    command, *options, name = arguments
+    code, _, err = run(command, tmp_path / "a.skinsource", *options, tmp_path / name)
+    assert code == 1
+    assert message in err
+    assert [path.name for path in tmp_path.iterdir()] == ["a.skinsource"]

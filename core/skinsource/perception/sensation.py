@@ -81,6 +81,9 @@ def sensation_levels_db(
     threshold there: energies add up over axes because the direction of fast vibrations is hardly
     perceived (Landin, Romano, McMahan and Kuchenbecker, 2010), and within a channel over frequency.
 
+    Power is a mean over all samples, silence included: hand over the part in which the skin moves,
+    as the studio takes the loudest 100 ms.
+
     Parameters
     ----------
     acceleration : (n_outputs, n_axes, n_times)

@@ -171,6 +171,7 @@ def test_the_settings_of_the_panel_are_those_of_the_film(tmp_path, small, monkey
     export_animation(tmp_path / "a.gif", DESIGN, view, seen=VisiblePart(fit="hand"))
     content, heading, look = frames[0]
     assert look[-1] == VisiblePart(fit="hand")
+    assert [mark.location for mark in content.inputs] == [track.location for track in DESIGN.inputs]
     assert content.value_range == (-60.0, -10.0)
     assert heading.title == "Skin acceleration, RMS over 50 ms, at 60.0 ms"
     assert heading.details.endswith("1/10 of real time")

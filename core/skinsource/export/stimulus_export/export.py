@@ -17,7 +17,7 @@ from skinsource.base.files import FilePath, path_text, replacing, replacing_fold
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.design.design import Design
 from skinsource.engine.stimulus import Stage
-from skinsource.export.formats import format_named, format_of
+from skinsource.export.formats import format_of
 from skinsource.export.stimulus_export.options import StimulusOptions
 from skinsource.export.stimulus_export.preparing import Limit, PreparedStimulus, prepare_stimulus
 from skinsource.export.stimulus_export.sidecar import sidecar_of, sidecar_path
@@ -126,7 +126,7 @@ def export_stimulus(
     progress(0, 0, "Computing")
     ready = prepare_stimulus(
         design,
-        format_of(target) if format is None else format_named(format),
+        format_of(target, format),
         rate_hz,
         options,
         stages=stages,
