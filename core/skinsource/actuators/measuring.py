@@ -494,6 +494,16 @@ def response_from_sweep(
     ------
     InvalidInputError
         They do not fit together, or the voltage holds too little in the band.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> import numpy as np
+    >>> rng = np.random.default_rng(1)
+    >>> volts = ss.resample(ss.white_noise(2.0, seed=1), 1300, 8000)
+    >>> measured = ss.measuring.response_from_sweep(volts, 3.0 * volts, 8000.0, (50.0, 500.0))
+    >>> print(f"{abs(measured.response(np.array([100.0])))[0]:.1f}")
+    3.0
     """
     driven = finite_array("voltage", voltage, "finite numbers in V, (n_times,)")
     moved = finite_array("acceleration", acceleration, "finite numbers in m/s², (n_times,)")

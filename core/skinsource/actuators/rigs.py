@@ -208,6 +208,12 @@ def calibration_words(rig: Rig | None, places: Sequence[int]) -> str:
 
     ``"calibrated"``, where volts and measured responses of all of them are known, with the date of
     the oldest measurement where it is; else what is missing, beginning with ``"uncalibrated"``.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.rigs.calibration_words(None, [7]))
+    uncalibrated: no rig says how many volts, and how many m/s², a sample of 1 is
     """
     if rig is None:
         return UNCALIBRATED
@@ -235,6 +241,13 @@ def volts_of(channel: RigChannel, samples: ArrayLike) -> Floats:
     ------
     InvalidInputError
         The channel does not say its volts at full scale.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> channel = ss.rigs.RigChannel(place=7, full_scale_v=2.0, amplifier_gain=5.0)
+    >>> print(ss.rigs.volts_of(channel, [0.5]))
+    [5.]
     """
     volts: Floats = finite_array("samples", samples) * _full_scale_volts(channel)
     return volts
@@ -248,6 +261,13 @@ def samples_for(channel: RigChannel, volts: ArrayLike) -> Floats:
     ------
     InvalidInputError
         The channel does not say its volts at full scale, or they do not suffice.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> channel = ss.rigs.RigChannel(place=7, full_scale_v=2.0, amplifier_gain=5.0)
+    >>> print(ss.rigs.samples_for(channel, [5.0]))
+    [0.5]
     """
     needed_v = finite_array("volts", volts)
     full = _full_scale_volts(channel)
@@ -345,6 +365,15 @@ def rig_breaches(
     ------
     InvalidInputError
         A place is not wired, or samples and places do not fit together.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> limits = ss.actuators.Limits(peak_voltage_v=1.0)
+    >>> channel = ss.rigs.RigChannel(place=7, full_scale_v=2.0, limits=limits)
+    >>> (passed,) = ss.rigs.rig_breaches(ss.rigs.Rig(channels=[channel]), [7], [[0.9]], 48000)
+    >>> print(passed.place)
+    7
     """
     rows = finite_array("samples", samples, "finite numbers, (n_channels, n_times)")
     if rows.ndim != 2 or len(rows) != len(places):
@@ -428,6 +457,15 @@ def highest_gain(
     ------
     InvalidInputError
         As `rig_breaches`.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> limits = ss.actuators.Limits(peak_voltage_v=1.0)
+    >>> channel = ss.rigs.RigChannel(place=7, full_scale_v=2.0, limits=limits)
+    >>> margin = ss.rigs.highest_gain(ss.rigs.Rig(channels=[channel]), [7], [[0.9]], 48000)
+    >>> print(f"{margin.factor:.3f}")
+    0.556
     """
     rows = finite_array("samples", samples, "finite numbers, (n_channels, n_times)")
     margin = Margin()

@@ -31,7 +31,14 @@ FOLDER, DESCRIPTIONS = "scenes", "scenes.toml"
 
 
 def scenes_folder() -> Path:
-    """Return the folder of the design files of the scenes."""
+    """Return the folder of the design files of the scenes.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.scenes.scenes_folder().name)
+    scenes
+    """
     return data_folder() / FOLDER
 
 

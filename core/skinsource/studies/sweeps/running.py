@@ -158,6 +158,15 @@ def run(
     ----------
     measuring
         Measures instead of processes of this computer, such as `cluster.Cluster`.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+    >>> design = ss.Design(limb="synthetic-1", inputs=(tone,))
+    >>> plan = ss.sweeps.Plan(designs=(("tone", design),), variables=(("location", (7, 8)),))
+    >>> print(len(ss.sweeps.run(ss.sweeps.Sweep(plan=plan), None)))
+    2
     """
     plan = wanted.plan
     if out is None and (wanted.order or wanted.files or wanted.parquet):
@@ -300,6 +309,20 @@ def read_sweep(path: Path) -> Sweep:
         The file is no TOML, has an unknown name, or an invalid value.
     StorageError
         It, or a design, cannot be read.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+    >>> design = ss.Design(limb="synthetic-1", inputs=(tone,))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "sweep.toml"
+    ...     ss.save_design(path.with_name("a.skinsource"), design)
+    ...     _ = path.write_text('designs = ["a.skinsource"]')
+    ...     print(len(ss.sweeps.read_sweep(path).plan))
+    1
     """
     try:
         content = tomllib.loads(read_bytes(path, most=_MOST_BYTES).decode())
