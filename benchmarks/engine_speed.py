@@ -178,7 +178,7 @@ def long_row() -> bool:
             field = fftconvolve(plainly.responses[place], drive[:, None, None], axes=0)
             total = total + field / field.max()
         between = perf_counter()
-        response = predict(plainly.limb, drives, range(1, 21))
+        response = predict(plainly.limb, drives, range(1, 21), scaling="upstream")
         end = perf_counter()
         ratios.append((between - begin) / (end - between))
     error = np.abs(response - total.transpose(1, 2, 0)).max() / np.abs(total).max()

@@ -65,9 +65,9 @@ def main() -> int:
                     plain_s, expected = timed(plain, limb, drives)
                 prediction._cached_spectra.cache_clear()
                 prediction._cached_gains.cache_clear()
-                first_s, _ = timed(ss.predict, limb, drives, places)
-                ss.predict(limb, drives, places)
-                later_s, response = timed(ss.predict, limb, drives, places)
+                first_s, _ = timed(ss.predict, limb, drives, places, None, "upstream")
+                ss.predict(limb, drives, places, None, "upstream")
+                later_s, response = timed(ss.predict, limb, drives, places, None, "upstream")
                 if k % 2:
                     plain_s, expected = timed(plain, limb, drives)
                 np.testing.assert_allclose(response, expected, rtol=0, atol=1e-12)

@@ -19,7 +19,9 @@ def rms_along_x(places: list[int]) -> np.ndarray:
     """RMS at outputs 19, 21, 24 and 32 for ten periods of 200 Hz in limb 3."""
     drive = sinusoid(200.0, 0.05, window_name="tukey")
     assert drive.shape == (65,)
-    acceleration = predict(load_limb("measured-3"), [drive] * len(places), places)
+    acceleration = predict(
+        load_limb("measured-3"), [drive] * len(places), places, scaling="upstream"
+    )
     return rms(project_axes(acceleration, "x"))[[18, 20, 23, 31]]
 
 
@@ -49,7 +51,7 @@ def test_levels_fall_with_distance_and_frequency_as_in_figure_2b(
 ):
     drive = sinusoid(frequency_hz, 0.2, window_name="tukey")
     assert drive.shape == (260,)
-    acceleration = predict(load_limb("measured-1"), [drive], [7])
+    acceleration = predict(load_limb("measured-1"), [drive], [7], scaling="upstream")
     level_db = decibels(rms(project_axes(acceleration, "xyz", "mag")))
     assert level_db.max() == pytest.approx(loudest_db, abs=0.0501)
     assert np.median(level_db[:42]) == pytest.approx(hand_db, abs=0.0501)
@@ -78,7 +80,7 @@ def read(folder: Path, what: str, *shape: int) -> np.ndarray:
 
 @pytest.fixture
 def acceleration(measured) -> np.ndarray:
-    return predict(load_limb("measured-1"), [sinusoid(100.0, 0.1)], [7])
+    return predict(load_limb("measured-1"), [sinusoid(100.0, 0.1)], [7], scaling="upstream")
 
 
 def test_the_response_to_a_sine_is_that_of_matlab(acceleration, matlab_reference):

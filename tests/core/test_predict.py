@@ -41,11 +41,12 @@ def test_nothing_but_numbers_comes_out_of_extreme_drives(limb, size):
 
 
 def test_an_amplitude_is_the_signed_maximum_of_each_input_under_upstream_scaling(limb):
-    assert predict(limb, DRIVES[0], 1, 2.5).max() == pytest.approx(2.5, rel=1e-14)
-    assert predict(limb, DRIVES[0], 1, -2.5).min() == pytest.approx(-2.5, rel=1e-14)
+    assert predict(limb, DRIVES[0], 1, 2.5, "upstream").max() == pytest.approx(2.5, rel=1e-14)
+    assert predict(limb, DRIVES[0], 1, -2.5, "upstream").min() == pytest.approx(-2.5, rel=1e-14)
     # Alone as beside a silent one.
-    beside = predict(limb, DRIVES[:2], [1, 8], [-2.5, 1e-30])
-    np.testing.assert_allclose(predict(limb, DRIVES[0], 1, -2.5), beside, rtol=0, atol=1e-13)
+    alone = predict(limb, DRIVES[0], 1, -2.5, "upstream")
+    beside = predict(limb, DRIVES[:2], [1, 8], [-2.5, 1e-30], "upstream")
+    np.testing.assert_allclose(alone, beside, rtol=0, atol=1e-13)
 
 
 def test_one_drive_and_one_place_need_no_lists(limb):
@@ -148,20 +149,21 @@ def test_of_a_place_that_is_used_alone_spectra_are_kept_from_the_second_time_on(
 
 
 def test_a_gain_belongs_to_a_drive_at_a_place_of_a_limb(limb):
-    predict(limb, DRIVES, PLACES)
+    predict(limb, DRIVES, PLACES, scaling="upstream")
     changed = DRIVES.copy()
     changed[4, 100] += 0.5
     with counting() as again:
-        predict(limb, DRIVES, PLACES)
+        predict(limb, DRIVES, PLACES, scaling="upstream")
     with counting() as step:
-        predict(limb, changed, PLACES)
+        predict(limb, changed, PLACES, scaling="upstream")
     assert again.search_transforms == 0
     assert 0 < step.search_transforms <= 216
     other = ss.load_limb("synthetic-2")
     for used_limb, places in ((limb, (7, 3)), (other, (7, 3)), (limb, (3, 7))):
-        response = predict(used_limb, DRIVES[[0, 0]], places)
+        response = predict(used_limb, DRIVES[[0, 0]], places, scaling="upstream")
         prediction._cached_gains.cache_clear()
-        assert response.tobytes() == predict(used_limb, DRIVES[[0, 0]], places).tobytes()
+        again = predict(used_limb, DRIVES[[0, 0]], places, scaling="upstream")
+        assert response.tobytes() == again.tobytes()
 
 
 def test_one_input_alone_is_transformed_back_once_and_asks_for_no_second_thread(limb, monkeypatch):
@@ -190,8 +192,10 @@ def test_a_limb_that_is_freed_frees_its_spectra():
 
 
 def test_threads_predict_the_same(limb):
-    expected = predict(limb, DRIVES, PLACES)
+    expected = predict(limb, DRIVES, PLACES, scaling="upstream")
     prediction._cached_spectra.cache_clear()
     with ThreadPoolExecutor(4) as pool:
-        responses = list(pool.map(lambda _: predict(limb, DRIVES, PLACES), range(8)))
+        responses = list(
+            pool.map(lambda _: predict(limb, DRIVES, PLACES, scaling="upstream"), range(8))
+        )
     assert all(response.tobytes() == expected.tobytes() for response in responses)

@@ -4,6 +4,7 @@ import re
 import runpy
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import skinsource as ss
@@ -13,13 +14,13 @@ ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
-def test_the_script_in_the_readme_runs():
+def test_both_ways_in_the_readme_give_the_same_levels():
     (script,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
     values: dict = {}
     exec(compile(script, "README.md", "exec"), values)  # noqa: S102  our own page
     assert values["acceleration"].shape == (72, 3, 260 + 521)
     assert values["heatmap"].ndim == 2
-    assert values["levels"].shape == (72,)
+    np.testing.assert_allclose(values["levels"], values["levels_db"], rtol=0, atol=1e-12)
 
 
 def test_the_export_in_the_readme_is_written(tmp_path, monkeypatch, capsys):

@@ -250,8 +250,8 @@ def test_what_is_too_long_is_refused_before_it_is_begun(call):
 
 
 def test_drives_for_what_is_no_limb_and_locations_without_end_are_refused():
-    with pytest.raises(InvalidInputError, match="limb is 'x', expected a Limb"):
-        ss.predict("x", [[0.0]], [7])
+    with pytest.raises(InvalidInputError, match="limb is 3, expected a Limb"):
+        ss.predict(3, [[0.0]], [7])
     with pytest.raises(InvalidInputError, match="locations"):
         ss.predict(ss.load_limb("synthetic-1"), [[1.0]], iter(lambda: 7, 8))
 

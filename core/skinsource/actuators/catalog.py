@@ -3,6 +3,8 @@
 A profile holds the model of an actuator, where its numbers come from, and its limits.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from functools import cache
 
@@ -69,12 +71,26 @@ _FORMAT, _VERSION = "skinsource actuator", 1
 
 
 def names() -> tuple[str, ...]:
-    """Return the names of the actuators with a complete model, which `load` returns."""
+    """Return the names of the actuators with a complete model, which `load` returns.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(len(ss.actuators.names()))
+    6
+    """
     return tuple(name for name, actuator in _catalog().items() if actuator.complete)
 
 
 def shape_names() -> tuple[str, ...]:
-    """Return the names of the actuators of which only the response shape is known."""
+    """Return the names of the actuators of which only the response shape is known.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.actuators.shape_names()[0])
+    bk-4810
+    """
     return tuple(name for name, actuator in _catalog().items() if not actuator.complete)
 
 
@@ -85,6 +101,12 @@ def profile(name: str) -> ActuatorProfile:
     ------
     InvalidInputError
         No actuator has this name.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.actuators.profile(ss.actuators.names()[0]).limits.peak_voltage_v)
+    None
     """
     return _catalog()[one_of("actuator", name, tuple(_catalog()))]
 
@@ -96,6 +118,12 @@ def load(name: str) -> Model:
     ------
     InvalidInputError
         No actuator has this name, or too little is known of it for a model.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(type(ss.actuators.load(ss.actuators.names()[0])).__name__)
+    Piezo
     """
     model = profile(name).model
     if isinstance(model, ResponseShape):
@@ -113,6 +141,12 @@ def load_shape(name: str) -> ResponseShape:
     ------
     InvalidInputError
         No actuator has this name, or it has a model.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(type(ss.actuators.load_shape(ss.actuators.shape_names()[0])).__name__)
+    ResponseShape
     """
     model = profile(name).model
     if not isinstance(model, ResponseShape):

@@ -10,6 +10,8 @@ as a limited boost reaches.
 True
 """
 
+from __future__ import annotations
+
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import lru_cache
@@ -154,6 +156,12 @@ def followed_band(band_hz: Band | None, sample_rate_hz: float) -> Band:
 
     It ends at 12/13 of half the rate at most.  Where its lab does not say one, None, it is all up
     to there.  What begins at 0 is followed from 25 Hz on, or over its upper octave if that is less.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.equalising.followed_band((25.0, 600.0), 1300.0))
+    (25.0, 600.0)
     """
     low, high = (0.0, np.inf) if band_hz is None else band_hz
     positive_number("sample_rate_hz", sample_rate_hz)
@@ -222,6 +230,13 @@ def net_velocity(
         Above 0.
     lowest_hz
         Where the band begins in which it is followed.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> leaves = ss.equalising.net_velocity(ss.tap(), 1300.0)
+    >>> print(type(leaves).__name__)
+    NetVelocity
     """
     samples = finite_array("drive", drive, "finite numbers, (n_times,)")
     rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
@@ -286,6 +301,15 @@ def equalised(
     ------
     InvalidInputError
         A drive leaves a velocity, so that nothing can follow it.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> model = ss.actuators.load(ss.actuators.names()[0])
+    >>> drive = ss.sinusoid(100.0, window_name="hann")
+    >>> volts = ss.equalising.equalised(drive, 1300.0, model, ss.equalising.RegularisedInverse())
+    >>> print(volts.shape)
+    (130,)
     """
     rows = finite_array("drive", drive, "finite numbers in m/s², (n_times,)")
     rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
@@ -394,6 +418,14 @@ def resonance_of(actuator: Actuator) -> tuple[float, float]:
     sqrt(k m) / (c + Bl² / R).  Of others the response tells: displacement, acceleration over the
     square of the frequency, lags by a quarter of a turn at the resonance, and its phase passes
     there with a slope of 2 Q over the logarithm of the frequency.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> model = ss.actuators.load(ss.actuators.names()[0])
+    >>> frequency_hz, quality = ss.equalising.resonance_of(model)
+    >>> print(f"{frequency_hz:.0f} Hz")
+    220 Hz
     """
     if isinstance(actuator, VoiceCoil):
         stiffness = actuator.stiffness_n_per_m + actuator.skin_stiffness_n_per_m
@@ -547,7 +579,16 @@ class EqualiserCurves:
 def curves(
     equaliser: Equaliser, actuator: Actuator, frequency_hz: ArrayLike, band_hz: Band = BAND_HZ
 ) -> EqualiserCurves:
-    """Return the gains before, of and after the filter, at frequencies above 0, (n,)."""
+    """Return the gains before, of and after the filter, at frequencies above 0, (n,).
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> model = ss.actuators.load(ss.actuators.names()[0])
+    >>> inverse = ss.equalising.RegularisedInverse()
+    >>> print(type(ss.equalising.curves(inverse, model, [50.0, 100.0])).__name__)
+    EqualiserCurves
+    """
     at_hz = finite_array("frequency_hz", frequency_hz, "frequencies in Hz, (n,)")
     mean = mean_of(gain_in_band(actuator, band_hz))
     response = actuator.response(at_hz)

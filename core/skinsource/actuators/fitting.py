@@ -1,5 +1,7 @@
 """Fit a voice coil to a measured response."""
 
+from __future__ import annotations
+
 from itertools import product
 
 import numpy as np
@@ -43,6 +45,15 @@ def fit(
     ------
     InvalidInputError
         There are too few points, or nothing near them is a voice coil.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> import numpy as np
+    >>> coil, hz = ss.actuators.load("example-voice-coil"), np.geomspace(25.0, 600.0, 40)
+    >>> fitted = ss.actuators.fit(hz, coil.response(hz))
+    >>> print(f"{ss.actuators.misfit_db(fitted, hz, coil.response(hz)):.1f} dB")
+    0.0 dB
     """
     known_hz, values = measured_arrays(frequency_hz, response)
     resistance = positive_number("resistance_ohm", resistance_ohm)
@@ -75,7 +86,16 @@ def fit(
 
 
 def misfit_db(actuator: Actuator, frequency_hz: ArrayLike, response: ArrayLike) -> float:
-    """Return the largest difference between the gains of an actuator and a measurement, in dB."""
+    """Return the largest difference between the gains of an actuator and a measurement, in dB.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> import numpy as np
+    >>> model, hz = ss.actuators.load(ss.actuators.names()[0]), np.geomspace(25.0, 600.0, 20)
+    >>> print(ss.actuators.misfit_db(model, hz, model.response(hz)))
+    0.0
+    """
     known_hz, values = measured_arrays(frequency_hz, response)
     gain = np.abs(actuator.response(known_hz))
     with np.errstate(divide="ignore"):

@@ -4,6 +4,8 @@ Sweeps are recorded several times, with an unknown delay, by a clock of its own,
 Spectra are added up over bands a tenth of an octave wide, which averages noise out.
 """
 
+from __future__ import annotations
+
 import os
 from dataclasses import dataclass, replace
 from math import floor
@@ -47,7 +49,7 @@ class Bands:
     last: Indices
 
     @classmethod
-    def between(cls, band_hz: tuple[float, float], step_hz: float, n: int) -> "Bands":
+    def between(cls, band_hz: tuple[float, float], step_hz: float, n: int) -> Bands:
         """Make bands of spectra of ``n`` frequencies with a distance of ``step_hz``."""
         centre_hz = np.geomspace(*band_hz, _POINTS)
         middle = np.rint(centre_hz / step_hz).astype(np.intp)
@@ -490,6 +492,16 @@ def response_from_sweep(
     ------
     InvalidInputError
         They do not fit together, or the voltage holds too little in the band.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> import numpy as np
+    >>> rng = np.random.default_rng(1)
+    >>> volts = ss.resample(ss.white_noise(2.0, seed=1), 1300, 8000)
+    >>> measured = ss.measuring.response_from_sweep(volts, 3.0 * volts, 8000.0, (50.0, 500.0))
+    >>> print(f"{abs(measured.response(np.array([100.0])))[0]:.1f}")
+    3.0
     """
     driven = finite_array("voltage", voltage, "finite numbers in V, (n_times,)")
     moved = finite_array("acceleration", acceleration, "finite numbers in m/s², (n_times,)")

@@ -1,5 +1,7 @@
 """What an actuator will do under a voltage, its limits, and how its coil warms."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass
 from dataclasses import fields as dataclass_fields
@@ -190,6 +192,14 @@ def predicted(
     ------
     InvalidInputError
         The voltage is none, or there are not as many actuators as channels.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> model = ss.actuators.load(ss.actuators.names()[0])
+    >>> (motion,) = ss.actuators.predicted(ss.sinusoid(100.0, sample_rate_hz=8000.0), 8000, model)
+    >>> print(motion.peak_voltage_v)
+    1.0
     """
     rate_hz = integer("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
     least_hz = integer("least_rate_hz", least_rate_hz, 1, MAX_RATE_HZ)
@@ -250,7 +260,17 @@ class Breach:
 
 @checking
 def breaches(prediction: Prediction, limits: Limits) -> tuple[Breach, ...]:
-    """Return the limits that a prediction exceeds; NaN exceeds none."""
+    """Return the limits that a prediction exceeds; NaN exceeds none.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> model = ss.actuators.load(ss.actuators.names()[0])
+    >>> (motion,) = ss.actuators.predicted(ss.sinusoid(100.0, sample_rate_hz=8000.0), 8000, model)
+    >>> limits = ss.actuators.Limits(peak_voltage_v=0.5)
+    >>> print([each.name for each in ss.actuators.breaches(motion, limits)])
+    ['peak_voltage_v']
+    """
     values = {
         limit.name: getattr(prediction, limit.name)
         for limit in dataclass_fields(Limits)

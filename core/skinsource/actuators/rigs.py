@@ -4,6 +4,8 @@ A rig is a JSON file of its own beside designs, made by hand or from measurement
 it, and in nothing that a design holds: no design can loosen them.
 """
 
+from __future__ import annotations
+
 import os
 from collections import Counter
 from collections.abc import Sequence
@@ -206,6 +208,12 @@ def calibration_words(rig: Rig | None, places: Sequence[int]) -> str:
 
     ``"calibrated"``, where volts and measured responses of all of them are known, with the date of
     the oldest measurement where it is; else what is missing, beginning with ``"uncalibrated"``.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.rigs.calibration_words(None, [7]))
+    uncalibrated: no rig says how many volts, and how many m/s², a sample of 1 is
     """
     if rig is None:
         return UNCALIBRATED
@@ -233,6 +241,13 @@ def volts_of(channel: RigChannel, samples: ArrayLike) -> Floats:
     ------
     InvalidInputError
         The channel does not say its volts at full scale.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> channel = ss.rigs.RigChannel(place=7, full_scale_v=2.0, amplifier_gain=5.0)
+    >>> print(ss.rigs.volts_of(channel, [0.5]))
+    [5.]
     """
     volts: Floats = finite_array("samples", samples) * _full_scale_volts(channel)
     return volts
@@ -246,6 +261,13 @@ def samples_for(channel: RigChannel, volts: ArrayLike) -> Floats:
     ------
     InvalidInputError
         The channel does not say its volts at full scale, or they do not suffice.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> channel = ss.rigs.RigChannel(place=7, full_scale_v=2.0, amplifier_gain=5.0)
+    >>> print(ss.rigs.samples_for(channel, [5.0]))
+    [0.5]
     """
     needed_v = finite_array("volts", volts)
     full = _full_scale_volts(channel)
@@ -295,7 +317,15 @@ class RigBreach:
 
 @checking
 def strictest(*several: Limits) -> Limits:
-    """Return for each limit the least of those that are known."""
+    """Return for each limit the least of those that are known.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> first, second = (ss.actuators.Limits(peak_voltage_v=volts) for volts in (2.0, 1.0))
+    >>> print(ss.rigs.strictest(first, second).peak_voltage_v)
+    1.0
+    """
     least = {}
     for limit in dataclass_fields(Limits):
         known = [value for limits in several if (value := getattr(limits, limit.name)) is not None]
@@ -335,6 +365,15 @@ def rig_breaches(
     ------
     InvalidInputError
         A place is not wired, or samples and places do not fit together.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> limits = ss.actuators.Limits(peak_voltage_v=1.0)
+    >>> channel = ss.rigs.RigChannel(place=7, full_scale_v=2.0, limits=limits)
+    >>> (passed,) = ss.rigs.rig_breaches(ss.rigs.Rig(channels=[channel]), [7], [[0.9]], 48000)
+    >>> print(passed.place)
+    7
     """
     rows = finite_array("samples", samples, "finite numbers, (n_channels, n_times)")
     if rows.ndim != 2 or len(rows) != len(places):
@@ -418,6 +457,15 @@ def highest_gain(
     ------
     InvalidInputError
         As `rig_breaches`.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> limits = ss.actuators.Limits(peak_voltage_v=1.0)
+    >>> channel = ss.rigs.RigChannel(place=7, full_scale_v=2.0, limits=limits)
+    >>> margin = ss.rigs.highest_gain(ss.rigs.Rig(channels=[channel]), [7], [[0.9]], 48000)
+    >>> print(f"{margin.factor:.3f}")
+    0.556
     """
     rows = finite_array("samples", samples, "finite numbers, (n_channels, n_times)")
     margin = Margin()
@@ -453,6 +501,17 @@ def save_rig(path: str | os.PathLike[str], rig: Rig) -> None:
         The folder cannot be written, or the disk is full.
     InvalidInputError
         It holds so much that it could not be read again.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "lab.skinrig"
+    ...     ss.save_rig(path, ss.rigs.Rig())
+    ...     print(path.exists())
+    True
     """
     write_bytes(Path(path), to_plain_text(models.encode(rig), FORMAT, VERSION).encode())
 
@@ -467,6 +526,17 @@ def open_rig(path: str | os.PathLike[str]) -> Rig:
         The file cannot be read.
     FileFormatError
         It holds no rig, or what no rig can be: the message says where.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "lab.skinrig"
+    ...     ss.save_rig(path, ss.rigs.Rig())
+    ...     print(ss.open_rig(path) == ss.rigs.Rig())
+    True
     """
     place = Path(path)
     try:

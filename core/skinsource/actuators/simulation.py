@@ -1,5 +1,7 @@
 """Motion of an actuator under a sampled voltage, exact for the way the voltage is held."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Literal, get_args
 

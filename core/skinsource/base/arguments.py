@@ -9,7 +9,7 @@ import inspect
 import math
 import re
 from collections.abc import Callable, Iterable, Sequence
-from functools import wraps
+from functools import partial, wraps
 from numbers import Real
 from types import UnionType
 from typing import Any, Literal, ParamSpec, TypeVar, Union, get_args, get_origin, get_type_hints
@@ -177,7 +177,40 @@ def checking(function: Callable[P, R]) -> Callable[P, R]:
             _check_types(function, *args, **kwargs)
             raise
 
+    checking_function.__signature__ = _shown_signature(function)  # type: ignore[attr-defined]
     return checking_function
+
+
+class _Name(str):
+    """A type as help shows it, without quotes."""
+
+    def __repr__(self) -> str:
+        return str(self)
+
+
+class _NamedDefault(partial[object]):
+    """A function that is a default, as help shows it: by its name."""
+
+    def __repr__(self) -> str:
+        return str(self.func.__name__)
+
+
+def _shown_signature(function: Callable[..., object]) -> inspect.Signature:
+    """Return a signature for readers: types are names, and those of defaults None alone."""
+    signature = inspect.signature(function)
+    parameters = []
+    for parameter in signature.parameters.values():
+        name = parameter.annotation
+        if isinstance(name, str):
+            if parameter.default is None:
+                name = name.removesuffix(" | None")
+            parameter = parameter.replace(annotation=_Name(name))
+        if inspect.isfunction(parameter.default):
+            parameter = parameter.replace(default=_NamedDefault(parameter.default))
+        parameters.append(parameter)
+    returned = signature.return_annotation
+    shown = _Name(returned) if isinstance(returned, str) else returned
+    return signature.replace(parameters=parameters, return_annotation=shown)
 
 
 def _check_types(function: Callable[..., object], *args: object, **kwargs: object) -> None:

@@ -1,5 +1,7 @@
 """Levels in decibels."""
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -34,6 +36,12 @@ def decibels(
     ------
     InvalidInputError
         An amplitude is NaN, infinite or negative, or the reference is not positive.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.decibels([1.0, 0.1, 0.0]))
+    [   0.  -20. -200.]
     """
     amplitude = real_array("amplitude", x, "finite numbers of zero or more")
     reference = positive_number("reference", reference)

@@ -246,6 +246,10 @@ def write_bytes(path: Path, content: bytes, *, private: bool = False) -> None:
         temporary.write_bytes(content)
 
 
+#: A file or a folder.
+FilePath = str | os.PathLike[str]
+
+
 def make_folder(path: Path) -> None:
     """Create ``path`` and its parents; raise `StorageError` where that is not possible."""
     with storage_errors_of(path):

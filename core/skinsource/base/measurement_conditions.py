@@ -82,5 +82,5 @@ def check_input_location(location: int, n_inputs: int = N_INPUTS) -> None:
     if not is_integer or is_other or not 1 <= location <= n_inputs:
         raise InvalidInputError(
             f"input location {quoted(location)} does not exist: locations are the whole numbers 1 "
-            f"to {n_inputs}. See skinsource.limbs.locations for the list."
+            f"to {n_inputs}. See skinsource.locations for the list."
         )

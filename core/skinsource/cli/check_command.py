@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.base.errors import InvalidInputError
+from skinsource.base.files import make_folder
 from skinsource.design.design_file import open_design
 from skinsource.design.labels import AXES
 from skinsource.readers.reading_process import ReadingProcess
@@ -67,6 +68,7 @@ def _check(arguments: argparse.Namespace) -> int:
         ]
     sys.stdout.write("\n".join(summary_lines(conditions)) + "\n")
     if arguments.out is not None:
+        make_folder(arguments.out.parent)
         write_report(arguments.out, conditions, (design.limb for design in designs.values()))
         sys.stdout.write(f"{arguments.out}\n")
     return 0

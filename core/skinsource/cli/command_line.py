@@ -18,26 +18,19 @@ from skinsource.cli import (
     scene_commands,
     sweep_commands,
 )
-from skinsource.design.labels import limb_label
-from skinsource.limbs.catalog import available_limbs, load_limb
+from skinsource.cli.help_format import CommandsFormatter
 from skinsource.limbs.dataset import commands as dataset_commands
 from skinsource.version import __version__
 
-# Modules that add the commands, in the order of the help page.  Each command sets ``run``, a
+# Modules that add the commands, by the groups of the help page.  Each command sets ``run``, a
 # function from the parsed arguments to the exit code.
-_COMMAND_MODULES = (
-    design_commands,
-    export_command,
-    scene_commands,
-    pack_command,
-    figure_commands,
-    sweep_commands,
-    check_command,
-    dataset_commands,
-    bench_command,
-    limb_commands,
-    rig_commands,
-)
+_COMMAND_MODULES = {
+    "designs": (design_commands, pack_command, check_command),
+    "stimuli for actuators": (export_command, sweep_commands, rig_commands),
+    "figures of the paper": (scene_commands, figure_commands),
+    "limbs": (limb_commands, dataset_commands),
+    "this program": (bench_command,),
+}
 
 _FAILED, _STOPPED = 1, 130
 
@@ -68,24 +61,22 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="skinsource",
         description="Design vibrotactile stimuli and see how they travel across the hand and arm.",
+        epilog="skinsource COMMAND --help explains a command.",
+        formatter_class=_Help,
     )
     parser.add_argument("--version", action="version", version=f"skinsource {__version__}")
     subparsers = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
-    limbs = subparsers.add_parser("limbs", help="show the limbs that can be used")
-    limbs.set_defaults(run=_limbs)
-    for module in _COMMAND_MODULES:
-        module.add_to(subparsers)
+    _Help.titles = {}
+    for title, modules in _COMMAND_MODULES.items():
+        n_before = len(subparsers.choices)
+        for module in modules:
+            module.add_to(subparsers)
+        _Help.titles[list(subparsers.choices)[n_before]] = title
     return parser
 
 
-def _limbs(_: argparse.Namespace) -> int:
-    for name in available_limbs():
-        limb = load_limb(name)
-        label = limb_label(name)
-        mark = "SYNTHETIC  " if limb.synthetic else ""
-        note = f"  NOTE: {limb.note}" if limb.note else ""
-        sys.stdout.write(f"{name:12}  {label.title:22}  {mark}{label.sentence}{note}\n")
-    return 0
+class _Help(CommandsFormatter):
+    """The help page of the whole program."""
 
 
 def _explain(text: str, code: int) -> int:

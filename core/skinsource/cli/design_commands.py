@@ -1,4 +1,4 @@
-"""``skinsource show`` and ``skinsource render``: show and compute design files."""
+"""``skinsource show``, ``render`` and ``film``: show, compute and film design files."""
 
 import argparse
 import sys
@@ -16,16 +16,18 @@ from skinsource.design.design_file import open_design
 from skinsource.design.labels import SCALINGS, label_of, level_label, limb_label, signal_label
 from skinsource.design.view import View, view_on
 from skinsource.engine.evaluation import evaluate
+from skinsource.export import plot
 from skinsource.export.exported_design import ExportedDesign
 from skinsource.export.map_files import write_map, write_map_picture
 from skinsource.export.tables import write_levels, write_traces
+from skinsource.limbs.dataset.commands import ProgressBar, WithTimeLeft
 from skinsource.limbs.locations import input_name, output_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.perception.validity import Judged, in_short
 
 
 def add_to(subparsers: Any) -> None:
-    """Add the commands ``show`` and ``render``."""
+    """Add the commands ``show``, ``render`` and ``film``."""
     show = subparsers.add_parser(
         "show",
         help="show what is in a design file, and its levels",
@@ -38,14 +40,37 @@ def add_to(subparsers: Any) -> None:
         description="Writes levels.csv, traces.csv (of the outputs selected in the file), map.csv "
         "and map.png into a folder.",
     )
-    for parser in (show, render):
+    film = subparsers.add_parser(
+        "film",
+        help="write the vibration of a design file in slow motion: MP4, WebM or GIF",
+        description="Writes how the vibration travels over hand and arm, in slow motion; places "
+        "that play are ringed. The time axis of the file is filmed. Needs the extras plot and "
+        "video.",
+    )
+    film.add_argument(
+        "--out", type=Path, required=True, metavar="FILE", help="a .mp4, .webm or .gif file"
+    )
+    film.add_argument(
+        "--quantity",
+        choices=("z", "magnitude"),
+        default="z",
+        help="acceleration normal to the skin, or its length (default: z)",
+    )
+    film.add_argument(
+        "--slow-motion",
+        type=float,
+        metavar="X",
+        help="how many times slower than it happens (default: 20, or as slow as waves need)",
+    )
+    film.set_defaults(run=_film)
+    for parser in (show, render, film):
         parser.add_argument("design", type=Path, metavar="DESIGN", help="a .skinsource file")
     render.add_argument(
         "--out",
         type=Path,
         default=Path(),
         metavar="FOLDER",
-        help="where to write; made where it does not exist (default: here)",
+        help="where to write (default: here)",
     )
     show.set_defaults(run=_show)
     render.set_defaults(run=_render)
@@ -79,6 +104,23 @@ def _render(arguments: argparse.Namespace) -> int:
     for name, write in writers.items():
         write(folder / name, exported)
         sys.stdout.write(f"{folder / name}\n")
+    return 0
+
+
+def _film(arguments: argparse.Namespace) -> int:
+    content = open_design(arguments.design)
+    make_folder(arguments.out.parent)
+    with ProgressBar(sys.stderr) as bar:
+        plot.film(
+            content.design,
+            arguments.out,
+            view=view_on(content.design.limb, content.view),
+            quantity=arguments.quantity,
+            slow_motion=arguments.slow_motion,
+            title=content.design.title,
+            progress=WithTimeLeft(bar),
+        )
+    sys.stdout.write(f"{arguments.out}\n")
     return 0
 
 

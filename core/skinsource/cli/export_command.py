@@ -8,6 +8,8 @@ from typing import Any
 
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.rigs import open_rig
+from skinsource.base.files import make_folder
+from skinsource.cli.help_format import HelpFormatter
 from skinsource.design.design_file import open_design
 from skinsource.export.formats import FORMATS, export_formats
 from skinsource.export.stimulus_export.export import export_stimulus
@@ -33,26 +35,34 @@ def add_to(subparsers: Any) -> None:
         "paths, and below them, indented, what is lost, what it is equalised for and whether it is "
         "calibrated.",
         epilog=f"formats:\n{listed}",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        formatter_class=HelpFormatter,
     )
-    parser.add_argument("design", type=Path, metavar="DESIGN", help="a .skinsource file")
-    parser.add_argument(
-        "--out", type=Path, required=True, metavar="PATH", help="the file, or folder, to write"
+    add = parser.add_argument
+    add("design", type=Path, metavar="DESIGN", help="a .skinsource file")
+    add("--out", type=Path, required=True, metavar="PATH", help="the file, or folder, to write")
+    add(
+        "--format",
+        choices=export_formats(),
+        metavar="FORMAT",
+        help="one of those below (default: as the ending of PATH says)",
     )
-    parser.add_argument(
-        "--format", choices=export_formats(), help="default: as the ending of PATH says"
+    add("--confirm", action="store_true", help="write it even though samples clip or limits pass")
+    add(
+        "--accept-loss",
+        action="store_true",
+        help="write it even though a channel loses more than 1 dB of its energy to the rate",
     )
-    parser.add_argument(
-        "--rate", type=int, metavar="HZ", help="sample rate (default: that of the format)"
-    )
+    add_time = parser.add_argument_group("time").add_argument
+    add_time("--rate", type=int, metavar="HZ", help="sample rate (default: that of the format)")
     for flag, (name, description) in _TIME_OPTIONS.items():
-        parser.add_argument(flag, dest=name, type=float, metavar="S", help=f"{description}, in s")
-    _add_options(parser)
+        add_time(flag, dest=name, type=float, metavar="S", help=f"{description}, in s")
+    _add_channels(parser.add_argument_group("channels").add_argument)
+    _add_numbers(parser.add_argument_group("numbers").add_argument)
+    _add_rig(parser.add_argument_group("rig").add_argument)
     parser.set_defaults(run=_export)
 
 
-def _add_options(parser: argparse.ArgumentParser) -> None:
-    add = parser.add_argument
+def _add_channels(add: Any) -> None:
     add("--inputs", type=int, nargs="+", metavar="N", help="only these inputs, by number")
     add("--per", choices=("place", "input"), default="place", help="what has a channel of its own")
     add(
@@ -71,6 +81,9 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="for each output of the device the channel that it gets; 0: none",
     )
+
+
+def _add_numbers(add: Any) -> None:
     add(
         "--full-scale",
         type=float,
@@ -88,14 +101,12 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         add(
             f"--{name}",
             dest=f"choice_{name}",
-            metavar="|".join(options),
+            metavar=f"{{{','.join(options)}}}",
             help=f"for {', '.join(formats)}",
         )
-    add(
-        "--accept-loss",
-        action="store_true",
-        help="write it even though a channel loses more than 1 dB of its energy to the rate",
-    )
+
+
+def _add_rig(add: Any) -> None:
     add("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
     add(
         "--equalise",
@@ -103,7 +114,6 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
         help="make volts of accelerations for the rig, with this phase",
     )
     add("--boost", type=float, metavar="DB", help="most that --equalise boosts (default: 20)")
-    add("--confirm", action="store_true", help="write it even though samples clip or limits pass")
 
 
 def _choices() -> dict[str, tuple[list[str], list[str]]]:
@@ -124,6 +134,7 @@ def _export(arguments: argparse.Namespace) -> int:
     given["choices"] = {name: value for name, value in choices.items() if value is not None}
     options = StimulusOptions(**{name: value for name, value in given.items() if value is not None})
     rig = None if arguments.rig is None else open_rig(arguments.rig)
+    make_folder(arguments.out.parent)
     exported = export_stimulus(
         open_design(arguments.design).design,
         arguments.out,

@@ -21,9 +21,7 @@ def add_to(subparsers: Any) -> None:
         "limbs where they are installed, else on synthetic ones, and says so. Needs the extra "
         '"plot".',
     )
-    parser.add_argument(
-        "--out", type=Path, required=True, metavar="DIR", help="an existing folder to write to"
-    )
+    parser.add_argument("--out", type=Path, required=True, metavar="FOLDER", help="where to write")
     parser.add_argument(
         "--only", nargs="+", default=(), metavar="NAME", help="only these scenes, such as 2F"
     )

@@ -1,11 +1,13 @@
-"""``skinsource limb import | list | mirror | export | remove``: the user's own limbs."""
+"""``skinsource limbs``, and ``skinsource limb import | list | mirror | export | remove``."""
 
 import argparse
 import sys
 from pathlib import Path
 from typing import Any
 
+from skinsource.base.files import make_folder
 from skinsource.base.measurement_conditions import AXES
+from skinsource.limbs.catalog import available_limbs, load_limb
 from skinsource.limbs.dataset.commands import ProgressBar
 from skinsource.limbs.limb_import import LimbSource, import_limb
 from skinsource.limbs.limb_layout import export_limb
@@ -26,7 +28,9 @@ _IMPORT = (
 
 
 def add_to(subparsers: Any) -> None:
-    """Add the command ``limb`` with its actions."""
+    """Add the commands ``limbs``, and ``limb`` with its actions."""
+    limbs = subparsers.add_parser("limbs", help="show the limbs that can be used")
+    limbs.set_defaults(run=_limbs)
     limb = subparsers.add_parser(
         "limb",
         help="import, list, mirror and remove limbs of your own",
@@ -34,7 +38,7 @@ def add_to(subparsers: Any) -> None:
     )
     actions = limb.add_subparsers(title="actions", metavar="ACTION", required=True)
     _add_import(actions)
-    parser = actions.add_parser("list", help="show the limbs that were imported")
+    parser = actions.add_parser("list", help="show the limbs that can be used, as skinsource limbs")
     parser.set_defaults(run=_list)
     parser = actions.add_parser("mirror", help="show a left hand as a right one, or as it is")
     parser.add_argument("name", metavar="NAME")
@@ -42,7 +46,9 @@ def add_to(subparsers: Any) -> None:
     parser.set_defaults(run=_mirror)
     parser = actions.add_parser("export", help="write a limb in the layout of docs/limbs.md")
     parser.add_argument("name", metavar="NAME")
-    parser.add_argument("--out", type=Path, required=True, metavar="FILE", help="an .h5 file")
+    file = parser.add_mutually_exclusive_group(required=True)
+    file.add_argument("--out", type=Path, metavar="FILE", help="an .h5 file")
+    file.add_argument("file", type=Path, nargs="?", metavar="FILE", help="the same")
     parser.set_defaults(run=_export)
     parser = actions.add_parser("remove", help="delete a limb that was imported")
     parser.add_argument("name", metavar="NAME")
@@ -53,9 +59,17 @@ def _add_import(actions: Any) -> None:
     parser = actions.add_parser("import", help="import impulse responses", description=_IMPORT)
     add = parser.add_argument
     add("file", type=Path, metavar="FILE", help="the responses, in m/s²")
+    add("--replace", action="store_true", help="take the place of an own limb of the same name")
+    add = parser.add_argument_group("names").add_argument
     add("--name", help=f"what designs call it: {NAME_RULE}")
     add("--title", help="what the window calls it")
     add("--note", help="what users should know of it")
+    _add_responses(parser.add_argument_group("responses").add_argument)
+    _add_hand(parser.add_argument_group("hand and places").add_argument)
+    parser.set_defaults(run=_import)
+
+
+def _add_responses(add: Any) -> None:
     add("--array", default="", metavar="NAME", help="which array (default: largest)")
     add(
         "--order",
@@ -73,6 +87,20 @@ def _add_import(actions: Any) -> None:
         metavar=("LOWEST", "HIGHEST"),
         help="in which the responses hold, Hz (default: not known)",
     )
+    add(
+        "--pulse",
+        action="store_true",
+        help="responses to the pulse of the published limbs, not to one sample of the drive",
+    )
+    add(
+        "--synthetic",
+        action="store_true",
+        default=None,
+        help="the responses are computed, not measured",
+    )
+
+
+def _add_hand(add: Any) -> None:
     add("--hand-length", type=float, metavar="MM", help="middle finger tip to wrist")
     add(
         "--hand-length-units",
@@ -86,19 +114,6 @@ def _add_import(actions: Any) -> None:
     add("--y-down", action="store_true", default=None, help="y points down in these files, too")
     add("--left", action="store_true", default=None, help="it is a left hand")
     add("--mirrored", action="store_true", default=None, help="show it as a right hand")
-    add(
-        "--pulse",
-        action="store_true",
-        help="responses to the pulse of the published limbs, not to one sample of the drive",
-    )
-    add(
-        "--synthetic",
-        action="store_true",
-        default=None,
-        help="the responses are computed, not measured",
-    )
-    add("--replace", action="store_true", help="take the place of an own limb of the same name")
-    parser.set_defaults(run=_import)
 
 
 def _import(arguments: argparse.Namespace) -> int:
@@ -132,12 +147,16 @@ def _import(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _list(_: argparse.Namespace) -> int:
-    names = own_limb_names()
-    if not names:
-        sys.stdout.write("No limb was imported. skinsource limb import FILE imports one.\n")
-    for name in names:
+def _limbs(_: argparse.Namespace) -> int:
+    for name in available_limbs():
         sys.stdout.write(f"{_limb_line(name)}\n")
+    return 0
+
+
+def _list(arguments: argparse.Namespace) -> int:
+    _limbs(arguments)
+    if not own_limb_names():
+        sys.stdout.write("No limb was imported. skinsource limb import FILE imports one.\n")
     return 0
 
 
@@ -148,9 +167,11 @@ def _mirror(arguments: argparse.Namespace) -> int:
 
 
 def _export(arguments: argparse.Namespace) -> int:
+    path: Path = arguments.out or arguments.file
+    make_folder(path.parent)
     with ProgressBar(sys.stderr) as bar:
-        export_limb(arguments.name, arguments.out, progress=bar)
-    sys.stdout.write(f"{arguments.out}\n")
+        export_limb(arguments.name, path, progress=bar)
+    sys.stdout.write(f"{path}\n")
     return 0
 
 
@@ -165,5 +186,10 @@ def _limb_line(name: str) -> str:
     facts = facts_of(name)
     if not facts.known:
         return f"{name:12}  damaged: import it again"
-    size = "" if facts.live else "  Too large to follow edits: exports and sweeps compute it."
-    return f"{name:12}  {facts.title:22}  {facts.sentence}  {facts.digest[:12]}{size}"
+    mark = "SYNTHETIC  " if facts.synthetic else ""
+    line = f"{name:12}  {facts.title:22}  {mark}{facts.sentence}"
+    if facts.own:
+        size = "" if facts.live else "  Too large to follow edits: exports and sweeps compute it."
+        return f"{line}  {facts.digest[:12]}{size}"
+    note = load_limb(name).note
+    return f"{line}  NOTE: {note}" if note else line

@@ -6,6 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.actuators.rigs import open_rig
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.files import make_folder
+from skinsource.base.quoting import printable
 from skinsource.design.design_file import open_design
 from skinsource.design.view import view_on
 from skinsource.export.packing import pack
@@ -26,9 +29,14 @@ def add_to(subparsers: Any) -> None:
 
 
 def _pack(arguments: argparse.Namespace) -> int:
+    if arguments.out.suffix.lower() != ".zip":
+        raise InvalidInputError(
+            f"{printable(arguments.out.name)} is no name of a zip file. Call it *.zip."
+        )
     content = open_design(arguments.design)
     rig = None if arguments.rig is None else open_rig(arguments.rig)
     view = view_on(content.design.limb, content.view)
+    make_folder(arguments.out.parent)
     pack(arguments.out, content.design, view, rig=rig)
     sys.stdout.write(f"{arguments.out}\n")
     return 0

@@ -37,8 +37,9 @@ def _add_measure(actions: Any) -> None:
     parser = actions.add_parser(
         "measure", help="measure a channel with an accelerometer", description=_MEASURE
     )
-    add = parser.add_argument
-    add("rig", type=Path, metavar="RIG", help="a .skinrig file")
+    parser.add_argument("rig", type=Path, metavar="RIG", help="a .skinrig file")
+    parser.add_argument("--out", type=Path, metavar="FILE", help="rig to write (default: the same)")
+    add = parser.add_argument_group("channel and accelerometer").add_argument
     add("--place", type=int, required=True, metavar="N", help="of the channel")
     add(
         "--sensitivity",
@@ -62,6 +63,7 @@ def _add_measure(actions: Any) -> None:
         metavar="N",
         help="input that is wired to the output, to tell the delay (default: none)",
     )
+    add = parser.add_argument_group("sweeps").add_argument
     add(
         "--level",
         type=float,
@@ -79,10 +81,10 @@ def _add_measure(actions: Any) -> None:
         metavar="HZ",
         help="lowest and highest frequency that are wanted (default: 20 1000)",
     )
+    add = parser.add_argument_group("audio devices").add_argument
     add("--rate", type=int, default=output.sample_rate_hz, metavar="HZ")
     add("--device", default="", metavar="NAME", help="where the rig names none (default: usual)")
     add("--input-device", default="", metavar="NAME", help="default: the one that is played on")
-    add("--out", type=Path, metavar="FILE", help="rig to write (default: the same)")
     parser.set_defaults(run=_measure)
 
 

@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from skinsource.base.files import make_folder
 from skinsource.design.design_file import save_design
 from skinsource.studies.scenes.catalog import all_scenes, open_scene, why_not_on
 
@@ -14,8 +15,9 @@ def add_to(subparsers: Any) -> None:
     parser = subparsers.add_parser(
         "scenes",
         help="list the scenes of the paper, or write one as a design file",
-        description="Lists the panels of the paper's figures that can be computed. With a name "
-        "and --out, writes that scene as a design file for show, render, export and the studio.",
+        description="Lists the panels of the paper's figures that can be computed; those that "
+        "show a setup, or what was measured or perceived, are not among them. With a name and "
+        "--out, writes that scene as a design file for show, render, export and the studio.",
     )
     parser.add_argument("name", nargs="?", metavar="NAME", help="of a scene, such as 2F")
     parser.add_argument(
@@ -44,6 +46,7 @@ def _scenes(arguments: argparse.Namespace) -> int:
     if opened.note:
         sys.stdout.write(f"{opened.note}\n")
     if arguments.out is not None:
+        make_folder(arguments.out.parent)
         save_design(arguments.out, opened.design, opened.view)
         sys.stdout.write(f"{arguments.out}\n")
     return 0

@@ -26,7 +26,7 @@ def add_to(subparsers: Any) -> None:
     )
     sweep.add_argument("sweep", type=Path, metavar="SWEEP", help="a .toml file")
     sweep.add_argument(
-        "--out", type=Path, required=True, metavar="DIR", help="where to write, and to go on"
+        "--out", type=Path, required=True, metavar="FOLDER", help="where to write, and to go on"
     )
     sweep.add_argument(
         "--processes", type=int, metavar="N", help="how many measure at once (default: all cores)"

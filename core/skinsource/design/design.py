@@ -1,5 +1,7 @@
 """Designs and their inputs: plain immutable values, without arrays or files."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -201,20 +203,20 @@ class Design:
         clip = self.clip(clip_id)
         return next(track for track in self.inputs if any(other is clip for other in track.clips))
 
-    def with_input(self, index: int, **changes: Any) -> "Design":
+    def with_input(self, index: int, **changes: Any) -> Design:
         """Return a copy in which input ``index`` has ``changes`` applied."""
         inputs = list(self.inputs)
         inputs[index] = replace(inputs[index], **changes)
         return replace(self, inputs=tuple(inputs))
 
-    def with_clip(self, id: int, **changes: Any) -> "Design":
+    def with_clip(self, id: int, **changes: Any) -> Design:
         """Return a copy in which the clip with this id has ``changes`` applied."""
         changed = replace(self.clip(id), **changes)
         track = self.track_of(id)
         clips = tuple(changed if clip.id == id else clip for clip in track.clips)
         return self.with_input(self.index_of(track.id), clips=clips)
 
-    def adding(self, new: Input) -> "Design":
+    def adding(self, new: Input) -> Design:
         """Return a copy with one more input, which gets its own colour and ids."""
         used = {present.colour for present in self.inputs}
         colour = next(k for k in range(MAX_INPUTS + 1) if k not in used)
@@ -222,7 +224,7 @@ class Design:
         added = replace(new, colour=colour, id=0, clips=clips)
         return replace(self, inputs=(*self.inputs, added))
 
-    def without_input(self, index: int) -> "Design":
+    def without_input(self, index: int) -> Design:
         """Return a copy without input ``index``."""
         inputs = list(self.inputs)
         del inputs[index]
@@ -245,6 +247,12 @@ def track(
         When it starts.
     changes
         Other fields of `Input`: ``amplitude=0.5``.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.track(7, ss.waveforms.Tap(), onset_s=0.1).clips[0].onset_s)
+    0.1
     """
     clip = Clip(waveform=Tone() if waveform is None else waveform, onset_s=onset_s)
     return Input(location=location, clips=(clip,), **changes)

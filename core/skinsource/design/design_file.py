@@ -71,6 +71,19 @@ def save_design(
         The folder cannot be written, or the disk is full.
     InvalidInputError
         The design is larger than any file may be.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+    >>> design = ss.Design(limb="synthetic-1", inputs=(tone,))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "scene.skinsource"
+    ...     ss.save_design(path, design)
+    ...     print(path.exists())
+    True
     """
     content = DesignFile(design=design, view=View() if view is None else view, layout=layout)
     write_bytes(Path(path), to_bytes(content))
@@ -91,6 +104,19 @@ def open_design(path: str | os.PathLike[str]) -> DesignFile:
         The file cannot be read.
     DesignFileError
         It is not a design file, it is damaged, or it holds something this version does not know.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+    >>> design = ss.Design(limb="synthetic-1", inputs=(tone,))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "scene.skinsource"
+    ...     ss.save_design(path, design)
+    ...     print(ss.open_design(path).design == design)
+    True
     """
     return read_design(Path(path))[1]
 

@@ -4,6 +4,8 @@ A motion is a frozen dataclass with fields from `skinsource.specs.fields`, and e
 `Motion` names.  To add one, write its class here and name it in `MOTIONS`.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -119,7 +121,7 @@ def _tracks_of(
 
 
 def _evenly_spaced_tracks(
-    motion: "Alternation | ApparentMotion | TapSequence", locations: Sequence[int]
+    motion: Alternation | ApparentMotion | TapSequence, locations: Sequence[int]
 ) -> tuple[Input, ...]:
     """Return tracks that play the waveform of a motion at one location after the other."""
     onsets_s = (motion.onset_s + k * motion.spacing_s for k in range(len(locations)))

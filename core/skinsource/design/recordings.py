@@ -9,6 +9,8 @@ process of their own; `taken` converts the raw numbers and is a pure function.
 ['full scale', 'm/s²', 'g', 'mm/s', 'µm', 'N', 'V']
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -124,7 +126,20 @@ def usual_scale(unit: str) -> Scale:
 
 @checking
 def suggested(found: Found, series: Series | None = None) -> ImportChoice:
-    """Return the usual choice: the first signal of a file, described as the file describes it."""
+    """Return the usual choice: the first signal of a file, described as the file describes it.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "tap.csv"
+    ...     lines = (f"{k / 1000},{k % 2}" for k in range(100))
+    ...     _ = path.write_text(chr(10).join(["time (s),acceleration (g)", *lines]))
+    ...     print(ss.recordings.suggested(ss.recordings.look(path)).unit)
+    g
+    """
     signal = series or found.signals()[0]
     timestamps = found.time_of(signal)
     unit = signal.unit or "full scale"
@@ -345,6 +360,18 @@ def look(path: Path | str) -> Found:
         The file holds nothing that can be used, or reading it crashed or took too long.
     StorageError
         The file cannot be read.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "tap.csv"
+    ...     lines = (f"{k / 1000},{k % 2}" for k in range(100))
+    ...     _ = path.write_text(chr(10).join(["time (s),acceleration (g)", *lines]))
+    ...     print(len(ss.recordings.look(path).series))
+    2
     """
     with ReadingProcess() as process:
         return process.look(Path(path))
@@ -382,6 +409,18 @@ def take(
         As for `look`; or the chosen signal is not in the file or cannot be used.
     Stopped
         ``stop`` asked for it.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "tap.csv"
+    ...     lines = (f"{k / 1000},{k % 2}" for k in range(100))
+    ...     _ = path.write_text(chr(10).join(["time (s),acceleration (g)", *lines]))
+    ...     print(ss.recordings.take(path).samples.values.size)
+    130
     """
     file = Path(path)
     if process is None:

@@ -229,6 +229,13 @@ def actuation_of_rig(
     ------
     InvalidInputError
         The movement of no channel is known.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> channel = ss.rigs.RigChannel(place=7, actuator=ss.actuators.names()[0])
+    >>> print(ss.actuation_of_rig(ss.rigs.Rig(channels=[channel])).at(7).actuator)
+    example-piezo
     """
     actuators = []
     for channel in rig.channels:

@@ -1,5 +1,7 @@
 """The view on a design: what the studio shows, an immutable value that is saved with the design."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, replace
 from typing import Any
 

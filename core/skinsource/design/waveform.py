@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import BAND_HZ
+from skinsource.signals.generators import OTHER_NAMES
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 
@@ -73,6 +74,7 @@ DURATION = NumberSpec(
 WINDOW = ChoiceSpec(
     label="Window",
     options=(("none", "None"), ("tukey", "Tukey, 25 % taper"), ("hanning", "Hanning")),
+    other_names=tuple(OTHER_NAMES.items()),
     hint="Fades the burst in and out; without one it starts and ends with a click",
 )
 #: Frequency of a wavelet; lower ones would be longer than the longest waveform.

@@ -2,7 +2,9 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any
+from weakref import WeakKeyDictionary
 
 import numpy as np
 import scipy
@@ -161,7 +163,23 @@ def place_noise(limb: Limb, location: int) -> Floats | None:
     rate, before_s = limb.sample_rate_hz, limb.pre_trigger_delay_s
     if limb.synthetic or not tells_noise(rate, before_s):
         return None
-    return noise_rms(limb.response_to(location), rate, before_s)
+    # Sweeps need it for each stimulus.
+    known = _NOISE_OF_LIMBS.setdefault(limb, {})
+    if location not in known:
+        known[location] = noise_rms(limb.response_to(location), rate, before_s)
+    return known[location]
+
+
+_NOISE_OF_LIMBS: WeakKeyDictionary[Limb, dict[int, Floats]] = WeakKeyDictionary()
+
+
+@lru_cache(maxsize=8)
+def _inverse_pulse(n_taps: int, sample_rate_hz: float) -> Floats:
+    pulse = np.zeros(n_taps)
+    pulse[n_taps // 2] = 1.0
+    inverse_pulse = per_probe_acceleration(pulse, sample_rate_hz)
+    inverse_pulse.flags.writeable = False
+    return inverse_pulse
 
 
 def noise_of_places(
@@ -195,9 +213,7 @@ def noise_path(limb: Limb, scaling: Scaling, actuation: Actuation | None, locati
     rate = limb.sample_rate_hz
     path = np.ones(1)
     if divided_by_pulse(limb, scaling):
-        pulse = np.zeros(limb.n_taps)
-        pulse[limb.n_taps // 2] = 1.0
-        path = per_probe_acceleration(pulse, rate)
+        path = _inverse_pulse(limb.n_taps, rate)
     if actuation is None:
         return path
     transfers = transfers_of(actuation, rate, limb.band_hz)

@@ -57,9 +57,7 @@ class Evaluator:
             try:
                 values = cached.graph.evaluate(quantities, sources(cached.design, cached.view))
             except UnknownQuantity as error:
-                raise InvalidInputError(
-                    f"{error.args[0]}. See skinsource.engine.quantities."
-                ) from error
+                raise InvalidInputError(f"{error.args[0]}. See skinsource.quantities().") from error
             except BaseException:
                 # A limb may have been replaced on disk: the next call opens it anew.
                 self._cached = [

@@ -4,6 +4,8 @@ The skin answers with the sum of the convolutions of drives and responses (eq. 1
 paper).  Spectra of responses and gains of drives are remembered for all threads, in bounded memory.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cache, partial
 from hashlib import sha256
@@ -18,7 +20,6 @@ from skinsource.base.arguments import checking, real_array
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import check_input_location
-from skinsource.base.quoting import quoted
 from skinsource.base.work import tally
 from skinsource.design.signal_path import LARGEST, Drive, check_drive, drive_of, first_unusable
 from skinsource.engine.drives import active_samples
@@ -42,6 +43,7 @@ from skinsource.engine.transforms import (
     parts_of,
     run_on_two_threads,
 )
+from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling, check_scaling
 
@@ -161,11 +163,11 @@ def _gains_of(
 
 @checking
 def predict(
-    limb: Limb,
+    limb: Limb | str,
     drives: ArrayLike,
     locations: Sequence[int] | int,
     amplitudes: ArrayLike | None = None,
-    scaling: Scaling = "upstream",
+    scaling: Scaling = "probe",
     actuation: Actuation | None = None,
 ) -> Floats:
     """Return the skin acceleration at all outputs, for drives at some input locations.
@@ -173,18 +175,19 @@ def predict(
     Parameters
     ----------
     limb
-        From `load_limb`.  Only the responses to the locations in use are read.
+        From `load_limb`, or its name, which opens it anew in each call.  Only the responses to the
+        locations in use are read.
     drives : (n_inputs, n_times)
-        Samples of each input.  Dimensionless; with ``scaling="probe"`` probe acceleration, m/s².
+        Samples of each input: probe acceleration, m/s²; dimensionless in the other scalings.
     locations : (n_inputs,)
         Input location of each drive, from 1.  A location may occur more than once.
     amplitudes : (n_inputs,), optional
         Factor of each input, 1 by default; may be negative or zero.
     scaling
-        ``"upstream"``: the vibration by each input is divided by its signed maximum over all
-        outputs, axes and times: an amplitude is that maximum in m/s².  ``"relative"``: no division;
-        1 is the measuring pulse, sample by sample.  ``"probe"``: responses calibrated to probe
-        acceleration (`skinsource.limbs.scaling`).
+        As that of a design.  ``"probe"``: responses calibrated to probe acceleration
+        (`skinsource.limbs.scaling`).  ``"upstream"``: the vibration by each input is divided by its
+        signed maximum over all outputs, axes and times: an amplitude is that maximum in m/s².
+        ``"relative"``: no division; 1 is the measuring pulse, sample by sample.
     actuation
         Actuators between drives and skin, under ``"probe"`` scaling; drives are then in the unit
         that `Actuation` states.
@@ -199,9 +202,15 @@ def predict(
     InvalidInputError
         Drives are empty or of unequal length, a value is not finite, or a location or the scaling
         is unknown.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> acceleration = ss.predict("synthetic-1", [ss.sinusoid(100.0)], [7])
+    >>> levels_db = ss.decibels(ss.rms(ss.project_axes(acceleration, "xyz", "mag")))
+    >>> figure = ss.plot.map(levels_db, limb="synthetic-1")
     """
-    if not isinstance(limb, Limb):
-        raise InvalidInputError(f"limb is {quoted(limb)}, expected a Limb, see load_limb")
+    limb = limb_of(limb)
     check_scaling(scaling)
     samples = _checked_drives(drives)
     checked_locations = _checked_locations(locations, len(samples), limb.n_inputs)

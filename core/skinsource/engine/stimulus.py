@@ -4,6 +4,8 @@ Functions return a changed stimulus: other order, fades, scale, part of time, le
 and polarity, volts and delays of the channels of a rig.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -27,7 +29,7 @@ from skinsource.design.amplitudes import ARBITRARY_UNIT, drive_unit
 from skinsource.design.design import Design, Input, audible_inputs
 from skinsource.design.effects.playing import played
 from skinsource.design.signal_path import Part, drive_played, placed_signal_path
-from skinsource.limbs.catalog import load_limb
+from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.scaling import Scaling
@@ -124,7 +126,7 @@ class Stimulus:
         """Rows of the channels that drive an actuator."""
         return tuple(row for row, channel in enumerate(self.channels) if channel.place is not None)
 
-    def with_samples(self, samples: Floats, **changes: object) -> "Stimulus":
+    def with_samples(self, samples: Floats, **changes: object) -> Stimulus:
         """Return a copy that holds other samples."""
         return replace(self, samples=samples, **changes)  # type: ignore[arg-type]
 
@@ -328,7 +330,7 @@ def stimulus_of(
     inputs: Iterable[int] | None = None,
     clips: Iterable[int] | None = None,
     stages: Sequence[Stage] = (),
-    limb: Limb | None = None,
+    limb: Limb | str | None = None,
     lead_in_s: float = 0.0,
     progress: Progress = silent,
     stop: Stop = never,
@@ -398,7 +400,7 @@ def stimuli_of(
     per: Literal["place", "input"],
     inputs: Iterable[int] | None,
     clips: Iterable[int] | None,
-    limb: Limb | None = None,
+    limb: Limb | str | None = None,
     lead_in_s: float,
     progress: Progress,
     stop: Stop,
@@ -411,7 +413,7 @@ def stimuli_of(
     one_of("per", per, ("place", "input"))
     if sample_rate_hz is not None:
         sample_rate_hz = integer("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
-    limb = load_limb(design.limb) if limb is None else limb
+    limb = limb_of(design.limb if limb is None else limb)
     for track in tracks:
         check_input_location(track.location, limb.n_inputs)
     own_rate_hz = limb.sample_rate_hz

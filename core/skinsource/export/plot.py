@@ -11,28 +11,34 @@ need the extra ``plot``.
 2
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, fields, replace
 from functools import cache
 from io import BytesIO
+from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from skinsource.base.arguments import checking, finite_array
+from skinsource.base.arguments import checking, finite_array, one_of, positive_number
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.extras import package_of_extra
+from skinsource.base.files import FilePath
+from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.base.quoting import quoted
 from skinsource.design.design import Design, audible_inputs
-from skinsource.design.labels import signal_label
+from skinsource.design.labels import limb_label, signal_label
 from skinsource.design.view import View
 from skinsource.engine.evaluation import evaluate
-from skinsource.limbs.catalog import load_limb
+from skinsource.export.video import frames_per_s, video_file
+from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.extent import Extent
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import facts_of
@@ -205,9 +211,7 @@ def levels_of(shown: Design | ArrayLike, limb: Limb | str | None, view: View | N
         raise InvalidInputError(
             "levels need the limb that they belong to: map(levels_db, limb=...); a Design knows it"
         )
-    loaded = load_limb(limb) if isinstance(limb, str) else limb
-    if not isinstance(loaded, Limb):
-        raise InvalidInputError(f"limb is {quoted(limb)}, expected a Limb or the name of one")
+    loaded = limb_of(limb)
     values = finite_array("levels", shown)
     if values.shape != (loaded.n_outputs,):
         raise InvalidInputError(
@@ -224,7 +228,11 @@ def common_range(*levels_db: Floats) -> Range:
 
 Bar = Literal["drawn", "room", "none"]
 Part = Literal["arm", "hand"]
-_COLOUR_MAP, _SIGNED_COLOUR_MAP = "viridis", "RdBu_r"
+Colours = Literal["sequential", "diverging"]
+_COLOUR_MAPS: dict[Colours, str] = {"sequential": "viridis", "diverging": "RdBu_r"}
+# Levels reach far below 0 dB and little above it; where both ends of an array are this much alike,
+# it is a difference of levels.
+_ENDS_OF_DIFFERENCES = 0.2
 # Beside the wrist there is less room than below the arm.
 _BAR_MM: dict[Part, float] = {"arm": 50.0, "hand": 20.0}
 # Room for the bar and its label below the limb.
@@ -238,6 +246,7 @@ _STROKES, _STROKE_COLOUR = "//////", "#B0B0B0"
 #: What strokes over a map mean.
 HATCHED = f"Hatched: less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise of the measurement"
 _MAP_FIGURE_MM = (75.0, 115.0)
+_LEVEL = "dB re 1 m/s²"
 
 
 @checking
@@ -247,7 +256,9 @@ def map(
     limb: Limb | str | None = None,
     view: View | None = None,
     range_db: Range | None = None,
-    outputs: tuple[int, ...] = (),
+    label: str | None = None,
+    colours: Colours | None = None,
+    outputs: Sequence[int] = (),
     title: str = "",
     ax: Any = None,
 ) -> Any:
@@ -256,14 +267,20 @@ def map(
     Parameters
     ----------
     shown
-        A design, or levels of all outputs, (n_outputs,), in dB re 1 m/s².
+        A design; or levels of all outputs, (n_outputs,), in dB re 1 m/s²; or differences of levels,
+        or any other numbers that ``label`` names.
     limb
         Whose levels these are; a design knows its own.
     view
         Axes, method and span of the levels of a design; ``View()`` where none is given.
     range_db
-        Levels of the lowest and the highest colour; from the loudest output 50 dB down unless
-        given.
+        Values of the lowest and the highest colour.  Unless given, from the loudest output 50 dB
+        down; of diverging colours, as far below 0 as above.
+    label
+        Stands beside the colour bar; dB re 1 m/s², or the difference in dB, unless given.
+    colours
+        ``"sequential"``, or ``"diverging"``, which are white at 0.  Unless given, arrays that reach
+        about as far above 0 as below diverge: they are differences.
     outputs
         Outputs that are ringed and numbered.
     title
@@ -288,18 +305,43 @@ def map(
     >>> figure = ss.plot.map(np.linspace(-60.0, -10.0, 72), limb="synthetic-2", outputs=(19,))
     """
     levels = levels_of(shown, limb, view)
-    colours = common_range(levels.values) if range_db is None else range_db
+    if colours is None:
+        differs = not isinstance(shown, Design) and _is_difference(levels.values)
+        colours = "diverging" if differs else "sequential"
+    signed = one_of("colours", colours, tuple(_COLOUR_MAPS)) == "diverging"
+    if range_db is None:
+        range_db = signed_range(levels.values) if signed else common_range(levels.values)
     target, is_new = axes_of(ax, *_MAP_FIGURE_MM)
     with style():
-        image = draw_map(target, levels, colours, outputs=outputs, title=title)
+        image = draw_map(
+            target, levels, range_db, outputs=tuple(outputs), title=title, signed=signed
+        )
         if is_new:
-            bar = target.figure.colorbar(image, ax=[target], shrink=0.55, aspect=18, pad=0.02)
-            bar.set_label("dB re 1 m/s²")
-            bar.outline.set_linewidth(0.5)
-            note = _map_note(levels.limb, bool(levels.noisy))
-            if note:
-                target.figure.text(0.5, 0.01, note, ha="center", color=DIM, fontsize=6)
+            default = "difference (dB)" if signed else _LEVEL
+            _finish_map(target, image, levels, default if label is None else label)
     return target.figure
+
+
+def _is_difference(values: Floats) -> bool:
+    """Return whether values reach about as far above 0 as below."""
+    below, above = -float(values.min()), float(values.max())
+    return min(below, above) > 0.0 and min(below, above) >= _ENDS_OF_DIFFERENCES * max(below, above)
+
+
+def signed_range(values: Floats) -> Range:
+    """Return a colour range with 0 in its middle."""
+    limit = float(np.abs(values).max()) or 1.0
+    return -limit, limit
+
+
+def _finish_map(ax: Any, image: Any, levels: Levels, label: str) -> None:
+    """Draw a colour bar, and what has to be known of the map."""
+    bar = ax.figure.colorbar(image, ax=[ax], shrink=0.55, aspect=18, pad=0.02)
+    bar.set_label(label)
+    bar.outline.set_linewidth(0.5)
+    note = _map_note(levels.limb, bool(levels.noisy))
+    if note:
+        ax.figure.text(0.5, 0.01, note, ha="center", color=DIM, fontsize=6)
 
 
 def _map_note(limb: Limb, noisy: bool) -> str:
@@ -341,13 +383,12 @@ def draw_map(
     Outputs of ``levels`` that are mostly noise are hatched.
     """
     limb = levels.limb
-    scale = limb.hand_length_mm / limb.map.hand_length_px
-    table = _SIGNED_COLOUR_MAP if signed else _COLOUR_MAP
+    table = _COLOUR_MAPS["diverging" if signed else "sequential"]
     image, outline = _draw_field(ax, levels, colours, table)
     reach_mm = _NOISE_REACH * limb.hand_length_mm
-    _hatch(ax, limb.map.output_positions * scale, levels.noisy, reach_mm, outline)
-    _mark(ax, limb.map.input_positions * scale, levels.places, "input")
-    _mark(ax, limb.map.output_positions * scale, outputs, "output")
+    _hatch(ax, limb.output_positions_mm, levels.noisy, reach_mm, outline)
+    _mark(ax, limb.input_positions_mm, levels.places, "input")
+    _mark(ax, limb.output_positions_mm, outputs, "output")
     low, high = _bounds(limb, part)
     ax.set_xlim(low[0] - 4.0, high[0] + 4.0)
     ax.set_ylim(low[1] - (4.0 if bar == "none" else _BELOW_MM), high[1] + 4.0)
@@ -415,11 +456,16 @@ def _bounds(limb: Limb, part: Part) -> tuple[Floats, Floats]:
 def _extended_map(surface: SurfaceOperator, values: Floats) -> Floats:
     """Return the map, (rows, columns), extended beyond the outline, which clips it later."""
     inside = surface.interpolate(values)
-    outside = np.isnan(inside)
-    rows, columns = scipy.ndimage.distance_transform_edt(
-        outside, return_distances=False, return_indices=True
-    )
+    rows, columns = _nearest_inside(inside)
     return np.asarray(inside[rows, columns])
+
+
+def _nearest_inside(inside: Floats) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Return row and column of the pixel inside of the outline that is nearest to each pixel."""
+    rows, columns = scipy.ndimage.distance_transform_edt(
+        np.isnan(inside), return_distances=False, return_indices=True
+    )
+    return rows, columns
 
 
 def _mark(ax: Any, positions: Floats, numbers: tuple[int, ...], kind: str) -> None:
@@ -598,6 +644,13 @@ def traces(
         There is nothing to draw, or the limb does not have such outputs.
     MissingExtraError
         matplotlib is not installed.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+    >>> design = ss.Design(limb="synthetic-1", inputs=(tone,))
+    >>> figure = ss.plot.traces(design, outputs=(19, 29))
     """
     designs, view = _designs(shown, labels), _checked_view(view, outputs)
     results = [evaluate(design, *_TRACE_QUANTITIES, view=view) for design in designs]
@@ -639,6 +692,13 @@ def spectra(
         There is nothing to draw, or the limb does not have such outputs.
     MissingExtraError
         matplotlib is not installed.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+    >>> design = ss.Design(limb="synthetic-1", inputs=(tone,))
+    >>> figure = ss.plot.spectra(design, outputs=(19, 29))
     """
     designs, view = _designs(shown, labels), _checked_view(view, outputs)
     results = [
@@ -929,7 +989,7 @@ def draw_strip(
         )
     last = maps[-1].get_position()
     bar = figure.add_axes((last.x1 + 0.015, last.y0 + 0.15 * last.height, 0.012, 0.7 * last.height))
-    figure.colorbar(image, cax=bar).set_label("dB re 1 m/s²")
+    figure.colorbar(image, cax=bar).set_label(_LEVEL)
     bar.set_frame_on(False)
 
 
@@ -959,4 +1019,176 @@ def draw_extent(ax: Any, windowed: WindowedLevels, n: int) -> None:
     )
 
 
-__all__ = ["map", "spectra", "strip", "traces"]
+# Along z colours end at this share of the largest acceleration, which is near the input.
+_SHARE_OF_LARGEST = 0.25
+_FILM_DPI = 220
+#: Ten minutes.
+MOST_FRAMES = 36_000
+
+
+@checking
+def film(
+    design: Design,
+    path: FilePath,
+    *,
+    view: View | None = None,
+    quantity: Literal["z", "magnitude"] = "z",
+    slow_motion: float | None = None,
+    limit: float | None = None,
+    title: str = "",
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> Path:
+    """Write how the vibration travels over hand and arm, as MP4, WebM or GIF.
+
+    It needs the extras ``plot`` and ``video``.  Places that play are ringed.
+
+    Parameters
+    ----------
+    design
+        What is played.
+    path
+        The film; its name ends in ``.mp4``, ``.webm`` or ``.gif``.
+    view
+        Range of times, and whether the pre-trigger delay is removed; it is unless a view is given.
+    quantity
+        ``"z"``: acceleration normal to the skin; ``"magnitude"``: length of the acceleration.
+    slow_motion
+        How many times slower it runs than it happens; 20, or the least at which the fastest waves
+        are visible, unless given.
+    limit
+        Acceleration of the last colour, m/s²; a quarter of the largest unless given.
+    title
+        Stands above.
+    progress, stop
+        Called with the progress; asked whether to stop.
+
+    Returns
+    -------
+    The path.
+
+    Raises
+    ------
+    InvalidInputError
+        The ending is unknown, the film is too fast or too long, or the limb has no z axis.
+    MissingExtraError
+        matplotlib or imageio-ffmpeg is not installed.
+    StorageError, Stopped
+        It cannot be written; ``stop`` said so.  Nothing is left then.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> tap = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
+    >>> moment = ss.View(time_range_s=(0.06, 0.061))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     print(ss.plot.film(tap, Path(folder) / "tap.gif", view=moment).name)
+    tap.gif
+    """
+    target = Path(path)
+    per_s = frames_per_s(target)
+    one_of("quantity", quantity, ("z", "magnitude"))
+    view = View(delay_removed=True) if view is None else view
+    values = evaluate(design, "response_time_s", "limb_data", view=view)
+    time_s, limb = values["response_time_s"], values["limb_data"]
+    slower = _slow_motion(limb, quantity, per_s, slow_motion)
+    first_s, last_s = view.time_range_s or (0.0, float(time_s[-1]))
+    # The last instant belongs to the film, however its seconds are rounded.
+    count = int((last_s - first_s) * per_s * slower + 1e-6) + 1
+    if count > MOST_FRAMES:
+        raise InvalidInputError(
+            f"the film from {first_s:g} s to {last_s:g} s has {count} frames, expected at most "
+            f"{MOST_FRAMES}. Choose a shorter time_range_s, or another slow_motion."
+        )
+    shot = _Shot(design, view, quantity, limit, f"{title}\n" if title else "", slower)
+    height, width, _ = shot.frame(first_s).shape
+    with video_file(
+        target, (width, height), f"SkinSource, {limb_label(design.limb).title}", stop
+    ) as add:
+        for number in range(count):
+            add(shot.frame(first_s + number / (per_s * slower)))
+            progress(number + 1, count, "Drawing frames")
+    return target
+
+
+def _slow_motion(limb: Limb, quantity: str, per_s: int, chosen: float | None) -> float:
+    """Return how many times slower a film runs; with fewer frames, waves seem to stand or go back.
+
+    Raises
+    ------
+    InvalidInputError
+        The chosen one has fewer than two frames in a period of the fastest waves.
+    """
+    highest_hz = limb.band_hz[1] if limb.band_hz else limb.sample_rate_hz / 2.0
+    # The length of a vector moves twice as fast.
+    least = 2.0 * highest_hz * (2.0 if quantity == "magnitude" else 1.0) / per_s
+    if chosen is None:
+        return max(20.0, float(np.ceil(least)))
+    if positive_number("slow_motion", chosen) < least:
+        raise InvalidInputError(
+            f"slow_motion is {chosen:g}, expected at least {least:g}: a faster film has fewer than "
+            "two frames in a period of the fastest waves"
+        )
+    return chosen
+
+
+class _Shot:
+    """Draws one instant after another into the same figure."""
+
+    def __init__(
+        self,
+        design: Design,
+        view: View,
+        quantity: str,
+        limit: float | None,
+        title: str,
+        slower: float,
+    ) -> None:
+        self._design, self._view, self._title, self._slower = design, view, title, slower
+        self._signed = quantity == "z"
+        self._name = "moving_z" if self._signed else "moving_vector"
+        levels = levels_of(design, None, view)
+        self._surface = levels.surface
+        largest = self._moving(0.0).largest * _SHARE_OF_LARGEST
+        end = (largest or 1.0) if limit is None else positive_number("limit", limit)
+        self._figure = new_figure(*_MAP_FIGURE_MM)
+        self._figure.set_dpi(_FILM_DPI)
+        self._canvas = module("matplotlib.backends.backend_agg").FigureCanvasAgg(self._figure)
+        self._ax = self._figure.add_subplot()
+        with style():
+            still = replace(levels, values=np.zeros_like(levels.values))
+            colours = (-end if self._signed else 0.0, end)
+            self._image = draw_map(self._ax, still, colours, title="\n", signed=self._signed)
+            label = "z (m/s²)" if self._signed else "magnitude (m/s²)"
+            _finish_map(self._ax, self._image, levels, label)
+            # Colour bar and note are drawn once.
+            self._ax.set_animated(True)
+            self._canvas.draw()
+        self._background = self._canvas.copy_from_bbox(self._figure.bbox)
+        self._nearest = _nearest_inside(self._surface.interpolate(still.values))
+
+    def _moving(self, time_s: float) -> Any:
+        """Return the part of the response that holds an instant."""
+        view = replace(self._view, playhead_s=time_s)
+        return evaluate(self._design, self._name, view=view)[self._name]
+
+    def frame(self, time_s: float) -> NDArray[np.uint8]:
+        """Return an instant of the time axis, (rows, columns, 3), with even numbers of both."""
+        moving = self._moving(time_s)
+        at_s = time_s + (moving.delay_s if self._view.delay_removed else 0.0)
+        values = moving.acceleration(at_s)[:, 0] if self._signed else moving.magnitude(at_s)
+        self._image.set_data(self._surface.interpolate(values)[self._nearest])
+        self._ax.title.set_text(
+            f"{self._title}{1e3 * time_s:.1f} ms, 1/{self._slower:g} of real time"
+        )
+        self._canvas.restore_region(self._background)
+        with style():
+            self._figure.draw_artist(self._ax)
+        pixels = np.asarray(self._canvas.buffer_rgba())[..., :3]
+        rows, columns = (side // 2 * 2 for side in pixels.shape[:2])
+        return pixels[:rows, :columns]
+
+
+__all__ = ["film", "map", "spectra", "strip", "traces"]

@@ -241,6 +241,22 @@ def read_matches(path: Path) -> tuple[Match, ...]:
     FileFormatError
         The file is no table of matches, or holds a match twice, or matches with different
         references.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "matches.csv"
+    ...     match = ss.matching.Match(
+    ...         person="A", frequency_hz=50.0, place=7, direction="ascending", start_db=-9.0,
+    ...         matched_db=3.0, reference_hz=100.0, reference_place=7, amplitude=1.0,
+    ...         trial=1, seed=1,
+    ...     )
+    ...     matches = ss.matching.add_match(path, match)
+    ...     print(ss.matching.read_matches(path) == matches)
+    True
     """
     try:
         text = read_bytes(path, most=_MOST_BYTES).decode()
@@ -284,6 +300,21 @@ def add_match(path: Path, new: Match) -> tuple[Match, ...]:
         The table holds this match already, or has another reference.
     FileFormatError, StorageError
         The file is no table of matches, or cannot be read or written.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "matches.csv"
+    ...     match = ss.matching.Match(
+    ...         person="A", frequency_hz=50.0, place=7, direction="ascending", start_db=-9.0,
+    ...         matched_db=3.0, reference_hz=100.0, reference_place=7, amplitude=1.0,
+    ...         trial=1, seed=1,
+    ...     )
+    ...     print(len(ss.matching.add_match(path, match)))
+    1
     """
     with Lock(path).hold():
         before = read_matches(path) if path_exists(path) else ()

@@ -11,7 +11,14 @@ from skinsource.limbs.synthetic import load_synthetic_limb
 
 
 def available_limbs() -> tuple[str, ...]:
-    """Return the names of the limbs that can be loaded now: measured, synthetic and imported."""
+    """Return the names of the limbs that can be loaded now: measured, synthetic and imported.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.available_limbs()[-1])
+    synthetic-4
+    """
     installed = is_installed()
     built_in = (name for name in LIMB_NAMES if installed or not name.startswith("measured"))
     return *built_in, *own_limb_names()
@@ -39,6 +46,13 @@ def load_limb(name: str, digest: str = "") -> Limb:
         Its file is damaged, or cannot be read.
     DatasetMissingError
         It is a measured one, and the measured dataset is not installed.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> limb = ss.load_limb("synthetic-1")
+    >>> print(limb.n_inputs, limb.n_outputs, limb.axes, limb.sample_rate_hz)
+    20 72 xyz 1300.0
     """
     if isinstance(name, str) and name in own_limb_names():
         if digest and facts_of(name).known:
@@ -57,6 +71,21 @@ def load_limb(name: str, digest: str = "") -> Limb:
     kind, number = name.split("-")
     load = load_measured_limb if kind == "measured" else load_synthetic_limb
     return load(int(number))
+
+
+def limb_of(limb: Limb | str) -> Limb:
+    """Return a limb, which is opened where only its name is given.
+
+    Raises
+    ------
+    InvalidInputError
+        It is neither a limb nor the name of one.
+    """
+    if isinstance(limb, str):
+        return load_limb(limb)
+    if not isinstance(limb, Limb):
+        raise InvalidInputError(f"limb is {quoted(limb)}, expected a Limb or the name of one")
+    return limb
 
 
 def default_limb() -> str:

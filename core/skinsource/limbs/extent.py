@@ -1,5 +1,7 @@
 """The distance that a vibration reaches from the contact."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -11,6 +13,7 @@ from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.measurement_conditions import check_input_location
 from skinsource.base.quoting import quoted
+from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import Limb
 
 _ENERGY_SHARE = 0.9
@@ -43,7 +46,7 @@ class Extent:
 
 
 @checking
-def extent(rms: ArrayLike, limb: Limb, location: int | Sequence[int]) -> Extent:
+def extent(rms: ArrayLike, limb: Limb | str, location: int | Sequence[int]) -> Extent:
     """Return how far a vibration reaches from where the skin is touched.
 
     Parameters
@@ -51,8 +54,8 @@ def extent(rms: ArrayLike, limb: Limb, location: int | Sequence[int]) -> Extent:
     rms : (n_outputs,)
         RMS of each output, m/s² or any other unit.
     limb
-        What says where outputs and input places are.  Outputs without a place on its map (61 to 66
-        of the published limbs) take no part.
+        What says where outputs and input places are, or its name.  Outputs without a place on its
+        map (61 to 66 of the published limbs) take no part.
     location
         Input place that plays; of several, distances are to the nearest.
 
@@ -61,7 +64,16 @@ def extent(rms: ArrayLike, limb: Limb, location: int | Sequence[int]) -> Extent:
     InvalidInputError
         ``rms`` does not fit the limb, is negative or not finite, or is zero throughout: nothing
         has an extent then; or the limb has no such place.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> import numpy as np
+    >>> reach = ss.extent(np.linspace(0.0, 1.0, 72), "synthetic-1", 7)
+    >>> print(f"{reach.d90_mm:.0f} mm")
+    405 mm
     """
+    limb = limb_of(limb)
     values = finite_array("rms", rms)
     if values.shape != (limb.n_outputs,):
         raise InvalidInputError(

@@ -1,5 +1,7 @@
 """An upper limb: its impulse responses, its map, and the facts known before responses are read."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -27,7 +29,7 @@ from skinsource.base.quoting import quoted
 from skinsource.base.work import tally
 
 
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
 class LimbMap:
     """Where things are on the back of a right hand and arm.
 
@@ -62,6 +64,12 @@ class LimbMap:
     visibility: Floats | None = None
     densify: bool = True
     axes_shown: bool = True
+
+    def __repr__(self) -> str:
+        return (
+            f"<LimbMap: {len(self.output_positions)} outputs, {len(self.input_positions)} inputs, "
+            f"outline of {len(self.outline)} points>"
+        )
 
     @property
     def unplaced(self) -> tuple[int, ...]:
@@ -185,6 +193,16 @@ class Limb:
             highest, lowest = float(response.max(initial=0.0)), float(response.min(initial=0.0))
             self._largest[location] = math.nan if math.isnan(highest) else max(highest, -lowest)
         return self._largest[location]
+
+    @property
+    def output_positions_mm(self) -> Floats:
+        """Places of the outputs, (n_outputs, 2), mm: x away from the thumb, y to the fingertips."""
+        return self.map.output_positions * (self.hand_length_mm / self.map.hand_length_px)
+
+    @property
+    def input_positions_mm(self) -> Floats:
+        """Places of the inputs, (n_inputs, 2), as `output_positions_mm`."""
+        return self.map.input_positions * (self.hand_length_mm / self.map.hand_length_px)
 
     @property
     def impulse_responses(self) -> Floats:

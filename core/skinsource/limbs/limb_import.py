@@ -232,9 +232,19 @@ def _flip_vertically(values: dict[str, Any], source: LimbSource, *, down: bool) 
 def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:
     """Check that nothing is missing and that places match responses; add outline and scale."""
     known = {spec.name for spec in fields(OwnLimb)}
-    for name in ("axes", "sample_rate_hz", "hand_length_mm"):
-        if values.get(name) is None:
-            raise InvalidInputError(f"{name} is not known, expected it with the responses")
+    missing = [
+        f"{name} {is_not} ({option})"
+        for name, is_not, option in (
+            ("axes", "is not known", "--axes"),
+            ("sample_rate_hz", "is not known", "--rate"),
+            ("hand_length_mm", "is not known", "--hand-length"),
+            ("input_positions", f"are not known, expected {shape[0]} places", "--inputs"),
+            ("output_positions", f"are not known, expected {shape[1]} places", "--outputs"),
+        )
+        if values.get(name) is None
+    ]
+    if missing:
+        raise InvalidInputError("; ".join(missing))
     unknown = sorted(set(values) - known)
     if unknown:
         raise InvalidInputError(f"{', '.join(unknown)} says nothing about a limb")
@@ -245,8 +255,6 @@ def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:
         )
     for name, n in (("input_positions", shape[0]), ("output_positions", shape[1])):
         points = values[name]
-        if points is None:
-            raise InvalidInputError(f"{name} are not known, expected {n} places, x and y")
         if np.shape(points) != (n, 2):
             raise InvalidInputError(
                 f"{name} has shape {np.shape(points)}, expected ({n}, 2): the responses have {n}"

@@ -7,7 +7,13 @@ import json
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
+
+from skinsource.base.arguments import checking
 from skinsource.base.assets import data_folder
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.measurement_conditions import N_OUTPUTS, check_input_location
+from skinsource.base.quoting import quoted
 from skinsource.limbs.own_limbs import facts_of
 
 Contact = Literal["in-axis", "perpendicular"]
@@ -92,6 +98,48 @@ INPUTS: tuple[InputPlace, ...] = tuple(InputPlace(**place) for place in _PLACES[
 OUTPUTS: tuple[OutputPlace, ...] = tuple(OutputPlace(**place) for place in _PLACES["outputs"])
 
 
+def input_place(number: int) -> InputPlace:
+    """Return the input place ``number``, 1 to 20.
+
+    Raises
+    ------
+    InvalidInputError
+        There is no such place.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.locations.input_place(7).name)
+    Digit II, pad
+    """
+    check_input_location(number)
+    return INPUTS[number - 1]
+
+
+def output_place(number: int) -> OutputPlace:
+    """Return the output place ``number``, 1 to 72.
+
+    Raises
+    ------
+    InvalidInputError
+        There is no such place.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.locations.output_place(29).name)
+    Digit II, beside the nail, radial
+    """
+    is_integer = isinstance(number, int | np.integer) and not isinstance(number, bool)
+    if not is_integer or not 1 <= number <= N_OUTPUTS:
+        raise InvalidInputError(
+            f"output location {quoted(number)} does not exist: locations are the whole numbers "
+            f"1 to {N_OUTPUTS}. See skinsource.locations for the list."
+        )
+    return OUTPUTS[number - 1]
+
+
+@checking
 def input_name(number: int, limb: str = "") -> LocationNames:
     """Return the names of input place ``number`` of a limb, whether or not it is known here.
 
@@ -109,6 +157,7 @@ def input_name(number: int, limb: str = "") -> LocationNames:
     return LocationNames(number, place.name, place.short_name, place.contact)
 
 
+@checking
 def output_name(number: int, limb: str = "") -> LocationNames:
     """Return the names of output place ``number`` of a limb, whether or not it is known here.
 
@@ -128,3 +177,17 @@ def _own_names(number: int, names: tuple[str, ...], long: str, short: str) -> Lo
     """Return the names of a place of an imported limb; its number where the lab gave none."""
     name = names[number - 1] if names else ""
     return LocationNames(number, name or f"{long} {number}", name or f"{short} {number}", "")
+
+
+__all__ = [
+    "INPUTS",
+    "OUTPUTS",
+    "REGIONS",
+    "InputPlace",
+    "LocationNames",
+    "OutputPlace",
+    "input_name",
+    "input_place",
+    "output_name",
+    "output_place",
+]

@@ -1,5 +1,7 @@
 """Sensation levels: how far each output is above the threshold of detection."""
 
+from __future__ import annotations
+
 import numpy as np
 import scipy
 from numpy.typing import ArrayLike
@@ -45,6 +47,12 @@ def site_offsets_db(limb: str = LIMB_NAMES[0]) -> dict[Channel, Floats]:
     ------
     InvalidInputError
         The limb is not one of the published kind: nothing is known of its outputs.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.perception.site_offsets_db()["P"][[0, 71]])
+    [10. inf]
     """
     if limb not in PUBLISHED:
         raise InvalidInputError(
@@ -71,6 +79,9 @@ def sensation_levels_db(
     threshold there: energies add up over axes because the direction of fast vibrations is hardly
     perceived (Landin, Romano, McMahan and Kuchenbecker, 2010), and within a channel over frequency.
 
+    Power is a mean over all samples, silence included: hand over the part in which the skin moves,
+    as the studio takes the loudest 100 ms.
+
     Parameters
     ----------
     acceleration : (n_outputs, n_axes, n_times)
@@ -91,6 +102,14 @@ def sensation_levels_db(
     ------
     InvalidInputError
         Wrong shape, samples that are not finite, or offsets for other outputs.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> acceleration = ss.predict("synthetic-1", [ss.sinusoid(200.0)], [7])
+    >>> levels_db = ss.perception.sensation_levels_db(acceleration, 1300.0)["P"]
+    >>> print(levels_db.shape, levels_db.argmax() + 1)
+    (72,) 28
     """
     data = finite_array("acceleration", acceleration, "(n_outputs, n_axes, n_times)")
     if data.ndim != 3 or data.shape[-1] == 0:
@@ -121,6 +140,13 @@ def sensation_magnitude(levels_db: dict[Channel, Floats]) -> Floats:
 
     Each channel grows as a power of its amplitude from the threshold on; together they are the
     larger and half of the smaller (Hollins and Roy, 1996, doi:10.3109/08990229609052583).
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> import numpy as np
+    >>> print(ss.perception.sensation_magnitude({"P": np.array([20.0]), "NP I": np.array([0.0])}))
+    [2.98107171]
     """
     for channel in CHANNELS:
         one_of("a channel", channel, tuple(levels_db))

@@ -5,6 +5,8 @@ follows Bolanowski, Gescheider, Verrillo and Checkosky, "Four channels mediate t
 aspects of touch", J. Acoust. Soc. Am. 84, 1988, doi:10.1121/1.397184; the anchors are rounded.
 """
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 from itertools import pairwise
@@ -57,6 +59,12 @@ def threshold_rms(
     ------
     InvalidInputError
         A frequency or the area is not positive, or there is no such channel.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.perception.threshold_rms(250.0, "P"))
+    0.17447160499097195
     """
     frequency = real_array("frequency_hz", frequency_hz)
     if frequency.size and not (frequency.min() > 0.0 and frequency.max() <= _HIGHEST_HZ):

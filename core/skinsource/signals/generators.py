@@ -3,6 +3,8 @@
 Times are ``arange(n) / sample_rate_hz``; amplitude 1 is the peak of the stimulus.
 """
 
+from __future__ import annotations
+
 from functools import lru_cache
 from math import floor
 from typing import Literal, get_args
@@ -20,6 +22,8 @@ from skinsource.signals.sampling import shift_of, turns
 
 WindowName = Literal["none", "tukey", "hanning"]
 WINDOWS: tuple[WindowName, ...] = get_args(WindowName)
+#: Names that SciPy has for the same windows; its ``hann`` has zeros at the ends besides.
+OTHER_NAMES: dict[str, WindowName] = {"boxcar": "none", "hann": "hanning"}
 
 #: The tapered share of a Tukey window, as upstream.
 TUKEY_TAPER = 0.25
@@ -54,19 +58,37 @@ def sample_count(duration_s: float, sample_rate_hz: float = SAMPLE_RATE_HZ) -> i
     return floor(round(samples, 6) + 0.5)
 
 
-def window(name: WindowName, n: int) -> Floats:
+def window_named(name: str) -> WindowName:
+    """Return the window that is called so, here or in SciPy.
+
+    Raises
+    ------
+    InvalidInputError
+        There is none.
+    """
+    known = OTHER_NAMES.get(name, name) if isinstance(name, str) else name
+    return one_of("window", known, WINDOWS)
+
+
+def window(name: WindowName | str, n: int) -> Floats:
     """Return the samples of a window, (n,).
 
     Parameters
     ----------
     name
-        ``"none"`` ones; ``"hanning"`` MATLAB's ``hanning``, 0.5 (1 - cos(2 pi k / (n + 1))) for
-        k = 1..n, which has no zero at its ends; ``"tukey"`` MATLAB's ``tukeywin(n, 0.25)``,
-        which has.
+        ``"none"`` or ``"boxcar"``: ones; ``"hanning"`` or ``"hann"``: MATLAB's ``hanning``,
+        0.5 (1 - cos(2 pi k / (n + 1))) for k = 1..n, which has no zero at its ends; ``"tukey"``:
+        MATLAB's ``tukeywin(n, 0.25)``, which has.
     n
         Length in samples, 0 or more.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.window("hanning", 3))
+    [0.5 1.  0.5]
     """
-    one_of("window", name, WINDOWS)
+    name = window_named(name)
     n = integer("n", n, 0, MAX_SAMPLES)
     samples = np.empty(n)
     for start in range(0, n, _BLOCK):
@@ -119,7 +141,7 @@ def sinusoid(
     duration_s: float = 0.1,
     *,
     phase_rad: float = 0.0,
-    window_name: WindowName = "none",
+    window_name: WindowName | str = "none",
     sample_rate_hz: float = SAMPLE_RATE_HZ,
     shift_s: float = 0.0,
 ) -> Floats:
@@ -133,11 +155,17 @@ def sinusoid(
     ------
     InvalidInputError
         The frequency is not between 0 and half the sample rate, where it would alias.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.sinusoid(325.0, 4 / 1300).round(3))
+    [ 0.  1.  0. -1.]
     """
     frequency = real_number("frequency_hz", frequency_hz)
     rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
     phase = real_number("phase_rad", phase_rad)
-    one_of("window", window_name, WINDOWS)
+    window_name = window_named(window_name)
     if not 0 <= frequency < rate_hz / 2:
         raise InvalidInputError(
             f"frequency_hz is {frequency:g}, expected 0 to {rate_hz / 2:g} Hz (half the sample "
@@ -159,6 +187,12 @@ def tap(
     At 1300 Hz it is 21 samples long, and its peak comes ten samples after its start.  At other
     rates, and with a shift of less than one sample, the same pulse is sampled at other instants:
     0.5 (1 - cos(2 pi (t + h) / (22 h))) for 0 <= t < 21 h, where h is 1/1300 s.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.tap().size, ss.tap().max())
+    21 1.0
     """
     shift = shift_of(shift_s, sample_rate_hz)
     silence = np.zeros(sample_count(time_s, sample_rate_hz))
@@ -178,6 +212,12 @@ def impulse(
     """Return a single sample of 1 at ``time_s``, (n,); it ends there unless given a duration.
 
     It is one sample at any rate, so its energy depends on the rate: half the rate, twice the area.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.impulse(0.0, 0.004))
+    [1. 0. 0. 0. 0.]
     """
     at = sample_count(time_s, sample_rate_hz)
     n = at + 1 if duration_s is None else sample_count(duration_s, sample_rate_hz)
@@ -195,7 +235,7 @@ def white_noise(
     seed: int = 0,
     *,
     band_hz: Band = BAND_HZ,
-    window_name: WindowName = "none",
+    window_name: WindowName | str = "none",
     sample_rate_hz: float = SAMPLE_RATE_HZ,
     shift_s: float = 0.0,
 ) -> Floats:
@@ -211,10 +251,16 @@ def white_noise(
     InvalidInputError
         The band is empty or lies above half the sample rate, the seed is negative, or the noise
         is too short to hold a single frequency of the band.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(abs(ss.white_noise(0.2, seed=3)).max())
+    1.0
     """
     rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
     band = finite_array("band_hz", band_hz, "two frequencies")
-    one_of("window", window_name, WINDOWS)
+    window_name = window_named(window_name)
     if band.shape != (2,) or not 0 <= band[0] < band[1]:
         raise InvalidInputError(
             f"band_hz is {quoted(band_hz)}, expected 0 <= low < high <= {rate_hz / 2:g}"

@@ -3,6 +3,8 @@
 The sign of a principal axis is that of MATLAB's ``pca`` wherever one is computed.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Literal, get_args
 
@@ -51,6 +53,13 @@ def project_axes(
     InvalidInputError
         Unknown axes or method, axes that were not measured, wrong shape, no samples, or values
         that are not finite.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> acceleration = ss.predict("synthetic-1", [ss.sinusoid(100.0)], [7])
+    >>> print(ss.project_axes(acceleration, "xyz", method="mag").shape)
+    (72, 651)
     """
     one_of("axes", axes, AXES)
     one_of("method", method, METHODS)

@@ -12,6 +12,8 @@ edit: up to 12/13 of half the rate it errs by at most 0.2 % of an amplitude, and
 a sample apart miss a peak by at most 1.7 %.
 """
 
+from __future__ import annotations
+
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -200,6 +202,12 @@ def resample(samples: ArrayLike, from_hz: int, to_hz: int) -> Floats:
     InvalidInputError
         A rate is not a whole number, a sample is not finite, the result would be too long, or it
         would take minutes.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.resample(ss.sinusoid(100.0, 0.2), 1300, 48000).shape)
+    (9600,)
     """
     rates = [
         integer(name, rate, 1, MAX_RATE_HZ)
@@ -454,17 +462,17 @@ class Extremes:
         high = self.high.max(axis=1, keepdims=True) * self.sizes
         return float(low.min()), float(high.max())
 
-    def part(self, first: int, end: int) -> "Extremes":
+    def part(self, first: int, end: int) -> Extremes:
         """Return the extremes from one sample to before another."""
         return replace(self, low=self.low[:, first:end], high=self.high[:, first:end])
 
-    def of_first(self, n_curves: int) -> "Extremes":
+    def of_first(self, n_curves: int) -> Extremes:
         """Return the extremes of the first curves."""
         return Extremes(
             low=self.low[:n_curves], high=self.high[:n_curves], sizes=self.sizes[:n_curves]
         )
 
-    def relative_to(self, sizes: Floats) -> "Extremes":
+    def relative_to(self, sizes: Floats) -> Extremes:
         """Return the extremes of the curves divided by ``sizes``, (n_curves, 1)."""
         return replace(self, sizes=self.sizes / sizes)
 

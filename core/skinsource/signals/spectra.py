@@ -1,5 +1,7 @@
 """Levels over time and over frequency."""
 
+from __future__ import annotations
+
 import math
 from functools import lru_cache
 
@@ -55,6 +57,12 @@ def rms(x: ArrayLike, span: Span = "record", sample_rate_hz: float = SAMPLE_RATE
     ------
     InvalidInputError
         There are no samples, a sample is no finite real number, or the span or rate is invalid.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(f"{ss.rms(ss.sinusoid(130.0)):.3f}")
+    0.707
     """
     one_of("span", span, SPANS)
     rate = positive_number("sample_rate_hz", sample_rate_hz)
@@ -89,6 +97,13 @@ def magnitude_spectrum(x: ArrayLike, sample_rate_hz: float) -> tuple[Floats, Flo
     ------
     InvalidInputError
         There are no samples, a sample is no finite real number, or the rate is not positive.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> frequency_hz, magnitude = ss.magnitude_spectrum(ss.sinusoid(130.0), 1300.0)
+    >>> print(frequency_hz[magnitude.argmax()])
+    130.0
     """
     rate = positive_number("sample_rate_hz", sample_rate_hz)
     data, scale = _scaled(_samples(x, LARGEST_SAMPLE))
@@ -130,6 +145,13 @@ def peak_hold_spectrum(
         There are no samples, a sample is no finite real number, or the rate is not positive.
     Stopped
         ``stop`` returned True.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> frequency_hz, magnitude = ss.peak_hold_spectrum(ss.sinusoid(130.0), 1300.0)
+    >>> print(f"{frequency_hz[magnitude.argmax()]:.0f} Hz")
+    130 Hz
     """
     rate = positive_number("sample_rate_hz", sample_rate_hz)
     if rate > MAX_RATE_HZ:

@@ -52,13 +52,20 @@ def check(model: Any) -> None:
         if value is default:
             continue
         try:
-            checked = spec.checked(value)
+            checked = spec.checked(_with_tuples(value))
         except ValidationError as error:
             raise InvalidInputError(
                 f"{kind.__name__}.{name} is {quoted(value)}, expected {error}"
             ) from None
         if checked is not value:
             object.__setattr__(model, name, checked)
+
+
+def _with_tuples(value: Any, depth: int = 2) -> Any:
+    """Return a list, and lists in it, such as points, as tuples."""
+    if not isinstance(value, list) or depth == 0:
+        return value
+    return tuple(_with_tuples(part, depth - 1) for part in value)
 
 
 def encode(model: Any) -> Tree:

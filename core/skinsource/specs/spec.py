@@ -182,12 +182,17 @@ class ChoiceSpec(Spec):
     ----------
     options
         The allowed values, and what each is called.
+    other_names
+        Names that scripts may use besides, and the values that they stand for.
     """
 
     options: tuple[tuple[str, str], ...]
+    other_names: tuple[tuple[str, str], ...] = ()
 
     def checked(self, value: Any) -> str:
         """Return the name."""
+        if isinstance(value, str):
+            value = dict(self.other_names).get(value, value)
         if not isinstance(value, str) or value not in dict(self.options):
             raise ValidationError(f"one of {', '.join(option for option, _ in self.options)}")
         return value

@@ -27,6 +27,7 @@ from skinsource.design.comparing import louder, same_but_rounding
 from skinsource.design.design import Design, Input, audible_inputs
 from skinsource.design.labels import AXES, label_of, limb_label
 from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
 from skinsource.engine.analysis_rules import place_noise
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.export.exported_design import describe_played, output_file
@@ -412,7 +413,7 @@ def condition_of(
     linear, superposed = _linearity_checks(design, view, field, limb.sample_rate_hz, stop)
     condition = Condition(
         name=name,
-        frequency_hz=_main_frequency(field, limb.sample_rate_hz),
+        frequency_hz=_played_frequency(design) or _main_frequency(field, limb.sample_rate_hz),
         linear=linear,
         superposed=superposed,
         details=_condition_details(design, limb, chosen, recorded, predicted["validity"]),
@@ -543,6 +544,17 @@ def _smallest(values: Floats) -> float:
     """Return the smallest finite value; NaN: there is none, as of a response without a bin."""
     known = values[np.isfinite(values)]
     return float(known.min()) if known.size else math.nan
+
+
+def _played_frequency(design: Design) -> float | None:
+    """Return the frequency of the tones that are played; None where anything else is."""
+    clips = [clip for track in audible_inputs(design.inputs) for clip in track.clips]
+    frequencies_hz = {
+        clip.waveform.frequency_hz if isinstance(clip.waveform, Tone) and not clip.effects else None
+        for clip in clips
+        if not clip.muted
+    }
+    return frequencies_hz.pop() if len(frequencies_hz) == 1 else None
 
 
 def _main_frequency(field: Floats, rate: float) -> float:

@@ -25,7 +25,7 @@ from skinsource.perception.validity import Findings, Judged, in_short
 from skinsource.specs import fields
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.panels.skin.layout import ALL, HAND, VisiblePart
-from skinsource_gui.panels.skin.painting import MapContent
+from skinsource_gui.panels.skin.painting import MapContent, marks_of
 from skinsource_gui.panels.skin.picture import Heading, heading_of, paint_picture
 from skinsource_gui.panels.skin.settings import (
     MAGNITUDE,
@@ -395,6 +395,7 @@ class _Camera:
             limb_map=results["limb_map"],
             field=None if self._surface is None else field_image(self._surface, limb),
             outputs=exported.view.outputs,
+            inputs=marks_of(exported.design, exported.view),
             sensors_shown=settings.sensors_shown,
             px_per_mm=px_per_mm_of(limb),
             noisy=next((finding.outputs for finding in findings if finding.name == "noise"), ()),

@@ -102,7 +102,9 @@ def test_a_strip_has_a_map_for_each_window_in_one_scale_and_the_extent():
     assert len({axes.images[0].get_clim() for axes in maps}) == 1
     assert [axes.get_title() for axes in maps][::4] == ["0 to 120 ms", "480 to 600 ms"]
     (mean, _) = (line for ax in figure.axes if ax.get_legend() for line in ax.lines)
-    field = ss.predict(ss.load_limb("synthetic-4"), train.clips[0].waveform.samples(1300.0), 7)
+    field = ss.predict(
+        ss.load_limb("synthetic-4"), train.clips[0].waveform.samples(1300.0), 7, scaling="upstream"
+    )
     length = np.sqrt(np.sum(field**2, axis=1))
     windows = ss.windowed_rms(length, 156, first_sample=67)[:5]
     limb = ss.load_limb("synthetic-4")

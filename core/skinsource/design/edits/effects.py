@@ -5,6 +5,8 @@ clip.  `choices_of`, `new_part` and the functions after them work on such lists;
 set with `change_field`, as any other value of a field.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from math import isfinite

@@ -25,7 +25,14 @@ EFFECTS: tuple[type[Effect], ...] = (
 
 
 def effect_kinds() -> tuple[type[Effect], ...]:
-    """Return every effect; a function, so that tests can add effects."""
+    """Return every effect; a function, so that tests can add effects.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print([kind.__name__ for kind in ss.effects.effect_kinds()][:3])
+    ['Envelope', 'Fade', 'Trim']
+    """
     return EFFECTS
 
 

@@ -4,6 +4,8 @@
 the one before best.
 """
 
+from __future__ import annotations
+
 from typing import ClassVar, Protocol, runtime_checkable
 
 import numpy as np
@@ -87,7 +89,14 @@ class KeepsTime(CheckedModel):
 def own_duration_s(
     samples: Floats, sample_rate_hz: float, shift_s: float, duration_s: float | None
 ) -> float:
-    """Return ``duration_s``, or if it is None the duration of the samples."""
+    """Return ``duration_s``, or if it is None the duration of the samples.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.effects.own_duration_s(ss.sinusoid(100.0, 0.1), 1300.0, 0.0, None))
+    0.1
+    """
     if duration_s is not None:
         return duration_s
     return max(samples.size - (shift_s > 0.0), 0) / sample_rate_hz

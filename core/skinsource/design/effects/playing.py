@@ -3,6 +3,8 @@
 Own time of a waveform starts at 0 with its onset, which can lie between two samples.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from math import ceil
 
@@ -41,6 +43,13 @@ def played(
         Time from the sample before own time 0 to own time 0; less than a sample.
     draw
         Returns the samples of the waveform.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> reversed_tap = ss.effects.played(ss.waveforms.Tap(), (ss.effects.Reverse(),), 1300.0)
+    >>> print(reversed_tap.size)
+    22
     """
     active, durations_s = _stages(waveform, effects)
     shifts_s = _shifts_s(active, durations_s, sample_rate_hz, shift_s)
@@ -55,7 +64,15 @@ def played(
 
 @checking
 def played_s(waveform: Waveform, effects: tuple[Effect, ...]) -> float:
-    """Return the duration after all effects."""
+    """Return the duration after all effects.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> repeated = (ss.effects.Repeat(times=3),)
+    >>> print(f"{ss.effects.played_s(ss.waveforms.Tone(duration_s=0.1), repeated):.1f} s")
+    0.3 s
+    """
     duration_s = waveform.duration_s
     for effect in effects:
         if effect.on:
@@ -71,6 +88,13 @@ def placed(
 
     The start of the waveform, not of a part that a `Trim` leaves, lies on the grid of positions:
     so all parts of a cut waveform are drawn from one array.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> start, shift_s = ss.effects.placed(ss.waveforms.Tap(), (), 0.1, 1300.0)
+    >>> print(start, shift_s)
+    130 0.0
     """
     active, durations_s = _stages(waveform, effects)
     position = onset_s * sample_rate_hz

@@ -240,7 +240,14 @@ class Stretch(fields.CheckedModel):
 
 @checking
 def stretched_by(effects: Sequence[Effect], duration_s: float) -> float:
-    """Return the factor by which effects divide the frequencies of a waveform of this length."""
+    """Return the factor by which effects divide the frequencies of a waveform of this length.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.effects.stretched_by((ss.effects.Stretch(factor=2.0),), 0.1))
+    2.0
+    """
     factor = 1.0
     for effect in effects:
         if effect.on:

@@ -53,7 +53,14 @@ KINDS: tuple[type[Waveform], ...] = (*COMMON, *MORE)
 
 
 def kinds() -> tuple[type[Waveform], ...]:
-    """Return every kind of waveform; a function, so that tests can add kinds."""
+    """Return every kind of waveform; a function, so that tests can add kinds.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(len(ss.waveforms.kinds()))
+    23
+    """
     return KINDS
 
 

@@ -38,7 +38,14 @@ FORMATS: tuple[StimulusFormat, ...] = (
 
 
 def export_formats() -> tuple[str, ...]:
-    """Return the names of the formats of stimulus files, see `skinsource.export_stimulus`."""
+    """Return the names of the formats of stimulus files, see `skinsource.export_stimulus`.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(", ".join(ss.export_formats()[:4]))
+    wav, flac, csv, npz
+    """
     return tuple(known.name for known in FORMATS)
 
 
@@ -48,11 +55,25 @@ def format_named(name: str) -> StimulusFormat:
     return next(known for known in FORMATS if known.name == name)
 
 
-def format_of(path: Path) -> StimulusFormat:
-    """Return the first format whose files end as ``path`` does."""
-    for known in FORMATS:
-        if known.suffix and path.name.endswith(known.suffix):
-            return known
+def format_of(path: Path, name: str | None = None) -> StimulusFormat:
+    """Return the format with a name, else the first one whose files end as ``path`` does.
+
+    Raises
+    ------
+    InvalidInputError
+        There is none, or the path ends as files of another format do.
+    """
+    by_ending = [known for known in FORMATS if known.suffix and path.name.endswith(known.suffix)]
+    if name is not None:
+        chosen = format_named(name)
+        if by_ending and chosen.suffix and not path.name.endswith(chosen.suffix):
+            raise InvalidInputError(
+                f"{printable(path.name)} ends as files of {by_ending[0].name} do, and the format "
+                f"is {name}. Call it *{chosen.suffix}, or choose the other format."
+            )
+        return chosen
+    if by_ending:
+        return by_ending[0]
     raise InvalidInputError(
         f"{printable(path.name)} does not tell its format: say which, one of "
         f"{', '.join(export_formats())}"

@@ -1,7 +1,8 @@
 """Writes a design to a file, or a folder, with a sidecar that says what its numbers mean."""
 
+from __future__ import annotations
+
 import hashlib
-import os
 from collections.abc import Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
@@ -12,11 +13,11 @@ from skinsource.actuators.equalising import Equaliser
 from skinsource.actuators.rigs import Rig
 from skinsource.base.arguments import checking
 from skinsource.base.errors import NotConfirmedError, StorageError
-from skinsource.base.files import path_text, replacing, replacing_folder
+from skinsource.base.files import FilePath, path_text, replacing, replacing_folder
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.design.design import Design
 from skinsource.engine.stimulus import Stage
-from skinsource.export.formats import format_named, format_of
+from skinsource.export.formats import format_of
 from skinsource.export.stimulus_export.options import StimulusOptions
 from skinsource.export.stimulus_export.preparing import Limit, PreparedStimulus, prepare_stimulus
 from skinsource.export.stimulus_export.sidecar import sidecar_of, sidecar_path
@@ -60,7 +61,7 @@ class Exported:
 @checking
 def export_stimulus(
     design: Design,
-    path: str | os.PathLike[str],
+    path: FilePath,
     format: str | None = None,
     rate_hz: int | None = None,
     *,
@@ -105,6 +106,18 @@ def export_stimulus(
         Samples would clip, limits be passed, or a channel lose more than 1 dB to the rate.
     StorageError
         The folder cannot be written, or the disk is full.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+    >>> design = ss.Design(limb="synthetic-1", inputs=(tone,))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     exported = ss.export_stimulus(design, Path(folder) / "drive.wav", rate_hz=48000)
+    ...     print([path.name for path in exported.files])
+    ['drive.wav']
     """
     target = Path(path)
     options = options or StimulusOptions()
@@ -113,7 +126,7 @@ def export_stimulus(
     progress(0, 0, "Computing")
     ready = prepare_stimulus(
         design,
-        format_of(target) if format is None else format_named(format),
+        format_of(target, format),
         rate_hz,
         options,
         stages=stages,

@@ -1,5 +1,7 @@
 """Options of an exported stimulus: its channels, its part of time, its ends, its full scale."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal

@@ -3,6 +3,8 @@
 All devices are looked up, and all limits checked, before anything is played.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from datetime import UTC, date, datetime

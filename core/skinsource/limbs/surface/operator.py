@@ -1,5 +1,7 @@
 """The surface operator, from one value per output to a picture, and outputs that share a place."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -101,7 +103,7 @@ class SurfaceOperator:
         What a user should know about this map, in sentences; normally empty.
     """
 
-    weights: "csr_array[np.float64]"
+    weights: csr_array[np.float64]
     mask: Booleans
     x_mm: Floats
     y_mm: Floats
@@ -166,6 +168,6 @@ class SurfaceOperator:
         return placed
 
     @cached_property
-    def _inside(self) -> "csr_array[np.float64]":
+    def _inside(self) -> csr_array[np.float64]:
         """Weights of the pixels inside the mask alone, (n_inside, n_outputs)."""
         return self.weights[np.flatnonzero(self.mask)]

@@ -23,8 +23,8 @@ from skinsource.base.assets import cache_folder
 from skinsource.base.errors import InvalidInputError, SkinSourceError
 from skinsource.base.files import make_folder, read_bytes, write_bytes
 from skinsource.base.job import Stop, never, stop_if
-from skinsource.base.quoting import quoted
 from skinsource.base.work import tally
+from skinsource.limbs.catalog import limb_of
 from skinsource.limbs.limb import Limb, LimbMap
 from skinsource.limbs.surface.natural_neighbour import scattered_sites, snapped_to_lattice
 from skinsource.limbs.surface.operator import SurfaceOperator, pairs_at_same_place
@@ -55,7 +55,9 @@ _PIXELS_PER_CHUNK = 4096
 
 
 @checking
-def surface_operator(limb: Limb, spacing_mm: float = 1.0, stop: Stop = never) -> SurfaceOperator:
+def surface_operator(
+    limb: Limb | str, spacing_mm: float = 1.0, stop: Stop = never
+) -> SurfaceOperator:
     """Build the natural neighbour interpolation over a limb's outline.
 
     Takes a fraction of a second at 1 mm, longer as the square of the fineness.
@@ -63,7 +65,7 @@ def surface_operator(limb: Limb, spacing_mm: float = 1.0, stop: Stop = never) ->
     Parameters
     ----------
     limb
-        Its map and hand length are used, not its responses.
+        A limb, or its name.  Its map and hand length are used, not its responses.
     spacing_mm
         Distance between pixels; the published masks have 1 mm.
     stop
@@ -73,9 +75,16 @@ def surface_operator(limb: Limb, spacing_mm: float = 1.0, stop: Stop = never) ->
     ------
     InvalidInputError
         The spacing or the limb's map cannot be used.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> import numpy as np
+    >>> heatmap = ss.surface_operator("synthetic-1", 2.0).interpolate(np.arange(72.0))
+    >>> print(heatmap.shape)
+    (230, 76)
     """
-    if not isinstance(limb, Limb):
-        raise InvalidInputError(f"limb is {quoted(limb)}, expected a Limb, see load_limb")
+    limb = limb_of(limb)
     return surface_operator_from_map(limb.map, limb.hand_length_mm, spacing_mm, stop)
 
 

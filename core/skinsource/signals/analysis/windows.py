@@ -1,5 +1,7 @@
 """Consecutive windows of a response, and the RMS in each."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from math import ceil, floor
 

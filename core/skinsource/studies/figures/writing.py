@@ -5,8 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from skinsource.base.errors import StorageError
-from skinsource.base.files import path_text, write_bytes
+from skinsource.base.files import make_folder, write_bytes
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.design.labels import SCALINGS, label_of, limb_label
 from skinsource.export.exported_design import output_file
@@ -35,7 +34,7 @@ def write_figures(
     Parameters
     ----------
     folder
-        An existing folder.
+        The folder; it is made where it does not exist.
     only
         Names of scenes; empty: all.
     limb
@@ -54,15 +53,14 @@ def write_figures(
     InvalidInputError
         There is no such scene, or one of ``only`` does not apply on ``limb``.
     StorageError
-        There is no such folder, or it cannot be written.
+        The folder cannot be made or written.
     MissingExtraError
         matplotlib is not installed.
     """
     chosen = [scene(name).name for name in only]
     chosen = chosen or [name for name in names() if not limb or not why_not_on(name, limb)]
     module("matplotlib")
-    if not folder.is_dir():
-        raise StorageError(f"{path_text(folder)} is no folder. Make it, or name another one.")
+    make_folder(folder)
     written: list[Path] = []
     for k, name in enumerate(chosen):
         stop_if(stop)

@@ -31,17 +31,38 @@ FOLDER, DESCRIPTIONS = "scenes", "scenes.toml"
 
 
 def scenes_folder() -> Path:
-    """Return the folder of the design files of the scenes."""
+    """Return the folder of the design files of the scenes.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.scenes.scenes_folder().name)
+    scenes
+    """
     return data_folder() / FOLDER
 
 
 def all_scenes() -> tuple[Scene, ...]:
-    """Return every scene, in the order of the figures."""
+    """Return every scene, in the order of the figures.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.scenes.all_scenes()[0].name)
+    1C
+    """
     return _scenes_in(scenes_folder() / DESCRIPTIONS)
 
 
 def names() -> tuple[str, ...]:
-    """Return the names of the scenes, as `scene` and `open_scene` take them."""
+    """Return the names of the scenes, as `scene` and `open_scene` take them.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.scenes.names()[:3])
+    ('1C', '1D', '1E')
+    """
     return tuple(each.name for each in all_scenes())
 
 
@@ -52,6 +73,12 @@ def scene(name: str) -> Scene:
     ------
     InvalidInputError
         There is no such scene.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(ss.scenes.scene("2F").title)
+    Two inputs interfere
     """
     folded = name.casefold() if isinstance(name, str) else None
     for known in all_scenes():
@@ -76,6 +103,12 @@ def why_not_on(name: str, limb: str) -> str:
         There is no such scene.
     DesignFileError, StorageError
         The installation is damaged.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> print(repr(ss.scenes.why_not_on("2F", "synthetic-1")))
+    ''
     """
     content = open_design(path_of(scene(name).name))
     return reason_against(compared(content), content.view, limb)
@@ -103,6 +136,12 @@ def open_scene(
         There is no such scene, or it does not apply on ``limb``.
     DesignFileError, StorageError
         The installation is damaged.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> opened = ss.scenes.open_scene("2F")
+    >>> figure = ss.plot.map(opened.design)
     """
     known = scene(name)
     content = open_design(path_of(known.name))

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped
 from skinsource.base.job import Stop, never, stop_if
@@ -14,6 +15,7 @@ from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.streaming import projected_signals
 from skinsource.engine.trace_rules import shown_outputs
 from skinsource.engine.transforms import inverse
+from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.loudest_window import loudest_energy, window_samples
 from skinsource.studies.sweeps.metrics import (
     DriveMetrics,
@@ -35,6 +37,7 @@ _QUANTITIES = (
     "projection",
     "total_spectrum",
     "streamed_vibration",
+    "above_noise_db",
 )
 
 
@@ -78,6 +81,8 @@ class Measurer:
         - ``level_above_threshold_db``: level of the more sensitive channel at the output where it
           is highest, see `skinsource.perception.sensation_levels_db`; only where the plan has it;
         - the metrics of `skinsource.extent` for the RMS of the whole record;
+        - ``outputs_in_noise``: how many outputs are less than 6 dB above the noise of the
+          measurement, which the extent counts too; NaN where the noise is not known;
         - ``output_N_rms``, ``output_N_rms_100ms``, ``output_N_peak`` of each selected output;
         - where predictions go through actuators, `skinsource.studies.sweeps.metrics`.
 
@@ -110,6 +115,7 @@ class Measurer:
             **_of_output("", rms[loudest - 1], windows[0], factor),
             **_levels_db(plan.level, level, factor),
             **extent_metrics(rms, limb, placed),
+            "outputs_in_noise": _outputs_in_noise(values["above_noise_db"]),
         }
         for output, window in zip(outputs[1:], windows[1:], strict=True):
             metrics |= _of_output(f"output_{output}_", rms[output - 1], window, factor)
@@ -136,6 +142,12 @@ class Measurer:
         spectra = total.rows(np.arange(limb.n_outputs), tuple(range(limb.n_axes)))
         acceleration = inverse(spectra, total.n_fft)[..., :n_times]
         return above_threshold(acceleration, limb.sample_rate_hz, scaling)
+
+
+def _outputs_in_noise(above_noise_db: Floats | None) -> float:
+    if above_noise_db is None:
+        return np.nan
+    return float(np.sum(above_noise_db < LEAST_ABOVE_NOISE_DB))
 
 
 def _windows_of(

@@ -34,6 +34,7 @@ METRICS = (
     "level_100ms_db",
     "level_above_threshold_db",
     *EXTENT_COLUMNS,
+    "outputs_in_noise",
 )
 #: Metrics of actuators, each of the channel where it is largest, in the order of the columns.
 ACTUATOR_METRICS = (

@@ -1,8 +1,11 @@
 """The plan of a sweep: its stimuli, their levels, and the order of their presentation."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
 from hashlib import sha256
 from itertools import groupby
 from typing import Literal, get_args
@@ -126,6 +129,14 @@ def varied(design: Design, name: str, value: Value) -> Design:
     ------
     InvalidInputError
         Nothing in the design has such a field, or the value does not fit it.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+    >>> design = ss.Design(limb="synthetic-1", inputs=(tone,))
+    >>> print(ss.sweeps.varied(design, "frequency_hz", 50.0).clips[0].waveform.frequency_hz)
+    50.0
     """
     if name == "limb":
         # Any limb of this name: the digest is that of the limb before.
@@ -163,6 +174,22 @@ def names_in(design: Design) -> tuple[str, ...]:
         *(OF_CLIP if design.clips else ()),
         *of_waveforms,
     )
+
+
+def _check_variable(name: str, designs: Sequence[Design]) -> None:
+    """Raise `InvalidInputError` where ``name`` can be varied in none of the designs."""
+    number, dot, field = name.rpartition(_NUMBER_SEPARATOR)
+    known = list(dict.fromkeys(each for design in designs for each in names_in(design)))
+    if dot:
+        _target_of(name, max(len(design.inputs) for design in designs))
+        known = [each for each in known if each not in OF_DESIGN]
+    if field not in known:
+        close = get_close_matches(field, known, n=1)
+        nearest = f"perhaps {quoted(f'{number}{dot}{close[0]}')} is meant; " if close else ""
+        raise InvalidInputError(
+            f"nothing in the design has {quoted(name)}; {nearest}a sweep can vary "
+            f"{', '.join(known)}"
+        )
 
 
 def _actuation(design: Design, value: Value) -> Actuation:
@@ -276,6 +303,13 @@ def trials(order: Order, stimuli: Sequence[int]) -> tuple[Trial, ...]:
     ------
     InvalidInputError
         There would be too many.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> order = ss.sweeps.Order(kind="counterbalanced")
+    >>> print([trial.stimulus for trial in ss.sweeps.trials(order, [1, 2, 3, 4])])
+    [3, 1, 4, 2]
     """
     n_stimuli = len(stimuli)
     n_blocks = order.participants * order.blocks
@@ -378,6 +412,8 @@ class Plan:
         self._set_level()
         # A view checks axes, method and outputs.
         View(axes=self.axes, method=self.method, outputs=self.outputs)
+        for name, _ in self.variables:
+            _check_variable(name, [design for _, design in self.designs])
 
     def _set_level(self) -> None:
         default: Level = "drive"

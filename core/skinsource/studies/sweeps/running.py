@@ -1,5 +1,7 @@
 """Runs a sweep, or the rest of it, in processes and into a folder; reads sweeps from TOML."""
 
+from __future__ import annotations
+
 import os
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -12,7 +14,7 @@ from typing import Any
 from skinsource.actuators.prediction import Limits
 from skinsource.base.arguments import checking, integer, real_number
 from skinsource.base.errors import FileFormatError, InvalidInputError
-from skinsource.base.files import path_text, read_bytes
+from skinsource.base.files import FilePath, path_text, read_bytes
 from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.base.measurement_conditions import Axes
 from skinsource.base.quoting import printable, quoted, sentence
@@ -42,6 +44,10 @@ _MOST_PROCESSES = 256
 _WORTH_PROCESSES = 50
 
 
+#: A design or the path of a design file, or several.
+Designs = Design | FilePath | Sequence[Design | FilePath]
+#: Values by the name of the variable.
+Variables = Mapping[str, Iterable[Any]]
 #: Yields the metrics, or errors, of some stimuli of a plan, in any order; raises
 #: `skinsource.base.errors.Stopped` once the last argument says so.
 Measuring = Callable[[Plan, Iterable[int], Stop], Iterator[Row]]
@@ -71,14 +77,14 @@ class Sweep:
 
 @checking
 def sweep(
-    designs: Design | str | os.PathLike[str] | Sequence[Design | str | os.PathLike[str]],
-    vary: Mapping[str, Iterable[Any]] | None = None,
+    designs: Designs,
+    vary: Variables | None = None,
     *,
-    out: str | os.PathLike[str] | None = None,
+    out: FilePath | None = None,
     outputs: Iterable[int] = (),
     axes: Axes = "xyz",
     method: Method = "pca",
-    level: Level | str | os.PathLike[str] | None = None,
+    level: Level | FilePath | None = None,
     level_db: float | None = None,
     limits: Limits | None = None,
     order: Order | None = None,
@@ -134,7 +140,7 @@ def sweep(
 @checking
 def run(
     wanted: Sweep,
-    out: str | os.PathLike[str] | None,
+    out: FilePath | None,
     *,
     processes: int | None = None,
     measuring: Measuring | None = None,
@@ -147,6 +153,15 @@ def run(
     ----------
     measuring
         Measures instead of processes of this computer, such as `cluster.Cluster`.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+    >>> design = ss.Design(limb="synthetic-1", inputs=(tone,))
+    >>> plan = ss.sweeps.Plan(designs=(("tone", design),), variables=(("location", (7, 8)),))
+    >>> print(len(ss.sweeps.run(ss.sweeps.Sweep(plan=plan), None)))
+    2
     """
     plan = wanted.plan
     if out is None and (wanted.order or wanted.files or wanted.parquet):
@@ -187,7 +202,7 @@ def _measuring(n_left: int, processes: int | None) -> Measuring:
 
 
 def named_designs(
-    designs: Design | str | os.PathLike[str] | Sequence[Design | str | os.PathLike[str]],
+    designs: Designs,
 ) -> tuple[tuple[str, Design], ...]:
     """Return each design with a unique name: its file, its title, or a number."""
     several = [designs] if isinstance(designs, Design | str | os.PathLike) else list(designs)
@@ -209,13 +224,13 @@ def named_designs(
 
 
 def variables_of(
-    vary: Mapping[str, Iterable[Any]] | None,
+    vary: Variables | None,
 ) -> tuple[tuple[str, tuple[Value, ...]], ...]:
     """Return variables and their values for a plan."""
     return tuple((name, values_of(name, values)) for name, values in (vary or {}).items())
 
 
-def level_of(level: str | os.PathLike[str] | None) -> dict[str, Any]:
+def level_of(level: FilePath | None) -> dict[str, Any]:
     """Return the fields of a plan for a level: its name, or the strengths of a table of matches.
 
     Raises
@@ -289,6 +304,20 @@ def read_sweep(path: Path) -> Sweep:
         The file is no TOML, has an unknown name, or an invalid value.
     StorageError
         It, or a design, cannot be read.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import skinsource as ss
+    >>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+    >>> design = ss.Design(limb="synthetic-1", inputs=(tone,))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "sweep.toml"
+    ...     ss.save_design(path.with_name("a.skinsource"), design)
+    ...     _ = path.write_text('designs = ["a.skinsource"]')
+    ...     print(len(ss.sweeps.read_sweep(path).plan))
+    1
     """
     try:
         content = tomllib.loads(read_bytes(path, most=_MOST_BYTES).decode())

@@ -84,6 +84,18 @@ class SweepTable:
         which = self.columns.index(name)
         return np.array([row[which] for row in self.rows])
 
+    def to_dataframe(self) -> Any:
+        """Return the table as a pandas DataFrame, whose index is the number of the stimulus.
+
+        Raises
+        ------
+        MissingExtraError
+            pandas is not installed.
+        """
+        pandas: Any = package_of_extra("pandas", "pandas")
+        columns = {name: self.column(name) for name in self.columns}
+        return pandas.DataFrame(columns).set_index("stimulus")
+
     @property
     def failed(self) -> dict[int, str]:
         """Reasons why stimuli have no metrics, by number."""
@@ -130,7 +142,8 @@ def _metric_cells(outcome: Metrics | str, names: tuple[str, ...]) -> Iterator[Ce
         yield from (math.nan for _ in names)
         yield outcome
         return
-    yield from (outcome[name] for name in names)
+    # A journal of an earlier version may lack some.
+    yield from (outcome.get(name, math.nan) for name in names)
     yield ""
 
 

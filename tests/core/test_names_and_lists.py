@@ -1,0 +1,93 @@
+"""Names and lists where limbs and tuples are expected, and lists of names that exist."""
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.base.errors import InvalidInputError
+
+DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7),))
+LIMB = ss.load_limb("synthetic-1")
+
+
+def test_lists_are_stored_as_tuples():
+    curve = [[0.0, 1.0], [0.1, 0.5]]
+    listed = ss.Design(
+        limb="synthetic-1", inputs=[ss.Input(location=7, clips=[ss.Clip()], gain_curve=curve)]
+    )
+    plain = ss.Input(location=7, clips=(ss.Clip(),), gain_curve=tuple(map(tuple, curve)))
+    assert listed == ss.Design(limb="synthetic-1", inputs=(plain,))
+    assert hash(listed) == hash(ss.Design(limb="synthetic-1", inputs=(plain,)))
+    assert ss.View(outputs=[19, 21], time_range_s=[0.0, 0.1]).outputs == (19, 21)
+    endless: list = []
+    endless.append(endless)
+    with pytest.raises(InvalidInputError, match=r"Design\.inputs is .* expected a tuple"):
+        ss.Design(limb="synthetic-1", inputs=endless)
+
+
+@pytest.mark.parametrize(
+    "result",
+    [
+        lambda limb: ss.predict(limb, [[1.0, 2.0]], [7]),
+        lambda limb: ss.extent(np.arange(72.0), limb, 7).d90_mm,
+        lambda limb: ss.surface_operator(limb, 4.0).interpolate(np.arange(72.0)),
+        lambda limb: ss.stimulus_of(DESIGN, limb=limb).samples,
+    ],
+)
+def test_the_name_of_a_limb_stands_for_it(result):
+    np.testing.assert_array_equal(result("synthetic-1"), result(LIMB))
+    with pytest.raises(InvalidInputError, match="'synthetic-9' is not available here"):
+        result("synthetic-9")
+    with pytest.raises(InvalidInputError, match=r"limb is 3\.5, expected a Limb or the name"):
+        result(3.5)
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("frequency", "'frequency'; perhaps 'frequency_hz' is meant; a sweep can vary limb, "),
+        ("1.durations", "'1.durations'; perhaps '1.duration_s' is meant"),
+        ("1.limb", "nothing in the design has '1.limb'"),
+        ("2.frequency_hz", "the design has 1, numbered from 1"),
+    ],
+)
+def test_a_sweep_refuses_unknown_variables_before_it_begins(tmp_path, name, message):
+    with pytest.raises(InvalidInputError, match=message):
+        ss.sweep(DESIGN, {"amplitude": [1.0], name: [50, 100]}, out=tmp_path / "sweep")
+    assert not (tmp_path / "sweep").exists()
+
+
+def test_a_variable_of_one_design_among_several_can_be_varied():
+    tap = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
+    table = ss.sweep([DESIGN, tap], {"frequency_hz": [50.0]})
+    assert list(table.failed) == [2]
+
+
+def test_listed_quantities_have_the_shapes_that_are_told():
+    listed = {quantity.name: quantity for quantity in ss.quantities()}
+    view = ss.View(outputs=(19, 30))
+    values = ss.evaluate(DESIGN, *listed, view=view)
+    lengths = {"n_outputs": 72, "n_axes": 3, "n_selected": 2, "n_times": 781, "n_windows": 5}
+    for name, quantity in listed.items():
+        value = values[name]
+        if name.endswith("_spectra"):
+            frequency_hz, value = value
+            assert frequency_hz.shape == value.shape[-1:]
+        if value is not None:  # synthetic limbs have no noise
+            shape = np.shape(value)
+            told = [lengths.get(each, n) for each, n in zip(quantity.shape, shape, strict=True)]
+            assert list(shape) == told, name
+        assert quantity.about, name
+        assert quantity.unit or name.endswith("_samples"), name
+
+
+def test_an_unknown_quantity_is_refused_with_where_to_look():
+    with pytest.raises(InvalidInputError, match=r"'output_levels_db' is meant\. See skinsource\.q"):
+        ss.evaluate(DESIGN, "output_level_db")
+
+
+def test_places_are_public():
+    assert [place.number for place in ss.locations.INPUTS] == list(range(1, 21))
+    assert ss.locations.output_place(72).region == "elbow"
+    with pytest.raises(InvalidInputError, match=r"See skinsource\.locations"):
+        ss.predict(LIMB, [[1.0]], [0])
