@@ -61,6 +61,12 @@ def test_what_is_chosen_is_shown_with_what_it_answers_and_saved(window, settle_o
     settle_on(window)
     assert panel.view.rows[0].values[0] == pytest.approx(5.0 * before[0].values[0])
     assert panel.copy.isEnabled()
+    # What an audience is to guess is covered in each view that is chosen.
+    panel.show_covered(True)
+    panel.choice.choose("windowed")
+    assert panel.view._covers
+    panel.show_covered(False)
+    assert not panel.view._covers
 
 
 def test_nothing_is_computed_for_views_that_are_not_chosen(window, settle_on, monkeypatch):

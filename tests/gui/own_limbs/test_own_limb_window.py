@@ -25,6 +25,12 @@ PLAYED = Design(
 
 
 @pytest.fixture
+def open_window(make_window):
+    """Each test has a window of its own."""
+    return make_window
+
+
+@pytest.fixture
 def lab(user_data):
     return installed()
 
