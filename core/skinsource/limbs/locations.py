@@ -73,7 +73,7 @@ class OutputPlace:
     region: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class LocationNames:
     """What a place is called, whether or not it is one of those named here.
 
@@ -152,9 +152,16 @@ def input_name(number: int, limb: str = "") -> LocationNames:
     if (facts.own and 1 <= number <= facts.n_inputs) or facts.missing:
         return _own_names(number, facts.input_names, "Place", "place")
     if facts.own or not 1 <= number <= len(INPUTS):
-        return LocationNames(number, f"Place {number}, not on this hand", "not on this hand", "")
+        return LocationNames(
+            number=number,
+            name=f"Place {number}, not on this hand",
+            short_name="not on this hand",
+            kind="",
+        )
     place = INPUTS[number - 1]
-    return LocationNames(number, place.name, place.short_name, place.contact)
+    return LocationNames(
+        number=number, name=place.name, short_name=place.short_name, kind=place.contact
+    )
 
 
 @checking
@@ -168,15 +175,24 @@ def output_name(number: int, limb: str = "") -> LocationNames:
     if (facts.own and 1 <= number <= facts.n_outputs) or facts.missing:
         return _own_names(number, facts.output_names, "Output", "output")
     if facts.own or not 1 <= number <= len(OUTPUTS):
-        return LocationNames(number, "Not on this limb", "not on this limb", "")
+        return LocationNames(
+            number=number, name="Not on this limb", short_name="not on this limb", kind=""
+        )
     place = OUTPUTS[number - 1]
-    return LocationNames(number, place.name, place.short_name, place.side)
+    return LocationNames(
+        number=number, name=place.name, short_name=place.short_name, kind=place.side
+    )
 
 
 def _own_names(number: int, names: tuple[str, ...], long: str, short: str) -> LocationNames:
     """Return the names of a place of an imported limb; its number where the lab gave none."""
     name = names[number - 1] if names else ""
-    return LocationNames(number, name or f"{long} {number}", name or f"{short} {number}", "")
+    return LocationNames(
+        number=number,
+        name=name or f"{long} {number}",
+        short_name=name or f"{short} {number}",
+        kind="",
+    )
 
 
 __all__ = [
