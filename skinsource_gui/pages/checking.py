@@ -14,7 +14,6 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import (
     QFileDialog,
-    QHBoxLayout,
     QLabel,
     QWidget,
 )
@@ -473,9 +472,7 @@ class CheckingPage(ToolPage):
             LetterWidth(field, width_px)
             self.list.bar.addWidget(label)
             self.list.bar.addWidget(field)
-        plots = QHBoxLayout()
-        for box in self.boxes:
-            plots.addWidget(box, 1)
+        plots = in_row(*((box, 1) for box in self.boxes))
         below = in_row((self.message, 1), self._check, self._save, self._close)
         in_column((self.list, 2), (plots, 3), below, of=self, gap_px=UNIT_PX)
 

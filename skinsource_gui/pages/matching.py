@@ -14,7 +14,6 @@ from PySide6.QtGui import QKeyEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import (
     QFileDialog,
     QFormLayout,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QProgressBar,
@@ -77,14 +76,11 @@ class RunView(QWidget):
         self.bar.setTextVisible(False)
         self.bar.setFixedHeight(UNIT_PX)
         self.sides = {name: QLabel() for name in ("reference", "test")}
-        sides = QHBoxLayout()
-        sides.setSpacing(2 * UNIT_PX)
         for name, side in self.sides.items():
             side.setObjectName(f"matching_{name}")
             side.setAlignment(Qt.AlignmentFlag.AlignCenter)
             side.setMinimumHeight(_SIDE_PX)
             side.setWordWrap(True)
-            sides.addWidget(side, 1)
         gestures = KEYS["matching"].gestures
         question = QLabel(
             "Make the test as strong as the reference: arrow keys make it weaker or stronger, "
@@ -97,10 +93,11 @@ class RunView(QWidget):
             name: page_button(f"matching_{name}", label, _hint(gestures[name]))
             for name, label in _BUTTONS.items()
         }
-        row = QHBoxLayout()
         for name, button in self.buttons.items():
             button.clicked.connect(lambda _=False, name=name: self.requested.emit(name))
-            row.addWidget(button, 2 if name == "store" else 1)
+        sides = in_row(*((side, 1) for side in self.sides.values()), gap_px=2 * UNIT_PX)
+        buttons = self.buttons.items()
+        row = in_row(*((button, 2 if name == "store" else 1) for name, button in buttons))
         parts = (self.progress, self.bar, question, (sides, 1), row, self.note)
         in_column(*parts, of=self, margins=0, gap_px=2 * UNIT_PX)
         self._shortcuts = [

@@ -7,7 +7,6 @@ from PySide6.QtCore import QPoint, QRect, QRectF, QSize, QSizeF, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPainter, QPaintEvent, QPen, QPixmap
 from PySide6.QtWidgets import (
     QDialogButtonBox,
-    QHBoxLayout,
     QLabel,
     QListWidget,
     QListWidgetItem,
@@ -158,16 +157,13 @@ class ScenesPage(ToolPage):
     def _lay_out(self) -> None:
         about = QWidget()
         in_column((self.picture, 1), self.text, of=about, margins=0, gap_px=UNIT_PX)
-        columns = QHBoxLayout()
-        columns.setSpacing(2 * UNIT_PX)
         title = QLabel(self.played_on.accessibleName())
         limb = in_row(title, (self.played_on, 1))
         left = in_column((self.list, 1), limb, gap_px=UNIT_PX)
         for part in (title, self.played_on):
             part.setVisible(self._any_own)
-        columns.addLayout(left)
         # What has no room on a small screen scrolls, so that the buttons below stay visible.
-        columns.addWidget(_scrolled(about), 1)
+        columns = in_row(left, (_scrolled(about), 1), gap_px=2 * UNIT_PX)
         in_column((columns, 1), self.buttons, of=self)
         button = self.buttons.button(QDialogButtonBox.StandardButton.Open)
         button.setDefault(True)

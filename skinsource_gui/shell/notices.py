@@ -24,6 +24,7 @@ from skinsource.design.labels import LIMBS
 from skinsource.design.signal_path import unplayable_text
 from skinsource.design.view import View
 from skinsource.limbs.dataset.store import StoreInfo
+from skinsource_gui.qt.buttons import page_button
 from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.questions import ask_yes
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
@@ -166,9 +167,7 @@ class Notice(QObject):
             button.deleteLater()
         self._choices = []
         for text, act in choices:
-            button = QPushButton(text)
-            button.setObjectName("notice_choice")
-            button.setAutoDefault(False)
+            button = page_button("notice_choice", text)
             button.clicked.connect(partial(self._choose, act))
             self._row.insertWidget(len(self._choices), button)
             self._choices.append(button)

@@ -146,32 +146,23 @@ class PresentingKeys(KeyboardFilter):
 
     Parameters
     ----------
-    following, previous
-        What is done on Page Down, and on Page Up.
+    handlers
+        What is done by the keys of "next", "previous" and "leave".
     play
         What is done by its shortcut, where no shortcut of the window is asked.
-    leave
-        What is done on Esc, where no shortcut of the window is asked.
     parent
         Its owner.
     """
 
     def __init__(
         self,
-        following: Callable[[], None],
-        previous: Callable[[], None],
+        handlers: Mapping[str, Callable[[], None]],
         play: QAction,
-        leave: Callable[[], None],
         parent: QObject,
     ) -> None:
         super().__init__(parent)
         self._play = play
-        self._handlers = {
-            "next": following,
-            "previous": previous,
-            "play": play.trigger,
-            "leave": leave,
-        }
+        self._handlers = {**handlers, "play": play.trigger}
         self.follow(True)
 
     def end(self) -> None:
@@ -340,8 +331,8 @@ class Presenter(QObject):
         for keyboard in (window, self._notes):
             if keyboard is not None:
                 self._listen(keyboard)
-        steps = self.next_scene, self.previous_scene
-        self._presenting_keys = PresentingKeys(*steps, self._actions()["play"], self.end, self)
+        handlers = {"next": self.next_scene, "previous": self.previous_scene, "leave": self.end}
+        self._presenting_keys = PresentingKeys(handlers, self._actions()["play"], self)
         following = KEYS["presenting"].gestures["next"].shown
         cover = key_text("presenting", "cover")
         leave = f"{shortcut_text('present')} or {key_text('presenting', 'leave')}"

@@ -7,11 +7,9 @@ from time import perf_counter
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QShowEvent
 from PySide6.QtWidgets import (
-    QHBoxLayout,
     QLabel,
     QMenu,
     QProgressBar,
-    QPushButton,
     QSizePolicy,
     QStatusBar,
     QToolButton,
@@ -23,9 +21,11 @@ from skinsource.design.comparing import match_text
 from skinsource.design.design import Design, audible_inputs
 from skinsource.design.view import View
 from skinsource.engine.gains import TraceError
+from skinsource_gui.qt.buttons import page_button
 from skinsource_gui.qt.error_label import PROMISED, VISIBLE, error_text
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.labels import FittingLabel
+from skinsource_gui.qt.layouts import in_row
 from skinsource_gui.qt.overlays import Staleness
 from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
 from skinsource_gui.qt.window_events import WindowEvents
@@ -245,18 +245,12 @@ class PreparingNote(QWidget):
         self.setObjectName("preparing_sound")
         label = QLabel(_WORDS)
         label.setToolTip(_HINT)
-        self._cancel = QPushButton("Cancel")
-        self._cancel.setObjectName("cancel_preparing")
-        self._cancel.setToolTip(f"Do not play ({shortcut_text('play')})")
+        hint = f"Do not play ({shortcut_text('play')})"
+        self._cancel = page_button("cancel_preparing", "Cancel", hint)
         self._cancel.setAccessibleName("Cancel preparing the sound")
-        self._cancel.setAutoDefault(False)
         self._cancel.clicked.connect(self.cancel_requested)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(UNIT_PX, 0, 0, 0)
-        row.setSpacing(UNIT_PX)
-        row.addWidget(label)
-        row.addWidget(self._cancel)
+        in_row(label, self._cancel, of=self, margins=(UNIT_PX, 0, 0, 0), gap_px=UNIT_PX)
         self._staleness = Staleness(self)
         self._staleness.changed.connect(self._follow)
         self.hide()
@@ -335,26 +329,18 @@ class JobBar(QWidget):
         self._bar.setAccessibleName("Progress")
         self._bar.setTextVisible(False)
         self._bar.setFixedSize(_BAR_PX, UNIT_PX)
-        self._cancel = QPushButton("Cancel")
-        self._cancel.setObjectName("cancel_running_job")
-        self._cancel.setToolTip("Stop this; nothing half done is left")
+        hint = "Stop this; nothing half done is left"
+        self._cancel = page_button("cancel_running_job", "Cancel", hint)
         self._cancel.setAccessibleName("Cancel what is being done")
-        self._cancel.setAutoDefault(False)
-        self._cancel.clicked.connect(self._stop)
+        self._cancel.clicked.connect(lambda: runner.cancel())
         # It does not grow where the status bar has room to spare.
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(UNIT_PX, 0, 0, 0)
-        row.setSpacing(UNIT_PX)
-        for widget in (self._name, self._bar, self._percent, self._cancel):
-            row.addWidget(widget)
+        parts = self._name, self._bar, self._percent, self._cancel
+        in_row(*parts, of=self, margins=(UNIT_PX, 0, 0, 0), gap_px=UNIT_PX)
         self._shown: object = None
         runner.changed.connect(self._show_job)
         runner.progressed.connect(self._show_progress)
         self.hide()
-
-    def _stop(self) -> None:
-        self._runner.cancel()
 
     def _show_job(self) -> None:
         job, waiting = self._runner.current, max(len(self._runner.unfinished) - 1, 0)

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 from PySide6.QtCore import QLineF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QSizePolicy, QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource.base.measurement_conditions import SAMPLE_RATE_HZ, Band
@@ -25,6 +25,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.plots.preview import SpectrumPreview, WaveformPreview
+from skinsource_gui.qt.layouts import in_column
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
 
 #: Sample rate of a file that states none, until one is typed.
@@ -298,13 +299,9 @@ class ImportPreview(QWidget):
         self._spectrum.setMinimumHeight(120)
         self._numbers.setMinimumHeight(2 * self.fontMetrics().lineSpacing())
         self._notes.setMinimumHeight(3 * self.fontMetrics().lineSpacing())
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(UNIT_PX)
-        column.addWidget(self._waveform, 1)
-        column.addWidget(self._spectrum, 1)
-        column.addWidget(self._numbers)
-        column.addWidget(self._notes)
+        pictures = (self._waveform, 1), (self._spectrum, 1)
+        labels = self._numbers, self._notes
+        in_column(*pictures, *labels, of=self, margins=0, gap_px=UNIT_PX)
 
     @property
     def text(self) -> str:

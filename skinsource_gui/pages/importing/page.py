@@ -13,7 +13,6 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QLabel,
     QProgressBar,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -250,14 +249,8 @@ class ImportPage(ToolPage):
     def _lay_out(self) -> None:
         left = QWidget()
         left.setFixedWidth(_LEFT_PX)
-        self._left = QVBoxLayout(left)
-        self._left.setContentsMargins(0, 0, 0, 0)
-        self._left.setSpacing(UNIT_PX)
-        self._left.addWidget(self._about)
-        self._left.addWidget(self._warning)
-        self._left.addStretch(1)
-        self._left.addWidget(QLabel("Goes to"))
-        self._left.addWidget(self._place)
+        parts = self._about, self._warning, None, QLabel("Goes to"), self._place
+        self._left = in_column(*parts, of=left, margins=0, gap_px=UNIT_PX)
         right = in_column(self._strip, (self.preview, 1), gap_px=UNIT_PX)
         columns = in_row(left, (right, 1), gap_px=2 * UNIT_PX)
         in_column((columns, 1), self._bar, self._buttons, of=self)

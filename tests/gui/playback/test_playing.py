@@ -1,13 +1,15 @@
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QObject
 
 import skinsource as ss
+from skinsource.lab.playing.devices import Output
 from skinsource.lab.playing.mix import START_DB
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.playing import Player
+from skinsource_gui.state.playing import LiveEdits, Player
 from tests.gui.playback.conftest import DESIGN
 
 WAIT = {"timeout": 20_000}
@@ -160,3 +162,22 @@ def test_closing_the_window_lets_go_of_the_device(sound, studio, player, listen)
     studio.document.mark_saved(studio.document.path)
     studio.close()
     assert not sound.streams[0].active
+
+
+def test_of_edits_made_while_one_is_rendered_only_the_last_is_rendered_too(qapp):
+    document, owner, waiting, rendered = Document(DESIGN), QObject(), [], []
+
+    def change(playing, design, *_, **__):
+        rendered.append(design.inputs[0].amplitude)
+        return playing
+
+    thread = SimpleNamespace(run=lambda *task: waiting.append(task))
+    edits = LiveEdits(document, lambda: SimpleNamespace(change=change), thread, owner)
+    edits.begin(object(), DESIGN, Output(), None, loops=True)
+    for amplitude in (0.5, 0.6, 0.7):
+        document.edit("Louder", DESIGN.with_input(0, amplitude=amplitude))
+    while waiting:
+        work, then = waiting.pop(0)
+        then(work(), None)
+    assert rendered == [0.5, 0.7]
+    edits.end()
